@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef base_exceptions_h
+#define base_exceptions_h
+
+#include <stdexcept>
+#include <string>
+
+namespace ElastoPlastic
+{
+  /// What the program returns to the shell.
+  enum class ExitStatus : int
+  {
+    success        = 0,
+    wrong_input    = 2, ///< wrong usage, or a parameter that makes no sense
+    no_convergence = 3, ///< every remedy has been tried
+    no_equilibrium = 4, ///< no stress field can carry the load
+    io_failure     = 5  ///< a file could not be read or written
+  };
+
+  /// An error a user can act on: one clear message, and the exit status that
+  /// the program ends with. The message says what is wrong, where (file,
+  /// section, entry, value), what is allowed, and how to mend it; it ends
+  /// without a newline. Thrown with the same message on all ranks.
+  class Error : public std::runtime_error
+  {
+  public:
+    Error(const ExitStatus status, const std::string &message)
+      : std::runtime_error(message)
+      , status(status)
+    {}
+
+    const ExitStatus status;
+  };
+
+  /// Wrong usage or wrong input.
+  struct InputError : Error
+  {
+    explicit InputError(const std::string &message)
+      : Error(ExitStatus::wrong_input, message)
+    {}
+
+    /// The value of one entry is not allowed. @p path is written like
+    /// "Material/Yield stress"; @p remedy completes the sentence "..., but".
+    InputError(const std::string &path,
+               const std::string &value,
+               const std::string &remedy)
+      : InputError("The entry '" + path + "' is '" + value + "', but " + remedy)
+    {}
+  };
+
+  /// The iteration has not converged after every remedy.
+  struct ConvergenceError : Error
+  {
+    explicit ConvergenceError(const std::string &message)
+      : Error(ExitStatus::no_convergence, message)
+    {}
+  };
+
+  /// A file or directory could not be read or written.
+  struct FileError : Error
+  {
+    explicit FileError(const std::string &message)
+      : Error(ExitStatus::io_failure, message)
+    {}
+  };
+} // namespace ElastoPlastic
+
+#endif

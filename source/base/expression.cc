@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <cmath>
+#include <sstream>
+
+#include "base/exceptions.h"
+#include "base/expression.h"
+
+namespace ElastoPlastic
+{
+  template <int dim>
+  Expression<dim>::Expression(const std::string &path, const std::string &text)
+    : path(path)
+    , text(text)
+  {
+    const std::string variables = (dim == 2 ? "x,y,t" : "x,y,z,t");
+    try
+      {
+        function.initialize(variables,
+                            text,
+                            {{"pi", numbers::PI}, {"e", numbers::E}},
+                            /* time_dependent = */ true);
+        function.value(Point<dim>()); // deal.II parses at the first use
+      }
+    catch (const ExceptionBase &exception)
+      {
+        std::ostringstream reason;
+        exception.print_info(reason);
+        throw InputError(path,
+                         text,
+                         "this is not an expression in " + variables +
+                           " that can be evaluated." + reason.str());
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  Expression<dim>::value(const Point<dim> &point, const double time) const
+  {
+    function.set_time(time);
+    const double result = function.value(point);
+    if (!std::isfinite(result))
+      {
+        std::ostringstream where;
+        where << "at (" << point << ") and t = " << time << " its value is "
+              << result << ". It must be finite in the whole body.";
+        throw InputError(path, text, where.str());
+      }
+    return result;
+  }
+
+
+
+  template class Expression<2>;
+  template class Expression<3>;
+} // namespace ElastoPlastic
