@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# shellcheck shell=bash disable=SC2034
+#
+# Sourced by the other scripts: what they need from the machine, and how they
+# build. Leaves the shell in the project's top folder.
+
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+readonly build_packages=(libdeal.ii-dev libpng-dev libboost-program-options-dev cmake g++ make git)
+readonly test_packages=(numdiff perl)
+readonly plot_packages=(python3 paraview python3-paraview python3-matplotlib xvfb xauth libgl1-mesa-dri)
+readonly lint_packages=(clang-format-14 clang-tidy-14)
+
+# One thread per MPI rank.
+export OMP_NUM_THREADS=1
+
+# Open MPI refuses to start as root, which is who one is in a container.
+if [ "$(id -u)" -eq 0 ]; then
+  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+fi
+
+fail()
+{
+  echo "$(basename "$0"): $*" >&2
+  exit 1
+}
+
+# run_as_root COMMAND [ARGUMENT ...]
+run_as_root()
+{
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    fail "this needs root, and there is no sudo: $*"
+  fi
+}
+
+# install_missing PACKAGE ...
+# Installs those Debian packages that are not there yet; without any, it does
+# not touch the network.
+install_missing()
+{
+  if ! command -v dpkg-query >/dev/null; then
+    echo "Not a Debian system: I take it that the equivalents of these packages are installed: $*"
+    return
+  fi
+  local package missing=()
+  for package in "$@"; do
+    dpkg-query --show --showformat '${db:Status-Status}\n' "$package" 2>/dev/null |
+      grep -qx installed || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+
+  echo "Installing ${missing[*]}"
+  run_as_root apt-get update -q
+  run_as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
+
+# build TYPE [CMAKE_OPTION ...]
+# Configures and compiles build/release or build/debug; TYPE is Release or Debug.
+build()
+{
+  local type=$1
+  shift
+  cmake -S . -B "build/${type,,}" -DCMAKE_BUILD_TYPE="$type" "$@"
+  cmake --build "build/${type,,}" --parallel "$(nproc)"
+}
+
+# on_ranks NUMBER COMMAND [ARGUMENT ...]
+on_ranks()
+{
+  mpirun --oversubscribe -np "$@"
+}

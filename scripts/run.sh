@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# scripts/run.sh [FILE.prm] [RANKS]
+#
+# Installs what is missing, builds the program, runs one case (default: a sphere
+# pressed into a block, on two ranks) and draws a picture of the result.
+
+case ${1:-} in
+  -h | --help)
+    sed -n '5,8s/^# \{0,1\}//p' "$0"
+    exit
+    ;;
+esac
+
+invocation_folder=$PWD
+# shellcheck source=scripts/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+case_file=$(realpath -m "parameter_files/sphere_3d.prm")
+if [ $# -ge 1 ]; then
+  case_file=$(cd "$invocation_folder" && realpath -m "$1")
+fi
+n_ranks=${2:-2}
+
+[ -r "$case_file" ] || fail "there is no readable file '$case_file'"
+[[ $n_ranks =~ ^[1-9][0-9]*$ ]] || fail "the number of ranks must be a positive integer, not '$n_ranks'"
+
+install_missing "${build_packages[@]}" "${plot_packages[@]}"
+build Release -DENABLE_TESTING=OFF
+
+results=output/$(basename "$case_file" .prm)
+on_ranks "$n_ranks" build/release/elasto_plastic_contact "$case_file" \
+  --output-directory "$results" --overwrite
+
+scripts/plot.py "$results"
+scripts/render.py "$results" --output "$results/picture.png"
+
+cat <<END
+
+Results:  $PWD/$results (history.csv, statistics.csv; solution.pvd and surface.pvd for ParaView)
+Plots:    $PWD/$results/pressure.png, $PWD/$results/convergence.png
+Picture:  $PWD/$results/picture.png
+END

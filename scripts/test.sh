@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+#
+# scripts/test.sh [CMAKE_OPTION ...]
+#
+# Installs what is missing, builds the program with and without the checks of a
+# Debug build, and runs all tests of both. Options are handed on to cmake, for
+# example -DWARNINGS_AS_ERRORS=ON.
+
+case ${1:-} in
+  -h | --help)
+    sed -n '5,9s/^# \{0,1\}//p' "$0"
+    exit
+    ;;
+esac
+
+# shellcheck source=scripts/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+install_missing "${build_packages[@]}" "${test_packages[@]}"
+
+status=0
+summaries=()
+for type in Debug Release; do
+  build "$type" -DENABLE_TESTING=ON "$@"
+  log=build/${type,,}/ctest.log
+  (cd "build/${type,,}" && ctest -j2 --output-on-failure) 2>&1 | tee "$log" || status=1
+  summaries+=("$type: $(grep -E 'tests passed|No tests were found' "$log" || echo 'ctest ended without a summary')")
+done
+
+printf '\n'
+printf '%s\n' "${summaries[@]}"
+exit $status
