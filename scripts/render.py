@@ -35,8 +35,17 @@ PLASTIC = [0.93, 0.16, 0.22]
 PRESSURE_COLOURS = [(0., [1., 1., 1.]), (0.15, [1., 0.93, 0.62]), (0.4, [0.99, 0.68, 0.32]),
                     (0.65, [0.88, 0.32, 0.19]), (0.85, [0.60, 0.10, 0.24]), (1., [0.24, 0.03, 0.22])]
 
-# The lower part of each panel that is kept free for the scalar bar.
-BAR_SHARE = 0.14
+# The lower and upper part of each panel that are kept free for text.
+BAR_SHARE, TITLE_SHARE = 0.13, 0.04
+
+# Where the camera stands, and which way is up: for flat data, and for bodies
+# cut at right angles to an axis.
+FROM_THE_FRONT = ([0., 0., 1.], [0., 1., 0.])
+OBLIQUELY = {
+    "none": ([-0.55, -0.70, 0.46], [0., 0., 1.]),
+    "x": ([-0.78, -0.42, 0.46], [0., 0., 1.]),
+    "y": ([-0.42, -0.78, 0.46], [0., 0., 1.]),
+}
 
 
 class RenderError(Exception):
@@ -126,10 +135,6 @@ def field_names(source):
     return set(source.PointData.keys())
 
 
-def is_scalar(source, field):
-    return source.PointData[field].GetNumberOfComponents() == 1
-
-
 def smooth(source):
     """Join the cells, which are written one by one, and make fields that are
     constant on each of them continuous."""
@@ -191,6 +196,8 @@ def displacement_scale(text, source):
 
 
 def choose_cut(text, source, contact):
+    if contact is None or is_flat(source):
+        return "none"
     if text != "auto":
         return text
     lower, upper, _ = extent(source)
@@ -202,7 +209,7 @@ def cut_away(source, axis, contact):
     """Keep whole cells behind the plane through the contact."""
     if axis == "none":
         return source
-    _, _, length = extent(source)
+    length = extent(source)[2]
     normal = {"x": [1, 0, 0], "y": [0, 1, 0]}[axis]
     # A plane of mesh faces must not count as touching the cells in front.
     origin = [c + 1e-6 * length * n for c, n in zip(contact.centre, normal)]
@@ -216,9 +223,10 @@ def colour_by(view, display, field, title):
     """Colour by a field from zero up to its largest value, or over its range
     if it has negative values; with a scalar bar."""
     pv.ColorBy(display, ("POINTS", field))
-    low, high = display.Input.PointData[field].GetRange(0 if is_scalar(display.Input, field) else -1)
-    low = min(low, 0.)
-    high = high if high > low else low + 1.
+    values = display.Input.PointData[field]
+    lowest, highest = values.GetRange(0 if values.GetNumberOfComponents() == 1 else -1)
+    low = min(lowest, 0.)
+    high = highest if highest > low else low + 1.
     colours = pv.GetColorTransferFunction(field)
     if field == "contact_pressure":
         colours.RGBPoints = [value for position, colour in PRESSURE_COLOURS
@@ -261,11 +269,11 @@ def new_view(size):
     return view
 
 
-def write_text(view, text, location, size):
+def write_text(view, text, location, size, justification):
     if text:
         display = pv.Show(pv.Text(Text=text), view)
         display.Color, display.FontSize, display.FontFamily = DARK, size, "Arial"
-        display.WindowLocation = location
+        display.WindowLocation, display.Justification = location, justification
 
 
 def show_plastic_zone(view, body, names):
@@ -283,8 +291,8 @@ def show_plastic_zone(view, body, names):
 
 
 def aim(view, source, direction, up, centre, zoom):
-    """Look from a direction so that the whole of source fits above the scalar
-    bar, magnified about the centre."""
+    """Look from a direction so that the whole of source fits between title and
+    scalar bar, magnified about the centre."""
     away = numpy.array(direction) / numpy.linalg.norm(direction)
     right = numpy.cross(up, away)
     right /= numpy.linalg.norm(right)
@@ -294,8 +302,8 @@ def aim(view, source, direction, up, centre, zoom):
     half_width, half_height = (0.5 * numpy.ptp(corners @ axis) for axis in (right, upwards))
 
     width, height = view.ViewSize
-    scale = 1.06 * max(half_height / (1. - BAR_SHARE), half_width * height / width) / zoom
-    focus = numpy.array(centre) - BAR_SHARE * scale * upwards
+    scale = 1.06 * max(half_height / (1. - BAR_SHARE - TITLE_SHARE), half_width * height / width) / zoom
+    focus = numpy.array(centre) - (BAR_SHARE - TITLE_SHARE) * scale * upwards
     view.CameraFocalPoint = list(focus)
     view.CameraPosition = list(focus + 4. * length * away)
     view.CameraViewUp = up
@@ -307,11 +315,9 @@ def draw_body(arguments, body, contact, size):
     names = field_names(body)
     if arguments.field not in names:
         raise RenderError(f"there is no field '{arguments.field}'; there are: {', '.join(sorted(names))}")
-    flat = is_flat(body)
     scale = displacement_scale(arguments.scale, body)
-    seen = body
-    if not flat and contact:
-        seen = cut_away(body, choose_cut(arguments.cut, body, contact), contact)
+    cut = choose_cut(arguments.cut, body, contact)
+    seen = cut_away(body, cut, contact)
     warped = pv.WarpByVector(Input=seen, Vectors=["POINTS", "displacement"], ScaleFactor=scale)
     warped.UpdatePipeline()
 
@@ -325,10 +331,10 @@ def draw_body(arguments, body, contact, size):
         notes.append("red line: plastic zone")
     if scale != 1.:
         notes.append(f"displacement x {scale:g}")
-    write_text(view, "\n".join(notes), "Upper Left Corner", 15)
-    write_text(view, arguments.title, "Upper Center", 22)
+    write_text(view, "\n".join(notes), "Upper Left Corner", 15, "Left")
+    write_text(view, arguments.title, "Upper Center", 22, "Center")
 
-    direction, up = ([0., 0., 1.], [0., 1., 0.]) if flat else ([-0.42, -0.78, 0.46], [0., 0., 1.])
+    direction, up = FROM_THE_FRONT if is_flat(body) else OBLIQUELY[cut]
     centre = contact.centre if contact and arguments.zoom != 1. else middle(warped)
     aim(view, warped, direction, up, centre, arguments.zoom)
     return view
@@ -351,8 +357,8 @@ def draw_pressure(arguments, surface, contact, size):
     pv.Render(view)  # colour maps abort before the first image
     show_mesh(view, display, not arguments.no_edges)
     colour_by(view, display, "contact_pressure", "contact pressure")
-    write_text(view, "from above", "Upper Center", 15)
-    aim(view, near, [0., 0., 1.], [0., 1., 0.], middle(near), 1.)
+    write_text(view, "from above", "Upper Center", 15, "Center")
+    aim(view, near, *FROM_THE_FRONT, middle(near), 1.)
     return view
 
 
