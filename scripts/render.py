@@ -19,14 +19,6 @@ from dataclasses import dataclass
 
 INSIDE_VIRTUAL_DISPLAY = "ELASTO_PLASTIC_CONTACT_VIRTUAL_DISPLAY"
 
-TITLES = {
-    "von_mises_stress": "von Mises stress",
-    "equivalent_plastic_strain": "equivalent plastic strain",
-    "plastic_fraction": "plastic fraction",
-    "error_indicator": "error indicator",
-    "displacement": "displacement",
-}
-
 DARK = [0.12, 0.14, 0.18]
 EDGES = [0.20, 0.22, 0.26]
 PLASTIC = [0.93, 0.16, 0.22]
@@ -219,7 +211,7 @@ def cut_away(source, axis, contact):
     return plane
 
 
-def colour_by(view, display, field, title):
+def colour_by(view, display, field):
     """Colour by a field from zero up to its largest value, or over its range
     if it has negative values; with a scalar bar."""
     pv.ColorBy(display, ("POINTS", field))
@@ -235,8 +227,12 @@ def colour_by(view, display, field, title):
         colours.ApplyPreset("Viridis (matplotlib)", True)
         colours.RescaleTransferFunction(low, high)
     display.SetScalarBarVisibility(view, True)
+    arrange_scalar_bar(view, colours, field, low, high)
+
+
+def arrange_scalar_bar(view, colours, field, low, high):
     bar = pv.GetScalarBar(colours, view)
-    bar.Title, bar.ComponentTitle = title, ""
+    bar.Title, bar.ComponentTitle = field.replace("_", " ").replace("mises", "Mises"), ""
     bar.TitleColor = bar.LabelColor = DARK
     bar.TitleFontSize, bar.LabelFontSize = 20, 18
     bar.TitleFontFamily = bar.LabelFontFamily = "Arial"
@@ -325,7 +321,7 @@ def draw_body(arguments, body, contact, size):
     display = pv.Show(warped, view)
     pv.Render(view)  # colour maps abort before the first image
     show_mesh(view, display, not arguments.no_edges)
-    colour_by(view, display, arguments.field, TITLES.get(arguments.field, arguments.field.replace("_", " ")))
+    colour_by(view, display, arguments.field)
     notes = []
     if show_plastic_zone(view, warped, names):
         notes.append("red line: plastic zone")
@@ -356,7 +352,7 @@ def draw_pressure(arguments, surface, contact, size):
     display = pv.Show(near, view)
     pv.Render(view)  # colour maps abort before the first image
     show_mesh(view, display, not arguments.no_edges)
-    colour_by(view, display, "contact_pressure", "contact pressure")
+    colour_by(view, display, "contact_pressure")
     write_text(view, "from above", "Upper Center", 15, "Center")
     aim(view, near, *FROM_THE_FRONT, middle(near), 1.)
     return view
