@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_indenter_height_map_h
+#define contact_indenter_height_map_h
+
+#include <deal.II/base/function_lib.h>
+#include <deal.II/base/table.h>
+
+#include <vector>
+
+#include "contact/indenter.h"
+
+namespace ElastoPlastic
+{
+  /// An indenter given by heights on a regular grid, (bi)linear in between.
+  /// Outside the grid it does not reach.
+  template <int dim>
+  class IndenterHeightMap : public Indenter<dim>
+  {
+  public:
+    /// @param heights by row and column as in a picture: the first row has the
+    /// largest y, the first column the smallest x. At least two along each
+    /// horizontal direction; in two dimensions a single row.
+    /// @param scale multiplies the heights; a negative one turns them upside
+    /// down. They are then shifted so that the lowest is zero.
+    /// @param size are the distances between the centres of the first and the
+    /// last pixel, one per horizontal direction; the middle of the grid is the
+    /// indenter's position.
+    IndenterHeightMap(const Table<2, double>    &heights,
+                      const double               scale,
+                      const std::vector<double> &size);
+
+    double
+    profile(const Point<dim - 1> &x) const override;
+
+  private:
+    const std::vector<double>                             size;
+    const Functions::InterpolatedUniformGridData<dim - 1> interpolation;
+  };
+} // namespace ElastoPlastic
+
+#endif

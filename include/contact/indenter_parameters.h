@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_indenter_parameters_h
+#define contact_indenter_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The entries of the section "Indenter": shape and place of the rigid body.
+  /// In two dimensions each shape is its section y = 0.
+  struct IndenterParameters
+  {
+    std::string         type            = "sphere";
+    double              radius          = 1;
+    double              semi_apex_angle = 70.3; ///< degrees
+    std::vector<double> half_widths     = {1};
+    std::string         expression      = "(x^2 + y^2)/2";
+    std::string         file;
+    std::vector<double> size; ///< one per horizontal direction
+    double              height_scale = 1;
+    std::string         side_down    = "dark"; ///< or "light"
+    std::vector<double> position; ///< horizontal; empty stands for the origin
+    double              initial_gap = 0;
+    double              reach       = 0; ///< 0: as far as the shape goes
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// Throw InputError for the first value that is not allowed. What the
+    /// chosen shape reads (expression, file) is tried out as well.
+    void
+    check(const unsigned int dim) const;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_indenter_rectangular_punch_h
+#define contact_indenter_rectangular_punch_h
+
+#include <vector>
+
+#include "contact/indenter.h"
+
+namespace ElastoPlastic
+{
+  /// A flat punch with a rectangular face (in two dimensions, with an edge).
+  template <int dim>
+  class IndenterRectangularPunch : public Indenter<dim>
+  {
+  public:
+    /// @param half_widths of the face, one per horizontal direction.
+    explicit IndenterRectangularPunch(const std::vector<double> &half_widths);
+
+    double
+    profile(const Point<dim - 1> &x) const override;
+
+  private:
+    const std::vector<double> half_widths;
+  };
+} // namespace ElastoPlastic
+
+#endif

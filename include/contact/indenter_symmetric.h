@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_indenter_symmetric_h
+#define contact_indenter_symmetric_h
+
+#include "contact/indenter.h"
+#include "contact/sections.h"
+
+namespace ElastoPlastic
+{
+  /// How a section becomes a body in three dimensions. In two dimensions the
+  /// two are the same.
+  enum class Symmetry
+  {
+    revolution, ///< about the vertical axis: sphere, cone, circular punch
+    translation ///< along y: cylinder, wedge, strip punch
+  };
+
+  /// An indenter whose height depends on one distance only.
+  template <int dim>
+  class IndenterSymmetric : public Indenter<dim>
+  {
+  public:
+    IndenterSymmetric(const Symmetry symmetry, const Section &section);
+
+    double
+    profile(const Point<dim - 1> &x) const override;
+
+  private:
+    const Symmetry symmetry;
+    const Section  section;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <csetjmp>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "contact/decode_png.h"
+
+#include <png.h>
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// libpng's reading functions behind one that owns its structures and
+    /// reports errors by a return value: its errors are long jumps, so no
+    /// object with a destructor may live in a function that calls it.
+    class PngReader
+    {
+    public:
+      explicit PngReader(const std::string &content)
+        : next(content.data())
+        , n_bytes_left(content.size())
+        , png(png_create_read_struct(PNG_LIBPNG_VER_STRING,
+                                     this,
+                                     &PngReader::jump_out,
+                                     [](png_structp,
+                                        png_const_charp /*warning*/) {}))
+        , info(png_create_info_struct(png))
+      {
+        AssertThrow(png != nullptr && info != nullptr, ExcOutOfMemory(0));
+        png_set_read_fn(png, this, &PngReader::copy_bytes);
+      }
+
+      PngReader(const PngReader &) = delete;
+
+      ~PngReader()
+      {
+        png_destroy_read_struct(&png, &info, nullptr);
+      }
+
+      /// Read up to the pixels and ask for 16 bit per channel, without
+      /// palette and transparency. False on an error.
+      bool
+      read_header()
+      {
+        if (setjmp(png_jmpbuf(png)))
+          return false;
+        png_read_info(png, info);
+        png_set_expand_16(png);
+        png_set_strip_alpha(png);
+        png_set_interlace_handling(png);
+        png_read_update_info(png, info);
+        return true;
+      }
+
+      /// Read the pixels into rows of n_bytes_per_row(). False on an error.
+      bool
+      read_pixels(png_bytepp rows)
+      {
+        if (setjmp(png_jmpbuf(png)))
+          return false;
+        png_read_image(png, rows);
+        png_read_end(png, nullptr);
+        return true;
+      }
+
+      std::size_t
+      width() const
+      {
+        return png_get_image_width(png, info);
+      }
+
+      std::size_t
+      height() const
+      {
+        return png_get_image_height(png, info);
+      }
+
+      unsigned int
+      n_channels() const
+      {
+        return png_get_channels(png, info);
+      }
+
+      std::size_t
+      n_bytes_per_row() const
+      {
+        return png_get_rowbytes(png, info);
+      }
+
+      const std::string &
+      error() const
+      {
+        return message;
+      }
+
+    private:
+      [[noreturn]] static void
+      jump_out(png_structp png, png_const_charp message)
+      {
+        static_cast<PngReader *>(png_get_error_ptr(png))->message = message;
+        png_longjmp(png, 1);
+      }
+
+      static void
+      copy_bytes(png_structp png, png_bytep target, std::size_t n_bytes)
+      {
+        PngReader &reader = *static_cast<PngReader *>(png_get_io_ptr(png));
+        if (n_bytes > reader.n_bytes_left)
+          png_error(png, "the file ends too early");
+        std::copy_n(reader.next, n_bytes, target);
+        reader.next += n_bytes;
+        reader.n_bytes_left -= n_bytes;
+      }
+
+      const char *next;
+      std::size_t n_bytes_left;
+      std::string message;
+      png_structp png;
+      png_infop   info;
+    };
+
+
+
+    /// Between 0 and 1, from one or three channels of 16 bit, high byte first.
+    double
+    grey(const png_byte *const pixel, const unsigned int n_channels)
+    {
+      const auto channel = [pixel](const unsigned int c) {
+        return (256 * pixel[2 * c] + pixel[2 * c + 1]) / 65535.;
+      };
+      if (n_channels == 1)
+        return channel(0);
+      return 0.299 * channel(0) + 0.587 * channel(1) + 0.114 * channel(2);
+    }
+  } // namespace
+
+
+
+  Table<2, double>
+  decode_png(const HeightFile &file)
+  {
+    PngReader  reader(file.content);
+    const auto reject = [&]() {
+      file.reject("this PNG image is damaged or truncated (" + reader.error() +
+                  ").");
+    };
+    if (!reader.read_header())
+      reject();
+    const std::size_t width = reader.width(), height = reader.height();
+    file.check_n_pixels(width, height);
+    constexpr std::size_t largest_compression = 1032; // of zlib
+    if (width * height / 8 > largest_compression * file.content.size())
+      file.reject(
+        "this PNG image is damaged or truncated (its header promises "
+        "more pixels than the file can hold).");
+
+    std::vector<png_byte>  bytes(height * reader.n_bytes_per_row());
+    std::vector<png_bytep> rows(height);
+    for (std::size_t row = 0; row < height; ++row)
+      rows[row] = bytes.data() + row * reader.n_bytes_per_row();
+    if (!reader.read_pixels(rows.data()))
+      reject();
+
+    const unsigned int n_channels = reader.n_channels();
+    Table<2, double>   greys(height, width);
+    for (std::size_t row = 0; row < height; ++row)
+      for (std::size_t column = 0; column < width; ++column)
+        greys(row, column) =
+          grey(rows[row] + 2 * n_channels * column, n_channels);
+    return greys;
+  }
+} // namespace ElastoPlastic

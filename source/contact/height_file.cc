@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "base/exceptions.h"
+#include "contact/height_file.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    std::string
+    read(const std::string &path, const std::string &name)
+    {
+      std::error_code ignored;
+      std::ifstream   stream;
+      if (std::filesystem::is_regular_file(name, ignored))
+        stream.open(name, std::ios::binary);
+      if (!stream.is_open())
+        throw InputError(path,
+                         name,
+                         "there is no such file, or it cannot be read. A "
+                         "relative name starts in the working directory.");
+      return {std::istreambuf_iterator<char>(stream), {}};
+    }
+  } // namespace
+
+
+
+  HeightFile::HeightFile(const std::string &path, const std::string &name)
+    : path(path)
+    , name(name)
+    , content(read(path, name))
+  {}
+
+
+
+  void
+  HeightFile::reject(const std::string &what) const
+  {
+    throw InputError(path, name, what);
+  }
+
+
+
+  void
+  HeightFile::check_n_pixels(const std::size_t width,
+                             const std::size_t height) const
+  {
+    constexpr std::size_t n_pixels_max = 100'000'000;
+    if (width == 0 || height == 0 || width > n_pixels_max / height)
+      reject("the header of this image promises " + std::to_string(width) +
+             " x " + std::to_string(height) +
+             " pixels. Between 1 and 10^8 pixels can be read.");
+  }
+
+
+
+  bool
+  HeightFile::begins_with(const std::string &signature) const
+  {
+    return content.compare(0, signature.size(), signature) == 0;
+  }
+} // namespace ElastoPlastic

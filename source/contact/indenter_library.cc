@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/exceptions.h>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "contact/decode_image.h"
+#include "contact/decode_matrix.h"
+#include "contact/indenter_expression.h"
+#include "contact/indenter_height_map.h"
+#include "contact/indenter_library.h"
+#include "contact/indenter_rectangular_punch.h"
+#include "contact/indenter_symmetric.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    template <int dim>
+    using Pointer = std::unique_ptr<Indenter<dim>>;
+
+
+
+    template <int dim>
+    Pointer<dim>
+    revolve(const Section &section)
+    {
+      return std::make_unique<IndenterSymmetric<dim>>(Symmetry::revolution,
+                                                      section);
+    }
+
+
+
+    template <int dim>
+    Pointer<dim>
+    extrude(const Section &section)
+    {
+      return std::make_unique<IndenterSymmetric<dim>>(Symmetry::translation,
+                                                      section);
+    }
+
+
+
+    template <int dim>
+    Pointer<dim>
+    height_map(
+      const IndenterParameters                                  &p,
+      const std::function<Table<2, double>(const HeightFile &)> &decode)
+    {
+      const HeightFile       file("Indenter/File", p.file);
+      const Table<2, double> heights = decode(file);
+      if (dim == 2 && heights.n_rows() != 1)
+        file.reject("it has " + std::to_string(heights.n_rows()) +
+                    " rows. In two dimensions an indenter has a single one.");
+      if (heights.n_cols() < 2 || (dim == 3 && heights.n_rows() < 2))
+        file.reject("it has " + std::to_string(heights.n_rows()) + " x " +
+                    std::to_string(heights.n_cols()) +
+                    " heights (rows x columns). An indenter needs at least " +
+                    (dim == 2 ? "1 x 2." : "2 x 2."));
+
+      const double sign = (p.side_down == "light" ? -1 : 1);
+      return std::make_unique<IndenterHeightMap<dim>>(heights,
+                                                      sign * p.height_scale,
+                                                      p.size);
+    }
+
+
+
+    /// A shape: the name a user types and what it stands for.
+    template <int dim>
+    using Shape =
+      std::pair<std::string,
+                std::function<Pointer<dim>(const IndenterParameters &)>>;
+
+
+
+    /// The list of all indenters. A new shape is a section or a class derived
+    /// from Indenter, and a line here.
+    template <int dim>
+    const std::vector<Shape<dim>> &
+    shapes()
+    {
+      using P = IndenterParameters;
+      using namespace Sections;
+
+      // clang-format off
+      static const std::vector<Shape<dim>> list = {
+        {"sphere",            [](const P &p) { return revolve<dim>(circle(p.radius)); }},
+        {"paraboloid",        [](const P &p) { return revolve<dim>(parabola(p.radius)); }},
+        {"cylinder",          [](const P &p) { return extrude<dim>(circle(p.radius)); }},
+        {"cone",              [](const P &p) { return revolve<dim>(flank(p.semi_apex_angle)); }},
+        {"wedge",             [](const P &p) { return extrude<dim>(flank(p.semi_apex_angle)); }},
+        {"circular punch",    [](const P &p) { return revolve<dim>(face(p.radius)); }},
+        {"strip punch",       [](const P &p) { return extrude<dim>(face(p.half_widths.front())); }},
+        {"rectangular punch", [](const P &p) { return std::make_unique<IndenterRectangularPunch<dim>>(p.half_widths); }},
+        {"expression",        [](const P &p) { return std::make_unique<IndenterExpression<dim>>("Indenter/Expression", p.expression); }},
+        {"image",             [](const P &p) { return height_map<dim>(p, decode_image); }},
+        {"height matrix",     [](const P &p) { return height_map<dim>(p, decode_matrix); }},
+        {"none",              [](const P &) { return nullptr; }}};
+      // clang-format on
+      return list;
+    }
+  } // namespace
+
+
+
+  std::string
+  indenter_types()
+  {
+    std::string types;
+    for (const auto &[name, make] : shapes<3>())
+      types += (types.empty() ? "" : "|") + name;
+    return types;
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<Indenter<dim>>
+  make_indenter(const IndenterParameters &parameters)
+  {
+    for (const auto &[name, make] : shapes<dim>())
+      if (name == parameters.type)
+        return make(parameters);
+    AssertThrow(false, ExcInternalError());
+    return nullptr;
+  }
+
+
+
+  template std::unique_ptr<Indenter<2>>
+  make_indenter(const IndenterParameters &);
+  template std::unique_ptr<Indenter<3>>
+  make_indenter(const IndenterParameters &);
+} // namespace ElastoPlastic

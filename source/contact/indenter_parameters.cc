@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+#include <string>
+
+#include "base/exceptions.h"
+#include "contact/indenter_library.h"
+#include "contact/indenter_parameters.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    void
+    add_shape(IndenterParameters &p, ParameterHandler &prm)
+    {
+      prm.add_parameter(
+        "Type",
+        p.type,
+        "The shape of the rigid indenter. Sphere, paraboloid, cone and circular "
+        "punch are bodies of revolution; cylinder, wedge and strip punch have "
+        "their axis along y. In two dimensions each shape is its section y = 0, "
+        "so that cone and wedge, for instance, are the same there. 'expression', "
+        "'image' and 'height matrix' read the entries of that name below; 'none' "
+        "is a body without contact.",
+        Patterns::Selection(indenter_types()));
+      prm.add_parameter(
+        "Radius",
+        p.radius,
+        "Radius of sphere, cylinder and circular punch; radius of curvature R of "
+        "the paraboloid, whose profile is r^2/(2R). Sphere and cylinder are true "
+        "circles and end at this radius. Unit: length, > 0.",
+        Patterns::Double());
+      prm.add_parameter(
+        "Semi-apex angle",
+        p.semi_apex_angle,
+        "Angle between axis and flank of cone and wedge; the profile is "
+        "r/tan(angle). The default is the cone that displaces the same volume as "
+        "Berkovich's pyramid. Unit: degrees, between 0 and 90, both excluded.",
+        Patterns::Double());
+      prm.add_parameter(
+        "Half width",
+        p.half_widths,
+        "Half the width of the face: one value for a strip punch, one per "
+        "horizontal direction (x, y) for a rectangular punch. Unit: length, > 0.",
+        Patterns::List(Patterns::Double(), 1, 2));
+      prm.add_parameter(
+        "Expression",
+        p.expression,
+        "The profile of the type 'expression': the height above the tip as a "
+        "function of the horizontal coordinates x and y relative to 'Position' "
+        "(y is 0 in two dimensions). It is used as typed: if its smallest value "
+        "is not 0, the indenter does not just touch at 'Initial gap = 0'. It must "
+        "be finite within 'Reach'. Unit: length.",
+        Patterns::Anything());
+    }
+
+
+
+    void
+    add_height_map(IndenterParameters &p, ParameterHandler &prm)
+    {
+      prm.add_parameter(
+        "File",
+        p.file,
+        "The file of the types 'image' and 'height matrix'. An image is a PNG of "
+        "any kind (colours become grey, transparency is ignored), a PGM or a PBM, "
+        "up to 16 bit. A matrix is a text of numbers separated by white space or "
+        "commas, one row per line, '#' begins a comment; the first row has the "
+        "largest y, like the top of an image. In two dimensions there is one row "
+        "only. Heights are linear between the centres of the pixels and shifted so "
+        "that the lowest is 0. A relative name starts in the working directory.",
+        Patterns::Anything());
+      prm.add_parameter(
+        "Size",
+        p.size,
+        "Extent of the image or matrix along x (and y), from the centre of the "
+        "first to that of the last pixel; its middle is at 'Position', and outside "
+        "there is no indenter. Unit: length, each > 0.",
+        Patterns::List(Patterns::Double(), 0, 2));
+      prm.add_parameter(
+        "Height scale",
+        p.height_scale,
+        "Difference in height between black and white for an image (unit: "
+        "length), factor on the numbers of a height matrix. Allowed: > 0.",
+        Patterns::Double());
+      prm.add_parameter(
+        "Side down",
+        p.side_down,
+        "What touches first: the dark or the light parts of an image, the low "
+        "('dark') or the high ('light') values of a height matrix.",
+        Patterns::Selection("dark|light"));
+    }
+
+
+
+    void
+    add_place(IndenterParameters &p, ParameterHandler &prm)
+    {
+      prm.add_parameter(
+        "Position",
+        p.position,
+        "Horizontal coordinates x (and y) of the tip or of the middle of the face; "
+        "empty stands for the origin. Unit: length.",
+        Patterns::List(Patterns::Double(), 0, 2));
+      prm.add_parameter(
+        "Initial gap",
+        p.initial_gap,
+        "How far the undisplaced indenter is above the top surface. Unit: length, "
+        ">= 0.",
+        Patterns::Double());
+      prm.add_parameter(
+        "Reach",
+        p.reach,
+        "Contact is looked for only within this horizontal distance from "
+        "'Position'; 0 stands for as far as the shape goes. Unit: length, >= 0.",
+        Patterns::Double());
+    }
+
+    template <typename T>
+    void
+    require(const bool         condition,
+            const std::string &entry,
+            const T           &value,
+            const std::string &remedy)
+    {
+      if (!condition)
+        throw InputError("Indenter/" + entry,
+                         Patterns::Tools::to_string(value),
+                         remedy);
+    }
+
+
+
+    bool
+    all_positive(const std::vector<double> &values)
+    {
+      return std::all_of(values.begin(), values.end(), [](const double value) {
+        return value > 0;
+      });
+    }
+
+
+
+    void
+    check_list_lengths(const IndenterParameters &p, const unsigned int dim)
+    {
+      const unsigned int n_horizontal = dim - 1;
+      const std::string  directions   = (dim == 2 ? "x" : "x, y");
+
+      require(p.position.empty() || p.position.size() == n_horizontal,
+              "Position",
+              p.position,
+              "in " + std::to_string(dim) + " dimensions it must be empty or " +
+                "hold one coordinate per horizontal direction (" + directions +
+                ").");
+      if (p.type == "strip punch")
+        require(p.half_widths.size() == 1,
+                "Half width",
+                p.half_widths,
+                "a strip punch has a single half width, that along x.");
+      if (p.type == "rectangular punch")
+        require(p.half_widths.size() == n_horizontal,
+                "Half width",
+                p.half_widths,
+                "in " + std::to_string(dim) + " dimensions a rectangular " +
+                  "punch needs one half width per horizontal direction (" +
+                  directions + ").");
+      if (p.type == "image" || p.type == "height matrix")
+        require(p.size.size() == n_horizontal,
+                "Size",
+                p.size,
+                "in " + std::to_string(dim) + " dimensions an image or a " +
+                  "height matrix needs one extent per horizontal direction (" +
+                  directions + ").");
+    }
+  } // namespace
+
+
+
+  void
+  IndenterParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Indenter");
+    add_shape(*this, prm);
+    add_height_map(*this, prm);
+    add_place(*this, prm);
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  IndenterParameters::check(const unsigned int dim) const
+  {
+    require(radius > 0, "Radius", radius, "it must be greater than 0.");
+    require(semi_apex_angle > 0 && semi_apex_angle < 90,
+            "Semi-apex angle",
+            semi_apex_angle,
+            "it must lie between 0 and 90 degrees, both excluded. A flat face "
+            "is a punch.");
+    require(all_positive(half_widths),
+            "Half width",
+            half_widths,
+            "it must be greater than 0.");
+    require(all_positive(size), "Size", size, "it must be greater than 0.");
+    require(height_scale > 0,
+            "Height scale",
+            height_scale,
+            "it must be greater than 0. To turn the indenter upside down, "
+            "change 'Side down'.");
+    require(initial_gap >= 0,
+            "Initial gap",
+            initial_gap,
+            "it must not be negative: the undisplaced indenter stays outside "
+            "the body. Push it in with the entries of 'Loading'.");
+    require(reach >= 0,
+            "Reach",
+            reach,
+            "it must not be negative; 0 stands for as far as the shape goes.");
+    check_list_lengths(*this, dim);
+
+    // An expression or a file shows what is wrong with it only when it is read.
+    if (dim == 2)
+      make_indenter<2>(*this);
+    else
+      make_indenter<3>(*this);
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/exceptions.h>
+
+#include <cmath>
+#include <limits>
+
+#include "contact/indenter_rectangular_punch.h"
+
+namespace ElastoPlastic
+{
+  template <int dim>
+  IndenterRectangularPunch<dim>::IndenterRectangularPunch(
+    const std::vector<double> &half_widths)
+    : half_widths(half_widths)
+  {
+    AssertDimension(half_widths.size(), dim - 1);
+  }
+
+
+
+  template <int dim>
+  double
+  IndenterRectangularPunch<dim>::profile(const Point<dim - 1> &x) const
+  {
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      if (!within(std::abs(x[d]), half_widths[d]))
+        return std::numeric_limits<double>::infinity();
+    return 0;
+  }
+
+
+
+  template class IndenterRectangularPunch<2>;
+  template class IndenterRectangularPunch<3>;
+} // namespace ElastoPlastic
