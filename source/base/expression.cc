@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <cmath>
+#include <iostream>
 #include <sstream>
 
 #include "base/exceptions.h"
@@ -9,6 +10,30 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// Keeps what is sent to std::cerr from the user: deal.II prints there what
+    /// muParser says, on every rank, before it throws.
+    class SilentErrorStream
+    {
+    public:
+      SilentErrorStream()
+        : buffer(std::cerr.rdbuf(nullptr))
+      {}
+
+      ~SilentErrorStream()
+      {
+        std::cerr.rdbuf(buffer);
+        std::cerr.clear();
+      }
+
+    private:
+      std::streambuf *const buffer;
+    };
+  } // namespace
+
+
+
   template <int dim>
   Expression<dim>::Expression(const std::string &path, const std::string &text)
     : path(path)
@@ -17,6 +42,7 @@ namespace ElastoPlastic
     const std::string variables = (dim == 2 ? "x,y,t" : "x,y,z,t");
     try
       {
+        const SilentErrorStream silence;
         function.initialize(variables,
                             text,
                             {{"pi", numbers::PI}, {"e", numbers::E}},

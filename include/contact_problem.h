@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_problem_h
+#define contact_problem_h
+
+#include "contact/contact_set.h"
+#include "mechanics/solid_operator.h"
+#include "mechanics/supports.h"
+#include "mechanics/tangent_matrix.h"
+#include "solver/constrained_minimization.h"
+#include "solver/linear_solver.h"
+
+namespace ElastoPlastic
+{
+  /// The contact problem of one load step on one mesh, put together from its
+  /// parts, as SemismoothNewton wants to see it: minimise
+  /// Pi(u) = int W(strain(u)) dx - forces . u, where supports and active
+  /// contact nodes are held.
+  template <int dim>
+  class ContactProblem : public ConstrainedMinimization
+  {
+  public:
+    /// All arguments must outlive this object.
+    ContactProblem(SolidOperator<dim>  &solid,
+                   const Supports<dim> &supports,
+                   const Vector        &external_forces,
+                   ContactSet<dim>     &contact,
+                   TangentMatrix<dim>  &tangent,
+                   LinearSolver        &linear_solver);
+
+    void
+    initialize_vector(Vector &vector) const override;
+
+    double
+    energy(const Vector &u) const override;
+
+    void
+    compute_residual(Vector &residual, const Vector &u) const override;
+
+    void
+    linearize(const Vector &u) override;
+
+    void
+    apply_tangent(Vector &result, const Vector &increment) const override;
+
+    unsigned int
+    solve_tangent(Vector       &increment,
+                  const Vector &rhs,
+                  const double  reduction) override;
+
+    void
+    tangent_diagonal(Vector &diagonal) const override;
+
+    bool
+    update_active_set(const Vector &u, const Vector &residual) override;
+
+    bool
+    update_feasible_active_set(const Vector &u,
+                               const Vector &residual) override;
+
+    std::uint64_t
+    active_set_fingerprint() const override;
+
+    unsigned int
+    n_active() const override;
+
+    void
+    move_held(Vector &u) const override;
+
+    void
+    project(Vector &u) const override;
+
+    void
+    zero_held(Vector &vector) const override;
+
+  private:
+    /// Hanging nodes follow their masters.
+    void
+    distribute(Vector &u) const;
+
+    SolidOperator<dim>  &solid;
+    const Supports<dim> &supports;
+    const Vector        &external_forces;
+    ContactSet<dim>     &contact;
+    TangentMatrix<dim>  &tangent;
+    LinearSolver        &linear_solver;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef io_checked_write_h
+#define io_checked_write_h
+
+#include <functional>
+#include <ostream>
+#include <string>
+
+#include <mpi.h>
+
+namespace ElastoPlastic
+{
+  /// Writes the file @p name with @p write on this rank, and makes sure that it
+  /// is complete on disk. Every rank calls this, with an empty @p name if it
+  /// has nothing to write.
+  /// @throws FileError, on all ranks, if any rank fails (no permission, disk
+  /// full).
+  void
+  checked_write(const MPI_Comm                             communicator,
+                const std::string                         &name,
+                const std::function<void(std::ostream &)> &write);
+
+  /// Throws a FileError about @p name on all ranks if @p success is false on
+  /// any of them.
+  void
+  check_written(const MPI_Comm     communicator,
+                const std::string &name,
+                const bool         success);
+} // namespace ElastoPlastic
+
+#endif

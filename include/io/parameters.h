@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef io_parameters_h
+#define io_parameters_h
+
+#include <iosfwd>
+#include <string>
+
+#include "contact/indenter_parameters.h"
+#include "io/command_line.h"
+#include "io/output_parameters.h"
+#include "loading/loading_parameters.h"
+#include "material/material_parameters.h"
+#include "mechanics/discretization_parameters.h"
+#include "mesh/boundary_conditions.h"
+#include "mesh/geometry.h"
+#include "mesh/refinement.h"
+#include "solver/linear_solver.h"
+#include "solver/newton_parameters.h"
+
+namespace ElastoPlastic
+{
+  /// Everything a parameter file can say. Each room of the program declares
+  /// and documents its own section; here they are only put together, and what
+  /// concerns several of them is checked.
+  struct Parameters
+  {
+    unsigned int dimension = 3;
+    std::string  analysis  = "contact";
+
+    GeometryParameters          geometry;
+    BoundaryConditionParameters boundary_conditions;
+    MaterialParameters          material;
+    IndenterParameters          indenter;
+    LoadingParameters           loading;
+    DiscretizationParameters    discretization;
+    RefinementParameters        refinement;
+    NewtonParameters            newton;
+    LinearSolverParameters      linear_solver;
+    OutputParameters            output;
+
+    /// The complete effective input, in the format of a parameter file.
+    std::string effective_input;
+
+    /// Reads and checks the file and the overrides of the command line.
+    /// @throws InputError with file, section, entry, value and remedy.
+    static Parameters
+    read(const CommandLine &command_line);
+
+    /// Writes all entries with default, range, unit and meaning as the user
+    /// guide's reference (Markdown).
+    static void
+    print_reference(std::ostream &out);
+
+  private:
+    void
+    add_parameters(ParameterHandler &prm);
+
+    void
+    check() const;
+  };
+} // namespace ElastoPlastic
+
+#endif

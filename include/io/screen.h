@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef io_screen_h
+#define io_screen_h
+
+#include <deal.II/base/conditional_ostream.h>
+
+#include <string>
+
+#include "solver/semismooth_newton.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// What one nonlinear solve has found: a row of statistics.csv and, in part,
+  /// of the table on the screen. Units are those of the input.
+  struct SolveResult
+  {
+    unsigned int            step              = 0;
+    unsigned int            cycle             = 0;
+    types::global_dof_index cells             = 0;
+    types::global_dof_index dofs              = 0;
+    unsigned int            newton_iterations = 0;
+    unsigned int            linear_iterations = 0;
+    unsigned int            active_nodes      = 0;
+    double                  force             = 0;
+    double                  depth             = 0;
+    double                  residual          = 0;
+    /// |force - reaction of the supports - tractions| / the largest of them
+    double force_balance_error   = 0;
+    double max_penetration       = 0;
+    double complementarity_error = 0;
+    double estimated_error       = 0;
+    double wall_seconds          = 0;
+    /// peak, all ranks together
+    double memory_mb                     = 0;
+    double max_hanging_penetration       = 0;
+    double min_pressure                  = 0;
+    double contact_area                  = 0;
+    double max_pressure                  = 0;
+    double energy                        = 0;
+    double plastic_volume                = 0;
+    double max_equivalent_plastic_strain = 0;
+  };
+
+
+
+  /// Tells the user on the screen what is going on, from the first rank only,
+  /// as much as the entry "Output/Screen" allows.
+  class Screen
+  {
+  public:
+    /// @p verbosity is full, summary or quiet.
+    Screen(const MPI_Comm communicator, const std::string &verbosity);
+
+    /// Program, libraries, build and number of ranks.
+    void
+    print_banner(const unsigned int n_ranks);
+
+    void
+    begin_solve(const SolveResult &sizes);
+
+    void
+    newton_step(const NewtonStep &step);
+
+    void
+    end_solve(const SolveResult &result);
+
+    /// A remark that only the full output shows.
+    void
+    remark(const std::string &text);
+
+    /// For the table of times.
+    ConditionalOStream &
+    full_stream();
+
+  private:
+    ConditionalOStream full;
+    ConditionalOStream summary;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef material_radial_return_h
+#define material_radial_return_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/vectorization.h>
+
+#include "material/material.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// What a material point remembers of its past. Tensors are deviatoric and
+  /// three-dimensional, also in plane problems.
+  template <typename Number>
+  struct MaterialState
+  {
+    SymmetricTensor<2, 3, Number> plastic_strain;
+    SymmetricTensor<2, 3, Number> back_stress;
+    /// alpha, with the rate sqrt(2/3) |plastic strain rate|.
+    Number equivalent_plastic_strain = Number(0.);
+  };
+
+
+
+  /// The deviatoric part of the consistent tangent,
+  /// de -> a de - m (m : de), with a = 2 G theta and
+  /// m = sqrt(2 G theta_bar) n (doc/theory.md, "Material"). Since m is
+  /// deviatoric, its in-plane part (dim = 2) is all that plane strain needs.
+  template <int dim, typename Number>
+  struct DeviatoricTangent
+  {
+    Number                          shear;
+    SymmetricTensor<2, dim, Number> direction;
+
+    /// The in-plane part of the deviatoric stress increment that belongs to
+    /// the strain increment @p strain (whose out-of-plane components are zero).
+    SymmetricTensor<2, dim, Number>
+    operator*(const SymmetricTensor<2, dim, Number> &strain) const
+    {
+      SymmetricTensor<2, dim, Number> stress = shear * strain;
+      stress -= (direction * strain) * direction;
+      const Number mean = shear * trace(strain) * (1. / 3.);
+      for (unsigned int d = 0; d < dim; ++d)
+        stress[d][d] -= mean;
+      return stress;
+    }
+  };
+
+
+
+  /// One backward Euler step of J2 plasticity with linear isotropic and
+  /// kinematic hardening: the closed-form radial return
+  /// @cite simo_hughes_1998 (box 3.1). Works on all lanes of a
+  /// VectorizedArray at once, with masks in place of branches.
+  ///
+  /// Everything is deviatoric; the pressure K tr(strain) is the caller's.
+  template <typename Number>
+  class RadialReturn
+  {
+  public:
+    using Tensor3 = SymmetricTensor<2, 3, Number>;
+
+    /// @p strain is the deviator of the total strain at the end of the step,
+    /// @p old_state the state at its beginning.
+    RadialReturn(const Material<Number>      &material,
+                 const Tensor3               &strain,
+                 const MaterialState<Number> &old_state)
+      : material(material)
+      , old_state(old_state)
+      , modulus(2. * material.shear_modulus + material.isotropic_modulus +
+                material.kinematic_modulus)
+      , elastic_trial_strain(strain - old_state.plastic_strain)
+    {
+      // Step 1: trial stress relative to the centre of the yield surface
+      const Tensor3 relative_stress =
+        2. * material.shear_modulus * elastic_trial_strain -
+        old_state.back_stress;
+      // (a norm of zero is replaced: the direction then is zero as well)
+      trial_norm = std::max(relative_stress.norm(), Number(1e-100));
+      direction  = relative_stress / trial_norm;
+
+      // Step 2: excess over the radius; sqrt(2/3) H alpha = 2/3 H sqrt(3/2)
+      // alpha
+      const Number excess = trial_norm - material.yield_radius -
+                            material.isotropic_modulus * std::sqrt(1.5) *
+                              old_state.equivalent_plastic_strain;
+
+      // Step 3: return to the yield surface along the direction
+      multiplier = std::max(excess, Number(0.)) / modulus;
+    }
+
+    /// s = 2 G (e - e_p) at the end of the step.
+    Tensor3
+    deviatoric_stress() const
+    {
+      return 2. * material.shear_modulus *
+             (elastic_trial_strain - multiplier * direction);
+    }
+
+    /// The incremental potential whose derivative with respect to the strain
+    /// is deviatoric_stress(): G |e - e_p,n|^2 - (multiplier)^2 modulus / 2.
+    Number
+    energy() const
+    {
+      return material.shear_modulus *
+               (elastic_trial_strain * elastic_trial_strain) -
+             0.5 * modulus * multiplier * multiplier;
+    }
+
+    /// The derivative of deviatoric_stress() with respect to the strain.
+    DeviatoricTangent<3, Number>
+    tangent() const
+    {
+      const Number two_g     = 2. * material.shear_modulus;
+      const Number softening = two_g * multiplier / trial_norm; // 1 - theta
+      const Number theta_bar = two_g / modulus - softening;
+      return {two_g * (1. - softening),
+              std::sqrt(plastic(two_g * theta_bar)) * direction};
+    }
+
+    /// The state at the end of the step.
+    MaterialState<Number>
+    state() const
+    {
+      return {old_state.plastic_strain + multiplier * direction,
+              old_state.back_stress +
+                material.kinematic_modulus * multiplier * direction,
+              old_state.equivalent_plastic_strain +
+                std::sqrt(2. / 3.) * multiplier};
+    }
+
+    /// @p value on the lanes that yield, zero on the others.
+    Number
+    plastic(const Number &value) const
+    {
+      return compare_and_apply_mask<SIMDComparison::greater_than>(multiplier,
+                                                                  Number(0.),
+                                                                  value,
+                                                                  Number(0.));
+    }
+
+  private:
+    const Material<Number>       material;
+    const MaterialState<Number> &old_state;
+
+    /// 2 G + 2/3 (H + H_k)
+    const Number  modulus;
+    const Tensor3 elastic_trial_strain;
+    Number        trial_norm;
+    Tensor3       direction;
+    /// Delta gamma, the length of the plastic strain increment.
+    Number multiplier;
+  };
+} // namespace ElastoPlastic
+
+#endif

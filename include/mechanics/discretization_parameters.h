@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_discretization_parameters_h
+#define mechanics_discretization_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+#include "mechanics/solid_operator.h"
+
+namespace ElastoPlastic
+{
+  /// The entries of the section "Discretization".
+  struct DiscretizationParameters
+  {
+    unsigned int degree               = 1;
+    std::string  volumetric_treatment = "standard";
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    VolumetricTreatment
+    treatment() const;
+  };
+} // namespace ElastoPlastic
+
+#endif

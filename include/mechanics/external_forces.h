@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_external_forces_h
+#define mechanics_external_forces_h
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include "mesh/boundary_conditions.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// Computes the nodal forces int traction . phi_i ds of the given tractions
+  /// at @p time, condensed with @p constraints. @p forces has its layout.
+  template <int dim>
+  void
+  compute_external_forces(LinearAlgebra::distributed::Vector<double> &forces,
+                          const DoFHandler<dim>           &dof_handler,
+                          const AffineConstraints<double> &constraints,
+                          const BoundaryConditions<dim>   &boundary_conditions,
+                          const double                     time);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_matrix_free_solid_h
+#define mechanics_matrix_free_solid_h
+
+#include <deal.II/base/aligned_vector.h>
+#include <deal.II/matrix_free/fe_evaluation.h>
+#include <deal.II/matrix_free/matrix_free.h>
+
+#include <vector>
+
+#include "material/radial_return.h"
+#include "mechanics/solid_operator.h"
+
+namespace ElastoPlastic
+{
+  /// The SolidOperator on deal.II's MatrixFree, for one polynomial degree.
+  ///
+  /// There is one cell kernel, integrate_stress(): it evaluates the strain,
+  /// asks a "point law" for the deviatoric stress, adds the pressure and
+  /// integrates against the strains of the shape functions. The residual
+  /// passes the radial return as the law, the tangent product the stored
+  /// tangent; diagonal and matrix are tangent products with unit vectors. So
+  /// residual and tangent cannot drift apart.
+  template <int dim, int degree>
+  class MatrixFreeSolid : public SolidOperator<dim>
+  {
+  public:
+    MatrixFreeSolid(const VolumetricTreatment            treatment,
+                    const std::vector<Material<double>> &materials);
+
+    void
+    reinit(const DoFHandler<dim>           &dof_handler,
+           const AffineConstraints<double> &constraints) override;
+
+    void
+    initialize_vector(VectorType &vector) const override;
+
+    double
+    energy(const VectorType &u) const override;
+
+    void
+    internal_forces(VectorType &forces, const VectorType &u) const override;
+
+    double
+    virtual_work(const VectorType &u, const VectorType &w) const override;
+
+    void
+    linearize(const VectorType &u) override;
+
+    void
+    vmult(VectorType &forces, const VectorType &increment) const override;
+
+    void
+    diagonal(VectorType &values) const override;
+
+    void
+    add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
+               const AffineConstraints<double> &all_constraints) const override;
+
+    void
+    for_each_point(const VectorType              &u,
+                   const std::function<void(
+                     const typename DoFHandler<dim>::active_cell_iterator &cell,
+                     const unsigned int point,
+                     const PointResult &result)> &receive) const override;
+
+  private:
+    using Number         = VectorizedArray<double>;
+    using Strain         = SymmetricTensor<2, dim, Number>;
+    using CellEvaluation = FEEvaluation<dim, degree, degree + 1, dim, double>;
+    using CellRange      = std::pair<unsigned int, unsigned int>;
+
+    static constexpr unsigned int n_points = Utilities::pow(degree + 1, dim);
+
+    /// The materials of the cells of a batch.
+    Material<Number>
+    material_of(const unsigned int cell_batch) const;
+
+    /// The volumetric strain at all points of the current cell: point values
+    /// or, for B-bar, the cell mean. Gradients must have been evaluated.
+    std::array<Number, n_points>
+    volumetric_strain(const CellEvaluation &phi) const;
+
+    /// The radial return at a point of the current cell, from the virgin state.
+    RadialReturn<Number>
+    radial_return(const CellEvaluation   &phi,
+                  const unsigned int      point,
+                  const Material<Number> &material) const;
+
+    /// The cell kernel: turns the dof values of @p phi into nodal forces.
+    /// @p deviatoric_stress(point, strain) is the point law.
+    template <typename PointLaw>
+    void
+    integrate_stress(CellEvaluation &phi,
+                     const PointLaw &deviatoric_stress) const;
+
+    /// The kernel with the stored tangent as point law.
+    void
+    integrate_tangent(CellEvaluation &phi) const;
+
+    /// Loops over all cells with the displacement @p u evaluated, for
+    /// everything that only reads: body(phi, cell_batch).
+    template <typename Body>
+    void
+    for_each_cell_batch(const VectorType &u, const Body &body) const;
+
+    const VolumetricTreatment           treatment;
+    const std::vector<Material<double>> materials;
+
+    MatrixFree<dim, double> matrix_free;
+
+    /// For each cell batch and lane an index into materials; empty if there is
+    /// only one material.
+    std::vector<std::array<unsigned int, Number::size()>> material_indices;
+
+    /// The tangent at all points, n_points per cell batch.
+    AlignedVector<DeviatoricTangent<dim, Number>> tangents;
+
+    /// The state before the step: virgin.
+    const MaterialState<Number> virgin_state;
+  };
+} // namespace ElastoPlastic
+
+#endif

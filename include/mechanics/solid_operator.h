@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_solid_operator_h
+#define mechanics_solid_operator_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "material/material.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  using VectorType = LinearAlgebra::distributed::Vector<double>;
+
+  /// How the volumetric strain enters the stress (doc/theory.md, "Locking").
+  enum class VolumetricTreatment
+  {
+    standard, ///< tr(strain) point by point: Q1 then locks in plastic flow
+    b_bar     ///< its mean value over the cell
+  };
+
+
+
+  /// What is known at one quadrature point of a displacement field.
+  struct PointResult
+  {
+    SymmetricTensor<2, 3> stress;
+    SymmetricTensor<2, 3> plastic_strain;
+    double                equivalent_plastic_strain;
+    /// Whether the point has yielded in this step.
+    bool plastic;
+    /// The volume (in 2D: the area) that the point stands for.
+    double volume;
+  };
+
+
+
+  /// The deformable body: everything that follows from one cell kernel, strain
+  /// -> stress -> nodal forces, for a displacement field u. No boundary
+  /// condition and no contact is known here: all unknowns are free, but for
+  /// those that the AffineConstraints passed to reinit() (hanging nodes,
+  /// skew rollers) express by others.
+  ///
+  /// Vectors passed in need no ghost values; displacements must satisfy the
+  /// constraints (AffineConstraints::distribute()). Forces come out condensed:
+  /// a hanging node's force is handed to its masters.
+  template <int dim>
+  class SolidOperator
+  {
+  public:
+    virtual ~SolidOperator() = default;
+
+    /// Prepares everything that depends on the mesh. @p dof_handler and
+    /// @p constraints must outlive this object or the next call.
+    virtual void
+    reinit(const DoFHandler<dim>           &dof_handler,
+           const AffineConstraints<double> &constraints) = 0;
+
+    virtual void
+    initialize_vector(VectorType &vector) const = 0;
+
+    /// int W(strain(u)) dx, the incremental energy of model.md section 2.
+    virtual double
+    energy(const VectorType &u) const = 0;
+
+    /// The internal forces int stress(u) : strain(phi_i) dx.
+    virtual void
+    internal_forces(VectorType &forces, const VectorType &u) const = 0;
+
+    /// int stress(u) : strain(w) dx, the same integral for one field @p w
+    /// instead of the shape functions, summed over all ranks.
+    virtual double
+    virtual_work(const VectorType &u, const VectorType &w) const = 0;
+
+    /// Computes and stores the consistent tangent at u, for the calls below.
+    virtual void
+    linearize(const VectorType &u) = 0;
+
+    /// The product of the stored tangent with @p increment.
+    virtual void
+    vmult(VectorType &forces, const VectorType &increment) const = 0;
+
+    /// The diagonal of the stored tangent.
+    virtual void
+    diagonal(VectorType &values) const = 0;
+
+    /// Adds the stored tangent to @p matrix, condensed with
+    /// @p all_constraints, which contain at least those of reinit().
+    virtual void
+    add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
+               const AffineConstraints<double> &all_constraints) const = 0;
+
+    /// Calls @p receive for all quadrature points of all locally owned cells,
+    /// with the points of a cell in the order of QGauss<dim>(degree + 1).
+    virtual void
+    for_each_point(const VectorType              &u,
+                   const std::function<void(
+                     const typename DoFHandler<dim>::active_cell_iterator &cell,
+                     const unsigned int point,
+                     const PointResult &result)> &receive) const = 0;
+  };
+
+
+
+  /// The solid operator for FE_Q(@p degree)^dim, with the material that belongs
+  /// to each cell's material id (or the only one).
+  /// @throws InputError if a cell's material id has no material.
+  template <int dim>
+  std::unique_ptr<SolidOperator<dim>>
+  make_solid_operator(const unsigned int                   degree,
+                      const VolumetricTreatment            treatment,
+                      const std::vector<Material<double>> &materials);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_supports_h
+#define mechanics_supports_h
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <map>
+
+#include "mesh/boundary_conditions.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The displacement boundary conditions of the body on one mesh, in two
+  /// parts:
+  ///
+  /// - constraints(): degrees of freedom that are combinations of others,
+  ///   homogeneous: hanging nodes, and rollers on surfaces that are not
+  ///   parallel to a coordinate plane. They are eliminated once per mesh.
+  /// - fixed(): degrees of freedom with a given value: fixed and prescribed
+  ///   displacements and all other rollers. Together with the active contact
+  ///   nodes they are "held", which is the business of the nonlinear solver.
+  template <int dim>
+  class Supports
+  {
+  public:
+    using Vector = LinearAlgebra::distributed::Vector<double>;
+
+    /// Finds both parts for @p dof_handler, with prescribed displacements at
+    /// @p time.
+    void
+    reinit(const DoFHandler<dim>         &dof_handler,
+           const BoundaryConditions<dim> &boundary_conditions,
+           const double                   time);
+
+    const AffineConstraints<double> &
+    constraints() const;
+
+    /// The fixed, locally relevant degrees of freedom.
+    IndexSet
+    fixed_dofs() const;
+
+    /// All locally relevant degrees of freedom of the vertical displacement
+    /// that feel a support: fixed ones, and those on skew rollers.
+    const IndexSet &
+    vertical_supports() const;
+
+    /// Sets the fixed entries that this rank owns to their values.
+    void
+    move_fixed(Vector &u) const;
+
+    /// Sets the fixed entries that this rank owns to @p value.
+    void
+    set_fixed_entries(Vector &vector, const double value) const;
+
+  private:
+    void
+    add_fixed_and_prescribed(const DoFHandler<dim>         &dof_handler,
+                             const BoundaryConditions<dim> &boundary_conditions,
+                             const double                   time);
+
+    /// Rollers: a fixed component where all normals are parallel to an axis,
+    /// else a constraint of no normal displacement.
+    void
+    add_rollers(const DoFHandler<dim>              &dof_handler,
+                const std::set<types::boundary_id> &rollers);
+
+    AffineConstraints<double>                 combined;
+    std::map<types::global_dof_index, double> fixed_values;
+    IndexSet                                  vertical;
+  };
+} // namespace ElastoPlastic
+
+#endif

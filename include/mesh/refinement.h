@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mesh_refinement_h
+#define mesh_refinement_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/lac/vector.h>
+
+#include <string>
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The entries of the section "Refinement".
+  struct RefinementParameters
+  {
+    std::string  strategy            = "Kelly";
+    unsigned int n_cycles            = 1;
+    unsigned int max_unknowns        = 0;
+    double       refinement_fraction = 0.3;
+    double       coarsening_fraction = 0.03;
+
+    void add_parameters(ParameterHandler &prm);
+
+    /// @throws InputError
+    void check() const;
+  };
+
+
+
+  /// Flags the cells for the next mesh. @p error_indicators holds one value per
+  /// active cell of this rank.
+  template <int dim>
+  void flag_cells(const RefinementParameters                &parameters,
+                  const Vector<float>                       &error_indicators,
+                  parallel::distributed::Triangulation<dim> &triangulation);
+} // namespace ElastoPlastic
+
+#endif

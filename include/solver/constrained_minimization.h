@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef solver_constrained_minimization_h
+#define solver_constrained_minimization_h
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// What SemismoothNewton needs to know of a problem: minimise a convex
+  /// energy Pi(u), where some unknowns are held at given values ("held": by
+  /// supports, or because they are in the active set) and others are bounded
+  /// from above (the contact candidates). The derivative of Pi is called
+  /// -residual, so that the residual at a held unknown is the force its
+  /// support takes from the body.
+  class ConstrainedMinimization
+  {
+  public:
+    using Vector = LinearAlgebra::distributed::Vector<double>;
+
+    virtual ~ConstrainedMinimization() = default;
+
+    virtual void
+    initialize_vector(Vector &vector) const = 0;
+
+    /// Pi(u).
+    virtual double
+    energy(const Vector &u) const = 0;
+
+    /// -dPi/du at all unknowns, held ones included.
+    virtual void
+    compute_residual(Vector &residual, const Vector &u) const = 0;
+
+    /// Stores the second derivative of Pi at u for the next two functions.
+    virtual void
+    linearize(const Vector &u) = 0;
+
+    /// The product of the stored second derivative with @p increment.
+    virtual void
+    apply_tangent(Vector &result, const Vector &increment) const = 0;
+
+    /// Solves tangent * increment = rhs on the free unknowns, with zero at the
+    /// held ones, until the linear residual has fallen by @p reduction.
+    /// @return the number of iterations.
+    virtual unsigned int
+    solve_tangent(Vector       &increment,
+                  const Vector &rhs,
+                  const double  reduction) = 0;
+
+    /// An approximation, positive, of the diagonal of the stored second
+    /// derivative.
+    virtual void
+    tangent_diagonal(Vector &diagonal) const = 0;
+
+    /// The switching test of the primal-dual active set method.
+    /// @return whether the set has changed.
+    virtual bool
+    update_active_set(const Vector &u, const Vector &residual) = 0;
+
+    /// The active set of a feasible method: the candidates that touch their
+    /// bound and press against it.
+    /// @return whether the set has changed.
+    virtual bool
+    update_feasible_active_set(const Vector &u, const Vector &residual) = 0;
+
+    /// A number that tells active sets apart, the same on all ranks.
+    virtual std::uint64_t
+    active_set_fingerprint() const = 0;
+
+    /// The number of active candidates on all ranks.
+    virtual unsigned int
+    n_active() const = 0;
+
+    /// Moves the held unknowns of u to where they are held.
+    virtual void
+    move_held(Vector &u) const = 0;
+
+    /// Moves the candidates of u that violate their bound onto it.
+    virtual void
+    project(Vector &u) const = 0;
+
+    /// Sets the held entries of @p vector to zero.
+    virtual void
+    zero_held(Vector &vector) const = 0;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "base/exceptions.h"
+#include "elasto_plastic_contact.h"
+#include "mechanics/external_forces.h"
+#include "mechanics/rigid_body_modes.h"
+
+namespace ElastoPlastic
+{
+  // Everything that depends on the mesh is prepared here and nowhere else:
+  // unknowns, supports, the body, external forces, contact candidates, and
+  // vectors of the right size. The displacement starts from zero; refine_mesh()
+  // puts a better guess there.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::setup_system()
+  {
+    TimerOutput::Scope scope(timer, "Setup");
+
+    dof_handler.distribute_dofs(fe);
+    supports.reinit(dof_handler,
+                    boundary_conditions,
+                    parameters.loading.final_time);
+    solid->reinit(dof_handler, supports.constraints());
+
+    solid->initialize_vector(residual);
+    solid->initialize_vector(displacement);
+    solid->initialize_vector(external_forces);
+    compute_external_forces(external_forces,
+                            dof_handler,
+                            supports.constraints(),
+                            boundary_conditions,
+                            parameters.loading.final_time);
+
+    contact.reinit(dof_handler,
+                   supports.constraints(),
+                   boundary_conditions.ids(BoundaryConditionType::contact),
+                   supports.fixed_dofs(),
+                   residual);
+    contact.set_depth(parameters.loading.depth);
+
+    tangent.reinit(dof_handler, supports.constraints());
+    rigid_body_motions = rigid_body_modes(dof_handler, residual);
+    error_indicators.reinit(triangulation.n_active_cells());
+  }
+
+
+
+  // Supports and indenter together must prevent every rigid body motion. The
+  // indenter, free of friction, holds the vertical displacement of the nodes
+  // it can touch.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::check_supports() const
+  {
+    VectorType held;
+    solid->initialize_vector(held);
+    supports.set_fixed_entries(held, 1.);
+    contact.set_candidate_entries(held, 1.);
+    const std::string motion =
+      find_free_motion<dim>(rigid_body_motions, held, supports.constraints());
+    if (!motion.empty())
+      throw InputError(
+        "The supports do not hold the body: nothing prevents its rigid body "
+        "motion '" +
+        motion +
+        "'. Add a fixed boundary or rollers to 'Boundary conditions'.");
+  }
+
+
+
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::check_reach() const
+  {
+    if (!gap_function.has_indenter())
+      return;
+
+    const double min_gap = contact.min_gap();
+    if (contact.n_candidates() == 0)
+      throw InputError(
+        "The indenter can never touch the body: no node of the contact "
+        "boundary lies within its reach. Check 'Indenter/Position', its size "
+        "and 'Indenter/Reach', or refine the mesh ('Geometry/Initial "
+        "refinements').");
+    if (min_gap >= parameters.loading.depth)
+      throw InputError(
+        "Loading/Depth",
+        Patterns::Tools::to_string(parameters.loading.depth),
+        "the indenter can never touch the body: the smallest gap "
+        "under it is " +
+          Patterns::Tools::to_string(min_gap) +
+          ". Push deeper, reduce 'Indenter/Initial gap', or "
+          "refine the mesh under the tip.");
+  }
+
+
+
+  template class ElastoPlasticContact<2>;
+  template class ElastoPlasticContact<3>;
+} // namespace ElastoPlastic

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/utilities.h>
+
+#include "contact_problem.h"
+#include "elasto_plastic_contact.h"
+
+namespace ElastoPlastic
+{
+  // The heart of the program: the primal-dual active set loop. It lives in
+  // SemismoothNewton, which treats contact and plasticity as one nonlinear
+  // problem; ContactProblem tells it about energy, forces, tangent and active
+  // set. What remains to be done here is a good first guess of the active set
+  // (all nodes that the starting displacement brings to the indenter), and to
+  // look at what has come out.
+  template <int dim>
+  SolveResult
+  ElastoPlasticContact<dim>::solve(const unsigned int cycle)
+  {
+    Timer       wall_clock(communicator, /* sync_lap_times = */ true);
+    SolveResult result;
+    result.step  = 1;
+    result.cycle = cycle;
+    result.cells = triangulation.n_global_active_cells();
+    result.dofs  = dof_handler.n_dofs();
+    screen.begin_solve(result);
+
+    {
+      TimerOutput::Scope scope(timer, "Nonlinear solver");
+      const auto         linear_solver =
+        make_linear_solver(parameters.linear_solver, rigid_body_motions);
+      ContactProblem<dim> problem(
+        *solid, supports, external_forces, contact, tangent, *linear_solver);
+      const SemismoothNewton newton(parameters.newton,
+                                    [this](const NewtonStep &step) {
+                                      screen.newton_step(step);
+                                    });
+
+      contact.activate_touching(displacement);
+      const NewtonReport report = newton.solve(problem, displacement);
+      problem.compute_residual(residual, displacement);
+
+      result.newton_iterations = report.n_iterations();
+      result.linear_iterations = report.n_linear_iterations();
+      result.residual          = report.steps.back().residual;
+      result.energy            = report.steps.back().energy;
+    }
+
+    evaluate_contact(result);
+    evaluate_plasticity(result);
+    estimate_error();
+    result.estimated_error =
+      std::sqrt(Utilities::MPI::sum(error_indicators.norm_sqr(), communicator));
+
+    Utilities::System::MemoryStats memory;
+    Utilities::System::get_memory_stats(memory);
+    result.memory_mb = Utilities::MPI::sum(memory.VmHWM / 1024., communicator);
+    wall_clock.stop();
+    result.wall_seconds = wall_clock.wall_time();
+    screen.end_solve(result);
+    return result;
+  }
+
+
+
+  // The contact force is the sum of the residual over the active nodes. It is
+  // compared with what the supports feel, which is computed in an independent
+  // way.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::evaluate_contact(SolveResult &result)
+  {
+    const ContactState state = contact.state(displacement, residual);
+    result.active_nodes      = state.n_active;
+    result.force             = state.force;
+    result.depth = gap_function.has_indenter() ? parameters.loading.depth : 0.;
+    result.contact_area            = state.area;
+    result.max_pressure            = state.max_pressure;
+    result.min_pressure            = state.min_pressure;
+    result.max_penetration         = state.max_penetration;
+    result.max_hanging_penetration = state.max_hanging_penetration;
+    result.complementarity_error   = state.complementarity_error;
+
+    const double reaction = vertical_reaction();
+    const double load     = external_forces * rigid_body_motions[dim - 1];
+    const double largest =
+      std::max({std::abs(state.force), std::abs(reaction), std::abs(load)});
+    if (largest > 0)
+      result.force_balance_error =
+        std::abs(state.force - reaction - load) / largest;
+  }
+
+
+
+  // The vertical force of all supports on the body, from the virtual work on a
+  // displacement field that is one at them and zero elsewhere.
+  template <int dim>
+  double
+  ElastoPlasticContact<dim>::vertical_reaction() const
+  {
+    VectorType translation;
+    solid->initialize_vector(translation);
+    for (const auto dof : supports.vertical_supports())
+      if (translation.in_local_range(dof))
+        translation(dof) = 1.;
+    contact.set_candidate_entries(translation, 0.);
+    supports.constraints().distribute(translation);
+    return solid->virtual_work(displacement, translation) -
+           external_forces * translation;
+  }
+
+
+
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::evaluate_plasticity(SolveResult &result) const
+  {
+    double plastic_volume = 0, max_strain = 0;
+    solid->for_each_point(
+      displacement,
+      [&](const auto &, const unsigned int, const PointResult &point) {
+        if (point.plastic)
+          plastic_volume += point.volume;
+        max_strain = std::max(max_strain, point.equivalent_plastic_strain);
+      });
+    result.plastic_volume = Utilities::MPI::sum(plastic_volume, communicator);
+    result.max_equivalent_plastic_strain =
+      Utilities::MPI::max(max_strain, communicator);
+  }
+
+
+
+  template class ElastoPlasticContact<2>;
+  template class ElastoPlasticContact<3>;
+} // namespace ElastoPlastic

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <fstream>
+
+#include "base/exceptions.h"
+#include "io/checked_write.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  void
+  check_written(const MPI_Comm     communicator,
+                const std::string &name,
+                const bool         success)
+  {
+    // the lowest rank that failed reports the name of its file
+    const unsigned int rank   = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int nobody = Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int failed =
+      Utilities::MPI::min(success ? nobody : rank, communicator);
+    if (failed != nobody)
+      throw FileError("The file '" +
+                      Utilities::MPI::broadcast(communicator, name, failed) +
+                      "' could not be written completely. Is the disk full, or "
+                      "is writing not allowed there?");
+  }
+
+
+
+  void
+  checked_write(const MPI_Comm                             communicator,
+                const std::string                         &name,
+                const std::function<void(std::ostream &)> &write)
+  {
+    bool success = true;
+    if (!name.empty())
+      {
+        std::ofstream file(name);
+        try
+          {
+            if (file)
+              write(file);
+            file.close();
+          }
+        catch (const StandardExceptions::ExcIO &)
+          {
+            file.setstate(std::ios::failbit); // deal.II noticed first
+          }
+        success = static_cast<bool>(file);
+      }
+    check_written(communicator, name, success);
+  }
+} // namespace ElastoPlastic

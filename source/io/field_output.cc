@@ -1,0 +1,365 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/numerics/data_out_faces.h>
+#include <deal.II/numerics/data_postprocessor.h>
+
+#include <fstream>
+#include <limits>
+#include <map>
+
+#include "io/checked_write.h"
+#include "io/field_output.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    using Interpretation =
+      DataComponentInterpretation::DataComponentInterpretation;
+
+    /// A copy of @p vector that can be read on ghost cells.
+    template <int dim>
+    VectorType
+    with_ghosts(const VectorType &vector, const DoFHandler<dim> &dof_handler)
+    {
+      IndexSet relevant;
+      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      VectorType result(dof_handler.locally_owned_dofs(),
+                        relevant,
+                        dof_handler.get_communicator());
+      result.copy_locally_owned_data_from(vector);
+      result.update_ghost_values();
+      return result;
+    }
+
+
+
+    /// The vertical component of a field in the layout of displacements.
+    template <int dim>
+    class VerticalComponent : public DataPostprocessorScalar<dim>
+    {
+    public:
+      explicit VerticalComponent(const std::string &name)
+        : DataPostprocessorScalar<dim>(name, update_values)
+      {}
+
+      void
+      evaluate_vector_field(
+        const DataPostprocessorInputs::Vector<dim> &inputs,
+        std::vector<Vector<double>>                &quantities) const override
+      {
+        for (unsigned int q = 0; q < quantities.size(); ++q)
+          quantities[q](0) = inputs.solution_values[q](dim - 1);
+      }
+    };
+
+
+
+    /// Output on the faces of some boundaries only.
+    template <int dim>
+    class BoundaryOutput : public DataOutFaces<dim>
+    {
+    public:
+      using FaceDescriptor = typename DataOutFaces<dim>::FaceDescriptor;
+
+      explicit BoundaryOutput(const std::set<types::boundary_id> &boundaries)
+        : boundaries(boundaries)
+      {}
+
+      FaceDescriptor
+      first_face() override
+      {
+        return skip_others(DataOutFaces<dim>::first_face());
+      }
+
+      FaceDescriptor
+      next_face(const FaceDescriptor &face) override
+      {
+        return skip_others(DataOutFaces<dim>::next_face(face));
+      }
+
+    private:
+      FaceDescriptor
+      skip_others(FaceDescriptor face)
+      {
+        while (face.first != this->triangulation->end() &&
+               boundaries.count(face.first->face(face.second)->boundary_id()) ==
+                 0)
+          face = DataOutFaces<dim>::next_face(face);
+        return face;
+      }
+
+      const std::set<types::boundary_id> boundaries;
+    };
+
+
+
+    /// The fields that live at quadrature points, as components of one vector.
+    template <int dim>
+    struct PointFields
+    {
+      static constexpr unsigned int stress         = 0;
+      static constexpr unsigned int plastic_strain = dim * dim;
+      static constexpr unsigned int von_mises      = 2 * dim * dim;
+      static constexpr unsigned int alpha          = 2 * dim * dim + 1;
+      static constexpr unsigned int out_of_plane   = 2 * dim * dim + 2;
+      static constexpr unsigned int n = 2 * dim * dim + (dim == 2 ? 3 : 2);
+
+      static std::vector<std::string>
+      names()
+      {
+        std::vector<std::string> names(dim * dim, "stress");
+        names.insert(names.end(), dim * dim, "plastic_strain");
+        names.push_back("von_mises_stress");
+        names.push_back("equivalent_plastic_strain");
+        if (dim == 2)
+          names.push_back("out_of_plane_stress");
+        return names;
+      }
+
+      static std::vector<Interpretation>
+      interpretation()
+      {
+        std::vector<Interpretation> result(
+          2 * dim * dim,
+          DataComponentInterpretation::component_is_part_of_tensor);
+        result.resize(n, DataComponentInterpretation::component_is_scalar);
+        return result;
+      }
+    };
+
+
+
+    double
+    von_mises(const SymmetricTensor<2, 3> &stress)
+    {
+      return std::sqrt(1.5) * deviator(stress).norm();
+    }
+
+
+
+    /// Fills the vector of PointFields and the fraction of plastic points of
+    /// each cell. The space of @p dof_handler is discontinuous with nodes at
+    /// the quadrature points, so that the point values themselves are the
+    /// coefficients: it is their L2 projection, and nothing is averaged.
+    template <int dim>
+    void
+    collect_point_fields(const SolidOperator<dim> &solid,
+                         const VectorType         &displacement,
+                         const DoFHandler<dim>    &dof_handler,
+                         VectorType               &fields,
+                         Vector<float>            &plastic_fraction)
+    {
+      using F = PointFields<dim>;
+      const unsigned int n_nodes =
+        dof_handler.get_fe().base_element(0).n_dofs_per_cell();
+      std::vector<types::global_dof_index> dofs(
+        dof_handler.get_fe().n_dofs_per_cell());
+
+      solid.for_each_point(
+        displacement,
+        [&](const auto &cell, const unsigned int q, const PointResult &point) {
+          const typename DoFHandler<dim>::active_cell_iterator point_cell(
+            &dof_handler.get_triangulation(),
+            cell->level(),
+            cell->index(),
+            &dof_handler);
+          point_cell->get_dof_indices(dofs);
+          const auto set = [&](const unsigned int component,
+                               const double       value) {
+            fields(
+              dofs[dof_handler.get_fe().component_to_system_index(component,
+                                                                  q)]) = value;
+          };
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
+              {
+                set(F::stress + dim * i + j, point.stress[i][j]);
+                set(F::plastic_strain + dim * i + j,
+                    point.plastic_strain[i][j]);
+              }
+          set(F::von_mises, von_mises(point.stress));
+          set(F::alpha, point.equivalent_plastic_strain);
+          if (dim == 2)
+            set(F::out_of_plane, point.stress[2][2]);
+          if (point.plastic)
+            plastic_fraction(cell->active_cell_index()) += 1.F / n_nodes;
+        });
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FieldOutput<dim>::FieldOutput(const std::string &directory)
+    : directory(directory)
+  {}
+
+
+
+  template <int dim>
+  void
+  FieldOutput<dim>::write(const Solution    &solution,
+                          const std::string &name,
+                          const double       time)
+  {
+    write_body(solution, name, time);
+    if (!solution.contact_boundaries.empty())
+      write_surface(solution, name, time);
+  }
+
+
+
+  template <int dim>
+  void
+  FieldOutput<dim>::write_body(const Solution    &solution,
+                               const std::string &name,
+                               const double       time)
+  {
+    const auto        &triangulation = solution.dof_handler.get_triangulation();
+    const unsigned int degree        = solution.dof_handler.get_fe().degree;
+
+    DataOut<dim>          output;
+    DataOutBase::VtkFlags flags;
+    flags.compression_level = DataOutBase::VtkFlags::best_speed;
+    output.set_flags(flags);
+
+    const VectorType displacement =
+      with_ghosts(solution.displacement, solution.dof_handler);
+    output.add_data_vector(
+      solution.dof_handler,
+      displacement,
+      std::vector<std::string>(dim, "displacement"),
+      std::vector<Interpretation>(
+        dim, DataComponentInterpretation::component_is_part_of_vector));
+
+    DoFHandler<dim>     point_dof_handler(triangulation);
+    const FESystem<dim> point_fe(
+      FE_DGQArbitraryNodes<dim>(QGauss<1>(degree + 1)), PointFields<dim>::n);
+    point_dof_handler.distribute_dofs(point_fe);
+    VectorType    point_fields(point_dof_handler.locally_owned_dofs(),
+                            triangulation.get_communicator());
+    Vector<float> plastic_fraction(triangulation.n_active_cells());
+    collect_point_fields(solution.solid,
+                         solution.displacement,
+                         point_dof_handler,
+                         point_fields,
+                         plastic_fraction);
+    point_fields = with_ghosts(point_fields, point_dof_handler);
+    output.add_data_vector(point_dof_handler,
+                           point_fields,
+                           PointFields<dim>::names(),
+                           PointFields<dim>::interpretation());
+
+    Vector<float> material_id(triangulation.n_active_cells());
+    Vector<float> subdomain(triangulation.n_active_cells());
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          material_id(cell->active_cell_index()) = cell->material_id();
+          subdomain(cell->active_cell_index())   = cell->subdomain_id();
+        }
+    output.add_data_vector(plastic_fraction, "plastic_fraction");
+    output.add_data_vector(solution.error_indicators, "error_indicator");
+    output.add_data_vector(material_id, "material_id");
+    output.add_data_vector(subdomain, "subdomain");
+
+    output.build_patches(degree);
+    write_files(
+      output, triangulation.get_communicator(), "solution", name, time);
+  }
+
+
+
+  template <int dim>
+  void
+  FieldOutput<dim>::write_surface(const Solution    &solution,
+                                  const std::string &name,
+                                  const double       time)
+  {
+    VectorType gap, pressure, active;
+    solution.solid.initialize_vector(gap);
+    pressure.reinit(gap);
+    active.reinit(gap);
+    gap = std::numeric_limits<double>::quiet_NaN(); // where nothing can touch
+    solution.contact.surface_fields(
+      gap, pressure, active, solution.displacement, solution.residual);
+    solution.constraints.distribute(pressure);
+    solution.constraints.distribute(active);
+
+    BoundaryOutput<dim> output(solution.contact_boundaries);
+    const VectorType    displacement =
+      with_ghosts(solution.displacement, solution.dof_handler);
+    output.add_data_vector(
+      solution.dof_handler,
+      displacement,
+      std::vector<std::string>(dim, "displacement"),
+      std::vector<Interpretation>(
+        dim, DataComponentInterpretation::component_is_part_of_vector));
+
+    const VerticalComponent<dim> gap_component("gap");
+    const VerticalComponent<dim> pressure_component("contact_pressure");
+    const VerticalComponent<dim> active_component("active");
+    gap      = with_ghosts(gap, solution.dof_handler);
+    pressure = with_ghosts(pressure, solution.dof_handler);
+    active   = with_ghosts(active, solution.dof_handler);
+    output.add_data_vector(solution.dof_handler, gap, gap_component);
+    output.add_data_vector(solution.dof_handler, pressure, pressure_component);
+    output.add_data_vector(solution.dof_handler, active, active_component);
+
+    output.build_patches(solution.dof_handler.get_fe().degree);
+    write_files(
+      output, solution.dof_handler.get_communicator(), "surface", name, time);
+  }
+
+
+
+  template <int dim>
+  template <typename Output>
+  void
+  FieldOutput<dim>::write_files(const Output      &output,
+                                const MPI_Comm     communicator,
+                                const std::string &kind,
+                                const std::string &name,
+                                const double       time)
+  {
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    const std::string  stem    = kind + "-" + name;
+    const auto         piece   = [&](const unsigned int r) {
+      return stem + "." + Utilities::int_to_string(r, 4) + ".vtu";
+    };
+    checked_write(communicator,
+                  directory + "/" + piece(rank),
+                  [&](std::ostream &file) { output.write_vtu(file); });
+
+    std::vector<std::string> pieces;
+    for (unsigned int r = 0; r < n_ranks; ++r)
+      pieces.push_back(piece(r));
+    const bool first_rank = (rank == 0);
+    checked_write(communicator,
+                  first_rank ? directory + "/" + stem + ".pvtu" : "",
+                  [&](std::ostream &file) {
+                    output.write_pvtu_record(file, pieces);
+                  });
+
+    auto &record = records[kind];
+    if (!record.empty() && record.back().second == stem + ".pvtu")
+      record.pop_back();
+    record.emplace_back(time, stem + ".pvtu");
+    checked_write(communicator,
+                  first_rank ? directory + "/" + kind + ".pvd" : "",
+                  [&](std::ostream &file) {
+                    DataOutBase::write_pvd_record(file, record);
+                  });
+  }
+
+
+
+  template class FieldOutput<2>;
+  template class FieldOutput<3>;
+} // namespace ElastoPlastic

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "io/output_parameters.h"
+
+namespace ElastoPlastic
+{
+  void
+  OutputParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Output");
+    prm.add_parameter("Directory",
+                      directory,
+                      "Where the results go. It is created if it does not "
+                      "exist; results that are there already are replaced only "
+                      "with the option --overwrite.");
+    prm.add_parameter(
+      "Fields",
+      fields,
+      "When solution-*.vtu and surface-*.vtu are written: after "
+      "every cycle, after the last one only, or never. The "
+      "tables statistics.csv and history.csv are always "
+      "written.",
+      Patterns::Selection("every cycle|last cycle|never"));
+    prm.add_parameter(
+      "Screen",
+      screen,
+      "What is printed. full: versions, one line per Newton "
+      "step, times. summary: only the table of results, without "
+      "anything that a clock or the number of processes could "
+      "change. quiet: nothing but errors.",
+      Patterns::Selection("full|summary|quiet"));
+    prm.leave_subsection();
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/revision.h>
+#include <deal.II/base/vectorization.h>
+
+#include <cstdio>
+#include <iostream>
+
+#include "io/screen.h"
+#include "version.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// printf into a string.
+    template <typename... Values>
+    std::string
+    format(const char *const pattern, const Values... values)
+    {
+      std::string text(std::snprintf(nullptr, 0, pattern, values...) + 1, '\0');
+      std::snprintf(text.data(), text.size(), pattern, values...);
+      text.pop_back();
+      return text;
+    }
+  } // namespace
+
+
+
+  Screen::Screen(const MPI_Comm communicator, const std::string &verbosity)
+    : full(std::cout,
+           verbosity == "full" &&
+             Utilities::MPI::this_mpi_process(communicator) == 0)
+    , summary(std::cout,
+              verbosity == "summary" &&
+                Utilities::MPI::this_mpi_process(communicator) == 0)
+  {
+    summary << "cycle cells dofs active_nodes force depth contact_area "
+               "max_pressure plastic_volume"
+            << std::endl;
+  }
+
+
+
+  void
+  Screen::print_banner(const unsigned int n_ranks)
+  {
+    full << "ElastoPlasticContact " << ELASTO_PLASTIC_CONTACT_VERSION << " ("
+         << ELASTO_PLASTIC_CONTACT_REVISION << "), "
+         << ELASTO_PLASTIC_CONTACT_BUILD_TYPE << " build\n"
+         << "deal.II " << DEAL_II_PACKAGE_VERSION << ", "
+         << VectorizedArray<double>::size() << " number(s) per SIMD batch, "
+         << n_ranks << " MPI rank(s)" << std::endl;
+  }
+
+
+
+  void
+  Screen::begin_solve(const SolveResult &sizes)
+  {
+    full << format("\nCycle %u: %llu cells, %llu unknowns\n",
+                   sizes.cycle,
+                   static_cast<unsigned long long>(sizes.cells),
+                   static_cast<unsigned long long>(sizes.dofs))
+         << "  step  active         energy   residual  linear  length"
+         << std::endl;
+  }
+
+
+
+  void
+  Screen::newton_step(const NewtonStep &step)
+  {
+    full << format("  %4u  %6u %14.8e  %9.3e  %6u  %6.4f%s%s",
+                   step.iteration,
+                   step.n_active,
+                   step.energy,
+                   step.residual,
+                   step.linear_iterations,
+                   step.step_length,
+                   step.active_set_changed ? "  set changed" : "",
+                   step.feasible ? "  feasible" : "")
+         << std::endl;
+  }
+
+
+
+  void
+  Screen::end_solve(const SolveResult &r)
+  {
+    full << format(
+              "  force %.10g, contact area %.6g, largest pressure %.6g, "
+              "plastic volume %.6g\n"
+              "  force balance %.1e, penetration %.1e (hanging nodes "
+              "%.1e), complementarity %.1e; %.2f s, %.0f MB",
+              r.force,
+              r.contact_area,
+              r.max_pressure,
+              r.plastic_volume,
+              r.force_balance_error,
+              r.max_penetration,
+              r.max_hanging_penetration,
+              r.complementarity_error,
+              r.wall_seconds,
+              r.memory_mb)
+         << std::endl;
+    summary << format("%u %llu %llu %u %.12g %.12g %.12g %.12g %.12g",
+                      r.cycle,
+                      static_cast<unsigned long long>(r.cells),
+                      static_cast<unsigned long long>(r.dofs),
+                      r.active_nodes,
+                      r.force,
+                      r.depth,
+                      r.contact_area,
+                      r.max_pressure,
+                      r.plastic_volume)
+            << std::endl;
+  }
+
+
+
+  void
+  Screen::remark(const std::string &text)
+  {
+    full << text << std::endl;
+  }
+
+
+
+  ConditionalOStream &
+  Screen::full_stream()
+  {
+    return full;
+  }
+} // namespace ElastoPlastic

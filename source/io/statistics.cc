@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "io/statistics.h"
+
+namespace ElastoPlastic
+{
+  Statistics::Statistics(const MPI_Comm     communicator,
+                         const std::string &directory)
+    : statistics(communicator,
+                 directory + "/statistics.csv",
+                 {"step",
+                  "cycle",
+                  "cells",
+                  "dofs",
+                  "newton_iterations",
+                  "linear_iterations",
+                  "active_nodes",
+                  "force",
+                  "depth",
+                  "residual",
+                  "force_balance_error",
+                  "max_penetration",
+                  "complementarity_error",
+                  "estimated_error",
+                  "wall_seconds",
+                  "memory_mb",
+                  "max_hanging_penetration",
+                  "min_pressure",
+                  "contact_area",
+                  "max_pressure",
+                  "energy"})
+    , history(communicator,
+              directory + "/history.csv",
+              {"step",
+               "time",
+               "depth",
+               "force",
+               "contact_area",
+               "max_pressure",
+               "active_nodes",
+               "plastic_volume",
+               "max_equivalent_plastic_strain",
+               "cells",
+               "dofs",
+               "newton_iterations",
+               "linear_iterations",
+               "estimated_error",
+               "wall_seconds"})
+  {}
+
+
+
+  void
+  Statistics::add_solve(const SolveResult &r)
+  {
+    statistics.add_row({static_cast<double>(r.step),
+                        static_cast<double>(r.cycle),
+                        static_cast<double>(r.cells),
+                        static_cast<double>(r.dofs),
+                        static_cast<double>(r.newton_iterations),
+                        static_cast<double>(r.linear_iterations),
+                        static_cast<double>(r.active_nodes),
+                        r.force,
+                        r.depth,
+                        r.residual,
+                        r.force_balance_error,
+                        r.max_penetration,
+                        r.complementarity_error,
+                        r.estimated_error,
+                        r.wall_seconds,
+                        r.memory_mb,
+                        r.max_hanging_penetration,
+                        r.min_pressure,
+                        r.contact_area,
+                        r.max_pressure,
+                        r.energy});
+  }
+
+
+
+  void
+  Statistics::add_step(const SolveResult &r, const double time)
+  {
+    history.add_row({static_cast<double>(r.step),
+                     time,
+                     r.depth,
+                     r.force,
+                     r.contact_area,
+                     r.max_pressure,
+                     static_cast<double>(r.active_nodes),
+                     r.plastic_volume,
+                     r.max_equivalent_plastic_strain,
+                     static_cast<double>(r.cells),
+                     static_cast<double>(r.dofs),
+                     static_cast<double>(r.newton_iterations),
+                     static_cast<double>(r.linear_iterations),
+                     r.estimated_error,
+                     r.wall_seconds});
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,406 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/matrix_free/tools.h>
+
+#include "base/exceptions.h"
+#include "mechanics/kinematics.h"
+#include "mechanics/matrix_free_solid.h"
+
+namespace ElastoPlastic
+{
+  template <int dim, int degree>
+  MatrixFreeSolid<dim, degree>::MatrixFreeSolid(
+    const VolumetricTreatment            treatment,
+    const std::vector<Material<double>> &materials)
+    : treatment(treatment)
+    , materials(materials)
+  {}
+
+
+
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::reinit(
+    const DoFHandler<dim>           &dof_handler,
+    const AffineConstraints<double> &constraints)
+  {
+    typename MatrixFree<dim, double>::AdditionalData settings;
+    settings.mapping_update_flags  = update_gradients | update_JxW_values;
+    settings.tasks_parallel_scheme = settings.none;
+    matrix_free.reinit(MappingQ1<dim>(),
+                       dof_handler,
+                       constraints,
+                       QGauss<1>(degree + 1),
+                       settings);
+
+    tangents.resize(n_points * matrix_free.n_cell_batches());
+
+    material_indices.clear();
+    if (materials.size() == 1)
+      return;
+    material_indices.resize(matrix_free.n_cell_batches());
+    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+      for (unsigned int lane = 0;
+           lane < matrix_free.n_active_entries_per_cell_batch(batch);
+           ++lane)
+        material_indices[batch][lane] =
+          matrix_free.get_cell_iterator(batch, lane)->material_id();
+  }
+
+
+
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::initialize_vector(VectorType &vector) const
+  {
+    matrix_free.initialize_dof_vector(vector);
+  }
+
+
+
+  template <int dim, int degree>
+  Material<VectorizedArray<double>>
+  MatrixFreeSolid<dim, degree>::material_of(const unsigned int cell_batch) const
+  {
+    Material<Number> result;
+    for (unsigned int lane = 0; lane < Number::size(); ++lane)
+      {
+        const Material<double> &material =
+          materials[material_indices.empty() ?
+                      0 :
+                      material_indices[cell_batch][lane]];
+        result.bulk_modulus[lane]      = material.bulk_modulus;
+        result.shear_modulus[lane]     = material.shear_modulus;
+        result.yield_radius[lane]      = material.yield_radius;
+        result.isotropic_modulus[lane] = material.isotropic_modulus;
+        result.kinematic_modulus[lane] = material.kinematic_modulus;
+      }
+    return result;
+  }
+
+
+
+  template <int dim, int degree>
+  std::array<VectorizedArray<double>, MatrixFreeSolid<dim, degree>::n_points>
+  MatrixFreeSolid<dim, degree>::volumetric_strain(
+    const CellEvaluation &phi) const
+  {
+    std::array<Number, n_points> values;
+    for (unsigned int q = 0; q < n_points; ++q)
+      values[q] = phi.get_divergence(q);
+
+    if (treatment == VolumetricTreatment::b_bar)
+      {
+        Number integral = 0., volume = 0.;
+        for (unsigned int q = 0; q < n_points; ++q)
+          {
+            integral += values[q] * phi.JxW(q);
+            volume += phi.JxW(q);
+          }
+        values.fill(integral / volume);
+      }
+    return values;
+  }
+
+
+
+  template <int dim, int degree>
+  RadialReturn<VectorizedArray<double>>
+  MatrixFreeSolid<dim, degree>::radial_return(
+    const CellEvaluation   &phi,
+    const unsigned int      point,
+    const Material<Number> &material) const
+  {
+    return RadialReturn<Number>(material,
+                                strain_deviator(
+                                  phi.get_symmetric_gradient(point)),
+                                virgin_state);
+  }
+
+
+
+  // The weak form is, with the volumetric strain tr of volumetric_strain(),
+  //   int s(strain(u)) : strain(v) + K tr(u) tr(v) dx.
+  // For B-bar, the mean of tr(v) may be replaced by div v itself, because the
+  // pressure K tr(u) is then constant on the cell.
+  template <int dim, int degree>
+  template <typename PointLaw>
+  void
+  MatrixFreeSolid<dim, degree>::integrate_stress(
+    CellEvaluation &phi, const PointLaw &deviatoric_stress) const
+  {
+    phi.evaluate(EvaluationFlags::gradients);
+    const Number bulk_modulus =
+      material_of(phi.get_current_cell_index()).bulk_modulus;
+    const std::array<Number, n_points> volumetric = volumetric_strain(phi);
+    for (unsigned int q = 0; q < n_points; ++q)
+      {
+        Strain stress = deviatoric_stress(q, phi.get_symmetric_gradient(q));
+        const Number pressure = bulk_modulus * volumetric[q];
+        for (unsigned int d = 0; d < dim; ++d)
+          stress[d][d] += pressure;
+        phi.submit_symmetric_gradient(stress, q);
+      }
+    phi.integrate(EvaluationFlags::gradients);
+  }
+
+
+
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::integrate_tangent(CellEvaluation &phi) const
+  {
+    const auto *const cell_tangents =
+      tangents.data() + n_points * phi.get_current_cell_index();
+    integrate_stress(phi, [&](const unsigned int q, const Strain &strain) {
+      return cell_tangents[q] * strain;
+    });
+  }
+
+
+
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::internal_forces(VectorType       &forces,
+                                                const VectorType &u) const
+  {
+    matrix_free.template cell_loop<VectorType, VectorType>(
+      [&](const auto &, auto &dst, const auto &src, const CellRange &range) {
+        CellEvaluation phi(matrix_free);
+        for (unsigned int batch = range.first; batch < range.second; ++batch)
+          {
+            phi.reinit(batch);
+            phi.read_dof_values_plain(src);
+            const Material<Number> material = material_of(batch);
+            integrate_stress(phi, [&](const unsigned int q, const Strain &) {
+              return in_plane<dim>(
+                radial_return(phi, q, material).deviatoric_stress());
+            });
+            phi.distribute_local_to_global(dst);
+          }
+      },
+      forces,
+      u,
+      /* zero_dst_vector = */ true);
+  }
+
+
+
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::vmult(VectorType       &forces,
+                                      const VectorType &increment) const
+  {
+    matrix_free.template cell_loop<VectorType, VectorType>(
+      [&](const auto &, auto &dst, const auto &src, const CellRange &range) {
+        CellEvaluation phi(matrix_free);
+        for (unsigned int batch = range.first; batch < range.second; ++batch)
+          {
+            phi.reinit(batch);
+            phi.read_dof_values(src);
+            integrate_tangent(phi);
+            phi.distribute_local_to_global(dst);
+          }
+      },
+      forces,
+      increment,
+      /* zero_dst_vector = */ true);
+  }
+
+
+
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::diagonal(VectorType &values) const
+  {
+    initialize_vector(values);
+    MatrixFreeTools::compute_diagonal(matrix_free,
+                                      values,
+                                      &MatrixFreeSolid::integrate_tangent,
+                                      this);
+  }
+
+
+
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::add_matrix(
+    TrilinosWrappers::SparseMatrix  &matrix,
+    const AffineConstraints<double> &all_constraints) const
+  {
+    MatrixFreeTools::compute_matrix(matrix_free,
+                                    all_constraints,
+                                    matrix,
+                                    &MatrixFreeSolid::integrate_tangent,
+                                    this);
+  }
+
+
+
+  template <int dim, int degree>
+  template <typename Body>
+  void
+  MatrixFreeSolid<dim, degree>::for_each_cell_batch(const VectorType &u,
+                                                    const Body &body) const
+  {
+    double unused = 0;
+    matrix_free.template cell_loop<double, VectorType>(
+      [&](const auto &, auto &, const auto &src, const CellRange &range) {
+        CellEvaluation phi(matrix_free);
+        for (unsigned int batch = range.first; batch < range.second; ++batch)
+          {
+            phi.reinit(batch);
+            phi.read_dof_values_plain(src);
+            phi.evaluate(EvaluationFlags::gradients);
+            body(phi, batch);
+          }
+      },
+      unused,
+      u);
+  }
+
+
+
+  template <int dim, int degree>
+  double
+  MatrixFreeSolid<dim, degree>::energy(const VectorType &u) const
+  {
+    double local_energy = 0;
+    for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
+      const Material<Number>             material   = material_of(batch);
+      const std::array<Number, n_points> volumetric = volumetric_strain(phi);
+      Number                             sum        = 0.;
+      for (unsigned int q = 0; q < n_points; ++q)
+        sum += (0.5 * material.bulk_modulus * volumetric[q] * volumetric[q] +
+                radial_return(phi, q, material).energy()) *
+               phi.JxW(q);
+      for (unsigned int lane = 0;
+           lane < matrix_free.n_active_entries_per_cell_batch(batch);
+           ++lane)
+        local_energy += sum[lane];
+    });
+    return Utilities::MPI::sum(local_energy, u.get_mpi_communicator());
+  }
+
+
+
+  template <int dim, int degree>
+  double
+  MatrixFreeSolid<dim, degree>::virtual_work(const VectorType &u,
+                                             const VectorType &w) const
+  {
+    double         local_work = 0;
+    CellEvaluation test(matrix_free);
+    w.update_ghost_values();
+    for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
+      test.reinit(batch);
+      test.read_dof_values_plain(w);
+      test.evaluate(EvaluationFlags::gradients);
+      const Material<Number>             material   = material_of(batch);
+      const std::array<Number, n_points> volumetric = volumetric_strain(phi);
+      const std::array<Number, n_points> virtual_volumetric =
+        volumetric_strain(test);
+      Number sum = 0.;
+      for (unsigned int q = 0; q < n_points; ++q)
+        sum += (material.bulk_modulus * volumetric[q] * virtual_volumetric[q] +
+                radial_return(phi, q, material).deviatoric_stress() *
+                  strain_deviator(test.get_symmetric_gradient(q))) *
+               phi.JxW(q);
+      for (unsigned int lane = 0;
+           lane < matrix_free.n_active_entries_per_cell_batch(batch);
+           ++lane)
+        local_work += sum[lane];
+    });
+    w.zero_out_ghost_values();
+    return Utilities::MPI::sum(local_work, u.get_mpi_communicator());
+  }
+
+
+
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::linearize(const VectorType &u)
+  {
+    for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
+      const Material<Number> material = material_of(batch);
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          const auto tangent = radial_return(phi, q, material).tangent();
+          tangents[n_points * batch + q] = {tangent.shear,
+                                            in_plane<dim>(tangent.direction)};
+        }
+    });
+  }
+
+
+
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::for_each_point(
+    const VectorType &u,
+    const std::function<
+      void(const typename DoFHandler<dim>::active_cell_iterator &cell,
+           const unsigned int                                    point,
+           const PointResult &result)> &receive) const
+  {
+    for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
+      const Material<Number>             material   = material_of(batch);
+      const std::array<Number, n_points> volumetric = volumetric_strain(phi);
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          const RadialReturn<Number> point  = radial_return(phi, q, material);
+          const auto                 state  = point.state();
+          auto                       stress = point.deviatoric_stress();
+          for (unsigned int d = 0; d < 3; ++d)
+            stress[d][d] += material.bulk_modulus * volumetric[q];
+          const Number plastic = point.plastic(Number(1.));
+          const Number volume  = phi.JxW(q);
+
+          for (unsigned int lane = 0;
+               lane < matrix_free.n_active_entries_per_cell_batch(batch);
+               ++lane)
+            {
+              PointResult result;
+              for (unsigned int i = 0; i < 6; ++i)
+                {
+                  result.stress.access_raw_entry(i) =
+                    stress.access_raw_entry(i)[lane];
+                  result.plastic_strain.access_raw_entry(i) =
+                    state.plastic_strain.access_raw_entry(i)[lane];
+                }
+              result.equivalent_plastic_strain =
+                state.equivalent_plastic_strain[lane];
+              result.plastic = plastic[lane] > 0;
+              result.volume  = volume[lane];
+              receive(matrix_free.get_cell_iterator(batch, lane), q, result);
+            }
+        }
+    });
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<SolidOperator<dim>>
+  make_solid_operator(const unsigned int                   degree,
+                      const VolumetricTreatment            treatment,
+                      const std::vector<Material<double>> &materials)
+  {
+    if (degree == 1)
+      return std::make_unique<MatrixFreeSolid<dim, 1>>(treatment, materials);
+    AssertDimension(degree, 2);
+    return std::make_unique<MatrixFreeSolid<dim, 2>>(treatment, materials);
+  }
+
+
+
+  template std::unique_ptr<SolidOperator<2>>
+  make_solid_operator(const unsigned int,
+                      const VolumetricTreatment,
+                      const std::vector<Material<double>> &);
+  template std::unique_ptr<SolidOperator<3>>
+  make_solid_operator(const unsigned int,
+                      const VolumetricTreatment,
+                      const std::vector<Material<double>> &);
+} // namespace ElastoPlastic

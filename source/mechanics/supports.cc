@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include "mechanics/supports.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// One component of a prescribed displacement at a time, for
+    /// interpolate_boundary_values().
+    template <int dim>
+    class ComponentFunction : public Function<dim>
+    {
+    public:
+      ComponentFunction(const Expression<dim> &expression,
+                        const unsigned int     component,
+                        const double           time)
+        : Function<dim>(dim, time)
+        , expression(expression)
+        , component(component)
+      {}
+
+      double
+      value(const Point<dim> &point, const unsigned int c) const override
+      {
+        return c == component ? expression.value(point, this->get_time()) : 0.;
+      }
+
+    private:
+      const Expression<dim> &expression;
+      const unsigned int     component;
+    };
+
+
+
+    template <int dim>
+    ComponentMask
+    mask_of_component(const unsigned int component)
+    {
+      ComponentMask mask(dim, false);
+      mask.set(component, true);
+      return mask;
+    }
+
+
+
+    /// The axis that all faces of a boundary are normal to, or dim.
+    template <int dim>
+    unsigned int
+    common_normal_axis(const DoFHandler<dim>   &dof_handler,
+                       const types::boundary_id boundary)
+    {
+      std::array<double, dim> largest_deviation;
+      largest_deviation.fill(0.);
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary() &&
+                cell->face(f)->boundary_id() == boundary)
+              for (unsigned int d = 0; d < dim; ++d)
+                for (const unsigned int v : cell->face(f)->vertex_indices())
+                  largest_deviation[d] =
+                    std::max(largest_deviation[d],
+                             std::abs(cell->face(f)->vertex(v)[d] -
+                                      cell->face(f)->vertex(0)[d]) /
+                               cell->face(f)->diameter());
+      for (unsigned int d = 0; d < dim; ++d)
+        if (Utilities::MPI::max(largest_deviation[d],
+                                dof_handler.get_communicator()) < 1e-10)
+          return d;
+      return dim;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::reinit(const DoFHandler<dim>         &dof_handler,
+                        const BoundaryConditions<dim> &boundary_conditions,
+                        const double                   time)
+  {
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    combined.reinit(relevant);
+    DoFTools::make_hanging_node_constraints(dof_handler, combined);
+    fixed_values.clear();
+    vertical = IndexSet(dof_handler.n_dofs());
+
+    add_fixed_and_prescribed(dof_handler, boundary_conditions, time);
+    add_rollers(dof_handler,
+                boundary_conditions.ids(BoundaryConditionType::roller));
+    combined.close();
+
+    // Hanging nodes follow their masters, also where those are fixed.
+    for (auto dof = fixed_values.begin(); dof != fixed_values.end();)
+      dof = combined.is_constrained(dof->first) ? fixed_values.erase(dof) :
+                                                  std::next(dof);
+
+    const IndexSet vertical_dofs =
+      DoFTools::extract_dofs(dof_handler, mask_of_component<dim>(dim - 1));
+    for (const auto &dof_and_value : fixed_values)
+      if (vertical_dofs.is_element(dof_and_value.first))
+        vertical.add_index(dof_and_value.first);
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::add_fixed_and_prescribed(
+    const DoFHandler<dim>         &dof_handler,
+    const BoundaryConditions<dim> &boundary_conditions,
+    const double                   time)
+  {
+    for (const auto id : boundary_conditions.ids(BoundaryConditionType::fixed))
+      VectorTools::interpolate_boundary_values(MappingQ1<dim>(),
+                                               dof_handler,
+                                               id,
+                                               Functions::ZeroFunction<dim>(
+                                                 dim),
+                                               fixed_values);
+
+    for (const auto &[id, displacement] :
+         boundary_conditions.prescribed_displacements())
+      for (unsigned int d = 0; d < dim; ++d)
+        if (displacement[d])
+          VectorTools::interpolate_boundary_values(
+            MappingQ1<dim>(),
+            dof_handler,
+            id,
+            ComponentFunction<dim>(*displacement[d], d, time),
+            fixed_values,
+            mask_of_component<dim>(d));
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::add_rollers(const DoFHandler<dim>              &dof_handler,
+                             const std::set<types::boundary_id> &rollers)
+  {
+    std::set<types::boundary_id> skew_rollers;
+    for (const auto id : rollers)
+      {
+        const unsigned int axis = common_normal_axis(dof_handler, id);
+        if (axis == dim)
+          skew_rollers.insert(id);
+        else
+          VectorTools::interpolate_boundary_values(
+            MappingQ1<dim>(),
+            dof_handler,
+            id,
+            Functions::ZeroFunction<dim>(dim),
+            fixed_values,
+            mask_of_component<dim>(axis));
+      }
+    if (skew_rollers.empty())
+      return;
+
+    // Where another support holds a degree of freedom, that one decides.
+    AffineConstraints<double> sliding(combined.get_local_lines());
+    VectorTools::compute_no_normal_flux_constraints(
+      dof_handler, 0, skew_rollers, sliding, MappingQ1<dim>());
+    sliding.close();
+    for (const auto &line : sliding.get_lines())
+      if (fixed_values.count(line.index) == 0 &&
+          !combined.is_constrained(line.index))
+        {
+          combined.add_line(line.index);
+          combined.add_entries(line.index, line.entries);
+        }
+    vertical.add_indices(DoFTools::extract_boundary_dofs(
+      dof_handler, mask_of_component<dim>(dim - 1), skew_rollers));
+  }
+
+
+
+  template <int dim>
+  const AffineConstraints<double> &
+  Supports<dim>::constraints() const
+  {
+    return combined;
+  }
+
+
+
+  template <int dim>
+  IndexSet
+  Supports<dim>::fixed_dofs() const
+  {
+    IndexSet dofs(vertical.size());
+    for (const auto &dof_and_value : fixed_values)
+      dofs.add_index(dof_and_value.first);
+    return dofs;
+  }
+
+
+
+  template <int dim>
+  const IndexSet &
+  Supports<dim>::vertical_supports() const
+  {
+    return vertical;
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::move_fixed(Vector &u) const
+  {
+    for (const auto &[dof, value] : fixed_values)
+      if (u.in_local_range(dof))
+        u(dof) = value;
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::set_fixed_entries(Vector &vector, const double value) const
+  {
+    for (const auto &dof_and_value : fixed_values)
+      if (vector.in_local_range(dof_and_value.first))
+        vector(dof_and_value.first) = value;
+  }
+
+
+
+  template class Supports<2>;
+  template class Supports<3>;
+} // namespace ElastoPlastic

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "base/exceptions.h"
+#include "solver/newton_parameters.h"
+
+namespace ElastoPlastic
+{
+  void
+  NewtonParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Nonlinear solver");
+    prm.add_parameter(
+      "Tolerance",
+      tolerance,
+      "The iteration ends when the active set no longer changes and the norm "
+      "of the forces on the free unknowns has fallen below this fraction of "
+      "the norm of all nodal forces (those of contact and supports included). "
+      "Between 1e-14 and 1e-2. No unit.",
+      Patterns::Double());
+    prm.add_parameter("Maximum number of iterations",
+                      maximum_iterations,
+                      "The semi-smooth Newton steps allowed in one nonlinear "
+                      "solve. When they are used up, the program ends with a "
+                      "report and exit status 3.",
+                      Patterns::Integer(1));
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  NewtonParameters::check() const
+  {
+    if (!(tolerance >= 1e-14 && tolerance <= 1e-2))
+      throw InputError("Nonlinear solver/Tolerance",
+                       Patterns::Tools::to_string(tolerance),
+                       "it must lie between 1e-14 and 1e-2.");
+  }
+} // namespace ElastoPlastic
