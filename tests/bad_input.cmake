@@ -10,5 +10,5 @@ add_message_test(missing_file 2 "does_not_exist\\.prm" does_not_exist.prm)
 add_message_test(unknown_option 2 "--no-such-option" ${_default} --no-such-option)
 
 # Parameters
-add_message_test(unknown_section 2 "No such section" ${_default} --validate --set "No such section/Entry=1")
+add_message_test(unknown_section 2 "the section .No such section., which does not exist" ${_default} --validate --set "No such section/Entry=1")
 add_message_test(unknown_entry 2 "No such entry" ${_default} --validate --set "Refinement/No such entry=1")

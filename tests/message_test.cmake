@@ -5,9 +5,9 @@
 #
 # Runs the program with the arguments and expects that it ends with the exit
 # status and that the regular expression <message> occurs on standard error
-# exactly once; blanks in it stand for any white space, and '.' must be written for
-# ';'. The tests are called
-# messages/<name>. A Debug build runs them on one rank, a Release build on two.
+# exactly once; blanks in it stand for any white space, and ';' must be written as
+# '.'. The tests are called messages/<name>. A Debug build runs them on one rank, a
+# Release build on two.
 function(add_message_test _name _status _message)
   cmake_parse_arguments(PARSE_ARGV 3 _test "" "" "")
   set(_launcher)
