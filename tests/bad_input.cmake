@@ -11,4 +11,4 @@ add_message_test(unknown_option 2 "--no-such-option" ${_default} --no-such-optio
 
 # Parameters
 add_message_test(unknown_section 2 "the section .No such section., which does not exist" ${_default} --validate --set "No such section/Entry=1")
-add_message_test(unknown_entry 2 "No such entry" ${_default} --validate --set "Refinement/No such entry=1")
+add_message_test(unknown_entry 2 "Refinement/No such entry" ${_default} --validate --set "Refinement/No such entry=1")
