@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/exceptions.h"
+#include "io/parameter_reference.h"
 #include "io/parameters.h"
 
 namespace ElastoPlastic
@@ -182,8 +183,6 @@ namespace ElastoPlastic
     Parameters       parameters;
     ParameterHandler prm;
     parameters.add_parameters(prm);
-    prm.print_parameters(out,
-                         ParameterHandler::PRM |
-                           ParameterHandler::KeepDeclarationOrder);
+    print_parameter_reference(prm, out);
   }
 } // namespace ElastoPlastic
