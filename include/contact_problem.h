@@ -4,6 +4,8 @@
 #ifndef contact_problem_h
 #define contact_problem_h
 
+#include <deal.II/base/timer.h>
+
 #include "contact/contact_set.h"
 #include "mechanics/solid_operator.h"
 #include "mechanics/supports.h"
@@ -21,13 +23,15 @@ namespace ElastoPlastic
   class ContactProblem : public ConstrainedMinimization
   {
   public:
-    /// All arguments must outlive this object.
+    /// All arguments must outlive this object; the parts of the work are
+    /// accounted for in @p timer.
     ContactProblem(SolidOperator<dim>  &solid,
                    const Supports<dim> &supports,
                    const Vector        &external_forces,
                    ContactSet<dim>     &contact,
                    TangentMatrix<dim>  &tangent,
-                   LinearSolver        &linear_solver);
+                   LinearSolver        &linear_solver,
+                   TimerOutput         &timer);
 
     void
     initialize_vector(Vector &vector) const override;
@@ -85,6 +89,7 @@ namespace ElastoPlastic
     ContactSet<dim>     &contact;
     TangentMatrix<dim>  &tangent;
     LinearSolver        &linear_solver;
+    TimerOutput         &timer;
   };
 } // namespace ElastoPlastic
 

@@ -11,13 +11,15 @@ namespace ElastoPlastic
                                       const Vector        &external_forces,
                                       ContactSet<dim>     &contact,
                                       TangentMatrix<dim>  &tangent,
-                                      LinearSolver        &linear_solver)
+                                      LinearSolver        &linear_solver,
+                                      TimerOutput         &timer)
     : solid(solid)
     , supports(supports)
     , external_forces(external_forces)
     , contact(contact)
     , tangent(tangent)
     , linear_solver(linear_solver)
+    , timer(timer)
   {}
 
 
@@ -35,6 +37,7 @@ namespace ElastoPlastic
   double
   ContactProblem<dim>::energy(const Vector &u) const
   {
+    TimerOutput::Scope scope(timer, "Newton: energy");
     return solid.energy(u) - external_forces * u;
   }
 
@@ -44,6 +47,7 @@ namespace ElastoPlastic
   void
   ContactProblem<dim>::compute_residual(Vector &residual, const Vector &u) const
   {
+    TimerOutput::Scope scope(timer, "Newton: residual");
     solid.internal_forces(residual, u);
     residual.sadd(-1., 1., external_forces);
   }
@@ -83,9 +87,15 @@ namespace ElastoPlastic
     initialize_vector(held);
     supports.set_fixed_entries(held, 1.);
     contact.set_active_entries(held, 1.);
-    tangent.assemble(solid, held);
-    linear_solver.initialize(tangent.matrix());
-
+    {
+      TimerOutput::Scope scope(timer, "Newton: assemble tangent");
+      tangent.assemble(solid, held);
+    }
+    {
+      TimerOutput::Scope scope(timer, "Newton: set up linear solver");
+      linear_solver.initialize(tangent.matrix());
+    }
+    TimerOutput::Scope scope(timer, "Newton: solve linear system");
     const unsigned int n_iterations =
       linear_solver.solve(increment, rhs, reduction);
     zero_held(increment);

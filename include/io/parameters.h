@@ -43,10 +43,16 @@ namespace ElastoPlastic
     /// The complete effective input, in the format of a parameter file.
     std::string effective_input;
 
-    /// Reads and checks the file and the overrides of the command line.
-    /// @throws InputError with file, section, entry, value and remedy.
+    /// Reads the file and the overrides of the command line.
+    /// @throws InputError with file, line, section, entry, value and remedy.
     static Parameters
     read(const CommandLine &command_line);
+
+    /// Whether the entries make sense, each alone and together, as far as
+    /// can be said before there is a mesh.
+    /// @throws InputError with section, entry, value and remedy.
+    void
+    check() const;
 
     /// Writes all entries with default, range, unit and meaning as the user
     /// guide's reference (Markdown).
@@ -56,9 +62,6 @@ namespace ElastoPlastic
   private:
     void
     add_parameters(ParameterHandler &prm);
-
-    void
-    check() const;
   };
 } // namespace ElastoPlastic
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <regex>
 #include <sstream>
 
 #include "base/exceptions.h"
@@ -30,6 +31,23 @@ namespace ElastoPlastic
     private:
       std::streambuf *const buffer;
     };
+
+
+
+    /// What muParser says, as the continuation of a sentence; deal.II adds
+    /// more.
+    std::string
+    reason(const ExceptionBase &exception)
+    {
+      static const std::regex parser_message("The parser said: ([^\n]*)");
+      std::ostringstream      text;
+      exception.print_info(text);
+      const std::string message = text.str();
+      std::smatch       found;
+      return std::regex_search(message, found, parser_message) ?
+               " (" + found.str(1) + ")" :
+               "";
+    }
   } // namespace
 
 
@@ -51,12 +69,10 @@ namespace ElastoPlastic
       }
     catch (const ExceptionBase &exception)
       {
-        std::ostringstream reason;
-        exception.print_info(reason);
         throw InputError(path,
                          text,
                          "this is not an expression in " + variables +
-                           " that can be evaluated." + reason.str());
+                           " that can be evaluated" + reason(exception) + ".");
       }
   }
 
@@ -72,7 +88,8 @@ namespace ElastoPlastic
       {
         std::ostringstream where;
         where << "at (" << point << ") and t = " << time << " its value is "
-              << result << ". It must be finite in the whole body.";
+              << (std::isnan(result) ? "not a number" : "infinite")
+              << ". It must be finite wherever it is needed.";
         throw InputError(path, text, where.str());
       }
     return result;

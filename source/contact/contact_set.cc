@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 
+#include "base/throw_together.h"
 #include "contact/contact_set.h"
 
 namespace ElastoPlastic
@@ -94,8 +95,10 @@ namespace ElastoPlastic
     Vector areas;
     areas.reinit(layout);
     compute_lumped_areas(dof_handler, constraints, contact_boundaries, areas);
-    find_nodes(
-      dof_handler, constraints, contact_boundaries, supported_dofs, areas);
+    throw_together(communicator, [&]() {
+      find_nodes(
+        dof_handler, constraints, contact_boundaries, supported_dofs, areas);
+    });
   }
 
 

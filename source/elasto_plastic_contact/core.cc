@@ -42,10 +42,7 @@ namespace ElastoPlastic
     : parameters(parameters)
     , communicator(communicator)
     , screen(communicator, parameters.output.screen)
-    , timer(communicator,
-            screen.full_stream(),
-            TimerOutput::never,
-            TimerOutput::wall_times)
+    , timer(screen.full_stream(), TimerOutput::never, TimerOutput::wall_times)
     , field_output(parameters.output.directory)
     , triangulation(communicator)
     , boundary_names(make_mesh(parameters.geometry, triangulation))

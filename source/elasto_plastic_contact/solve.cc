@@ -30,8 +30,13 @@ namespace ElastoPlastic
       TimerOutput::Scope scope(timer, "Nonlinear solver");
       const auto         linear_solver =
         make_linear_solver(parameters.linear_solver, rigid_body_motions);
-      ContactProblem<dim> problem(
-        *solid, supports, external_forces, contact, tangent, *linear_solver);
+      ContactProblem<dim>    problem(*solid,
+                                  supports,
+                                  external_forces,
+                                  contact,
+                                  tangent,
+                                  *linear_solver,
+                                  timer);
       const SemismoothNewton newton(parameters.newton,
                                     [this](const NewtonStep &step) {
                                       screen.newton_step(step);

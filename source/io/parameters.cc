@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
-#include <fstream>
 #include <sstream>
 
 #include "base/exceptions.h"
+#include "io/parameter_input.h"
 #include "io/parameter_reference.h"
 #include "io/parameters.h"
 
@@ -13,76 +12,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// deal.II's own words on what is wrong, in one line.
-    std::string
-    reason(const ExceptionBase &exception)
-    {
-      std::ostringstream text;
-      exception.print_info(text);
-      std::istringstream words(text.str());
-      std::string        result;
-      for (std::string word; words >> word;)
-        result += (result.empty() ? "" : " ") + word;
-      return result;
-    }
-
-
-
-    void
-    parse_file(ParameterHandler &prm, const std::string &file)
-    {
-      if (!std::ifstream(file))
-        throw InputError("The parameter file '" + file +
-                         "' does not exist or cannot be read.");
-      try
-        {
-          prm.parse_input(file);
-        }
-      catch (const ExceptionBase &exception)
-        {
-          throw InputError("In the parameter file '" + file +
-                           "': " + reason(exception) +
-                           " All entries are listed by elasto_plastic_contact "
-                           "--print-parameters.");
-        }
-    }
-
-
-
-    void
-    set_entry(ParameterHandler  &prm,
-              const std::string &path,
-              const std::string &value)
-    {
-      std::vector<std::string> names = Utilities::split_string_list(path, '/');
-      const std::string        entry = names.back();
-      names.pop_back();
-      try
-        {
-          // deal.II creates unknown sections on entering: ask before
-          for (const std::string &section : names)
-            {
-              if (!prm.subsection_path_exists({section}))
-                throw InputError("The option --set '" + path + "=" + value +
-                                 "' names the section '" + section +
-                                 "', which does not exist.");
-              prm.enter_subsection(section);
-            }
-          prm.set(entry, value);
-          for (unsigned int i = 0; i < names.size(); ++i)
-            prm.leave_subsection();
-        }
-      catch (const ExceptionBase &exception)
-        {
-          throw InputError("In the option --set '" + path + "=" + value +
-                           "': " + reason(exception) +
-                           " All entries are listed by elasto_plastic_contact "
-                           "--print-parameters.");
-        }
-    }
-
-
-
     std::string
     as_text(const ParameterHandler &prm)
     {
@@ -129,7 +58,7 @@ namespace ElastoPlastic
     ParameterHandler prm;
     parameters.add_parameters(prm);
 
-    parse_file(prm, command_line.parameter_file);
+    read_parameter_file(prm, command_line.parameter_file);
     for (const auto &[path, value] : command_line.overrides)
       set_entry(prm, path, value);
     if (!command_line.output_directory.empty())
@@ -138,14 +67,6 @@ namespace ElastoPlastic
       set_entry(prm, "Output/Screen", "quiet");
 
     parameters.effective_input = as_text(prm);
-    try
-      {
-        parameters.check();
-      }
-    catch (const InputError &error)
-      {
-        throw InputError(command_line.parameter_file + ": " + error.what());
-      }
     return parameters;
   }
 

@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include "base/throw_together.h"
 #include "mechanics/external_forces.h"
 
 namespace ElastoPlastic
@@ -27,30 +28,33 @@ namespace ElastoPlastic
     std::vector<types::global_dof_index> dof_indices(fe.n_dofs_per_cell());
 
     forces = 0;
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          {
-            if (!cell->face(f)->at_boundary())
-              continue;
-            const auto traction = tractions.find(cell->face(f)->boundary_id());
-            if (traction == tractions.end())
-              continue;
+    throw_together(dof_handler.get_communicator(), [&]() {
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int f : cell->face_indices())
+            {
+              if (!cell->face(f)->at_boundary())
+                continue;
+              const auto traction =
+                tractions.find(cell->face(f)->boundary_id());
+              if (traction == tractions.end())
+                continue;
 
-            fe_face_values.reinit(cell, f);
-            cell_forces = 0;
-            for (const unsigned int q :
-                 fe_face_values.quadrature_point_indices())
-              for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
-                cell_forces(i) +=
-                  traction->second[fe.system_to_component_index(i).first]
-                    ->value(fe_face_values.quadrature_point(q), time) *
-                  fe_face_values.shape_value(i, q) * fe_face_values.JxW(q);
-            cell->get_dof_indices(dof_indices);
-            constraints.distribute_local_to_global(cell_forces,
-                                                   dof_indices,
-                                                   forces);
-          }
+              fe_face_values.reinit(cell, f);
+              cell_forces = 0;
+              for (const unsigned int q :
+                   fe_face_values.quadrature_point_indices())
+                for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+                  cell_forces(i) +=
+                    traction->second[fe.system_to_component_index(i).first]
+                      ->value(fe_face_values.quadrature_point(q), time) *
+                    fe_face_values.shape_value(i, q) * fe_face_values.JxW(q);
+              cell->get_dof_indices(dof_indices);
+              constraints.distribute_local_to_global(cell_forces,
+                                                     dof_indices,
+                                                     forces);
+            }
+    });
     forces.compress(VectorOperation::add);
   }
 

@@ -3,12 +3,36 @@
 
 #include <deal.II/matrix_free/tools.h>
 
+#include <sstream>
+
 #include "base/exceptions.h"
+#include "base/throw_together.h"
 #include "mechanics/kinematics.h"
 #include "mechanics/matrix_free_solid.h"
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    template <typename CellAccessor>
+    void
+    check_material_id(const CellAccessor &cell, const unsigned int n_materials)
+    {
+      if (cell.material_id() < n_materials)
+        return;
+      std::ostringstream message;
+      message << "The cell with the centre (" << cell.center()
+              << ") has the material id " << cell.material_id()
+              << ", but the entries of 'Material' describe " << n_materials
+              << " materials: 0 to " << n_materials - 1
+              << ". Give one value for each material there, or change "
+                 "'Geometry/Material id'.";
+      throw InputError(message.str());
+    }
+  } // namespace
+
+
+
   template <int dim, int degree>
   MatrixFreeSolid<dim, degree>::MatrixFreeSolid(
     const VolumetricTreatment            treatment,
@@ -40,12 +64,18 @@ namespace ElastoPlastic
     if (materials.size() == 1)
       return;
     material_indices.resize(matrix_free.n_cell_batches());
-    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
-      for (unsigned int lane = 0;
-           lane < matrix_free.n_active_entries_per_cell_batch(batch);
-           ++lane)
-        material_indices[batch][lane] =
-          matrix_free.get_cell_iterator(batch, lane)->material_id();
+    throw_together(dof_handler.get_communicator(), [&]() {
+      for (unsigned int batch = 0; batch < matrix_free.n_cell_batches();
+           ++batch)
+        for (unsigned int lane = 0;
+             lane < matrix_free.n_active_entries_per_cell_batch(batch);
+             ++lane)
+          {
+            const auto cell = matrix_free.get_cell_iterator(batch, lane);
+            check_material_id(*cell, materials.size());
+            material_indices[batch][lane] = cell->material_id();
+          }
+    });
   }
 
 

@@ -5,6 +5,7 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include "base/throw_together.h"
 #include "mechanics/supports.h"
 
 namespace ElastoPlastic
@@ -92,7 +93,9 @@ namespace ElastoPlastic
     fixed_values.clear();
     vertical = IndexSet(dof_handler.n_dofs());
 
-    add_fixed_and_prescribed(dof_handler, boundary_conditions, time);
+    throw_together(dof_handler.get_communicator(), [&]() {
+      add_fixed_and_prescribed(dof_handler, boundary_conditions, time);
+    });
     add_rollers(dof_handler,
                 boundary_conditions.ids(BoundaryConditionType::roller));
     combined.close();

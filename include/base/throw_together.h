@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef base_throw_together_h
+#define base_throw_together_h
+
+#include <deal.II/base/mpi.h>
+
+#include <functional>
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// Runs @p body, which looks at the rank's own part of the mesh and may
+  /// therefore find wrong input on some ranks only. All ranks then throw what
+  /// the first of these has thrown; nobody waits for a rank that has given up.
+  /// @p body must not communicate.
+  void
+  throw_together(const MPI_Comm               communicator,
+                 const std::function<void()> &body);
+} // namespace ElastoPlastic
+
+#endif

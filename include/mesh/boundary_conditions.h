@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mesh_boundary_conditions_h
+#define mesh_boundary_conditions_h
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/expression.h"
+#include "mesh/boundary_condition_parameters.h"
+#include "mesh/boundary_names.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  enum class BoundaryConditionType
+  {
+    fixed,                   ///< u = 0
+    roller,                  ///< u.n = 0, no tangential traction
+    prescribed_displacement, ///< some components of u given
+    traction,                ///< sigma n given
+    free,                    ///< sigma n = 0
+    contact                  ///< sigma n = 0 where the indenter does not touch
+  };
+
+  /// Which condition holds on which boundary. Each boundary has exactly one.
+  template <int dim>
+  class BoundaryConditions
+  {
+  public:
+    /// One expression per component; nothing where a component of the
+    /// displacement is free.
+    using Components = std::array<std::optional<Expression<dim>>, dim>;
+
+    /// @throws InputError if the entries do not fit @p names: a name that there
+    /// is not, a boundary without a condition or with two, a number of
+    /// components that is not dim, an expression that cannot be evaluated.
+    BoundaryConditions(const BoundaryConditionParameters &parameters,
+                       const BoundaryNames               &names);
+
+    /// The boundaries with this condition.
+    std::set<types::boundary_id>
+    ids(const BoundaryConditionType type) const;
+
+    /// By boundary. Components are empty where the displacement is free.
+    const std::map<types::boundary_id, Components> &
+    prescribed_displacements() const;
+
+    /// By boundary. No component is empty.
+    const std::map<types::boundary_id, Components> &
+    tractions() const;
+
+  private:
+    void
+    add_boundary(const std::string          &entry,
+                 const BoundaryConditionType type,
+                 const std::string          &name,
+                 const BoundaryNames        &names);
+
+    /// Read "name: component; component | name: ...".
+    std::map<types::boundary_id, Components>
+    add_boundaries_with_components(const std::string          &entry,
+                                   const BoundaryConditionType type,
+                                   const std::string          &text,
+                                   const BoundaryNames        &names);
+
+    struct Condition
+    {
+      BoundaryConditionType type;
+      std::string           entry; ///< that names the boundary
+    };
+
+    std::map<types::boundary_id, Condition>  conditions;
+    std::map<types::boundary_id, Components> displacements;
+    std::map<types::boundary_id, Components> traction_vectors;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mesh_geometry_h
+#define mesh_geometry_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/grid/tria.h>
+
+#include <string>
+
+#include "mesh/boundary_names.h"
+#include "mesh/box.h"
+#include "mesh/gmsh_file.h"
+#include "mesh/half_ball.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The entries of the section "Geometry": the body and its first mesh.
+  struct GeometryParameters
+  {
+    std::string        type = "box";
+    BoxParameters      box;
+    HalfBallParameters half_ball;
+    GmshFileParameters gmsh_file;
+    unsigned int       initial_refinements = 0;
+    std::string        material_id; ///< expression; empty: see make_mesh()
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// Check what concerns the chosen type. @throws InputError for the first
+    /// value that is not allowed.
+    void
+    check(const unsigned int dim) const;
+  };
+
+  /// Fill the empty @p triangulation, serial or distributed, with the mesh of
+  /// the body: coarse mesh, manifolds, boundary ids, material ids and the
+  /// initial refinements.
+  ///
+  /// The material id of a cell is the value of the expression at its centre on
+  /// the mesh after the initial refinements, rounded; later refinement
+  /// inherits it. The rule stays connected to the triangulation, so that it
+  /// survives coarsening, repartitioning and loading from a checkpoint. Without
+  /// an expression it is 0, or what the mesh file says.
+  ///
+  /// Collective; errors are thrown on all ranks.
+  template <int dim>
+  BoundaryNames
+  make_mesh(const GeometryParameters &parameters,
+            Triangulation<dim>       &triangulation);
+} // namespace ElastoPlastic
+
+#endif

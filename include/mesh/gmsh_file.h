@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mesh_gmsh_file_h
+#define mesh_gmsh_file_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/grid/tria.h>
+
+#include <string>
+
+#include "mesh/boundary_names.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The entry of the section "Geometry" that names a mesh file.
+  struct GmshFileParameters
+  {
+    std::string file;
+
+    /// Declare the entry in the current section.
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// @throws InputError if the file cannot be opened or is damaged.
+    void
+    check(const unsigned int dim) const;
+  };
+
+  /// Fill @p triangulation with the mesh of a file that Gmsh has written.
+  /// Boundary ids and material ids are the numbers of the physical groups, 0
+  /// for what is in none. A boundary is called by the name of its group, or by
+  /// its number if there is no name.
+  /// @throws InputError if the file is damaged or does not hold a mesh of
+  /// quadrilaterals (2D, in the plane z = const) or hexahedra (3D) with at
+  /// least one physical group on its boundary.
+  template <int dim>
+  BoundaryNames
+  make_mesh_from_gmsh_file(const GmshFileParameters &parameters,
+                           Triangulation<dim>       &triangulation);
+} // namespace ElastoPlastic
+
+#endif

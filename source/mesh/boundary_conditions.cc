@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/utilities.h>
+
+#include "base/exceptions.h"
+#include "mesh/boundary_conditions.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    using Type = BoundaryConditionType;
+
+    const std::string section = "Boundary conditions/";
+
+
+
+    /// Read "component; component" into @p components.
+    template <int dim>
+    void
+    read_components(const std::string                            &path,
+                    const Type                                    type,
+                    const std::string                            &text,
+                    typename BoundaryConditions<dim>::Components &components)
+    {
+      const auto texts = Utilities::split_string_list(text, ';');
+      if (texts.size() != dim)
+        throw InputError(path,
+                         text,
+                         "it must have " + std::to_string(dim) +
+                           " components separated by ';', one per dimension.");
+      for (unsigned int d = 0; d < dim; ++d)
+        if (texts[d] != "free")
+          components[d].emplace(path, texts[d]);
+        else if (type == Type::traction)
+          throw InputError(path,
+                           text,
+                           "a component of a traction cannot be free. Where "
+                           "there is none, it is 0.");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  BoundaryConditions<dim>::BoundaryConditions(
+    const BoundaryConditionParameters &parameters, const BoundaryNames &names)
+  {
+    const auto add_all = [&](const std::string              &entry,
+                             const Type                      type,
+                             const std::vector<std::string> &boundaries) {
+      for (const std::string &name : boundaries)
+        add_boundary(entry, type, name, names);
+    };
+    add_all("Fixed", Type::fixed, parameters.fixed);
+    add_all("Roller", Type::roller, parameters.roller);
+    add_all("Free", Type::free, parameters.free);
+    add_all("Contact", Type::contact, parameters.contact);
+    displacements =
+      add_boundaries_with_components("Prescribed displacement",
+                                     Type::prescribed_displacement,
+                                     parameters.prescribed_displacement,
+                                     names);
+    traction_vectors = add_boundaries_with_components("Traction",
+                                                      Type::traction,
+                                                      parameters.traction,
+                                                      names);
+
+    for (const auto &[name, id] : names)
+      if (conditions.count(id) == 0)
+        throw InputError("The boundary '" + name +
+                         "' has no condition. Name it in one of the entries "
+                         "'Fixed', 'Roller', 'Free', 'Contact', 'Prescribed "
+                         "displacement' and 'Traction' of the section "
+                         "'Boundary conditions'.");
+  }
+
+
+
+  template <int dim>
+  std::set<types::boundary_id>
+  BoundaryConditions<dim>::ids(const BoundaryConditionType type) const
+  {
+    std::set<types::boundary_id> result;
+    for (const auto &[id, condition] : conditions)
+      if (condition.type == type)
+        result.insert(id);
+    return result;
+  }
+
+
+
+  template <int dim>
+  const std::map<types::boundary_id,
+                 typename BoundaryConditions<dim>::Components> &
+  BoundaryConditions<dim>::prescribed_displacements() const
+  {
+    return displacements;
+  }
+
+
+
+  template <int dim>
+  const std::map<types::boundary_id,
+                 typename BoundaryConditions<dim>::Components> &
+  BoundaryConditions<dim>::tractions() const
+  {
+    return traction_vectors;
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryConditions<dim>::add_boundary(const std::string          &entry,
+                                        const BoundaryConditionType type,
+                                        const std::string          &name,
+                                        const BoundaryNames        &names)
+  {
+    const auto boundary = names.find(name);
+    if (boundary == names.end())
+      throw InputError(section + entry,
+                       name,
+                       "there is no such boundary. The geometry has: " +
+                         list_of_names(names) + ".");
+
+    const auto [condition, is_first] =
+      conditions.emplace(boundary->second, Condition{type, entry});
+    if (!is_first)
+      throw InputError("The boundary '" + name +
+                       "' has two conditions: it is named in '" + section +
+                       condition->second.entry + "' and in '" + section +
+                       entry + "'. Name each boundary once.");
+  }
+
+
+
+  template <int dim>
+  std::map<types::boundary_id, typename BoundaryConditions<dim>::Components>
+  BoundaryConditions<dim>::add_boundaries_with_components(
+    const std::string          &entry,
+    const BoundaryConditionType type,
+    const std::string          &text,
+    const BoundaryNames        &names)
+  {
+    std::map<types::boundary_id, Components> result;
+    for (const std::string &boundary : Utilities::split_string_list(text, '|'))
+      {
+        const std::size_t colon = boundary.find(':');
+        if (colon == std::string::npos)
+          throw InputError(section + entry,
+                           boundary,
+                           "it must look like 'name: component; component', "
+                           "with one component per dimension, and '|' between "
+                           "boundaries.");
+        const std::string name = Utilities::trim(boundary.substr(0, colon));
+        add_boundary(entry, type, name, names);
+        read_components<dim>(section + entry,
+                             type,
+                             Utilities::trim(boundary.substr(colon + 1)),
+                             result[names.at(name)]);
+      }
+    return result;
+  }
+
+
+
+  template class BoundaryConditions<2>;
+  template class BoundaryConditions<3>;
+} // namespace ElastoPlastic

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/patterns.h>
+
+#include <functional>
+#include <vector>
+
+#include "mesh/geometry.h"
+#include "mesh/material_ids.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// A kind of body: the name a user types, how its entries are checked and
+    /// how its coarse mesh is made.
+    template <int dim>
+    struct GeometryType
+    {
+      using P = GeometryParameters;
+
+      std::string                                                   name;
+      std::function<void(const P &)>                                check;
+      std::function<BoundaryNames(const P &, Triangulation<dim> &)> make;
+    };
+
+
+
+    /// The list of all geometries. A new one is a file pair with its entries,
+    /// and a line here.
+    template <int dim>
+    const std::vector<GeometryType<dim>> &
+    geometry_types()
+    {
+      using P = GeometryParameters;
+      using T = Triangulation<dim>;
+
+      // clang-format off
+      static const std::vector<GeometryType<dim>> list = {
+        {"box",       [](const P &p) { p.box.check(dim); },       [](const P &p, T &t) { return make_box(p.box, t); }},
+        {"half ball", [](const P &p) { p.half_ball.check(dim); }, [](const P &p, T &t) { return make_half_ball(p.half_ball, t); }},
+        {"file",      [](const P &p) { p.gmsh_file.check(dim); }, [](const P &p, T &t) { return make_mesh_from_gmsh_file(p.gmsh_file, t); }}};
+      // clang-format on
+      return list;
+    }
+
+
+
+    template <int dim>
+    const GeometryType<dim> &
+    find_type(const std::string &name)
+    {
+      for (const auto &type : geometry_types<dim>())
+        if (type.name == name)
+          return type;
+      AssertThrow(false, ExcInternalError());
+      return geometry_types<dim>().front();
+    }
+
+
+
+    std::string
+    all_names()
+    {
+      std::string names;
+      for (const auto &type : geometry_types<3>())
+        names += (names.empty() ? "" : "|") + type.name;
+      return names;
+    }
+  } // namespace
+
+
+
+  void
+  GeometryParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Geometry");
+    prm.add_parameter(
+      "Type",
+      type,
+      "The body: a box with the boundaries left and right (x), front and back "
+      "(y, in three dimensions only), bottom and top; the lower half of a "
+      "ball with the boundaries top (flat) and curved; or a mesh from a file. "
+      "Further entries say which type they belong to; the others ignore them.",
+      Patterns::Selection(all_names()));
+    box.add_parameters(prm);
+    half_ball.add_parameters(prm);
+    gmsh_file.add_parameters(prm);
+    prm.add_parameter(
+      "Initial refinements",
+      initial_refinements,
+      "How many times to halve all cells of the coarse mesh before the first "
+      "computation. Allowed: 0 to 20.",
+      Patterns::Integer(0, 20));
+    prm.add_parameter(
+      "Material id",
+      material_id,
+      "Which of the materials each cell consists of: an expression in x, y "
+      "(, z), evaluated at the centres of the cells after the initial "
+      "refinements and rounded to a whole number >= 0; conditions are written "
+      "if(y > -0.1, 1, 0). Empty stands for 0, or with the type file for the "
+      "number of the physical group in the file.",
+      Patterns::Anything());
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  GeometryParameters::check(const unsigned int dim) const
+  {
+    if (dim == 2)
+      find_type<2>(type).check(*this);
+    else
+      find_type<3>(type).check(*this);
+  }
+
+
+
+  template <int dim>
+  BoundaryNames
+  make_mesh(const GeometryParameters &parameters,
+            Triangulation<dim>       &triangulation)
+  {
+    Triangulation<dim>  coarse_mesh(Triangulation<dim>::none,
+                                   /* check_for_distorted_cells = */ true);
+    const BoundaryNames names =
+      find_type<dim>(parameters.type).make(parameters, coarse_mesh);
+    triangulation.copy_triangulation(coarse_mesh);
+    triangulation.refine_global(parameters.initial_refinements);
+    if (!parameters.material_id.empty())
+      set_material_ids("Geometry/Material id",
+                       parameters.material_id,
+                       parameters.initial_refinements,
+                       triangulation);
+    return names;
+  }
+
+
+
+  template BoundaryNames
+  make_mesh(const GeometryParameters &, Triangulation<2> &);
+  template BoundaryNames
+  make_mesh(const GeometryParameters &, Triangulation<3> &);
+} // namespace ElastoPlastic

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "mesh/gmsh_contents.h"
+
+namespace ElastoPlastic
+{
+  GmshContents::GmshContents(const std::string &file_name)
+  {
+    GmshScanner scanner(file_name);
+    read_format(scanner);
+    while (!scanner.at_end())
+      {
+        const std::string section = scanner.word();
+        if (section.size() < 2 || section[0] != '$')
+          scanner.fail("there is '" + section +
+                       "' where a section like '$Nodes' should begin.");
+        read_section(section.substr(1), scanner);
+      }
+  }
+
+
+
+  void
+  GmshContents::read_format(GmshScanner &scanner)
+  {
+    const std::string remedy =
+      " Export it from Gmsh as 'Version 4 ASCII' or 'Version 2 ASCII'.";
+    if (scanner.at_end())
+      scanner.fail("there is nothing: the file is empty.");
+    if (scanner.word() != "$MeshFormat")
+      scanner.fail("'$MeshFormat' is missing, so it is no mesh file of Gmsh." +
+                   remedy);
+    version = scanner.word();
+    if (version != "2.2" && version != "4.1")
+      scanner.fail("the format is '" + version +
+                   "', but only 2.2 and 4.1 are read." + remedy);
+    if (scanner.word() != "0")
+      scanner.fail("the format is binary, but only ASCII is read." + remedy);
+    scanner.count();
+    scanner.expect("$EndMeshFormat");
+  }
+
+
+
+  void
+  GmshContents::read_section(const std::string &section, GmshScanner &scanner)
+  {
+    if (section == "PhysicalNames")
+      read_physical_names(scanner);
+    else if (section == "Entities")
+      read_entities(scanner);
+    else if (section == "Nodes")
+      read_nodes(scanner);
+    else if (section == "Elements")
+      read_elements(scanner);
+    else
+      {
+        scanner.skip_past("$End" + section);
+        return;
+      }
+    scanner.expect("$End" + section);
+  }
+
+
+
+  void
+  GmshContents::read_physical_names(GmshScanner &scanner)
+  {
+    for (unsigned long n = scanner.count(); n > 0; --n)
+      {
+        const unsigned int dimension        = scanner.count();
+        const long         tag              = std::abs(scanner.integer());
+        physical_names[Tag(dimension, tag)] = scanner.word();
+      }
+  }
+
+
+
+  void
+  GmshContents::read_entities(GmshScanner &scanner)
+  {
+    std::vector<unsigned long> n_entities;
+    for (unsigned int dimension = 0; dimension <= 3; ++dimension)
+      n_entities.push_back(scanner.count());
+    for (unsigned int dimension = 0; dimension <= 3; ++dimension)
+      for (unsigned long n = n_entities[dimension]; n > 0; --n)
+        read_entity(dimension, scanner);
+  }
+
+
+
+  void
+  GmshContents::read_entity(const unsigned int dimension, GmshScanner &scanner)
+  {
+    const long         tag           = scanner.integer();
+    const unsigned int n_coordinates = (dimension == 0 ? 3 : 6);
+    for (unsigned int i = 0; i < n_coordinates; ++i)
+      scanner.number();
+
+    const unsigned long n_groups = scanner.count();
+    if (n_groups > 1)
+      scanner.fail("the entity " + std::to_string(tag) + " of dimension " +
+                   std::to_string(dimension) +
+                   " is in several physical groups, but one is allowed.");
+    if (n_groups == 1)
+      physical_tags[Tag(dimension, tag)] = std::abs(scanner.integer());
+
+    if (dimension > 0)
+      for (unsigned long n = scanner.count(); n > 0; --n)
+        scanner.integer();
+  }
+
+
+
+  void
+  GmshContents::read_nodes(GmshScanner &scanner)
+  {
+    if (version == "2.2")
+      {
+        for (unsigned long n = scanner.count(); n > 0; --n)
+          {
+            const long tag = scanner.integer();
+            add_node(tag, scanner);
+          }
+        return;
+      }
+
+    const unsigned long n_blocks = scanner.count();
+    const unsigned long n_nodes  = scanner.count();
+    scanner.integer();
+    scanner.integer();
+    for (unsigned long block = 0; block < n_blocks; ++block)
+      read_node_block(scanner);
+    if (nodes.size() != n_nodes)
+      scanner.fail("the nodes end, and there are " +
+                   std::to_string(nodes.size()) + " of them instead of " +
+                   std::to_string(n_nodes) + ".");
+  }
+
+
+
+  void
+  GmshContents::read_node_block(GmshScanner &scanner)
+  {
+    const unsigned long dimension = scanner.count();
+    scanner.integer();
+    const bool          parametric = (scanner.count() != 0);
+    const unsigned long n_nodes    = scanner.count();
+
+    std::vector<long> tags;
+    for (unsigned long n = 0; n < n_nodes; ++n)
+      tags.push_back(scanner.integer());
+    for (const long tag : tags)
+      {
+        add_node(tag, scanner);
+        if (parametric)
+          for (unsigned long d = 0; d < dimension; ++d)
+            scanner.number();
+      }
+  }
+
+
+
+  void
+  GmshContents::add_node(const long tag, GmshScanner &scanner)
+  {
+    if (!node_indices.emplace(tag, nodes.size()).second)
+      scanner.fail("there is a second node with the number " +
+                   std::to_string(tag) + ".");
+    nodes.emplace_back();
+    for (unsigned int d = 0; d < 3; ++d)
+      nodes.back()[d] = scanner.number();
+  }
+
+
+
+  void
+  GmshContents::read_elements(GmshScanner &scanner)
+  {
+    if (version == "4.1")
+      {
+        const unsigned long n_blocks   = scanner.count();
+        const unsigned long n_elements = scanner.count();
+        scanner.integer();
+        scanner.integer();
+        for (unsigned long block = 0; block < n_blocks; ++block)
+          read_element_block(scanner);
+        if (elements.size() != n_elements)
+          scanner.fail("the elements end, and there are " +
+                       std::to_string(elements.size()) +
+                       " of them instead of " + std::to_string(n_elements) +
+                       ".");
+        return;
+      }
+
+    for (unsigned long n = scanner.count(); n > 0; --n)
+      {
+        scanner.integer();
+        const unsigned int  type         = scanner.count();
+        unsigned int        physical_tag = 0;
+        const unsigned long n_tags       = scanner.count();
+        for (unsigned long i = 0; i < n_tags; ++i)
+          if (const long tag = scanner.integer(); i == 0)
+            physical_tag = std::abs(tag);
+        elements.push_back(
+          {type, physical_tag, read_nodes_of_element(type, scanner)});
+      }
+  }
+
+
+
+  void
+  GmshContents::read_element_block(GmshScanner &scanner)
+  {
+    const unsigned int  dimension  = scanner.count();
+    const long          entity     = scanner.integer();
+    const unsigned int  type       = scanner.count();
+    const unsigned long n_elements = scanner.count();
+
+    const auto         group = physical_tags.find(Tag(dimension, entity));
+    const unsigned int physical_tag =
+      (group == physical_tags.end() ? 0 : group->second);
+    for (unsigned long n = 0; n < n_elements; ++n)
+      {
+        scanner.integer();
+        elements.push_back(
+          {type, physical_tag, read_nodes_of_element(type, scanner)});
+      }
+  }
+
+
+
+  std::vector<unsigned int>
+  GmshContents::read_nodes_of_element(const unsigned int type,
+                                      GmshScanner       &scanner) const
+  {
+    static const std::map<unsigned int, unsigned int> n_nodes_of_type = {
+      {1, 2}, {3, 4}, {5, 8}, {15, 1}};
+    static const std::map<unsigned int, std::string> refused_types = {
+      {2, "triangles"}, {4, "tetrahedra"}, {6, "prisms"}, {7, "pyramids"}};
+
+    const auto n_nodes = n_nodes_of_type.find(type);
+    if (n_nodes == n_nodes_of_type.end())
+      {
+        const auto refused = refused_types.find(type);
+        scanner.fail(
+          "there are " +
+          (refused == refused_types.end() ?
+             "elements of Gmsh's type " + std::to_string(type) :
+             refused->second) +
+          ", but only quadrilaterals (2D) and hexahedra (3D) of first order "
+          "are read. In Gmsh, recombine or use transfinite surfaces and "
+          "volumes, and set the element order to 1.");
+      }
+
+    std::vector<unsigned int> indices;
+    for (unsigned int i = 0; i < n_nodes->second; ++i)
+      {
+        const long tag   = scanner.integer();
+        const auto index = node_indices.find(tag);
+        if (index == node_indices.end())
+          scanner.fail("an element uses the node " + std::to_string(tag) +
+                       ", which does not exist.");
+        if (std::find(indices.begin(), indices.end(), index->second) !=
+            indices.end())
+          scanner.fail("an element uses the node " + std::to_string(tag) +
+                       " twice.");
+        indices.push_back(index->second);
+      }
+    return indices;
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "base/exceptions.h"
+#include "mesh/gmsh_scanner.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    bool
+    is_space(const char c)
+    {
+      return std::isspace(static_cast<unsigned char>(c)) != 0;
+    }
+
+
+
+    /// The whole word must be the number: "12abc" is none.
+    template <typename Number>
+    bool
+    convert(const std::string &word, Number &value)
+    {
+      const char *const end    = word.data() + word.size();
+      const auto [rest, error] = std::from_chars(word.data(), end, value);
+      return error == std::errc() && rest == end;
+    }
+  } // namespace
+
+
+
+  GmshScanner::GmshScanner(const std::string &file_name)
+    : file_name(file_name)
+  {
+    std::ifstream file(file_name, std::ios::binary);
+    if (!file || std::filesystem::is_directory(file_name))
+      throw InputError("Geometry/File",
+                       file_name,
+                       "there is no such file, or it cannot be opened. A "
+                       "relative name starts in the working directory.");
+    text.assign(std::istreambuf_iterator<char>(file), {});
+    skip_white_space();
+  }
+
+
+
+  bool
+  GmshScanner::at_end() const
+  {
+    return position == text.size();
+  }
+
+
+
+  std::string
+  GmshScanner::word()
+  {
+    line_of_word = line;
+    if (at_end())
+      fail("it ends too early: is it truncated?");
+
+    std::size_t begin = position, end = position;
+    if (text[position] == '"')
+      {
+        ++begin;
+        end = text.find_first_of("\"\n", begin);
+        if (end == std::string::npos || text[end] != '"')
+          fail("a closing quote is missing.");
+        position = end + 1;
+      }
+    else
+      {
+        while (end < text.size() && !is_space(text[end]))
+          ++end;
+        position = end;
+      }
+    const std::string result = text.substr(begin, end - begin);
+    skip_white_space();
+    return result;
+  }
+
+
+
+  long
+  GmshScanner::integer()
+  {
+    const std::string text_of_value = word();
+    long              value         = 0;
+    if (!convert(text_of_value, value))
+      fail("there is '" + text_of_value + "' where a whole number should be.");
+    return value;
+  }
+
+
+
+  unsigned long
+  GmshScanner::count()
+  {
+    const long value = integer();
+    if (value < 0)
+      fail("there is '" + std::to_string(value) +
+           "' where a number of things should be.");
+    return value;
+  }
+
+
+
+  double
+  GmshScanner::number()
+  {
+    const std::string text_of_value = word();
+    double            value         = 0;
+    if (!convert(text_of_value, value) || !std::isfinite(value))
+      fail("there is '" + text_of_value + "' where a number should be.");
+    return value;
+  }
+
+
+
+  void
+  GmshScanner::expect(const std::string &expected)
+  {
+    if (const std::string found = word(); found != expected)
+      fail("there is '" + found + "' where '" + expected + "' should be.");
+  }
+
+
+
+  void
+  GmshScanner::skip_past(const std::string &last)
+  {
+    while (word() != last)
+      {}
+  }
+
+
+
+  void
+  GmshScanner::fail(const std::string &reason) const
+  {
+    throw InputError("Geometry/File",
+                     file_name,
+                     "in line " + std::to_string(line_of_word) +
+                       " of this file " + reason);
+  }
+
+
+
+  void
+  GmshScanner::skip_white_space()
+  {
+    for (; position < text.size() && is_space(text[position]); ++position)
+      line += (text[position] == '\n');
+  }
+} // namespace ElastoPlastic

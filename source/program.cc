@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
+
+#include "base/exceptions.h"
+#include "elasto_plastic_contact.h"
+#include "io/command_line.h"
+#include "io/parameters.h"
+#include "program.h"
+#include "version.h"
+
+namespace
+{
+  using namespace ElastoPlastic;
+
+  template <int dim>
+  void
+  solve_contact_problem(const CommandLine &command_line,
+                        const Parameters  &parameters)
+  {
+    ElastoPlasticContact<dim> problem(parameters, MPI_COMM_WORLD);
+    if (command_line.task == CommandLine::Task::run)
+      problem.run(command_line.overwrite);
+  }
+
+
+
+  /// @throws InputError that names the parameter file.
+  void
+  solve_contact_problem(const CommandLine &command_line)
+  {
+    const Parameters parameters = Parameters::read(command_line);
+    try
+      {
+        parameters.check();
+        if (parameters.dimension == 2)
+          solve_contact_problem<2>(command_line, parameters);
+        else
+          solve_contact_problem<3>(command_line, parameters);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(command_line.parameter_file + ": " + error.what());
+      }
+  }
+
+
+
+  void
+  run(const CommandLine &command_line, std::ostream &out)
+  {
+    switch (command_line.task)
+      {
+        case CommandLine::Task::print_help:
+          out << CommandLine::help();
+          break;
+        case CommandLine::Task::print_version:
+          out << "ElastoPlasticContact " << ELASTO_PLASTIC_CONTACT_VERSION
+              << std::endl;
+          break;
+        case CommandLine::Task::print_parameters:
+          Parameters::print_reference(out);
+          break;
+        case CommandLine::Task::validate:
+        case CommandLine::Task::run:
+          solve_contact_problem(command_line);
+          break;
+      }
+  }
+} // namespace
+
+
+
+// The dimension is an entry of the parameter file. Errors that the user can act
+// on arrive here as exceptions, with the same message on all ranks; anything
+// else is a bug, and a single rank that has met one must take the others down.
+int
+ElastoPlastic::run_program(const int argc, const char *const *const argv)
+{
+  const bool first_rank = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  try
+    {
+      std::ostream nowhere(nullptr);
+      run(CommandLine::parse(argc, argv), first_rank ? std::cout : nowhere);
+      return static_cast<int>(ExitStatus::success);
+    }
+  catch (const Error &error)
+    {
+      if (first_rank)
+        std::cerr << "Error: " << error.what() << std::endl;
+      return static_cast<int>(error.status);
+    }
+  catch (const std::bad_alloc &)
+    {
+      std::cerr << "Error: there is not enough memory. Choose a coarser mesh, "
+                   "or more processes on more machines."
+                << std::endl;
+      MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitStatus::io_failure));
+    }
+  catch (const std::exception &bug)
+    {
+      std::cerr << "Error: this should not have happened, please report it:\n"
+                << bug.what() << std::endl;
+      MPI_Abort(MPI_COMM_WORLD, 1);
+    }
+  return 1; // not reached
+}

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Tables keep 15 digits, and a file that cannot be written completely is an
+// error on all ranks, whichever of them was writing.
+
+#include <fstream>
+#include <limits>
+
+#include "io/checked_write.h"
+#include "io/csv_file.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  void
+  write_table()
+  {
+    const std::string name = "table.csv";
+    CsvFile           table(MPI_COMM_WORLD, name, {"step", "force", "depth"});
+    table.add_row({1, 1. / 3., 1.5e-20});
+    table.add_row({2, -12345678.9012345, 1e300});
+    table.add_row({100000000, 0, std::numeric_limits<double>::infinity()});
+
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      output() << std::ifstream(name).rdbuf();
+  }
+
+
+
+  /// Prints the common message of all ranks, or what is wrong with that.
+  template <typename Action>
+  void
+  print_error_of_all_ranks(const std::string &title, const Action &action)
+  {
+    std::string message = "none";
+    try
+      {
+        action();
+      }
+    catch (const FileError &error)
+      {
+        message = error.what();
+      }
+    const auto messages =
+      dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, message);
+    for (const std::string &other : messages)
+      if (other != message)
+        message = "FAILED, the ranks disagree: " + message + " / " + other;
+    output() << title << ": " << message << std::endl;
+  }
+
+
+
+  void
+  write_on_rank(const unsigned int rank, const std::string &name)
+  {
+    const bool writes =
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == rank;
+    checked_write(MPI_COMM_WORLD, writes ? name : "", [](std::ostream &out) {
+      out << "some text";
+    });
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const unsigned int                       last_rank =
+    dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) - 1;
+
+  write_table();
+
+  print_error_of_all_ranks("table on a full disk", [] {
+    CsvFile(MPI_COMM_WORLD, "/dev/full", {"step"});
+  });
+  print_error_of_all_ranks("table in a missing directory", [] {
+    CsvFile(MPI_COMM_WORLD, "no/such/directory.csv", {"step"});
+  });
+  print_error_of_all_ranks("text on a full disk",
+                           [&] { write_on_rank(0, "/dev/full"); });
+  print_error_of_all_ranks("text of the last rank on a full disk",
+                           [&] { write_on_rank(last_rank, "/dev/full"); });
+  print_error_of_all_ranks("text on a disk with room",
+                           [&] { write_on_rank(last_rank, "text.txt"); });
+}

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Both linear solvers reduce the residual of an elastic block as they promise,
+// and give up as documented.
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include "material/material_parameters.h"
+#include "mechanics/rigid_body_modes.h"
+#include "mechanics/tangent_matrix.h"
+#include "sample_mesh.h"
+#include "solver/linear_solver.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  /// The matrix of an elastic block whose bottom is held, or nothing of it.
+  class Block
+  {
+  public:
+    static constexpr unsigned int dim = 3;
+
+    explicit Block(const bool is_supported)
+      : mesh(MPI_COMM_WORLD)
+      , fe(FE_Q<dim>(1), dim)
+      , dof_handler(mesh)
+      , solid(make_solid_operator<dim>(1,
+                                       VolumetricTreatment::standard,
+                                       MaterialParameters().materials()))
+    {
+      GridGenerator::subdivided_hyper_cube(mesh, 6, 0., 1., true);
+      refine_corner(mesh);
+      dof_handler.distribute_dofs(fe);
+      IndexSet relevant;
+      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      constraints.reinit(relevant);
+      DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+      constraints.close();
+      solid->reinit(dof_handler, constraints);
+
+      VectorType zero, held;
+      solid->initialize_vector(zero);
+      solid->initialize_vector(held);
+      if (is_supported)
+        for (const auto dof :
+             DoFTools::extract_boundary_dofs(dof_handler, ComponentMask(), {4}))
+          if (held.in_local_range(dof))
+            held(dof) = 1.;
+      solid->linearize(zero);
+      tangent.reinit(dof_handler, constraints);
+      tangent.assemble(*solid, held);
+
+      solid->initialize_vector(rhs);
+      VectorTools::interpolate(dof_handler, SampleField<dim>(0, 1.), rhs);
+      constraints.set_zero(rhs);
+    }
+
+    /// Solves with the reduction 1e-10. @return the one that was reached.
+    double
+    reached_reduction(LinearSolver &solver, unsigned int &n_iterations) const
+    {
+      VectorType solution = rhs, residual = rhs;
+      solver.initialize(tangent.matrix());
+      n_iterations = solver.solve(solution, rhs, 1e-10);
+      tangent.matrix().vmult(residual, solution);
+      residual -= rhs;
+      return residual.l2_norm() / rhs.l2_norm();
+    }
+
+    std::unique_ptr<LinearSolver>
+    make_solver(const std::string &type,
+                const unsigned int maximum_iterations = 1000) const
+    {
+      LinearSolverParameters parameters;
+      parameters.type               = type;
+      parameters.maximum_iterations = maximum_iterations;
+      return make_linear_solver(parameters, rigid_body_modes(dof_handler, rhs));
+    }
+
+  private:
+    parallel::distributed::Triangulation<dim> mesh;
+    const FESystem<dim>                       fe;
+    DoFHandler<dim>                           dof_handler;
+    AffineConstraints<double>                 constraints;
+    std::unique_ptr<SolidOperator<dim>>       solid;
+    TangentMatrix<dim>                        tangent;
+    VectorType                                rhs;
+  };
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const Block  block(/* is_supported = */ true);
+  unsigned int n_iterations = 0;
+  verify("AMG reaches the tolerance",
+         block.reached_reduction(*block.make_solver("AMG"), n_iterations),
+         1.01e-10);
+  verify("  in 5 to 30 iterations", n_iterations >= 5 && n_iterations <= 30);
+  verify("direct reaches the tolerance",
+         block.reached_reduction(*block.make_solver("direct"), n_iterations),
+         1e-10);
+  verify("  in one iteration", n_iterations == 1);
+
+  const double reached =
+    block.reached_reduction(*block.make_solver("AMG", 3), n_iterations);
+  verify("AMG with 3 iterations returns what it has found",
+         reached > 1e-10 && reached < 1. && n_iterations == 3);
+
+  const Block free_block(/* is_supported = */ false);
+  print_error("direct, singular matrix", [&] {
+    free_block.reached_reduction(*free_block.make_solver("direct"),
+                                 n_iterations);
+  });
+}

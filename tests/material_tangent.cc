@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The consistent tangent against central differences of the stress, in space
+// and in plane strain, for all laws, from virgin and loaded states; and that
+// it is symmetric and positive semidefinite.
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include "mechanics/kinematics.h"
+#include "sample_material.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  /// Orthonormal basis of the symmetric tensors: an eigenvalue of a tangent
+  /// does not depend on it, unlike in Voigt's notation.
+  template <int dim>
+  SymmetricTensor<2, dim>
+  basis_tensor(const unsigned int i)
+  {
+    SymmetricTensor<2, dim> tensor;
+    tensor.access_raw_entry(i) = (i < dim ? 1. : std::sqrt(0.5));
+    return tensor;
+  }
+
+
+
+  /// A point with bulk modulus, whose strain lives in @p dim dimensions.
+  template <int dim>
+  class PointLaw
+  {
+  public:
+    using Tensor = SymmetricTensor<2, dim>;
+
+    PointLaw(const Material<double>      &material,
+             const MaterialState<double> &old_state)
+      : material(material)
+      , old_state(old_state)
+    {}
+
+    Tensor
+    stress(const Tensor &strain) const
+    {
+      return with_pressure(in_plane<dim>(at(strain).deviatoric_stress()),
+                           strain);
+    }
+
+    Tensor
+    tangent_product(const Tensor &strain, const Tensor &increment) const
+    {
+      const auto                           tangent = at(strain).tangent();
+      const DeviatoricTangent<dim, double> in_plane_tangent = {
+        tangent.shear, in_plane<dim>(tangent.direction)};
+      return with_pressure(in_plane_tangent * increment, increment);
+    }
+
+    bool
+    yields(const Tensor &strain) const
+    {
+      return at(strain).plastic(1.) > 0.;
+    }
+
+  private:
+    RadialReturn<double>
+    at(const Tensor &strain) const
+    {
+      return RadialReturn<double>(material, strain_deviator(strain), old_state);
+    }
+
+    Tensor
+    with_pressure(Tensor stress, const Tensor &strain) const
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        stress[d][d] += material.bulk_modulus * trace(strain);
+      return stress;
+    }
+
+    const Material<double>      material;
+    const MaterialState<double> old_state;
+  };
+
+
+
+  template <int dim>
+  double
+  difference_error(const PointLaw<dim>           &law,
+                   const SymmetricTensor<2, dim> &strain)
+  {
+    const double step  = 1e-7;
+    double       error = 0;
+    for (unsigned int i = 0; i < strain.n_independent_components; ++i)
+      {
+        const auto direction = basis_tensor<dim>(i);
+        const auto product   = law.tangent_product(strain, direction);
+        const auto quotient  = (law.stress(strain + step * direction) -
+                               law.stress(strain - step * direction)) /
+                              (2. * step);
+        error = std::max(error, (quotient - product).norm() / product.norm());
+      }
+    return error;
+  }
+
+
+
+  template <int dim>
+  LAPACKFullMatrix<double>
+  tangent_matrix(const PointLaw<dim>           &law,
+                 const SymmetricTensor<2, dim> &strain)
+  {
+    const unsigned int       n = strain.n_independent_components;
+    LAPACKFullMatrix<double> matrix(n, n);
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        matrix(i, j) = basis_tensor<dim>(i) *
+                       law.tangent_product(strain, basis_tensor<dim>(j));
+    return matrix;
+  }
+
+
+
+  double
+  asymmetry(const LAPACKFullMatrix<double> &matrix)
+  {
+    double error = 0;
+    for (unsigned int i = 0; i < matrix.m(); ++i)
+      for (unsigned int j = 0; j < i; ++j)
+        error = std::max(error, std::abs(matrix(i, j) - matrix(j, i)));
+    return error / matrix.frobenius_norm();
+  }
+
+
+
+  bool
+  is_positive_semidefinite(LAPACKFullMatrix<double> matrix)
+  {
+    const double       scale = matrix.frobenius_norm();
+    Vector<double>     eigenvalues;
+    FullMatrix<double> eigenvectors;
+    matrix.compute_eigenvalues_symmetric(
+      -1e-13 * scale, 2. * scale, 0., eigenvalues, eigenvectors);
+    return eigenvalues.size() == matrix.m();
+  }
+
+
+
+  template <int dim>
+  void
+  check_point(const PointLaw<dim>           &law,
+              const SymmetricTensor<2, dim> &strain,
+              const std::string             &state)
+  {
+    output() << "  " << dim << "D, " << state << ", "
+             << (law.yields(strain) ? "plastic" : "elastic") << std::endl;
+    const auto matrix = tangent_matrix(law, strain);
+    verify("    derivative of the stress", difference_error(law, strain), 1e-6);
+    verify("    symmetric", asymmetry(matrix), 1e-14);
+    verify("    positive semidefinite", is_positive_semidefinite(matrix));
+  }
+
+
+
+  template <int dim>
+  void
+  check_law(const Material<double> &material)
+  {
+    const auto small = sample_tensor<dim>(5, 1e-4);
+    const auto large = sample_tensor<dim>(5, 0.02);
+
+    const PointLaw<dim> virgin(material, MaterialState<double>());
+    check_point(virgin, small, "virgin");
+    check_point(virgin, large, "virgin");
+
+    // in plane strain, a state that plane strain can have led to
+    MaterialState<double> state = sample_state(material);
+    if (dim == 2)
+      for (auto *tensor : {&state.plastic_strain, &state.back_stress})
+        (*tensor)[0][2] = (*tensor)[1][2] = 0.;
+    const PointLaw<dim> loaded(material, state);
+    check_point(loaded, in_plane<dim>(state.plastic_strain) + small, "loaded");
+    check_point(loaded, large, "loaded");
+    check_point(loaded, -large, "loaded, reversed");
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  for (const std::string &law : all_laws)
+    {
+      output() << law << std::endl;
+      check_law<2>(sample_material(law));
+      check_law<3>(sample_material(law));
+    }
+}

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What the .prm tests run: the program itself, with a results folder of the
+// test's own that may be overwritten, and after it a look at statistics.csv: what
+// must hold after every solve, whatever the case.
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "program.h"
+
+namespace
+{
+  using Row = std::map<std::string, double>;
+
+  std::vector<std::string>
+  split(const std::string &line)
+  {
+    std::vector<std::string> cells;
+    std::istringstream       stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');)
+      cells.push_back(cell);
+    return cells;
+  }
+
+
+
+  std::vector<Row>
+  read_table(const std::string &name)
+  {
+    std::ifstream file(name);
+    std::string   line;
+    std::getline(file, line);
+    const auto       columns = split(line);
+    std::vector<Row> rows;
+    while (std::getline(file, line))
+      {
+        const auto cells = split(line);
+        Row        row;
+        for (unsigned int i = 0; i < cells.size(); ++i)
+          row[columns.at(i)] = std::stod(cells[i]);
+        rows.push_back(row);
+      }
+    return rows;
+  }
+
+
+
+  void
+  require(const bool holds, const std::string &what, const Row &row)
+  {
+    if (!holds)
+      std::cout << "FAILED in cycle " << row.at("cycle") << ": " << what
+                << std::endl;
+  }
+
+
+
+  /// Equilibrium, no penetration, no tension, complementarity.
+  void
+  check_solve(Row row)
+  {
+    require(row["residual"] <= 1e-8, "residual", row);
+    require(row["force_balance_error"] <= 1e-8, "force balance", row);
+    require(row["max_penetration"] <= 1e-10 * row["depth"], "penetration", row);
+    require(row["min_pressure"] >= -1e-10 * row["max_pressure"],
+            "tension",
+            row);
+    require(row["complementarity_error"] <= 1e-8, "complementarity", row);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const char *const arguments[] = {argv[0],
+                                   argv[1],
+                                   "--overwrite",
+                                   "--output-directory",
+                                   "results"};
+  const int status = ElastoPlastic::run_program(5, arguments);
+  if (status == 0 &&
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      const auto rows = read_table("results/statistics.csv");
+      for (const Row &row : rows)
+        check_solve(row);
+      std::cout << rows.size() << " solves checked" << std::endl;
+    }
+  return status;
+}

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The deformable body on distorted cells with hanging nodes and two materials:
+// forces are derivatives of the energy, the tangent is the derivative of the
+// forces, and matrix and diagonal are those of the tangent.
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include <iomanip>
+
+#include "material/material_parameters.h"
+#include "mechanics/rigid_body_modes.h"
+#include "mechanics/tangent_matrix.h"
+#include "sample_mesh.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  std::vector<Material<double>>
+  two_materials()
+  {
+    MaterialParameters parameters;
+    parameters.laws             = {"isotropic hardening", "combined hardening"};
+    parameters.young_moduli     = {2., 3.};
+    parameters.poisson_ratios   = {0.3, 0.4};
+    parameters.yield_stresses   = {0.2, 0.4};
+    parameters.isotropic_moduli = {0.1};
+    parameters.kinematic_moduli = {0.2};
+    return parameters.materials();
+  }
+
+
+
+  template <int dim>
+  class Body
+  {
+  public:
+    Body(const unsigned int degree, const VolumetricTreatment treatment)
+      : mesh(MPI_COMM_WORLD)
+      , fe(FE_Q<dim>(degree), dim)
+      , dof_handler(mesh)
+      , solid(make_solid_operator<dim>(degree, treatment, two_materials()))
+    {
+      make_distorted_mesh(mesh);
+      dof_handler.distribute_dofs(fe);
+      IndexSet relevant;
+      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      constraints.reinit(relevant);
+      DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+      constraints.close();
+      solid->reinit(dof_handler, constraints);
+    }
+
+    void
+    check()
+    {
+      u = field(0, 0.2);
+      v = field(1, 1.);
+      w = field(2, 1.);
+      solid->linearize(u);
+
+      check_points();
+      check_forces();
+      check_tangent();
+      check_matrix();
+      check_held_unknowns();
+      check_rigid_motions();
+    }
+
+  private:
+    VectorType
+    new_vector() const
+    {
+      VectorType vector;
+      solid->initialize_vector(vector);
+      return vector;
+    }
+
+    VectorType
+    field(const unsigned int number, const double size) const
+    {
+      VectorType vector = new_vector();
+      VectorTools::interpolate(dof_handler,
+                               SampleField<dim>(number, size),
+                               vector);
+      constraints.distribute(vector);
+      return vector;
+    }
+
+    VectorType
+    forces(const VectorType &displacement) const
+    {
+      VectorType result = new_vector();
+      solid->internal_forces(result, displacement);
+      return result;
+    }
+
+    VectorType
+    tangent_product(const VectorType &increment) const
+    {
+      VectorType result = new_vector();
+      solid->vmult(result, increment);
+      return result;
+    }
+
+    /// u + factor * w
+    VectorType
+    moved(const double factor) const
+    {
+      VectorType result = u;
+      result.add(factor, w);
+      return result;
+    }
+
+    /// |a - b| / |b|, but for the unknowns that follow others.
+    double
+    relative_difference(VectorType a, const VectorType &b) const
+    {
+      a -= b;
+      constraints.set_zero(a);
+      return a.l2_norm() / b.l2_norm();
+    }
+
+    void
+    check_points() const
+    {
+      double volume = 0, plastic_volume = 0;
+      solid->for_each_point(
+        u, [&](const auto &, const unsigned int, const PointResult &point) {
+          volume += point.volume;
+          if (point.plastic)
+            plastic_volume += point.volume;
+        });
+      const double plastic_fraction =
+        Utilities::MPI::sum(plastic_volume, MPI_COMM_WORLD) /
+        Utilities::MPI::sum(volume, MPI_COMM_WORLD);
+      output() << "  energy " << solid->energy(u) << ", plastic "
+               << plastic_fraction << std::endl;
+    }
+
+    void
+    check_forces() const
+    {
+      const double step = 1e-5;
+      const double work = forces(u) * w;
+      const double quotient =
+        (solid->energy(moved(step)) - solid->energy(moved(-step))) / (2 * step);
+      verify("  forces are the derivative of the energy",
+             std::abs(quotient - work) / std::abs(work),
+             1e-6);
+      verify("  virtual work",
+             std::abs(solid->virtual_work(u, w) - work) / std::abs(work),
+             1e-12);
+    }
+
+    void
+    check_tangent() const
+    {
+      const double step     = 1e-6;
+      VectorType   quotient = forces(moved(step));
+      quotient -= forces(moved(-step));
+      quotient /= 2 * step;
+      verify("  tangent is the derivative of the forces",
+             relative_difference(quotient, tangent_product(w)),
+             1e-6);
+      verify("  tangent is symmetric",
+             std::abs(v * tangent_product(w) - w * tangent_product(v)) /
+               tangent_product(w).l2_norm(),
+             1e-12);
+    }
+
+    void
+    check_matrix() const
+    {
+      TangentMatrix<dim> tangent;
+      tangent.reinit(dof_handler, constraints);
+      tangent.assemble(*solid, new_vector());
+
+      VectorType product = new_vector();
+      tangent.matrix().vmult(product, w);
+      verify("  matrix is the tangent",
+             relative_difference(product, tangent_product(w)),
+             1e-12);
+
+      VectorType diagonal, matrix_diagonal = new_vector();
+      solid->diagonal(diagonal);
+      for (const auto i : dof_handler.locally_owned_dofs())
+        matrix_diagonal(i) = tangent.matrix().diag_element(i);
+      constraints.set_zero(matrix_diagonal);
+      verify("  diagonal is that of the matrix",
+             relative_difference(diagonal, matrix_diagonal),
+             1e-12);
+    }
+
+    /// Every seventh unknown is held.
+    void
+    check_held_unknowns() const
+    {
+      VectorType held = new_vector(), increment = w;
+      for (const auto i : dof_handler.locally_owned_dofs())
+        if (i % 7 == 0 && !constraints.is_constrained(i))
+          {
+            held(i)      = 1.;
+            increment(i) = 0.;
+          }
+      constraints.distribute(increment);
+
+      TangentMatrix<dim> tangent;
+      tangent.reinit(dof_handler, constraints);
+      tangent.assemble(*solid, held);
+      VectorType product = new_vector(), expected = tangent_product(increment);
+      tangent.matrix().vmult(product, increment);
+      for (const auto i : dof_handler.locally_owned_dofs())
+        if (held(i) != 0.)
+          expected(i) = 0.;
+      verify("  held unknowns are eliminated from the matrix",
+             relative_difference(product, expected),
+             1e-12);
+    }
+
+    void
+    check_rigid_motions() const
+    {
+      double error = 0;
+      for (VectorType motion : rigid_body_modes(dof_handler, u))
+        {
+          constraints.distribute(motion);
+          error =
+            std::max(error, forces(motion).l2_norm() / forces(u).l2_norm());
+        }
+      verify("  rigid motions cause no forces", error, 1e-12);
+    }
+
+    parallel::distributed::Triangulation<dim> mesh;
+    const FESystem<dim>                       fe;
+    DoFHandler<dim>                           dof_handler;
+    AffineConstraints<double>                 constraints;
+    std::unique_ptr<SolidOperator<dim>>       solid;
+
+    /// The displacement, and two other fields.
+    VectorType u, v, w;
+  };
+
+
+
+  template <int dim>
+  void
+  check_bodies()
+  {
+    for (const unsigned int degree : {1, 2})
+      for (const auto treatment :
+           {VolumetricTreatment::standard, VolumetricTreatment::b_bar})
+        {
+          output() << dim << "D, p = " << degree << ", "
+                   << (treatment == VolumetricTreatment::b_bar ? "B-bar" :
+                                                                 "standard")
+                   << std::endl;
+          Body<dim>(degree, treatment).check();
+        }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  output() << std::setprecision(10);
+  check_bodies<2>();
+  check_bodies<3>();
+}
