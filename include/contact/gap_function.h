@@ -11,8 +11,8 @@
 
 namespace ElastoPlastic
 {
-  /// The gap function g of model.md, section 1: an indenter that stands above
-  /// the body. The last coordinate points up.
+  /// The gap function g of doc/theory.md, "Johnson's formulation": an indenter
+  /// that stands above the body. The last coordinate points up.
   template <int dim>
   class GapFunction
   {

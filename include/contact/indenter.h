@@ -11,8 +11,9 @@ namespace ElastoPlastic
   using namespace dealii;
 
   /// The shape of a rigid indenter, seen from its lowest point: the function
-  /// phi of model.md, section 1. It knows points only: where the indenter
-  /// stands and how far it is pushed is up to GapFunction and to the loading.
+  /// phi of Johnson's paper @cite johnson_1978. It knows points only: where the
+  /// indenter stands and how far it is pushed is up to GapFunction and to the
+  /// loading.
   template <int dim>
   class Indenter
   {

@@ -69,7 +69,7 @@ namespace ElastoPlastic
     virtual void
     initialize_vector(VectorType &vector) const = 0;
 
-    /// int W(strain(u)) dx, the incremental energy of model.md section 2.
+    /// int W(strain(u)) dx, the incremental energy (doc/theory.md, "Material").
     virtual double
     energy(const VectorType &u) const = 0;
 
