@@ -2,13 +2,164 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 
 # Every error a user can make, one line each: name, exit status, what standard
-# error must say, arguments of the program. See message_test.cmake.
-set(_default ${CMAKE_SOURCE_DIR}/parameter_files/sphere_3d.prm)
+# error must say, arguments of the program. See message_test.cmake. Most tests
+# take the same small problem and spoil a single entry of it.
+set(_files ${CMAKE_CURRENT_SOURCE_DIR}/bad_input)
+set(_base ${_files}/base.prm)
+
+# add_entry_test(<name> <message> <Section/Entry=value> ...)
+function(add_entry_test _name _message)
+  set(_overrides)
+  foreach(_override ${ARGN})
+    list(APPEND _overrides --set ${_override})
+  endforeach()
+  # A semicolon would separate arguments.
+  string(REPLACE "@" "\\;" _overrides "${_overrides}")
+  add_message_test(${_name} 2 "^Error: .*base.prm: .*${_message}" ${_base} --validate ${_overrides})
+endfunction()
+
+# add_file_test(<name of a file in bad_input/> <message>)
+function(add_file_test _name _message)
+  add_message_test(file_${_name} 2 "^Error: .*${_name}.prm.*${_message}" ${_files}/${_name}.prm --validate)
+endfunction()
 
 # Command line
-add_message_test(missing_file 2 "does_not_exist\\.prm" does_not_exist.prm)
-add_message_test(unknown_option 2 "--no-such-option" ${_default} --no-such-option)
+add_message_test(no_file 2 "^Error: Wrong usage: give exactly one parameter file \\(0 given\\)")
+add_message_test(two_files 2 "exactly one parameter file \\(2 given\\)" ${_base} ${_base})
+add_message_test(unknown_option 2 "unrecognised option '--no-such-option'" ${_base} --no-such-option)
+add_message_test(option_without_value 2 "argument for option '--set' is missing" ${_base} --set)
+add_message_test(option_with_value 2 "'--validate' does not take any arguments" ${_base} --validate=yes)
+add_message_test(option_twice 2 "'--output-directory' cannot be specified more than once" ${_base} --output-directory a --output-directory b)
+add_message_test(set_without_value 2 "--set 'Dimension' does not have the form" ${_base} --set Dimension)
+add_message_test(set_without_entry 2 "--set '=2' does not have the form" ${_base} --set =2)
+add_message_test(set_unknown_section 2 "no section for the entry 'No such section/Entry'" ${_base} --set "No such section/Entry=1")
+add_message_test(set_empty_section 2 "no section for the entry '/Dimension'" ${_base} --set /Dimension=2)
+add_message_test(set_unknown_entry 2 "no entry 'Refinement/No such entry'.*--print-parameters" ${_base} --set "Refinement/No such entry=1")
+add_message_test(set_section 2 "no entry 'Geometry'" ${_base} --set "Geometry=box")
 
-# Parameters
-add_message_test(unknown_section 2 "the section .No such section., which does not exist" ${_default} --validate --set "No such section/Entry=1")
-add_message_test(unknown_entry 2 "Refinement/No such entry" ${_default} --validate --set "Refinement/No such entry=1")
+# Parameter file
+add_message_test(file_missing 2 "'does_not_exist.prm' does not exist or cannot be read" does_not_exist.prm)
+add_message_test(file_directory 2 "bad_input' does not exist or cannot be read" ${_files})
+add_file_test(empty "'Boundary conditions/Contact' is empty")
+add_file_test(binary "line 1: This is none of 'set Entry = value'")
+add_file_test(not_closed "Close each section with 'end'")
+add_file_test(end_only "line 1: This 'end' closes no 'subsection'")
+add_file_test(end_with_name "line 2: After 'end' nothing can follow")
+add_file_test(no_equal_sign "line 1: An entry must look like 'set Entry = value'")
+add_file_test(include "line 1: The file 'no_such_file.prm' to be included does not exist")
+add_file_test(braces "cannot contain braces: 'set Dimension += {2}'")
+add_file_test(unknown_section "line 2: There is no section 'Geometri'.*--print-parameters")
+add_file_test(unknown_entry "line 3: There is no entry 'Geometry/Typ'.*--print-parameters")
+add_file_test(wrong_value "line 4: The entry 'Material/Yield stress' is 'high', but it must be: list.*number")
+
+# Values that are not of the right kind
+add_message_test(dimension 2 "'Dimension' is '4', but it must be: integer from 2 to 3" ${_base} --set Dimension=4)
+add_message_test(no_number 2 "'Dimension' is 'two', but" ${_base} --set Dimension=two)
+add_message_test(fraction 2 "'Discretization/Polynomial degree' is '1.5', but it must be: integer from 1 to 2" ${_base} --set "Discretization/Polynomial degree=1.5")
+add_message_test(nan 2 "'Indenter/Radius' is 'nan', but it must be: number" ${_base} --set Indenter/Radius=nan)
+add_message_test(infinity 2 "'Loading/Depth' is 'inf', but it must be: number" ${_base} --set Loading/Depth=inf)
+add_message_test(huge_number 2 "'Loading/Depth' is '1e999', but it must be: number" ${_base} --set Loading/Depth=1e999)
+add_message_test(empty_value 2 "'Material/Yield stress' is '', but it must be: list" ${_base} --set "Material/Yield stress=")
+add_message_test(unknown_choice 2 "'Linear solver/Type' is 'gmres', but it must be: .*AMG.*direct" ${_base} --set "Linear solver/Type=gmres")
+add_message_test(several_steps 2 "'Loading/Number of steps' is '2', but it must be" ${_base} --set "Loading/Number of steps=2")
+
+# Material
+add_entry_test(negative_modulus "'Material/Young's modulus' is '-1', but it must be greater than 0" "Material/Young's modulus=-1")
+add_entry_test(incompressible "'Material/Poisson's ratio' is '0.5', but it must lie between -1 and 0.5" "Material/Poisson's ratio=0.5")
+add_entry_test(zero_yield_stress "'Material/Yield stress' is '0', but it must be greater than 0" "Material/Yield stress=0")
+add_entry_test(isotropic_softening "'Material/Isotropic hardening modulus' is '-1', but it must not be negative" "Material/Isotropic hardening modulus=-1")
+add_entry_test(kinematic_softening "'Material/Kinematic hardening modulus' is '-1', but it must not be negative" "Material/Kinematic hardening modulus=-1")
+add_entry_test(material_lists "'Material/Young's modulus' has 2 values, but another entry of this section has 3" "Material/Young's modulus=1,2" "Material/Yield stress=1,2,3")
+add_entry_test(material_id_without_material "has the material id 2, but the entries of 'Material' describe 2 materials: 0 to 1" "Geometry/Material id=if(y < 0.2, 2, 0)" "Material/Yield stress=1,2")
+add_entry_test(negative_material_id "'Geometry/Material id' is '-1', but at the centre .* is no number of a material" "Geometry/Material id=-1")
+add_entry_test(infinite_material_id "'Geometry/Material id' is .*, but at \\(0.875 .*infinite" "Geometry/Material id=if(x > 0.8, 1/(x-0.875), 0)")
+
+# Box and half ball
+add_entry_test(corner_components "'Geometry/Lower corner' is '0, 0, 0', but it must be empty or have 2 coordinates" "Geometry/Lower corner=0,0,0")
+add_entry_test(corners "'Geometry/Upper corner' is '1, 0', but each of its coordinates must be larger" "Geometry/Upper corner=1,0")
+add_entry_test(extreme_box "cells without a volume" "Geometry/Upper corner=1e300,1e300")
+add_entry_test(no_cells "'Geometry/Repetitions' is '0', but there must be at least one cell" "Geometry/Repetitions=0")
+add_entry_test(repetitions_components "'Geometry/Repetitions' is '1, 1, 1', but it must have one number, or one per dimension" "Geometry/Repetitions=1,1,1")
+add_entry_test(too_many_coarse_cells "'Geometry/Repetitions' is '100000', but .* more than 1e7 cells" "Geometry/Repetitions=100000")
+add_entry_test(too_many_cells "'Geometry/Initial refinements' is '20', but the mesh would have .* cells" "Geometry/Initial refinements=20")
+add_entry_test(grading "'Geometry/Grading' is '0.5', but it must not be less than 1" "Geometry/Grading=0.5")
+add_entry_test(grading_centre_components "'Geometry/Grading centre' is '0, 0', but it must be empty or have one coordinate" "Geometry/Grading centre=0,0")
+add_entry_test(grading_centre_outside "'Geometry/Grading centre' is '2', but it must lie between" "Geometry/Grading centre=2")
+add_entry_test(grading_centre_repetitions "'Geometry/Grading centre' is '0.5', but .* needs at least 2 'Repetitions'" "Geometry/Grading centre=0.5" "Geometry/Repetitions=1")
+add_entry_test(ball_radius "'Geometry/Radius' is '0', but it must be greater than 0" "Geometry/Type=half ball" "Geometry/Radius=0")
+add_entry_test(ball_part "'Geometry/Part' is 'quarter', but in two dimensions" "Geometry/Type=half ball" "Geometry/Part=quarter")
+
+# Mesh files
+add_entry_test(mesh_missing "no.msh', but there is no such file" "Geometry/Type=file" "Geometry/File=no.msh")
+add_entry_test(mesh_no_mesh "base.prm', but in line 1 of this file '.MeshFormat' is missing" "Geometry/Type=file" "Geometry/File=${_base}")
+add_entry_test(mesh_truncated "truncated.msh', but in line .* it ends too early" "Geometry/Type=file" "Geometry/File=${_files}/truncated.msh")
+add_entry_test(mesh_broken "broken.msh', but in line 21 .* where a whole number should be" "Geometry/Type=file" "Geometry/File=${_files}/broken.msh")
+add_entry_test(mesh_of_triangles "triangle.msh', but in line 20 .* there are triangles, but only quadrilaterals" "Geometry/Type=file" "Geometry/File=${_files}/triangle.msh")
+add_entry_test(mesh_without_boundary "no_boundary.msh', but no part of its boundary is in a physical group" "Geometry/Type=file" "Geometry/File=${_files}/no_boundary.msh")
+add_entry_test(mesh_dimension "square.msh', but this mesh is two-dimensional .* while 'Dimension' is 3" "Dimension=3" "Geometry/Type=file" "Geometry/File=${_files}/square.msh")
+
+# Boundary conditions
+add_entry_test(boundary_without_condition "boundary 'right' has no condition" "Boundary conditions/Free=")
+add_entry_test(boundary_with_two_conditions "boundary 'bottom' has two conditions: .*'Boundary conditions/Fixed' and in 'Boundary conditions/Free'" "Boundary conditions/Free=right,bottom")
+add_entry_test(unknown_boundary "'Boundary conditions/Free' is 'rihgt', but there is no such boundary. The geometry has: bottom, left, right, top" "Boundary conditions/Free=rihgt")
+add_entry_test(boundary_of_3d "'Boundary conditions/Free' is 'back', but there is no such boundary" "Boundary conditions/Free=right,back")
+add_entry_test(indenter_without_boundary "'Boundary conditions/Contact' is empty" "Boundary conditions/Contact=" "Boundary conditions/Free=right,top")
+add_entry_test(boundary_without_indenter "'Boundary conditions/Contact' names a boundary, but 'Indenter/Type' is 'none'" "Indenter/Type=none")
+add_entry_test(traction_without_name "'Boundary conditions/Traction' is 'right', but it must look like 'name: component. component'" "Boundary conditions/Free=" "Boundary conditions/Traction=right")
+add_entry_test(traction_components "'Boundary conditions/Traction' is '1', but it must have 2 components" "Boundary conditions/Free=" "Boundary conditions/Traction=right: 1")
+add_entry_test(traction_free "a component of a traction cannot be free" "Boundary conditions/Free=" "Boundary conditions/Traction=right: 1@ free")
+add_entry_test(traction_expression "'Boundary conditions/Traction' is '2.x.', but this is not an expression in x,y,t" "Boundary conditions/Free=" "Boundary conditions/Traction=right: 2*x+@ 0")
+add_entry_test(traction_variable "'Boundary conditions/Traction' is 'z', but this is not an expression in x,y,t" "Boundary conditions/Free=" "Boundary conditions/Traction=right: z@ 0")
+add_entry_test(traction_nan "'Boundary conditions/Traction' is 'log.y-0.5.', but at .* its value is not a number" "Boundary conditions/Free=" "Boundary conditions/Traction=right: 0@ log(y-0.5)")
+add_entry_test(displacement_infinite "'Boundary conditions/Prescribed displacement' is '1/y', but at .* its value is infinite" "Boundary conditions/Free=" "Boundary conditions/Prescribed displacement=right: 1/y@ free")
+add_entry_test(no_support "supports do not hold the body: nothing prevents its rigid body motion 'translation along x'" "Boundary conditions/Fixed=" "Boundary conditions/Roller=" "Boundary conditions/Free=bottom,left,right")
+
+# Indenter
+add_entry_test(radius "'Indenter/Radius' is '0', but it must be greater than 0" "Indenter/Radius=0")
+add_entry_test(angle "'Indenter/Semi-apex angle' is '90', but it must lie between 0 and 90 degrees" "Indenter/Semi-apex angle=90")
+add_entry_test(half_width "'Indenter/Half width' is '-1', but it must be greater than 0" "Indenter/Half width=-1")
+add_entry_test(strip_punch "'Indenter/Half width' is '1, 1', but a strip punch has a single half width" "Indenter/Type=strip punch" "Indenter/Half width=1,1")
+add_entry_test(rectangular_punch "'Indenter/Half width' is '1, 1', but in 2 dimensions" "Indenter/Type=rectangular punch" "Indenter/Half width=1,1")
+add_entry_test(position_components "'Indenter/Position' is '0, 0', but in 2 dimensions it must be empty or hold one coordinate" "Indenter/Position=0,0")
+add_entry_test(initial_gap "'Indenter/Initial gap' is '-1', but it must not be negative" "Indenter/Initial gap=-1")
+add_entry_test(reach "'Indenter/Reach' is '-1', but it must not be negative" "Indenter/Reach=-1")
+add_entry_test(size "'Indenter/Size' is '0', but it must be greater than 0" "Indenter/Size=0")
+add_entry_test(size_components "'Indenter/Size' is '', but in 2 dimensions an image or a height matrix needs one extent" "Indenter/Type=image")
+add_entry_test(height_scale "'Indenter/Height scale' is '-1', but it must be greater than 0" "Indenter/Height scale=-1")
+add_entry_test(indenter_expression "'Indenter/Expression' is 'x..2', but this is not an expression" "Indenter/Type=expression" "Indenter/Expression=x**2")
+add_entry_test(indenter_expression_empty "'Indenter/Expression' is '', but this is not an expression" "Indenter/Type=expression" "Indenter/Expression=")
+add_entry_test(indenter_expression_nan "'Indenter/Expression' is 'log.0.6-x.', but at .* its value is not a number" "Indenter/Type=expression" "Indenter/Expression=log(0.6-x)")
+add_entry_test(image_missing "no.png', but there is no such file" "Indenter/Type=image" "Indenter/Size=1" "Indenter/File=no.png")
+add_entry_test(image_of_wrong_type "base.prm', but its content is neither a PNG nor" "Indenter/Type=image" "Indenter/Size=1" "Indenter/File=${_base}")
+add_entry_test(image_truncated "truncated.pgm', but the file ends before its last pixel" "Indenter/Type=image" "Indenter/Size=1" "Indenter/File=${_files}/truncated.pgm")
+add_entry_test(image_absurd_header "absurd_header.pgm', but the header of this image promises 999999 x 999999 pixels" "Indenter/Type=image" "Indenter/Size=1" "Indenter/File=${_files}/absurd_header.pgm")
+add_entry_test(matrix_no_number "no_number.txt', but number 3 .* is not a finite number" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/no_number.txt")
+add_entry_test(matrix_ragged "ragged.txt', but .* All rows must have the same length" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/ragged.txt")
+add_entry_test(matrix_two_rows "two_rows.txt', but it has 2 rows" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/two_rows.txt")
+add_entry_test(out_of_reach "indenter can never touch the body: no node" "Indenter/Position=50")
+add_entry_test(too_short "'Loading/Depth' is '0.001', but the indenter can never touch the body: the smallest gap" "Indenter/Initial gap=1")
+
+# Loading, refinement and solvers
+add_entry_test(depth "'Loading/Depth' is '0', but it must be greater than 0" "Loading/Depth=0")
+add_entry_test(cycles_without_strategy "'Refinement/Number of cycles' is '2', but 'Refinement/Strategy = none' allows one" "Refinement/Strategy=none" "Refinement/Number of cycles=2")
+add_entry_test(fractions "'Refinement/Coarsening fraction' is '0.6', but together with" "Refinement/Refinement fraction=0.6" "Refinement/Coarsening fraction=0.6")
+add_entry_test(tolerance "'Nonlinear solver/Tolerance' is '1', but it must lie between 1e-14 and 1e-2" "Nonlinear solver/Tolerance=1")
+add_message_test(first_mesh_too_fine 2 "'Refinement/Maximum number of unknowns' is '10', but the first mesh has 50" ${_base} --output-directory first_mesh_too_fine --overwrite --set "Refinement/Maximum number of unknowns=10")
+add_message_test(no_convergence 3 "has not converged in 1 iterations" ${_base} --output-directory no_convergence --overwrite --set "Nonlinear solver/Maximum number of iterations=1" --set Loading/Depth=0.1)
+add_message_test(overflow 3 "forces are no longer finite numbers" ${_base} --output-directory overflow --overwrite --set Loading/Depth=1e300)
+
+# Output
+add_message_test(results_exist 2 "results' holds results already \\(history.csv\\).*--overwrite" ${_base} --output-directory ${_files}/results)
+add_message_test(output_is_file 5 "base.prm' cannot be used: Not a directory" ${_base} --output-directory ${_base})
+add_message_test(output_below_file 5 "base.prm/results' cannot be used: Not a directory" ${_base} --output-directory ${_base}/results)
+
+# A full disk is played by a limit on the size of files. Open MPI needs larger
+# ones, unless it is told that the process is alone.
+add_test(NAME messages/disk_full
+  COMMAND ${CMAKE_COMMAND} -DSTATUS=5 "-DMESSAGE=parameters.prm' could not be written completely"
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/expect_message.cmake --
+    sh -c "trap '' XFSZ && ulimit -f 8 && exec \"$@\"" sh
+    env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_btl=self PMIX_MCA_gds=hash
+    $<TARGET_FILE:elasto_plastic_contact> ${_base} --output-directory disk_full --overwrite
+  WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+set_tests_properties(messages/disk_full PROPERTIES LABELS messages TIMEOUT 60)

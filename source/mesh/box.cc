@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "base/exceptions.h"
@@ -223,8 +224,16 @@ namespace ElastoPlastic
       reject("Repetitions",
              repetitions,
              "there must be at least one cell in each direction.");
+    const auto n_cells = repetitions_per_direction(*this, dim);
+    if (std::accumulate(
+          n_cells.begin(), n_cells.end(), 1., std::multiplies<>()) > 1e7)
+      reject("Repetitions",
+             repetitions,
+             "each process holds the whole coarse mesh, which cannot have more "
+             "than 1e7 cells. Fine meshes are made with 'Initial refinements' "
+             "or 'Refinement'.");
 
-    check_grading(*this, lower, upper, repetitions_per_direction(*this, dim));
+    check_grading(*this, lower, upper, n_cells);
   }
 
 

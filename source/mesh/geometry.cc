@@ -4,9 +4,12 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/patterns.h>
 
+#include <cmath>
 #include <functional>
+#include <sstream>
 #include <vector>
 
+#include "base/exceptions.h"
 #include "mesh/geometry.h"
 #include "mesh/material_ids.h"
 
@@ -57,6 +60,48 @@ namespace ElastoPlastic
           return type;
       AssertThrow(false, ExcInternalError());
       return geometry_types<dim>().front();
+    }
+
+
+
+    template <int dim>
+    BoundaryNames
+    make_coarse_mesh(const GeometryParameters &parameters,
+                     Triangulation<dim>       &coarse_mesh)
+    {
+      try
+        {
+          return find_type<dim>(parameters.type).make(parameters, coarse_mesh);
+        }
+      catch (const ExceptionBase &)
+        {
+          throw InputError(
+            "The mesh of the geometry '" + parameters.type +
+            "' has cells without a volume. Are the lengths and ratios in "
+            "'Geometry' extremely large or small?");
+        }
+    }
+
+
+
+    /// The limit is what 32 bits can number of the unknowns of quadratic
+    /// elements in three dimensions.
+    template <int dim>
+    void
+    check_n_cells(const GeometryParameters &parameters,
+                  const unsigned int        n_coarse_cells)
+    {
+      const double n_cells =
+        n_coarse_cells * std::pow(2., dim * parameters.initial_refinements);
+      if (n_cells > 1e8)
+        {
+          std::ostringstream remedy;
+          remedy << "the mesh would have " << n_cells
+                 << " cells. At most 1e8 are allowed.";
+          throw InputError("Geometry/Initial refinements",
+                           std::to_string(parameters.initial_refinements),
+                           remedy.str());
+        }
     }
 
 
@@ -126,8 +171,8 @@ namespace ElastoPlastic
   {
     Triangulation<dim>  coarse_mesh(Triangulation<dim>::none,
                                    /* check_for_distorted_cells = */ true);
-    const BoundaryNames names =
-      find_type<dim>(parameters.type).make(parameters, coarse_mesh);
+    const BoundaryNames names = make_coarse_mesh(parameters, coarse_mesh);
+    check_n_cells<dim>(parameters, coarse_mesh.n_active_cells());
     triangulation.copy_triangulation(coarse_mesh);
     triangulation.refine_global(parameters.initial_refinements);
     if (!parameters.material_id.empty())

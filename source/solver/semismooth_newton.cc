@@ -199,6 +199,11 @@ namespace ElastoPlastic
     previous_free_norm = free_norm;
     free_norm          = free_residual.l2_norm();
     force_norm         = residual.l2_norm();
+    if (!std::isfinite(force_norm))
+      throw ConvergenceError(
+        "The forces are no longer finite numbers. Are the moduli in "
+        "'Material', 'Loading/Depth' and the values in 'Boundary conditions' "
+        "right, and all in the same system of units?");
 
     step.n_active = problem.n_active();
     step.energy   = current_energy;
