@@ -42,9 +42,9 @@ namespace ElastoPlastic
     using Vector = LinearSolver::Vector;
 
     void
-    check_finite(const Vector &solution)
+    check_finite(const double norm)
     {
-      if (!std::isfinite(solution.l2_norm()))
+      if (!std::isfinite(norm))
         throw ConvergenceError(
           "The linear solver has produced values that are not finite: the "
           "system is singular. Is the body supported against all rigid body "
@@ -92,8 +92,19 @@ namespace ElastoPlastic
         IterationNumberControl control(maximum_iterations,
                                        reduction * rhs.l2_norm());
         solution = 0;
-        SolverCG<Vector>(control).solve(*matrix, solution, rhs, preconditioner);
-        check_finite(solution);
+        try
+          {
+            SolverCG<Vector>(control).solve(*matrix,
+                                            solution,
+                                            rhs,
+                                            preconditioner);
+          }
+        catch (const SolverControl::NoConvergence &failure)
+          {
+            check_finite(failure.last_residual);
+            throw;
+          }
+        check_finite(solution.l2_norm());
         return control.last_step();
       }
 
@@ -132,7 +143,7 @@ namespace ElastoPlastic
       solve(Vector &solution, const Vector &rhs, const double) override
       {
         factorization->solve(solution, rhs);
-        check_finite(solution);
+        check_finite(solution.l2_norm());
         return 1;
       }
 
