@@ -23,7 +23,8 @@ namespace ElastoPlastic
         throw InputError(path,
                          name,
                          "there is no such file, or it cannot be read. A "
-                         "relative name starts in the working directory.");
+                         "relative name starts in the folder of the parameter "
+                         "file.");
       return {std::istreambuf_iterator<char>(stream), {}};
     }
   } // namespace

@@ -72,7 +72,7 @@ namespace ElastoPlastic
         "commas, one row per line, '#' begins a comment; the first row has the "
         "largest y, like the top of an image. In two dimensions there is one row "
         "only. Heights are linear between the centres of the pixels and shifted so "
-        "that the lowest is 0. A relative name starts in the working directory.",
+        "that the lowest is 0. A relative name starts in the folder of the parameter file.",
         Patterns::Anything());
       prm.add_parameter(
         "Size",

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <filesystem>
 #include <sstream>
 
 #include "base/exceptions.h"
@@ -12,6 +13,25 @@ namespace ElastoPlastic
 {
   namespace
   {
+    /// A relative name of an input file starts in the folder of the parameter
+    /// file, wherever the program is run.
+    void
+    resolve_file(ParameterHandler  &prm,
+                 const std::string &entry,
+                 const std::string &file,
+                 const std::string &parameter_file)
+    {
+      namespace fs = std::filesystem;
+      if (!file.empty() && fs::path(file).is_relative())
+        set_entry(prm,
+                  entry,
+                  fs::absolute(fs::path(parameter_file).parent_path() / file)
+                    .lexically_normal()
+                    .string());
+    }
+
+
+
     std::string
     as_text(const ParameterHandler &prm)
     {
@@ -65,6 +85,14 @@ namespace ElastoPlastic
       set_entry(prm, "Output/Directory", command_line.output_directory);
     if (command_line.quiet)
       set_entry(prm, "Output/Screen", "quiet");
+    resolve_file(prm,
+                 "Geometry/File",
+                 parameters.geometry.gmsh_file.file,
+                 command_line.parameter_file);
+    resolve_file(prm,
+                 "Indenter/File",
+                 parameters.indenter.file,
+                 command_line.parameter_file);
 
     parameters.effective_input = as_text(prm);
     return parameters;

@@ -76,6 +76,37 @@ namespace ElastoPlastic
           return d;
       return dim;
     }
+
+
+
+    /// Adds the condition that @p line states to @p constraints, solved for the
+    /// degree of freedom with the largest coefficient of those that no other
+    /// support holds. Where there is none, the other supports decide.
+    void
+    add_sliding_condition(
+      const AffineConstraints<double>::ConstraintLine &line,
+      const std::map<types::global_dof_index, double> &fixed_values,
+      AffineConstraints<double>                       &constraints)
+    {
+      const double rounding_noise = 1e-10;
+      auto         terms          = line.entries; // sum of all terms = 0
+      terms.emplace_back(line.index, -1.);
+
+      std::pair<types::global_dof_index, double> solved_for(line.index, 0.);
+      for (const auto &[dof, coefficient] : terms)
+        if (std::abs(coefficient) > std::abs(solved_for.second) &&
+            fixed_values.count(dof) == 0 && !constraints.is_constrained(dof))
+          solved_for = {dof, coefficient};
+      if (std::abs(solved_for.second) < rounding_noise)
+        return;
+
+      constraints.add_line(solved_for.first);
+      for (const auto &[dof, coefficient] : terms)
+        if (dof != solved_for.first)
+          constraints.add_entry(solved_for.first,
+                                dof,
+                                -coefficient / solved_for.second);
+    }
   } // namespace
 
 
@@ -167,18 +198,12 @@ namespace ElastoPlastic
     if (skew_rollers.empty())
       return;
 
-    // Where another support holds a degree of freedom, that one decides.
     AffineConstraints<double> sliding(combined.get_local_lines());
     VectorTools::compute_no_normal_flux_constraints(
       dof_handler, 0, skew_rollers, sliding, MappingQ1<dim>());
     sliding.close();
     for (const auto &line : sliding.get_lines())
-      if (fixed_values.count(line.index) == 0 &&
-          !combined.is_constrained(line.index))
-        {
-          combined.add_line(line.index);
-          combined.add_entries(line.index, line.entries);
-        }
+      add_sliding_condition(line, fixed_values, combined);
     vertical.add_indices(DoFTools::extract_boundary_dofs(
       dof_handler, mask_of_component<dim>(dim - 1), skew_rollers));
   }

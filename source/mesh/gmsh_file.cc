@@ -277,7 +277,7 @@ namespace ElastoPlastic
       "(2D) or surfaces (3D) become boundaries, called by their name or, if "
       "they have none, by their number; the part in no group is called 0. "
       "Physical surfaces or volumes give the material ids. A relative name "
-      "starts in the working directory.",
+      "starts in the folder of the parameter file.",
       Patterns::Anything());
   }
 

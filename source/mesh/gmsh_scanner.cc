@@ -44,7 +44,8 @@ namespace ElastoPlastic
       throw InputError("Geometry/File",
                        file_name,
                        "there is no such file, or it cannot be opened. A "
-                       "relative name starts in the working directory.");
+                       "relative name starts in the folder of the parameter "
+                       "file.");
     text.assign(std::istreambuf_iterator<char>(file), {});
     skip_white_space();
   }
