@@ -47,6 +47,9 @@ namespace ElastoPlastic
   /// survives coarsening, repartitioning and loading from a checkpoint. Without
   /// an expression it is 0, or what the mesh file says.
   ///
+  /// Before Triangulation::load(), which wants the coarse mesh only, undo the
+  /// initial refinements with coarsen_global().
+  ///
   /// Collective; errors are thrown on all ranks.
   template <int dim>
   BoundaryNames
