@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 readonly build_packages=(libdeal.ii-dev libpng-dev libboost-program-options-dev cmake g++ make git)
-readonly test_packages=(numdiff perl)
+readonly test_packages=(numdiff perl python3)
 readonly plot_packages=(python3 paraview python3-paraview python3-matplotlib xvfb xauth libgl1-mesa-dri)
 readonly lint_packages=(clang-format-14 clang-tidy-14)
 
@@ -18,6 +18,7 @@ export OMP_NUM_THREADS=1
 
 # Open MPI refuses to start as root, which is who one is in a container.
 if [ "$(id -u)" -eq 0 ]; then
+  export OMPI_MCA_ess_singleton_isolated=1
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 fi
 

@@ -41,6 +41,10 @@ namespace ElastoPlastic
     const AffineConstraints<double> &
     constraints() const;
 
+    /// The hanging nodes alone: what a field must satisfy to be continuous.
+    const AffineConstraints<double> &
+    hanging_nodes() const;
+
     /// The fixed, locally relevant degrees of freedom.
     IndexSet
     fixed_dofs() const;
@@ -70,6 +74,7 @@ namespace ElastoPlastic
     add_rollers(const DoFHandler<dim>              &dof_handler,
                 const std::set<types::boundary_id> &rollers);
 
+    AffineConstraints<double>                 hanging;
     AffineConstraints<double>                 combined;
     std::map<types::global_dof_index, double> fixed_values;
     IndexSet                                  vertical;

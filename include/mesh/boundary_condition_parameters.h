@@ -26,11 +26,6 @@ namespace ElastoPlastic
 
     void
     add_parameters(ParameterHandler &prm);
-
-    /// @throws InputError if nothing holds the body. Whether the names fit the
-    /// boundaries of the mesh is checked by BoundaryConditions.
-    void
-    check() const;
   };
 } // namespace ElastoPlastic
 

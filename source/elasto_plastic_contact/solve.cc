@@ -110,7 +110,7 @@ namespace ElastoPlastic
       if (translation.in_local_range(dof))
         translation(dof) = 1.;
     contact.set_candidate_entries(translation, 0.);
-    supports.constraints().distribute(translation);
+    supports.hanging_nodes().distribute(translation);
     return solid->virtual_work(displacement, translation) -
            external_forces * translation;
   }

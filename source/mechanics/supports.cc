@@ -119,8 +119,11 @@ namespace ElastoPlastic
   {
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    hanging.reinit(relevant);
+    DoFTools::make_hanging_node_constraints(dof_handler, hanging);
+    hanging.close();
     combined.reinit(relevant);
-    DoFTools::make_hanging_node_constraints(dof_handler, combined);
+    combined.merge(hanging);
     fixed_values.clear();
     vertical = IndexSet(dof_handler.n_dofs());
 
@@ -215,6 +218,15 @@ namespace ElastoPlastic
   Supports<dim>::constraints() const
   {
     return combined;
+  }
+
+
+
+  template <int dim>
+  const AffineConstraints<double> &
+  Supports<dim>::hanging_nodes() const
+  {
+    return hanging;
   }
 
 

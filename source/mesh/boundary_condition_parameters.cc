@@ -58,17 +58,4 @@ namespace ElastoPlastic
                       Patterns::Anything());
     prm.leave_subsection();
   }
-
-
-
-  void
-  BoundaryConditionParameters::check() const
-  {
-    if (fixed.empty() && roller.empty() && prescribed_displacement.empty())
-      throw InputError(
-        "Boundary conditions/Fixed",
-        Patterns::Tools::to_string(fixed),
-        "nothing else holds the body either. Name the boundaries it rests on "
-        "in 'Fixed', 'Roller' or 'Prescribed displacement'.");
-  }
 } // namespace ElastoPlastic
