@@ -30,7 +30,6 @@ namespace
     parameters.add_parameters(prm);
     prm.parse_input_from_string("subsection Boundary conditions\n" + text +
                                 "\nend");
-    parameters.check();
     return BoundaryConditions<2>(parameters, names);
   }
 
@@ -132,7 +131,6 @@ main(int argc, char **argv)
     "set Traction = right: 0; 0 | left: 1; 0");
   print_error("set Fixed = bottom, bottom");
   print_error("set Prescribed displacement = top: 0; 0 | top: 1; 1");
-  print_error("set Contact = top");
 
   // Components.
   print_error("set Prescribed displacement = top 0; 0");

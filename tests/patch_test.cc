@@ -84,7 +84,7 @@ namespace
                     0.);
 
     const auto materials = MaterialParameters().materials();
-    const auto solid     = make_solid_operator<dim>(degree, treatment, materials);
+    const auto solid = make_solid_operator<dim>(degree, treatment, materials);
     solid->reinit(dof_handler, supports.constraints());
     VectorType u, residual, no_forces;
     solid->initialize_vector(u);
@@ -105,7 +105,7 @@ namespace
     const auto linear_solver =
       make_linear_solver(LinearSolverParameters(),
                          rigid_body_modes(dof_handler, u));
-    TimerOutput         timer(std::cout, TimerOutput::never, TimerOutput::wall_times);
+    TimerOutput timer(std::cout, TimerOutput::never, TimerOutput::wall_times);
     ContactProblem<dim> problem(
       *solid, supports, no_forces, contact, tangent, *linear_solver, timer);
     NewtonParameters newton;
@@ -115,7 +115,7 @@ namespace
     problem.compute_residual(residual, u);
 
     const auto [axial, lateral] = exact_stress(materials[0]);
-    double     stress_error     = 0;
+    double stress_error         = 0;
     solid->for_each_point(
       u, [&](const auto &, const unsigned int, const PointResult &point) {
         for (unsigned int i = 0; i < 3; ++i)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // What the .prm tests run: the program itself, with a results folder of the
-// test's own that may be overwritten, and after it a look at statistics.csv: what
-// must hold after every solve, whatever the case.
+// test's own that may be overwritten, and after it a look at statistics.csv:
+// what must hold after every solve, whatever the case.
 
 #include <deal.II/base/mpi.h>
 
@@ -84,11 +84,8 @@ int
 main(int argc, char *argv[])
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const char *const arguments[] = {argv[0],
-                                   argv[1],
-                                   "--overwrite",
-                                   "--output-directory",
-                                   "results"};
+  const char *const                              arguments[] = {
+                                 argv[0], argv[1], "--overwrite", "--output-directory", "results"};
   const int status = ElastoPlastic::run_program(5, arguments);
   if (status == 0 &&
       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)

@@ -23,10 +23,12 @@ namespace ElastoPlastic
     double       refinement_fraction = 0.3;
     double       coarsening_fraction = 0.03;
 
-    void add_parameters(ParameterHandler &prm);
+    void
+    add_parameters(ParameterHandler &prm);
 
     /// @throws InputError
-    void check() const;
+    void
+    check() const;
   };
 
 
@@ -34,9 +36,10 @@ namespace ElastoPlastic
   /// Flags the cells for the next mesh. @p error_indicators holds one value per
   /// active cell of this rank.
   template <int dim>
-  void flag_cells(const RefinementParameters                &parameters,
-                  const Vector<float>                       &error_indicators,
-                  parallel::distributed::Triangulation<dim> &triangulation);
+  void
+  flag_cells(const RefinementParameters                &parameters,
+             const Vector<float>                       &error_indicators,
+             parallel::distributed::Triangulation<dim> &triangulation);
 } // namespace ElastoPlastic
 
 #endif

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "mesh/refinement.h"
-
 #include <deal.II/distributed/grid_refinement.h>
 
 #include "base/exceptions.h"
+#include "mesh/refinement.h"
 
 namespace ElastoPlastic
 {
-  void RefinementParameters::add_parameters(ParameterHandler &prm)
+  void
+  RefinementParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Refinement");
     prm.add_parameter("Strategy",
@@ -45,7 +45,8 @@ namespace ElastoPlastic
 
 
 
-  void RefinementParameters::check() const
+  void
+  RefinementParameters::check() const
   {
     if (strategy == "none" && n_cycles > 1)
       throw InputError("Refinement/Number of cycles",
@@ -62,9 +63,10 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void flag_cells(const RefinementParameters                &parameters,
-                  const Vector<float>                       &error_indicators,
-                  parallel::distributed::Triangulation<dim> &triangulation)
+  void
+  flag_cells(const RefinementParameters                &parameters,
+             const Vector<float>                       &error_indicators,
+             parallel::distributed::Triangulation<dim> &triangulation)
   {
     if (parameters.strategy == "global")
       triangulation.set_all_refine_flags();
@@ -78,10 +80,12 @@ namespace ElastoPlastic
 
 
 
-  template void flag_cells(const RefinementParameters &,
-                           const Vector<float> &,
-                           parallel::distributed::Triangulation<2> &);
-  template void flag_cells(const RefinementParameters &,
-                           const Vector<float> &,
-                           parallel::distributed::Triangulation<3> &);
+  template void
+  flag_cells(const RefinementParameters &,
+             const Vector<float> &,
+             parallel::distributed::Triangulation<2> &);
+  template void
+  flag_cells(const RefinementParameters &,
+             const Vector<float> &,
+             parallel::distributed::Triangulation<3> &);
 } // namespace ElastoPlastic
