@@ -6,11 +6,12 @@
 #
 # Installs what is missing, builds the program with and without the checks of a
 # Debug build, and runs all tests of both. Options are handed on to cmake, for
-# example -DWARNINGS_AS_ERRORS=ON.
+# example -DWARNINGS_AS_ERRORS=ON. The environment may restrict this:
+# TEST_BUILDS="Release" to some build types, TEST_SELECTION=regex to some tests.
 
 case ${1:-} in
   -h | --help)
-    sed -n '5,9s/^# \{0,1\}//p' "$0"
+    sed -n '5,11s/^# \{0,1\}//p' "$0"
     exit
     ;;
 esac
@@ -22,10 +23,10 @@ install_missing "${build_packages[@]}" "${test_packages[@]}"
 
 status=0
 summaries=()
-for type in Debug Release; do
+for type in ${TEST_BUILDS:-Debug Release}; do
   build "$type" -DENABLE_TESTING=ON "$@"
   log=build/${type,,}/ctest.log
-  (cd "build/${type,,}" && ctest -j2 --output-on-failure) 2>&1 | tee "$log" || status=1
+  (cd "build/${type,,}" && ctest --output-on-failure -R "${TEST_SELECTION:-.}") 2>&1 | tee "$log" || status=1
   summaries+=("$type: $(grep -E 'tests passed|No tests were found' "$log" || echo 'ctest ended without a summary')")
 done
 
