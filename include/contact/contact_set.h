@@ -46,7 +46,7 @@ namespace ElastoPlastic
   /// with a finite gap g_i, that is neither held by a support nor a hanging
   /// node. It is bounded by u_i <= g_i - depth. Its pressure is p_i = r_i/D_i,
   /// where r_i is the residual (the force on the indenter) and D_i the entry of
-  /// the lumped boundary mass, from Gauss-Lobatto quadrature, hence positive.
+  /// the lumped boundary mass, the integral of the node's shape function.
   /// Hanging nodes follow their masters; their D and r are handed to the
   /// masters with the same weights, so that sums of forces stay exact.
   ///

@@ -35,7 +35,8 @@ namespace ElastoPlastic
 
 
 
-    /// The lumped boundary mass D of the vertical component, condensed.
+    /// The lumped boundary mass D of the vertical component, condensed: the
+    /// integrals of the shape functions.
     template <int dim>
     void
     compute_lumped_areas(const DoFHandler<dim>              &dof_handler,
@@ -44,7 +45,7 @@ namespace ElastoPlastic
                          Vector                             &areas)
     {
       const auto                          &fe = dof_handler.get_fe();
-      QGaussLobatto<dim - 1>               quadrature(fe.degree + 1);
+      const QGauss<dim - 1>                quadrature(fe.degree + 1);
       FEFaceValues<dim>                    fe_face_values(fe,
                                        quadrature,
                                        update_values | update_JxW_values);

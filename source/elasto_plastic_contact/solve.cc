@@ -71,7 +71,8 @@ namespace ElastoPlastic
 
   // The contact force is the sum of the residual over the active nodes. It is
   // compared with what the supports feel, which is computed in an independent
-  // way.
+  // way; the difference is relative to the sum of all nodal forces, because
+  // those of the supports may cancel.
   template <int dim>
   void
   ElastoPlasticContact<dim>::evaluate_contact(SolveResult &result)
@@ -89,11 +90,11 @@ namespace ElastoPlastic
 
     const double reaction = vertical_reaction();
     const double load     = external_forces * rigid_body_motions[dim - 1];
-    const double largest =
-      std::max({std::abs(state.force), std::abs(reaction), std::abs(load)});
-    if (largest > 0)
+    const double all_nodal_forces =
+      residual.l1_norm() + external_forces.l1_norm();
+    if (all_nodal_forces > 0)
       result.force_balance_error =
-        std::abs(state.force - reaction - load) / largest;
+        std::abs(state.force - reaction - load) / all_nodal_forces;
   }
 
 
