@@ -46,6 +46,9 @@ namespace ElastoPlastic
     linearize(const Vector &u) override;
 
     void
+    step_taken(const Vector &from, const Vector &to) override;
+
+    void
     apply_tangent(Vector &result, const Vector &increment) const override;
 
     unsigned int

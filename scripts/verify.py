@@ -157,18 +157,10 @@ def strip_punch_locks(runner):
     runner.verify(f"does not level off ({forces[0]:.6f}, {forces[1]:.6f})", forces[1] / forces[0] > 1.01)
 
 
-def hanging_nodes(runner):
-    """What hanging nodes penetrate falls with h^2 from mesh to mesh."""
-    for case in ("step42/sphere_adaptive_q1.prm",):
-        rows = runner.run(case, "Refinement/Number of cycles=4")
-        depths = [row["max_hanging_penetration"] for row in rows if row["max_hanging_penetration"] > 0]
-        runner.verify(f"hanging nodes penetrate {depths}", len(depths) > 1 and depths[-1] < 0.5 * depths[0])
-
-
 ALL = {
     function.__name__: function
     for function in (step42, step42_fine, confined_block, uniaxial, hertz, strip_punch,
-                     strip_punch_locks, hanging_nodes)
+                     strip_punch_locks)
 }
 
 

@@ -65,6 +65,15 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  ContactProblem<dim>::step_taken(const Vector &from, const Vector &to)
+  {
+    solid.predict_flow(from, to);
+  }
+
+
+
+  template <int dim>
+  void
   ContactProblem<dim>::apply_tangent(Vector       &result,
                                      const Vector &increment) const
   {

@@ -29,7 +29,8 @@ namespace
   public:
     Block(const unsigned int degree,
           const double       reach,
-          const bool         left_is_fixed = false)
+          const bool         left_is_fixed = false,
+          const unsigned int n_refinements = 0)
       : mesh(MPI_COMM_WORLD)
       , fe(FE_Q<dim>(degree), dim)
       , dof_handler(mesh)
@@ -38,6 +39,7 @@ namespace
     {
       GridGenerator::subdivided_hyper_cube(mesh, 4, 0., 1., true);
       refine_corner(mesh);
+      mesh.refine_global(n_refinements);
       dof_handler.distribute_dofs(fe);
       IndexSet relevant;
       DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
@@ -67,6 +69,18 @@ namespace
       verify("  smallest gap",
              contact.min_gap() ==
                Utilities::MPI::min(smallest, MPI_COMM_WORLD));
+    }
+
+    /// What hanging nodes penetrate if all candidates touch the indenter.
+    double
+    hanging_penetration()
+    {
+      Vector u = zero;
+      contact.set_depth(1.);
+      contact.activate_touching(zero);
+      contact.move_active(u);
+      constraints.distribute(u);
+      return contact.state(u, zero).max_hanging_penetration;
     }
 
     void
@@ -233,6 +247,26 @@ namespace
 
 
 
+  /// Under a paraboloid, linear interpolation penetrates by h^2/(8R);
+  /// quadratic interpolation is exact.
+  void
+  check_hanging_penetration()
+  {
+    output() << "Hanging nodes" << std::endl;
+    const auto penetration = [](const unsigned int degree,
+                                const unsigned int n_refinements) {
+      return Block<3>(degree, 2., false, n_refinements).hanging_penetration();
+    };
+    const double coarse = penetration(1, 0);
+    verify("  penetrate", coarse > 1e-4);
+    verify("  by a quarter if h is halved",
+           std::abs(penetration(1, 1) / coarse - 0.25),
+           1e-10);
+    verify("  not if p = 2", penetration(2, 0), 1e-14);
+  }
+
+
+
   template <int dim>
   void
   check_blocks()
@@ -268,4 +302,5 @@ main(int argc, char *argv[])
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_blocks<2>();
   check_blocks<3>();
+  check_hanging_penetration();
 }

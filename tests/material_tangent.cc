@@ -3,7 +3,8 @@
 
 // The consistent tangent against central differences of the stress, in space
 // and in plane strain, for all laws, from virgin and loaded states; and that
-// it is symmetric and positive semidefinite.
+// it is symmetric and positive semidefinite, also with another flow direction.
+// The flow direction that is predicted from one strain for another.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -49,12 +50,31 @@ namespace
                            strain);
     }
 
-    Tensor
-    tangent_product(const Tensor &strain, const Tensor &increment) const
+    SymmetricTensor<2, 3>
+    flow_direction(const Tensor &strain) const
     {
-      const auto                           tangent = at(strain).tangent();
+      return at(strain).flow_direction();
+    }
+
+    SymmetricTensor<2, 3>
+    predicted_flow(const Tensor &strain, const Tensor &increment) const
+    {
+      return at(strain).predicted_flow(flow_direction(strain),
+                                       strain_deviator(increment));
+    }
+
+    /// The stress increment that the tangent with the given flow direction
+    /// promises.
+    Tensor
+    tangent_product(const Tensor                &strain,
+                    const SymmetricTensor<2, 3> &flow,
+                    const Tensor                &increment) const
+    {
+      const auto                           tangent = at(strain).tangent(flow);
       const DeviatoricTangent<dim, double> in_plane_tangent = {
-        tangent.shear, in_plane<dim>(tangent.direction)};
+        tangent.shear,
+        in_plane<dim>(tangent.normal),
+        in_plane<dim>(tangent.flow)};
       return with_pressure(in_plane_tangent * increment, increment);
     }
 
@@ -95,8 +115,9 @@ namespace
     for (unsigned int i = 0; i < strain.n_independent_components; ++i)
       {
         const auto direction = basis_tensor<dim>(i);
-        const auto product   = law.tangent_product(strain, direction);
-        const auto quotient  = (law.stress(strain + step * direction) -
+        const auto product =
+          law.tangent_product(strain, law.flow_direction(strain), direction);
+        const auto quotient = (law.stress(strain + step * direction) -
                                law.stress(strain - step * direction)) /
                               (2. * step);
         error = std::max(error, (quotient - product).norm() / product.norm());
@@ -109,14 +130,15 @@ namespace
   template <int dim>
   LAPACKFullMatrix<double>
   tangent_matrix(const PointLaw<dim>           &law,
-                 const SymmetricTensor<2, dim> &strain)
+                 const SymmetricTensor<2, dim> &strain,
+                 const SymmetricTensor<2, 3>   &flow)
   {
     const unsigned int       n = strain.n_independent_components;
     LAPACKFullMatrix<double> matrix(n, n);
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
         matrix(i, j) = basis_tensor<dim>(i) *
-                       law.tangent_product(strain, basis_tensor<dim>(j));
+                       law.tangent_product(strain, flow, basis_tensor<dim>(j));
     return matrix;
   }
 
@@ -147,6 +169,38 @@ namespace
 
 
 
+  /// The remainder of a first-order prediction falls with the square of the
+  /// increment.
+  template <int dim>
+  bool
+  predicts_flow_to_first_order(const PointLaw<dim>           &law,
+                               const SymmetricTensor<2, dim> &strain)
+  {
+    const auto increment = 0.1 * strain.norm() * sample_tensor<dim>(6, 1.);
+    const auto remainder = [&](const double factor) {
+      return (law.predicted_flow(strain, factor * increment) -
+              law.flow_direction(strain + factor * increment))
+        .norm();
+    };
+    return remainder(0.) < 1e-14 &&
+           remainder(1e-2) < 0.011 * remainder(1e-1) + 1e-14;
+  }
+
+
+
+  /// A flow direction that Newton's method may arrive at.
+  SymmetricTensor<2, 3>
+  other_flow(const SymmetricTensor<2, 3> &flow)
+  {
+    SymmetricTensor<2, 3> other = flow;
+    other[0][0] -= 0.3;
+    other[1][1] += 0.3;
+    other[0][1] += 0.2;
+    return other / std::max(1., other.norm());
+  }
+
+
+
   template <int dim>
   void
   check_point(const PointLaw<dim>           &law,
@@ -155,10 +209,16 @@ namespace
   {
     output() << "  " << dim << "D, " << state << ", "
              << (law.yields(strain) ? "plastic" : "elastic") << std::endl;
-    const auto matrix = tangent_matrix(law, strain);
     verify("    derivative of the stress", difference_error(law, strain), 1e-6);
-    verify("    symmetric", asymmetry(matrix), 1e-14);
-    verify("    positive semidefinite", is_positive_semidefinite(matrix));
+    verify("    flow predicted to first order",
+           predicts_flow_to_first_order(law, strain));
+    const auto flow = law.flow_direction(strain);
+    for (const auto &q : {flow, other_flow(flow)})
+      {
+        const auto matrix = tangent_matrix(law, strain, q);
+        verify("    symmetric", asymmetry(matrix), 1e-14);
+        verify("    positive semidefinite", is_positive_semidefinite(matrix));
+      }
   }
 
 

@@ -317,7 +317,7 @@ namespace
 
     const RadialReturn<Batch> batch(materials, strain, virgin);
     const auto                stress    = batch.deviatoric_stress();
-    const auto                direction = batch.tangent().direction;
+    const auto                direction = batch.flow_direction();
     double                    error     = 0;
     for (unsigned int lane = 0; lane < Batch::size(); ++lane)
       {
@@ -325,7 +325,7 @@ namespace
         const MaterialState<double> old_state;
         const RadialReturn<double>  point(material, strain_of(lane), old_state);
         const auto                  expected = point.deviatoric_stress();
-        const auto expected_direction        = point.tangent().direction;
+        const auto                  expected_direction = point.flow_direction();
         for (unsigned int i = 0; i < 6; ++i)
           error = std::max({error,
                             std::abs(stress.access_raw_entry(i)[lane] -

@@ -63,6 +63,7 @@ namespace
       u = field(0, 0.2);
       v = field(1, 1.);
       w = field(2, 1.);
+      solid->predict_flow(u, u);
       solid->linearize(u);
 
       check_points();

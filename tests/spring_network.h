@@ -105,6 +105,10 @@ public:
   }
 
   void
+  step_taken(const Vector &, const Vector &) override
+  {}
+
+  void
   apply_tangent(Vector &result, const Vector &increment) const override
   {
     multiply(result, tangent, increment);

@@ -26,24 +26,28 @@ namespace ElastoPlastic
 
 
 
-  /// The deviatoric part of the consistent tangent,
-  /// de -> a de - m (m : de), with a = 2 G theta and
-  /// m = sqrt(2 G theta_bar) n (doc/theory.md, "Material"). Since m is
-  /// deviatoric, its in-plane part (dim = 2) is all that plane strain needs.
+  /// The deviatoric part of a tangent, de -> a de - (m (l : de) + l (m : de))/2
+  /// with a = 2 G theta, where m and l are the normal of the yield surface and
+  /// the flow direction, both times sqrt(2 G theta_bar); for the consistent
+  /// tangent they are the same (doc/theory.md, "Material"). Since both are
+  /// deviatoric, their in-plane parts (dim = 2) are all that plane strain
+  /// needs.
   template <int dim, typename Number>
   struct DeviatoricTangent
   {
     Number                          shear;
-    SymmetricTensor<2, dim, Number> direction;
+    SymmetricTensor<2, dim, Number> normal;
+    SymmetricTensor<2, dim, Number> flow;
 
     /// The in-plane part of the deviatoric stress increment that belongs to
     /// the strain increment @p strain (whose out-of-plane components are zero).
     SymmetricTensor<2, dim, Number>
     operator*(const SymmetricTensor<2, dim, Number> &strain) const
     {
+      const Number                    mean = shear * trace(strain) * (1. / 3.);
       SymmetricTensor<2, dim, Number> stress = shear * strain;
-      stress -= (direction * strain) * direction;
-      const Number mean = shear * trace(strain) * (1. / 3.);
+      stress -= (0.5 * (flow * strain)) * normal;
+      stress -= (0.5 * (normal * strain)) * flow;
       for (unsigned int d = 0; d < dim; ++d)
         stress[d][d] -= mean;
       return stress;
@@ -83,14 +87,13 @@ namespace ElastoPlastic
       trial_norm = std::max(relative_stress.norm(), Number(1e-100));
       direction  = relative_stress / trial_norm;
 
-      // Step 2: excess over the radius; sqrt(2/3) H alpha = 2/3 H sqrt(3/2)
-      // alpha
-      const Number excess = trial_norm - material.yield_radius -
-                            material.isotropic_modulus * std::sqrt(1.5) *
-                              old_state.equivalent_plastic_strain;
+      // Step 2: the radius; sqrt(2/3) H alpha = 2/3 H sqrt(3/2) alpha
+      radius = material.yield_radius + material.isotropic_modulus *
+                                         std::sqrt(1.5) *
+                                         old_state.equivalent_plastic_strain;
 
       // Step 3: return to the yield surface along the direction
-      multiplier = std::max(excess, Number(0.)) / modulus;
+      multiplier = std::max(trial_norm - radius, Number(0.)) / modulus;
     }
 
     /// s = 2 G (e - e_p) at the end of the step.
@@ -111,15 +114,41 @@ namespace ElastoPlastic
              0.5 * modulus * multiplier * multiplier;
     }
 
-    /// The derivative of deviatoric_stress() with respect to the strain.
+    /// The flow direction at the end of the step: the relative stress divided
+    /// by its norm, or by the radius if the step is elastic.
+    Tensor3
+    flow_direction() const
+    {
+      return (trial_norm / std::max(trial_norm, radius)) * direction;
+    }
+
+    /// The derivative of deviatoric_stress() with respect to the strain, where
+    /// @p flow, not longer than 1, stands for the flow direction; symmetrised.
+    /// With flow_direction() it is the consistent tangent
+    /// @cite rudi_shih_stadler_2020.
     DeviatoricTangent<3, Number>
-    tangent() const
+    tangent(const Tensor3 &flow) const
     {
       const Number two_g     = 2. * material.shear_modulus;
       const Number softening = two_g * multiplier / trial_norm; // 1 - theta
       const Number theta_bar = two_g / modulus - softening;
-      return {two_g * (1. - softening),
-              std::sqrt(plastic(two_g * theta_bar)) * direction};
+      const Number scale     = std::sqrt(plastic(two_g * theta_bar));
+      return {two_g * (1. - softening), scale * direction, scale * flow};
+    }
+
+    /// The flow direction that Newton's method predicts for a strain that is
+    /// larger by @p increment, if it takes strain and flow direction as
+    /// independent unknowns, and @p flow as the present value of the latter:
+    /// from the derivative of norm(xi) flow = xi, and shortened to 1.
+    Tensor3
+    predicted_flow(const Tensor3 &flow, const Tensor3 &increment) const
+    {
+      const Tensor3 stress_increment = 2. * material.shear_modulus * increment;
+      const Tensor3 prediction =
+        (trial_norm * direction + stress_increment -
+         plastic(direction * stress_increment) * flow) /
+        std::max(trial_norm, radius);
+      return prediction / std::max(prediction.norm(), Number(1.));
     }
 
     /// The state at the end of the step.
@@ -152,6 +181,7 @@ namespace ElastoPlastic
     const Tensor3 elastic_trial_strain;
     Number        trial_norm;
     Tensor3       direction;
+    Number        radius;
     /// Delta gamma, the length of the plastic strain increment.
     Number multiplier;
   };

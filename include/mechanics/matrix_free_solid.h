@@ -50,6 +50,9 @@ namespace ElastoPlastic
     linearize(const VectorType &u) override;
 
     void
+    predict_flow(const VectorType &old_u, const VectorType &new_u) override;
+
+    void
     vmult(VectorType &forces, const VectorType &increment) const override;
 
     void
@@ -106,6 +109,13 @@ namespace ElastoPlastic
     void
     for_each_cell_batch(const VectorType &u, const Body &body) const;
 
+    /// The same for two displacement fields: body(phi, w_phi, cell_batch).
+    template <typename Body>
+    void
+    for_each_cell_batch(const VectorType &u,
+                        const VectorType &w,
+                        const Body       &body) const;
+
     const VolumetricTreatment           treatment;
     const std::vector<Material<double>> materials;
 
@@ -117,6 +127,9 @@ namespace ElastoPlastic
 
     /// The tangent at all points, n_points per cell batch.
     AlignedVector<DeviatoricTangent<dim, Number>> tangents;
+
+    /// The predicted flow directions at all points.
+    AlignedVector<SymmetricTensor<2, 3, Number>> flow_directions;
 
     /// The state before the step: virgin.
     const MaterialState<Number> virgin_state;

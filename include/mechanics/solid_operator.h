@@ -82,9 +82,16 @@ namespace ElastoPlastic
     virtual double
     virtual_work(const VectorType &u, const VectorType &w) const = 0;
 
-    /// Computes and stores the consistent tangent at u, for the calls below.
+    /// Computes and stores a tangent at u, for vmult(), diagonal() and
+    /// add_matrix(): the consistent one, but with the predicted flow directions
+    /// (doc/theory.md, "Newton's method for plasticity").
     virtual void
     linearize(const VectorType &u) = 0;
+
+    /// Predicts the flow directions at @p new_u from those at @p old_u; if both
+    /// are the same, takes the exact ones there. After reinit() they are zero.
+    virtual void
+    predict_flow(const VectorType &old_u, const VectorType &new_u) = 0;
 
     /// The product of the stored tangent with @p increment.
     virtual void

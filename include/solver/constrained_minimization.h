@@ -34,9 +34,16 @@ namespace ElastoPlastic
     virtual void
     compute_residual(Vector &residual, const Vector &u) const = 0;
 
-    /// Stores the second derivative of Pi at u for the next two functions.
+    /// Stores the second derivative of Pi at u, or a positive definite
+    /// approximation that tends to it when the iteration converges, for
+    /// apply_tangent(), solve_tangent() and tangent_diagonal().
     virtual void
     linearize(const Vector &u) = 0;
+
+    /// The iteration has moved on. A problem whose linearize() depends on more
+    /// unknowns than u may update them.
+    virtual void
+    step_taken(const Vector &from, const Vector &to) = 0;
 
     /// The product of the stored second derivative with @p increment.
     virtual void

@@ -59,6 +59,8 @@ namespace ElastoPlastic
                        settings);
 
     tangents.resize(n_points * matrix_free.n_cell_batches());
+    flow_directions.resize(0);
+    flow_directions.resize(n_points * matrix_free.n_cell_batches());
 
     material_indices.clear();
     if (materials.size() == 1)
@@ -293,6 +295,26 @@ namespace ElastoPlastic
 
 
   template <int dim, int degree>
+  template <typename Body>
+  void
+  MatrixFreeSolid<dim, degree>::for_each_cell_batch(const VectorType &u,
+                                                    const VectorType &w,
+                                                    const Body &body) const
+  {
+    CellEvaluation w_phi(matrix_free);
+    w.update_ghost_values();
+    for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
+      w_phi.reinit(batch);
+      w_phi.read_dof_values_plain(w);
+      w_phi.evaluate(EvaluationFlags::gradients);
+      body(phi, w_phi, batch);
+    });
+    w.zero_out_ghost_values();
+  }
+
+
+
+  template <int dim, int degree>
   double
   MatrixFreeSolid<dim, degree>::energy(const VectorType &u) const
   {
@@ -320,29 +342,27 @@ namespace ElastoPlastic
   MatrixFreeSolid<dim, degree>::virtual_work(const VectorType &u,
                                              const VectorType &w) const
   {
-    double         local_work = 0;
-    CellEvaluation test(matrix_free);
-    w.update_ghost_values();
-    for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
-      test.reinit(batch);
-      test.read_dof_values_plain(w);
-      test.evaluate(EvaluationFlags::gradients);
-      const Material<Number>             material   = material_of(batch);
-      const std::array<Number, n_points> volumetric = volumetric_strain(phi);
-      const std::array<Number, n_points> virtual_volumetric =
-        volumetric_strain(test);
-      Number sum = 0.;
-      for (unsigned int q = 0; q < n_points; ++q)
-        sum += (material.bulk_modulus * volumetric[q] * virtual_volumetric[q] +
-                radial_return(phi, q, material).deviatoric_stress() *
-                  strain_deviator(test.get_symmetric_gradient(q))) *
-               phi.JxW(q);
-      for (unsigned int lane = 0;
-           lane < matrix_free.n_active_entries_per_cell_batch(batch);
-           ++lane)
-        local_work += sum[lane];
-    });
-    w.zero_out_ghost_values();
+    double local_work = 0;
+    for_each_cell_batch(
+      u,
+      w,
+      [&](CellEvaluation &phi, CellEvaluation &test, const unsigned int batch) {
+        const Material<Number>             material   = material_of(batch);
+        const std::array<Number, n_points> volumetric = volumetric_strain(phi);
+        const std::array<Number, n_points> virtual_volumetric =
+          volumetric_strain(test);
+        Number sum = 0.;
+        for (unsigned int q = 0; q < n_points; ++q)
+          sum +=
+            (material.bulk_modulus * volumetric[q] * virtual_volumetric[q] +
+             radial_return(phi, q, material).deviatoric_stress() *
+               strain_deviator(test.get_symmetric_gradient(q))) *
+            phi.JxW(q);
+        for (unsigned int lane = 0;
+             lane < matrix_free.n_active_entries_per_cell_batch(batch);
+             ++lane)
+          local_work += sum[lane];
+      });
     return Utilities::MPI::sum(local_work, u.get_mpi_communicator());
   }
 
@@ -354,13 +374,41 @@ namespace ElastoPlastic
   {
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
       const Material<Number> material = material_of(batch);
-      for (unsigned int q = 0; q < n_points; ++q)
+      for (unsigned int q = n_points * batch; q < n_points * (batch + 1); ++q)
         {
-          const auto tangent = radial_return(phi, q, material).tangent();
-          tangents[n_points * batch + q] = {tangent.shear,
-                                            in_plane<dim>(tangent.direction)};
+          const auto tangent = radial_return(phi, q % n_points, material)
+                                 .tangent(flow_directions[q]);
+          tangents[q] = {tangent.shear,
+                         in_plane<dim>(tangent.normal),
+                         in_plane<dim>(tangent.flow)};
         }
     });
+  }
+
+
+
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::predict_flow(const VectorType &old_u,
+                                             const VectorType &new_u)
+  {
+    for_each_cell_batch(
+      old_u,
+      new_u,
+      [&](CellEvaluation    &old_phi,
+          CellEvaluation    &new_phi,
+          const unsigned int batch) {
+        const Material<Number> material = material_of(batch);
+        for (unsigned int q = 0; q < n_points; ++q)
+          {
+            auto &flow = flow_directions[n_points * batch + q];
+            flow       = radial_return(old_phi, q, material)
+                     .predicted_flow(flow,
+                                     strain_deviator(
+                                       new_phi.get_symmetric_gradient(q) -
+                                       old_phi.get_symmetric_gradient(q)));
+          }
+      });
   }
 
 

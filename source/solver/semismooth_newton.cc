@@ -112,7 +112,7 @@ namespace ElastoPlastic
     Vector                  &u;
     const NewtonParameters  &parameters;
 
-    Vector residual, free_residual, lift, increment, trial, work;
+    Vector previous_u, residual, free_residual, lift, increment, trial, work;
 
     double force_norm             = 0;
     double free_norm              = 0;
@@ -137,8 +137,13 @@ namespace ElastoPlastic
     , parameters(parameters)
     , step{0, 0, 0., 0., 0, 0., true, false}
   {
-    for (Vector *vector :
-         {&residual, &free_residual, &lift, &increment, &trial, &work})
+    for (Vector *vector : {&previous_u,
+                           &residual,
+                           &free_residual,
+                           &lift,
+                           &increment,
+                           &trial,
+                           &work})
       problem.initialize_vector(*vector);
   }
 
@@ -404,10 +409,12 @@ namespace ElastoPlastic
           break;
 
         ++step.iteration;
+        iteration.previous_u = u;
         if (step.feasible)
           iteration.feasible_step();
         else
           iteration.newton_step();
+        problem.step_taken(iteration.previous_u, u);
       }
 
     std::ostringstream message;
