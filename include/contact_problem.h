@@ -9,9 +9,8 @@
 #include "contact/contact_set.h"
 #include "mechanics/solid_operator.h"
 #include "mechanics/supports.h"
-#include "mechanics/tangent_matrix.h"
 #include "solver/constrained_minimization.h"
-#include "solver/linear_solver.h"
+#include "solver/tangent_solver.h"
 
 namespace ElastoPlastic
 {
@@ -29,8 +28,7 @@ namespace ElastoPlastic
                    const Supports<dim> &supports,
                    const Vector        &external_forces,
                    ContactSet<dim>     &contact,
-                   TangentMatrix<dim>  &tangent,
-                   LinearSolver        &linear_solver,
+                   TangentSolver<dim>  &tangent_solver,
                    TimerOutput         &timer);
 
     void
@@ -90,8 +88,7 @@ namespace ElastoPlastic
     const Supports<dim> &supports;
     const Vector        &external_forces;
     ContactSet<dim>     &contact;
-    TangentMatrix<dim>  &tangent;
-    LinearSolver        &linear_solver;
+    TangentSolver<dim>  &tangent_solver;
     TimerOutput         &timer;
   };
 } // namespace ElastoPlastic

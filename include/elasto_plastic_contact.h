@@ -19,11 +19,10 @@
 #include "io/statistics.h"
 #include "mechanics/solid_operator.h"
 #include "mechanics/supports.h"
-#include "mechanics/tangent_matrix.h"
 #include "mesh/boundary_conditions.h"
 #include "mesh/geometry.h"
-#include "solver/linear_solver.h"
 #include "solver/semismooth_newton.h"
+#include "solver/tangent_solver.h"
 
 namespace ElastoPlastic
 {
@@ -120,12 +119,12 @@ namespace ElastoPlastic
 
     // Linear algebra. The residual is the force that the supports and the
     // indenter take from the body; it vanishes at all other unknowns.
-    TangentMatrix<dim>      tangent;
-    std::vector<VectorType> rigid_body_motions;
-    VectorType              external_forces;
-    VectorType              displacement;
-    VectorType              residual;
-    Vector<float>           error_indicators;
+    std::unique_ptr<TangentSolver<dim>> tangent_solver;
+    std::vector<VectorType>             rigid_body_motions;
+    VectorType                          external_forces;
+    VectorType                          displacement;
+    VectorType                          residual;
+    Vector<float>                       error_indicators;
   };
 } // namespace ElastoPlastic
 

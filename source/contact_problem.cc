@@ -10,15 +10,13 @@ namespace ElastoPlastic
                                       const Supports<dim> &supports,
                                       const Vector        &external_forces,
                                       ContactSet<dim>     &contact,
-                                      TangentMatrix<dim>  &tangent,
-                                      LinearSolver        &linear_solver,
+                                      TangentSolver<dim>  &tangent_solver,
                                       TimerOutput         &timer)
     : solid(solid)
     , supports(supports)
     , external_forces(external_forces)
     , contact(contact)
-    , tangent(tangent)
-    , linear_solver(linear_solver)
+    , tangent_solver(tangent_solver)
     , timer(timer)
   {}
 
@@ -58,6 +56,7 @@ namespace ElastoPlastic
   void
   ContactProblem<dim>::linearize(const Vector &u)
   {
+    TimerOutput::Scope scope(timer, "Newton: linearize");
     solid.linearize(u);
   }
 
@@ -67,6 +66,7 @@ namespace ElastoPlastic
   void
   ContactProblem<dim>::step_taken(const Vector &from, const Vector &to)
   {
+    TimerOutput::Scope scope(timer, "Newton: linearize");
     solid.predict_flow(from, to);
   }
 
@@ -97,16 +97,12 @@ namespace ElastoPlastic
     supports.set_fixed_entries(held, 1.);
     contact.set_active_entries(held, 1.);
     {
-      TimerOutput::Scope scope(timer, "Newton: assemble tangent");
-      tangent.assemble(solid, held);
-    }
-    {
-      TimerOutput::Scope scope(timer, "Newton: set up linear solver");
-      linear_solver.initialize(tangent.matrix());
+      TimerOutput::Scope scope(timer, "Newton: prepare linear solver");
+      tangent_solver.prepare(solid, held);
     }
     TimerOutput::Scope scope(timer, "Newton: solve linear system");
     const unsigned int n_iterations =
-      linear_solver.solve(increment, rhs, reduction);
+      tangent_solver.solve(increment, rhs, reduction);
     zero_held(increment);
     distribute(increment);
     return n_iterations;

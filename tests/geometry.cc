@@ -220,7 +220,7 @@ namespace
     for (const std::string part : {"full", "half", "quarter"})
       print_geometry<3>(part + " ball",
                         "set Type = half ball\n set Radius = 2\n set Part = " +
-                          part + "\n set Initial refinements = 3");
+                          part + "\n set Initial refinements = 2");
   }
 
 

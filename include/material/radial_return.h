@@ -35,7 +35,7 @@ namespace ElastoPlastic
   template <int dim, typename Number>
   struct DeviatoricTangent
   {
-    Number                          shear;
+    Number                          shear = Number(0.);
     SymmetricTensor<2, dim, Number> normal;
     SymmetricTensor<2, dim, Number> flow;
 

@@ -10,19 +10,18 @@
 
 #include <vector>
 
-#include "material/radial_return.h"
-#include "mechanics/solid_operator.h"
+#include "mechanics/stress_integration.h"
 
 namespace ElastoPlastic
 {
   /// The SolidOperator on deal.II's MatrixFree, for one polynomial degree.
   ///
-  /// There is one cell kernel, integrate_stress(): it evaluates the strain,
-  /// asks a "point law" for the deviatoric stress, adds the pressure and
-  /// integrates against the strains of the shape functions. The residual
-  /// passes the radial return as the law, the tangent product the stored
-  /// tangent; diagonal and matrix are tangent products with unit vectors. So
-  /// residual and tangent cannot drift apart.
+  /// There is one cell kernel, integrate_stress() (stress_integration.h): it
+  /// evaluates the strain, asks a "point law" for the deviatoric stress, adds
+  /// the pressure and integrates against the strains of the shape functions.
+  /// The residual passes the radial return as the law, the tangent product the
+  /// stored tangent; diagonal and matrix are tangent products with unit
+  /// vectors. So residual and tangent cannot drift apart.
   template <int dim, int degree>
   class MatrixFreeSolid : public SolidOperator<dim>
   {
@@ -63,6 +62,12 @@ namespace ElastoPlastic
                const AffineConstraints<double> &all_constraints) const override;
 
     void
+    for_each_cell_tangent(
+      const std::function<
+        void(const typename DoFHandler<dim>::active_cell_iterator &cell,
+             const CellTangent<dim> &tangent)> &receive) const override;
+
+    void
     for_each_point(const VectorType              &u,
                    const std::function<void(
                      const typename DoFHandler<dim>::active_cell_iterator &cell,
@@ -72,7 +77,7 @@ namespace ElastoPlastic
   private:
     using Number         = VectorizedArray<double>;
     using Strain         = SymmetricTensor<2, dim, Number>;
-    using CellEvaluation = FEEvaluation<dim, degree, degree + 1, dim, double>;
+    using CellEvaluation = DisplacementEvaluation<dim, degree, double>;
     using CellRange      = std::pair<unsigned int, unsigned int>;
 
     static constexpr unsigned int n_points = Utilities::pow(degree + 1, dim);
@@ -81,23 +86,11 @@ namespace ElastoPlastic
     Material<Number>
     material_of(const unsigned int cell_batch) const;
 
-    /// The volumetric strain at all points of the current cell: point values
-    /// or, for B-bar, the cell mean. Gradients must have been evaluated.
-    std::array<Number, n_points>
-    volumetric_strain(const CellEvaluation &phi) const;
-
     /// The radial return at a point of the current cell, from the virgin state.
     RadialReturn<Number>
     radial_return(const CellEvaluation   &phi,
                   const unsigned int      point,
                   const Material<Number> &material) const;
-
-    /// The cell kernel: turns the dof values of @p phi into nodal forces.
-    /// @p deviatoric_stress(point, strain) is the point law.
-    template <typename PointLaw>
-    void
-    integrate_stress(CellEvaluation &phi,
-                     const PointLaw &deviatoric_stress) const;
 
     /// The kernel with the stored tangent as point law.
     void

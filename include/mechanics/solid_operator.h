@@ -14,7 +14,7 @@
 #include <memory>
 #include <vector>
 
-#include "material/material.h"
+#include "material/radial_return.h"
 
 namespace ElastoPlastic
 {
@@ -41,6 +41,19 @@ namespace ElastoPlastic
     bool plastic;
     /// The volume (in 2D: the area) that the point stands for.
     double volume;
+  };
+
+
+
+  /// The mean of the tangent over a cell: what a preconditioner needs to know.
+  template <int dim>
+  struct CellTangent
+  {
+    static constexpr unsigned int n_symmetric = dim * (dim + 1) / 2;
+    static constexpr unsigned int n_values    = 2 + 2 * n_symmetric;
+
+    double                         bulk_modulus;
+    DeviatoricTangent<dim, double> deviatoric;
   };
 
 
@@ -106,6 +119,15 @@ namespace ElastoPlastic
     virtual void
     add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
                const AffineConstraints<double> &all_constraints) const = 0;
+
+    /// Calls @p receive for all locally owned cells with the mean of the stored
+    /// tangent. (The means of the two factors of the soft direction make the
+    /// mean stiffer than the tangent, and so positive definite.)
+    virtual void
+    for_each_cell_tangent(
+      const std::function<
+        void(const typename DoFHandler<dim>::active_cell_iterator &cell,
+             const CellTangent<dim> &tangent)> &receive) const = 0;
 
     /// Calls @p receive for all quadrature points of all locally owned cells,
     /// with the points of a cell in the order of QGauss<dim>(degree + 1).

@@ -22,15 +22,25 @@ namespace ElastoPlastic
     reinit(const DoFHandler<dim>           &dof_handler,
            const AffineConstraints<double> &constraints);
 
-    /// Assembles the tangent that @p solid has stored. @p held has ones at the
-    /// held unknowns that this rank owns, zeros elsewhere.
+    /// Assembles the tangent that @p solid has stored: a SolidOperator or
+    /// LevelOperator. @p held has ones at the held unknowns that this rank
+    /// owns, zeros elsewhere.
+    template <typename Operator>
     void
-    assemble(const SolidOperator<dim> &solid, const VectorType &held);
+    assemble(const Operator &solid, const VectorType &held)
+    {
+      system_matrix = 0;
+      solid.add_matrix(system_matrix, with_held(held));
+    }
 
     const TrilinosWrappers::SparseMatrix &
     matrix() const;
 
   private:
+    /// The constraints and, as homogeneous ones, the held unknowns.
+    AffineConstraints<double>
+    with_held(const VectorType &held) const;
+
     const DoFHandler<dim>           *dof_handler = nullptr;
     const AffineConstraints<double> *constraints = nullptr;
     IndexSet                         relevant_dofs;

@@ -19,7 +19,7 @@ namespace ElastoPlastic
   /// The entries of the section "Linear solver".
   struct LinearSolverParameters
   {
-    std::string  type               = "AMG";
+    std::string  type               = "multigrid";
     unsigned int maximum_iterations = 1000;
 
     void
@@ -28,7 +28,7 @@ namespace ElastoPlastic
 
 
 
-  /// Solves systems with a symmetric positive definite matrix.
+  /// Solves systems with an assembled, symmetric positive definite matrix.
   class LinearSolver
   {
   public:
@@ -51,7 +51,8 @@ namespace ElastoPlastic
 
 
 
-  /// The solver that @p parameters ask for. @p near_null_space holds the rigid
+  /// The solver for matrices that @p parameters ask for, of type AMG or direct.
+  /// @p near_null_space holds the rigid
   /// body motions of the body, which algebraic multigrid must represent on its
   /// coarse levels.
   std::unique_ptr<LinearSolver>

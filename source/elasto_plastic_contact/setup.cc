@@ -3,6 +3,7 @@
 
 #include "base/exceptions.h"
 #include "elasto_plastic_contact.h"
+#include "make_tangent_solver.h"
 #include "mechanics/external_forces.h"
 #include "mechanics/rigid_body_modes.h"
 
@@ -40,8 +41,13 @@ namespace ElastoPlastic
                    residual);
     contact.set_depth(parameters.loading.depth);
 
-    tangent.reinit(dof_handler, supports.constraints());
     rigid_body_motions = rigid_body_modes(dof_handler, residual);
+    tangent_solver     = make_tangent_solver(parameters.linear_solver,
+                                         dof_handler,
+                                         supports.constraints(),
+                                         boundary_conditions,
+                                         parameters.discretization.treatment(),
+                                         rigid_body_motions);
     error_indicators.reinit(triangulation.n_active_cells());
   }
 

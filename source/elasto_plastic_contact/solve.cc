@@ -27,16 +27,9 @@ namespace ElastoPlastic
     screen.begin_solve(result);
 
     {
-      TimerOutput::Scope scope(timer, "Nonlinear solver");
-      const auto         linear_solver =
-        make_linear_solver(parameters.linear_solver, rigid_body_motions);
-      ContactProblem<dim>    problem(*solid,
-                                  supports,
-                                  external_forces,
-                                  contact,
-                                  tangent,
-                                  *linear_solver,
-                                  timer);
+      TimerOutput::Scope  scope(timer, "Nonlinear solver");
+      ContactProblem<dim> problem(
+        *solid, supports, external_forces, contact, *tangent_solver, timer);
       const SemismoothNewton newton(parameters.newton,
                                     [this](const NewtonStep &step) {
                                       screen.newton_step(step);

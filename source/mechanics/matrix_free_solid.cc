@@ -114,30 +114,6 @@ namespace ElastoPlastic
 
 
   template <int dim, int degree>
-  std::array<VectorizedArray<double>, MatrixFreeSolid<dim, degree>::n_points>
-  MatrixFreeSolid<dim, degree>::volumetric_strain(
-    const CellEvaluation &phi) const
-  {
-    std::array<Number, n_points> values;
-    for (unsigned int q = 0; q < n_points; ++q)
-      values[q] = phi.get_divergence(q);
-
-    if (treatment == VolumetricTreatment::b_bar)
-      {
-        Number integral = 0., volume = 0.;
-        for (unsigned int q = 0; q < n_points; ++q)
-          {
-            integral += values[q] * phi.JxW(q);
-            volume += phi.JxW(q);
-          }
-        values.fill(integral / volume);
-      }
-    return values;
-  }
-
-
-
-  template <int dim, int degree>
   RadialReturn<VectorizedArray<double>>
   MatrixFreeSolid<dim, degree>::radial_return(
     const CellEvaluation   &phi,
@@ -152,42 +128,19 @@ namespace ElastoPlastic
 
 
 
-  // The weak form is, with the volumetric strain tr of volumetric_strain(),
-  //   int s(strain(u)) : strain(v) + K tr(u) tr(v) dx.
-  // For B-bar, the mean of tr(v) may be replaced by div v itself, because the
-  // pressure K tr(u) is then constant on the cell.
-  template <int dim, int degree>
-  template <typename PointLaw>
-  void
-  MatrixFreeSolid<dim, degree>::integrate_stress(
-    CellEvaluation &phi, const PointLaw &deviatoric_stress) const
-  {
-    phi.evaluate(EvaluationFlags::gradients);
-    const Number bulk_modulus =
-      material_of(phi.get_current_cell_index()).bulk_modulus;
-    const std::array<Number, n_points> volumetric = volumetric_strain(phi);
-    for (unsigned int q = 0; q < n_points; ++q)
-      {
-        Strain stress = deviatoric_stress(q, phi.get_symmetric_gradient(q));
-        const Number pressure = bulk_modulus * volumetric[q];
-        for (unsigned int d = 0; d < dim; ++d)
-          stress[d][d] += pressure;
-        phi.submit_symmetric_gradient(stress, q);
-      }
-    phi.integrate(EvaluationFlags::gradients);
-  }
-
-
-
   template <int dim, int degree>
   void
   MatrixFreeSolid<dim, degree>::integrate_tangent(CellEvaluation &phi) const
   {
     const auto *const cell_tangents =
       tangents.data() + n_points * phi.get_current_cell_index();
-    integrate_stress(phi, [&](const unsigned int q, const Strain &strain) {
-      return cell_tangents[q] * strain;
-    });
+    integrate_stress<dim, degree>(
+      phi,
+      material_of(phi.get_current_cell_index()).bulk_modulus,
+      treatment,
+      [&](const unsigned int q, const Strain &strain) {
+        return cell_tangents[q] * strain;
+      });
   }
 
 
@@ -205,10 +158,14 @@ namespace ElastoPlastic
             phi.reinit(batch);
             phi.read_dof_values_plain(src);
             const Material<Number> material = material_of(batch);
-            integrate_stress(phi, [&](const unsigned int q, const Strain &) {
-              return in_plane<dim>(
-                radial_return(phi, q, material).deviatoric_stress());
-            });
+            integrate_stress<dim, degree>(
+              phi,
+              material.bulk_modulus,
+              treatment,
+              [&](const unsigned int q, const Strain &) {
+                return in_plane<dim>(
+                  radial_return(phi, q, material).deviatoric_stress());
+              });
             phi.distribute_local_to_global(dst);
           }
       },
@@ -320,9 +277,9 @@ namespace ElastoPlastic
   {
     double local_energy = 0;
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
-      const Material<Number>             material   = material_of(batch);
-      const std::array<Number, n_points> volumetric = volumetric_strain(phi);
-      Number                             sum        = 0.;
+      const Material<Number> material = material_of(batch);
+      const auto volumetric = volumetric_strain<dim, degree>(phi, treatment);
+      Number     sum        = 0.;
       for (unsigned int q = 0; q < n_points; ++q)
         sum += (0.5 * material.bulk_modulus * volumetric[q] * volumetric[q] +
                 radial_return(phi, q, material).energy()) *
@@ -347,10 +304,10 @@ namespace ElastoPlastic
       u,
       w,
       [&](CellEvaluation &phi, CellEvaluation &test, const unsigned int batch) {
-        const Material<Number>             material   = material_of(batch);
-        const std::array<Number, n_points> volumetric = volumetric_strain(phi);
-        const std::array<Number, n_points> virtual_volumetric =
-          volumetric_strain(test);
+        const Material<Number> material = material_of(batch);
+        const auto volumetric = volumetric_strain<dim, degree>(phi, treatment);
+        const auto virtual_volumetric =
+          volumetric_strain<dim, degree>(test, treatment);
         Number sum = 0.;
         for (unsigned int q = 0; q < n_points; ++q)
           sum +=
@@ -415,6 +372,39 @@ namespace ElastoPlastic
 
   template <int dim, int degree>
   void
+  MatrixFreeSolid<dim, degree>::for_each_cell_tangent(
+    const std::function<
+      void(const typename DoFHandler<dim>::active_cell_iterator &cell,
+           const CellTangent<dim> &tangent)> &receive) const
+  {
+    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+      for (unsigned int lane = 0;
+           lane < matrix_free.n_active_entries_per_cell_batch(batch);
+           ++lane)
+        {
+          CellTangent<dim> mean = {material_of(batch).bulk_modulus[lane], {}};
+          auto            &sum  = mean.deviatoric;
+          for (unsigned int q = 0; q < n_points; ++q)
+            {
+              const auto  &tangent = tangents[n_points * batch + q];
+              const double weight  = 1. / n_points;
+              sum.shear += weight * tangent.shear[lane];
+              for (unsigned int i = 0; i < CellTangent<dim>::n_symmetric; ++i)
+                {
+                  sum.normal.access_raw_entry(i) +=
+                    weight * tangent.normal.access_raw_entry(i)[lane];
+                  sum.flow.access_raw_entry(i) +=
+                    weight * tangent.flow.access_raw_entry(i)[lane];
+                }
+            }
+          receive(matrix_free.get_cell_iterator(batch, lane), mean);
+        }
+  }
+
+
+
+  template <int dim, int degree>
+  void
   MatrixFreeSolid<dim, degree>::for_each_point(
     const VectorType &u,
     const std::function<
@@ -423,8 +413,8 @@ namespace ElastoPlastic
            const PointResult &result)> &receive) const
   {
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
-      const Material<Number>             material   = material_of(batch);
-      const std::array<Number, n_points> volumetric = volumetric_strain(phi);
+      const Material<Number> material = material_of(batch);
+      const auto volumetric = volumetric_strain<dim, degree>(phi, treatment);
       for (unsigned int q = 0; q < n_points; ++q)
         {
           const RadialReturn<Number> point  = radial_return(phi, q, material);

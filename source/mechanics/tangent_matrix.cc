@@ -29,9 +29,8 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void
-  TangentMatrix<dim>::assemble(const SolidOperator<dim> &solid,
-                               const VectorType         &held)
+  AffineConstraints<double>
+  TangentMatrix<dim>::with_held(const VectorType &held) const
   {
     VectorType held_and_ghosts(dof_handler->locally_owned_dofs(),
                                relevant_dofs,
@@ -45,9 +44,7 @@ namespace ElastoPlastic
       if (held_and_ghosts(dof) != 0.)
         all_constraints.add_line(dof);
     all_constraints.close();
-
-    system_matrix = 0;
-    solid.add_matrix(system_matrix, all_constraints);
+    return all_constraints;
   }
 
 

@@ -1,16 +1,13 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_solver.h>
 
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
 
-#include <cmath>
-
-#include "base/exceptions.h"
+#include "solver/conjugate_gradients.h"
 #include "solver/linear_solver.h"
 
 namespace ElastoPlastic
@@ -22,10 +19,11 @@ namespace ElastoPlastic
     prm.add_parameter(
       "Type",
       type,
-      "AMG: conjugate gradients, preconditioned with algebraic multigrid that "
-      "knows the rigid body motions. direct: a sparse factorisation, for small "
-      "problems.",
-      Patterns::Selection("AMG|direct"));
+      "multigrid: conjugate gradients without a matrix, preconditioned with "
+      "geometric multigrid. AMG: conjugate gradients with an assembled matrix, "
+      "preconditioned with algebraic multigrid that knows the rigid body "
+      "motions. direct: a sparse factorisation, for small problems.",
+      Patterns::Selection("multigrid|AMG|direct"));
     prm.add_parameter("Maximum number of iterations",
                       maximum_iterations,
                       "The conjugate gradient steps allowed per linear system. "
@@ -40,18 +38,6 @@ namespace ElastoPlastic
   namespace
   {
     using Vector = LinearSolver::Vector;
-
-    void
-    check_finite(const double norm)
-    {
-      if (!std::isfinite(norm))
-        throw ConvergenceError(
-          "The linear solver has produced values that are not finite: the "
-          "system is singular. Is the body supported against all rigid body "
-          "motions, and is the load below the limit load?");
-    }
-
-
 
     /// CG with Trilinos ML, smoothed aggregation.
     class AmgSolver : public LinearSolver
@@ -89,23 +75,12 @@ namespace ElastoPlastic
             const Vector &rhs,
             const double  reduction) override
       {
-        IterationNumberControl control(maximum_iterations,
-                                       reduction * rhs.l2_norm());
-        solution = 0;
-        try
-          {
-            SolverCG<Vector>(control).solve(*matrix,
-                                            solution,
-                                            rhs,
-                                            preconditioner);
-          }
-        catch (const SolverControl::NoConvergence &failure)
-          {
-            check_finite(failure.last_residual);
-            throw;
-          }
-        check_finite(solution.l2_norm());
-        return control.last_step();
+        return conjugate_gradients(*matrix,
+                                   solution,
+                                   rhs,
+                                   preconditioner,
+                                   reduction,
+                                   maximum_iterations);
       }
 
     private:

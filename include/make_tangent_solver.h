@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef make_tangent_solver_h
+#define make_tangent_solver_h
+
+#include <memory>
+#include <vector>
+
+#include "mesh/boundary_conditions.h"
+#include "solver/linear_solver.h"
+#include "solver/tangent_solver.h"
+
+namespace ElastoPlastic
+{
+  /// The solver that @p parameters ask for, for the problem on one mesh.
+  /// @p near_null_space are the rigid body motions. All references but the
+  /// first and the last must outlive the solver.
+  template <int dim>
+  std::unique_ptr<TangentSolver<dim>>
+  make_tangent_solver(const LinearSolverParameters    &parameters,
+                      const DoFHandler<dim>           &dof_handler,
+                      const AffineConstraints<double> &constraints,
+                      const BoundaryConditions<dim>   &boundary_conditions,
+                      const VolumetricTreatment        treatment,
+                      const std::vector<VectorType>   &near_null_space);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef multigrid_level_operator_h
+#define multigrid_level_operator_h
+
+#include <deal.II/base/subscriptor.h>
+
+#include <memory>
+
+#include "mechanics/solid_operator.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// All vectors of the preconditioner have single precision.
+  using LevelVector = LinearAlgebra::distributed::Vector<float>;
+
+
+
+  /// The tangent operator on one level of multigrid. It differs from
+  /// SolidOperator in what a preconditioner may leave out: single precision,
+  /// and a tangent that is constant on each cell. Held unknowns are cut off:
+  /// their rows and columns are those of the identity.
+  template <int dim>
+  class LevelOperator : public Subscriptor
+  {
+  public:
+    using value_type = float;
+
+    virtual ~LevelOperator() = default;
+
+    /// Prepares everything that depends on the mesh. The first three arguments
+    /// must outlive this object or the next call. @p cell_dof_handler numbers
+    /// the values that set_tangents() takes.
+    virtual void
+    reinit(const DoFHandler<dim>           &dof_handler,
+           const AffineConstraints<double> &constraints,
+           const DoFHandler<dim>           &cell_dof_handler) = 0;
+
+    virtual void
+    initialize_vector(LevelVector &vector) const = 0;
+
+    /// Takes the tangents of the cells: CellTangent<dim>::n_values numbers for
+    /// each cell.
+    virtual void
+    set_tangents(const LevelVector &cell_values) = 0;
+
+    /// Cuts off the unknowns at which @p held is 1 (and not those where it
+    /// is 0).
+    virtual void
+    set_held(const LevelVector &held) = 0;
+
+    virtual void
+    vmult(LevelVector &result, const LevelVector &vector) const = 0;
+
+    /// The same: the operator is symmetric.
+    void
+    Tvmult(LevelVector &result, const LevelVector &vector) const
+    {
+      vmult(result, vector);
+    }
+
+    /// PreconditionChebyshev wants to see these, for the case that nobody hands
+    /// it the diagonal.
+    types::global_dof_index
+    m() const
+    {
+      LevelVector vector;
+      initialize_vector(vector);
+      return vector.size();
+    }
+
+    float
+    el(const types::global_dof_index, const types::global_dof_index) const
+    {
+      Assert(false, ExcNotImplemented());
+      return 0.f;
+    }
+
+    /// The reciprocal of the diagonal; that of a node next to hanging nodes is
+    /// an approximation.
+    virtual void
+    inverse_diagonal(LevelVector &values) const = 0;
+
+    /// Sets the entries of the unknowns that are cut off to zero.
+    virtual void
+    zero_held(LevelVector &vector) const = 0;
+
+    /// Adds the tangent to @p matrix, condensed with @p all_constraints, as
+    /// SolidOperator does.
+    virtual void
+    add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
+               const AffineConstraints<double> &all_constraints) const = 0;
+  };
+
+
+
+  /// The level operator for FE_Q(@p degree)^dim.
+  template <int dim>
+  std::unique_ptr<LevelOperator<dim>>
+  make_level_operator(const unsigned int        degree,
+                      const VolumetricTreatment treatment);
+} // namespace ElastoPlastic
+
+#endif

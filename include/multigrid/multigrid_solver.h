@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef multigrid_multigrid_solver_h
+#define multigrid_multigrid_solver_h
+
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/precondition.h>
+#include <deal.II/multigrid/mg_coarse.h>
+#include <deal.II/multigrid/mg_matrix.h>
+#include <deal.II/multigrid/mg_smoother.h>
+#include <deal.II/multigrid/multigrid.h>
+
+#include "mechanics/tangent_matrix.h"
+#include "multigrid/level_hierarchy.h"
+#include "solver/linear_solver.h"
+#include "solver/tangent_solver.h"
+
+namespace ElastoPlastic
+{
+  /// Conjugate gradients without a matrix, preconditioned by a V-cycle of
+  /// geometric multigrid in single precision: Chebyshev smoothing
+  /// @cite adams_brezina_hu_tuminaro_2003 on all levels of a LevelHierarchy,
+  /// a direct or algebraic multigrid solver on the coarsest one.
+  template <int dim>
+  class MultigridSolver : public TangentSolver<dim>
+  {
+  public:
+    /// The arguments after the parameters are those of LevelHierarchy.
+    MultigridSolver(const LinearSolverParameters    &parameters,
+                    const DoFHandler<dim>           &dof_handler,
+                    const AffineConstraints<double> &constraints,
+                    const BoundaryConditions<dim>   &boundary_conditions,
+                    const VolumetricTreatment        treatment);
+
+    void
+    prepare(const SolidOperator<dim> &solid, const VectorType &held) override;
+
+    unsigned int
+    solve(VectorType       &solution,
+          const VectorType &rhs,
+          const double      reduction) override;
+
+  private:
+    using Smoother = PreconditionChebyshev<LevelOperator<dim>,
+                                           LevelVector,
+                                           DiagonalMatrix<LevelVector>>;
+
+    /// The solver on the coarsest level, with an assembled matrix.
+    class CoarseSolver : public MGCoarseGridBase<LevelVector>
+    {
+    public:
+      CoarseSolver(const LevelHierarchy<dim> &hierarchy);
+
+      void
+      prepare();
+
+      void
+      operator()(const unsigned int level,
+                 LevelVector       &solution,
+                 const LevelVector &rhs) const override;
+
+    private:
+      const LevelHierarchy<dim>    &hierarchy;
+      TangentMatrix<dim>            tangent;
+      std::unique_ptr<LinearSolver> solver;
+      mutable VectorType            double_solution, double_rhs;
+    };
+
+    void
+    prepare_smoother();
+
+    const LinearSolverParameters parameters;
+    const DoFHandler<dim>       &dof_handler;
+    LevelHierarchy<dim>          hierarchy;
+    CoarseSolver                 coarse_solver;
+
+    mg::Matrix<LevelVector>                              level_matrices;
+    mg::SmootherRelaxation<Smoother, LevelVector>        smoother;
+    Multigrid<LevelVector>                               multigrid;
+    PreconditionMG<dim, LevelVector, LevelTransfer<dim>> preconditioner;
+
+    const SolidOperator<dim> *solid = nullptr;
+    std::vector<unsigned int> held_indices;
+  };
+} // namespace ElastoPlastic
+
+#endif

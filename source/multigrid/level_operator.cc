@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/aligned_vector.h>
+#include <deal.II/matrix_free/matrix_free.h>
+#include <deal.II/matrix_free/tools.h>
+
+#include "mechanics/stress_integration.h"
+#include "multigrid/level_operator.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    using Number = VectorizedArray<float>;
+
+    template <int dim, int degree>
+    class MatrixFreeLevel : public LevelOperator<dim>
+    {
+    public:
+      explicit MatrixFreeLevel(const VolumetricTreatment treatment)
+        : treatment(treatment)
+      {}
+
+      void
+      reinit(const DoFHandler<dim>           &dof_handler,
+             const AffineConstraints<double> &new_constraints,
+             const DoFHandler<dim>           &cell_dof_handler) override;
+
+      void
+      initialize_vector(LevelVector &vector) const override
+      {
+        matrix_free.initialize_dof_vector(vector);
+      }
+
+      void
+      set_tangents(const LevelVector &cell_values) override;
+
+      void
+      set_held(const LevelVector &held) override;
+
+      void
+      vmult(LevelVector &result, const LevelVector &vector) const override;
+
+      void
+      inverse_diagonal(LevelVector &values) const override;
+
+      void
+      zero_held(LevelVector &vector) const override
+      {
+        for (const unsigned int i : held_indices)
+          vector.local_element(i) = 0.f;
+      }
+
+      void
+      add_matrix(
+        TrilinosWrappers::SparseMatrix  &matrix,
+        const AffineConstraints<double> &all_constraints) const override;
+
+    private:
+      using CellEvaluation = DisplacementEvaluation<dim, degree, float>;
+      using CellRange      = std::pair<unsigned int, unsigned int>;
+      using Strain         = SymmetricTensor<2, dim, Number>;
+
+      struct Tangent
+      {
+        Number                         bulk_modulus;
+        DeviatoricTangent<dim, Number> deviatoric;
+      };
+
+      void
+      integrate_tangent(CellEvaluation &phi) const;
+
+      /// The diagonal of the tangent of the current cells of @p phi, as its dof
+      /// values.
+      void
+      compute_cell_diagonal(CellEvaluation &phi) const;
+
+      const VolumetricTreatment treatment;
+
+      MatrixFree<dim, float>           matrix_free;
+      AffineConstraints<double> const *constraints = nullptr;
+
+      /// The cell batches' tangents, and where set_tangents() finds the values
+      /// of each lane.
+      AlignedVector<Tangent> tangents;
+      std::vector<std::array<types::global_dof_index, Number::size()>>
+        first_cell_value;
+
+      /// Local indices of held unknowns, and of those and the constrained ones.
+      std::vector<unsigned int>  held_indices;
+      std::vector<unsigned int>  cut_off_indices;
+      mutable std::vector<float> cut_off_values;
+    };
+
+
+
+    template <int dim, int degree>
+    void
+    MatrixFreeLevel<dim, degree>::reinit(
+      const DoFHandler<dim>           &dof_handler,
+      const AffineConstraints<double> &new_constraints,
+      const DoFHandler<dim>           &cell_dof_handler)
+    {
+      typename MatrixFree<dim, float>::AdditionalData settings;
+      settings.mapping_update_flags  = update_gradients | update_JxW_values;
+      settings.tasks_parallel_scheme = settings.none;
+      matrix_free.reinit(MappingQ1<dim>(),
+                         dof_handler,
+                         new_constraints,
+                         QGauss<1>(degree + 1),
+                         settings);
+      constraints = &new_constraints;
+      held_indices.clear();
+      cut_off_indices = matrix_free.get_constrained_dofs();
+
+      tangents.resize(matrix_free.n_cell_batches());
+      first_cell_value.resize(matrix_free.n_cell_batches());
+      std::vector<types::global_dof_index> cell_dofs(
+        cell_dof_handler.get_fe().n_dofs_per_cell());
+      for (unsigned int batch = 0; batch < tangents.size(); ++batch)
+        for (unsigned int lane = 0; lane < Number::size(); ++lane)
+          {
+            const auto cell = matrix_free.get_cell_iterator(
+              batch,
+              std::min(lane,
+                       matrix_free.n_active_entries_per_cell_batch(batch) - 1));
+            typename DoFHandler<dim>::active_cell_iterator(
+              &cell->get_triangulation(),
+              cell->level(),
+              cell->index(),
+              &cell_dof_handler)
+              ->get_dof_indices(cell_dofs);
+            first_cell_value[batch][lane] = cell_dofs[0];
+          }
+    }
+
+
+
+    template <int dim, int degree>
+    void
+    MatrixFreeLevel<dim, degree>::set_tangents(const LevelVector &cell_values)
+    {
+      for (unsigned int batch = 0; batch < tangents.size(); ++batch)
+        for (unsigned int lane = 0; lane < Number::size(); ++lane)
+          {
+            unsigned int index = cell_values.get_partitioner()->global_to_local(
+              first_cell_value[batch][lane]);
+            const auto next = [&]() {
+              return cell_values.local_element(index++);
+            };
+            auto &[bulk_modulus, deviatoric] = tangents[batch];
+            bulk_modulus[lane]               = next();
+            deviatoric.shear[lane]           = next();
+            for (auto *tensor : {&deviatoric.normal, &deviatoric.flow})
+              for (unsigned int i = 0; i < CellTangent<dim>::n_symmetric; ++i)
+                tensor->access_raw_entry(i)[lane] = next();
+          }
+    }
+
+
+
+    template <int dim, int degree>
+    void
+    MatrixFreeLevel<dim, degree>::set_held(const LevelVector &held)
+    {
+      held_indices.clear();
+      for (unsigned int i = 0; i < held.locally_owned_size(); ++i)
+        if (held.local_element(i) > 0.5f)
+          held_indices.push_back(i);
+      cut_off_indices = matrix_free.get_constrained_dofs();
+      cut_off_indices.insert(cut_off_indices.end(),
+                             held_indices.begin(),
+                             held_indices.end());
+    }
+
+
+
+    template <int dim, int degree>
+    void
+    MatrixFreeLevel<dim, degree>::integrate_tangent(CellEvaluation &phi) const
+    {
+      const Tangent &tangent = tangents[phi.get_current_cell_index()];
+      integrate_stress<dim, degree>(phi,
+                                    tangent.bulk_modulus,
+                                    treatment,
+                                    [&](const unsigned int,
+                                        const Strain &strain) {
+                                      return tangent.deviatoric * strain;
+                                    });
+    }
+
+
+
+    // The entries of vector at the unknowns that are cut off are zero for the
+    // time of the loop: the operator is symmetric.
+    template <int dim, int degree>
+    void
+    MatrixFreeLevel<dim, degree>::vmult(LevelVector       &result,
+                                        const LevelVector &vector) const
+    {
+      auto &source = const_cast<LevelVector &>(vector);
+      cut_off_values.resize(cut_off_indices.size());
+      for (unsigned int i = 0; i < cut_off_indices.size(); ++i)
+        std::swap(cut_off_values[i] = 0.f,
+                  source.local_element(cut_off_indices[i]));
+
+      matrix_free.template cell_loop<LevelVector, LevelVector>(
+        [&](const auto &, auto &dst, const auto &src, const CellRange &range) {
+          CellEvaluation phi(matrix_free);
+          for (unsigned int batch = range.first; batch < range.second; ++batch)
+            {
+              phi.reinit(batch);
+              phi.read_dof_values(src);
+              integrate_tangent(phi);
+              phi.distribute_local_to_global(dst);
+            }
+        },
+        result,
+        vector,
+        /* zero_dst_vector = */ true);
+
+      for (unsigned int i = 0; i < cut_off_indices.size(); ++i)
+        {
+          source.local_element(cut_off_indices[i]) = cut_off_values[i];
+          result.local_element(cut_off_indices[i]) = cut_off_values[i];
+        }
+    }
+
+
+
+    // For the shape function phi_i e_c with the gradient g = grad phi_i, the
+    // strain has the norm^2 (|g|^2 + g_c^2)/2 and the trace g_c.
+    template <int dim, int degree>
+    void
+    MatrixFreeLevel<dim, degree>::compute_cell_diagonal(
+      CellEvaluation &phi) const
+    {
+      const auto &[bulk_modulus, tangent] =
+        tangents[phi.get_current_cell_index()];
+      const auto            &shape   = matrix_free.get_shape_info().data[0];
+      constexpr unsigned int n_1d    = degree + 1;
+      constexpr unsigned int n_nodes = Utilities::pow(n_1d, dim);
+
+      std::array<std::array<Number, n_nodes>, dim> divergence;
+      Number                                       volume = 0.f;
+      std::array<std::array<Number, n_nodes>, dim> diagonal;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          divergence[c].fill(0.f);
+          diagonal[c].fill(0.f);
+        }
+
+      for (const unsigned int q : phi.quadrature_point_indices())
+        {
+          const auto   inverse_jacobian = phi.inverse_jacobian(q);
+          const Number JxW              = phi.JxW(q);
+          volume += JxW;
+          for (unsigned int node = 0; node < n_nodes; ++node)
+            {
+              Tensor<1, dim, Number> unit_gradient;
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  unit_gradient[d] = 1.f;
+                  for (unsigned int e = 0, i = node, p = q; e < dim;
+                       ++e, i /= n_1d, p /= n_1d)
+                    unit_gradient[d] *=
+                      (d == e ?
+                         shape.shape_gradients :
+                         shape.shape_values)[(i % n_1d) * n_1d + p % n_1d];
+                }
+              const auto g        = inverse_jacobian * unit_gradient;
+              const auto normal_g = tangent.normal * g;
+              const auto flow_g   = tangent.flow * g;
+              const auto g_square = g * g;
+              for (unsigned int c = 0; c < dim; ++c)
+                {
+                  Number density =
+                    tangent.shear *
+                      (0.5f * g_square + float(1. / 6.) * g[c] * g[c]) -
+                    normal_g[c] * flow_g[c];
+                  if (treatment == VolumetricTreatment::standard)
+                    density += bulk_modulus * g[c] * g[c];
+                  diagonal[c][node] += density * JxW;
+                  divergence[c][node] += g[c] * JxW;
+                }
+            }
+        }
+
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int node = 0; node < n_nodes; ++node)
+          {
+            if (treatment == VolumetricTreatment::b_bar)
+              diagonal[c][node] += bulk_modulus * divergence[c][node] *
+                                   divergence[c][node] / volume;
+            phi.begin_dof_values()[c * n_nodes + node] = diagonal[c][node];
+          }
+    }
+
+
+
+    template <int dim, int degree>
+    void
+    MatrixFreeLevel<dim, degree>::inverse_diagonal(LevelVector &values) const
+    {
+      initialize_vector(values);
+      LevelVector unused;
+      matrix_free.template cell_loop<LevelVector, LevelVector>(
+        [&](const auto &, auto &dst, const auto &, const CellRange &range) {
+          CellEvaluation phi(matrix_free);
+          for (unsigned int batch = range.first; batch < range.second; ++batch)
+            {
+              phi.reinit(batch);
+              compute_cell_diagonal(phi);
+              phi.distribute_local_to_global(dst);
+            }
+        },
+        values,
+        values);
+      for (const unsigned int i : cut_off_indices)
+        values.local_element(i) = 1.f;
+      for (unsigned int i = 0; i < values.locally_owned_size(); ++i)
+        values.local_element(i) = 1.f / values.local_element(i);
+    }
+
+
+
+    template <int dim, int degree>
+    void
+    MatrixFreeLevel<dim, degree>::add_matrix(
+      TrilinosWrappers::SparseMatrix  &matrix,
+      const AffineConstraints<double> &all_constraints) const
+    {
+      AffineConstraints<float> constraints_in_single_precision;
+      constraints_in_single_precision.copy_from(all_constraints);
+      MatrixFreeTools::compute_matrix(matrix_free,
+                                      constraints_in_single_precision,
+                                      matrix,
+                                      &MatrixFreeLevel::integrate_tangent,
+                                      this);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<LevelOperator<dim>>
+  make_level_operator(const unsigned int        degree,
+                      const VolumetricTreatment treatment)
+  {
+    if (degree == 1)
+      return std::make_unique<MatrixFreeLevel<dim, 1>>(treatment);
+    AssertDimension(degree, 2);
+    return std::make_unique<MatrixFreeLevel<dim, 2>>(treatment);
+  }
+
+
+
+  template std::unique_ptr<LevelOperator<2>>
+  make_level_operator(const unsigned int, const VolumetricTreatment);
+  template std::unique_ptr<LevelOperator<3>>
+  make_level_operator(const unsigned int, const VolumetricTreatment);
+} // namespace ElastoPlastic

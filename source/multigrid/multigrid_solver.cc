@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "mechanics/rigid_body_modes.h"
+#include "multigrid/multigrid_solver.h"
+#include "solver/conjugate_gradients.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// The coarsest mesh should not have more cells than this, which a direct
+    /// solver handles in no time.
+    constexpr unsigned int n_coarse_cells = 100;
+    /// Beyond this number of unknowns, the coarsest level is solved
+    /// iteratively.
+    constexpr unsigned int largest_direct_system = 5000;
+    constexpr double       coarse_reduction      = 1e-3;
+
+    constexpr unsigned int smoother_degree = 4;
+    /// The part of the spectrum that the smoother damps.
+    constexpr double       smoothing_range         = 12.;
+    constexpr unsigned int n_eigenvalue_iterations = 8;
+  } // namespace
+
+
+
+  template <int dim>
+  MultigridSolver<dim>::CoarseSolver::CoarseSolver(
+    const LevelHierarchy<dim> &hierarchy)
+    : hierarchy(hierarchy)
+  {
+    LevelVector layout;
+    hierarchy.operators()[0]->initialize_vector(layout);
+    double_solution.reinit(layout.get_partitioner());
+    double_rhs.reinit(layout.get_partitioner());
+
+    tangent.reinit(hierarchy.coarse_dof_handler(),
+                   hierarchy.coarse_constraints());
+    LinearSolverParameters parameters;
+    parameters.type =
+      double_rhs.size() > largest_direct_system ? "AMG" : "direct";
+    solver = make_linear_solver(parameters,
+                                rigid_body_modes(hierarchy.coarse_dof_handler(),
+                                                 double_rhs));
+  }
+
+
+
+  template <int dim>
+  void
+  MultigridSolver<dim>::CoarseSolver::prepare()
+  {
+    double_rhs.copy_locally_owned_data_from(hierarchy.coarse_held());
+    tangent.assemble(*hierarchy.operators()[0], double_rhs);
+    solver->initialize(tangent.matrix());
+  }
+
+
+
+  template <int dim>
+  void
+  MultigridSolver<dim>::CoarseSolver::operator()(const unsigned int,
+                                                 LevelVector       &solution,
+                                                 const LevelVector &rhs) const
+  {
+    double_rhs.copy_locally_owned_data_from(rhs);
+    if (double_rhs.linfty_norm() > 0.)
+      solver->solve(double_solution, double_rhs, coarse_reduction);
+    else
+      double_solution = 0.;
+    solution.copy_locally_owned_data_from(double_solution);
+    hierarchy.operators()[0]->zero_held(solution);
+  }
+
+
+
+  template <int dim>
+  MultigridSolver<dim>::MultigridSolver(
+    const LinearSolverParameters    &parameters,
+    const DoFHandler<dim>           &dof_handler,
+    const AffineConstraints<double> &constraints,
+    const BoundaryConditions<dim>   &boundary_conditions,
+    const VolumetricTreatment        treatment)
+    : parameters(parameters)
+    , dof_handler(dof_handler)
+    , hierarchy(dof_handler,
+                constraints,
+                boundary_conditions,
+                treatment,
+                n_coarse_cells)
+    , coarse_solver(hierarchy)
+    , level_matrices(hierarchy.operators())
+    , multigrid(level_matrices,
+                coarse_solver,
+                hierarchy.transfer(),
+                smoother,
+                smoother,
+                0,
+                hierarchy.max_level())
+    , preconditioner(dof_handler, multigrid, hierarchy.transfer())
+  {}
+
+
+
+  template <int dim>
+  void
+  MultigridSolver<dim>::prepare(const SolidOperator<dim> &new_solid,
+                                const VectorType         &held)
+  {
+    solid = &new_solid;
+    held_indices.clear();
+    for (unsigned int i = 0; i < held.locally_owned_size(); ++i)
+      if (held.local_element(i) != 0.)
+        held_indices.push_back(i);
+
+    hierarchy.update(*solid, held);
+    prepare_smoother();
+    coarse_solver.prepare();
+  }
+
+
+
+  template <int dim>
+  void
+  MultigridSolver<dim>::prepare_smoother()
+  {
+    smoother.resize(0, hierarchy.max_level());
+    for (unsigned int level = 1; level <= hierarchy.max_level(); ++level)
+      {
+        const LevelOperator<dim> &matrix = *hierarchy.operators()[level];
+        typename Smoother::AdditionalData settings;
+        settings.degree              = smoother_degree;
+        settings.smoothing_range     = smoothing_range;
+        settings.eig_cg_n_iterations = n_eigenvalue_iterations;
+        settings.preconditioner =
+          std::make_shared<DiagonalMatrix<LevelVector>>();
+        matrix.inverse_diagonal(settings.preconditioner->get_vector());
+        smoother[level].initialize(matrix, settings);
+      }
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  MultigridSolver<dim>::solve(VectorType       &solution,
+                              const VectorType &rhs,
+                              const double      reduction)
+  {
+    struct Tangent
+    {
+      const SolidOperator<dim>        &solid;
+      const std::vector<unsigned int> &held_indices;
+
+      void
+      vmult(VectorType &result, const VectorType &vector) const
+      {
+        solid.vmult(result, vector);
+        for (const unsigned int i : held_indices)
+          result.local_element(i) = 0.;
+      }
+    };
+
+    return conjugate_gradients(Tangent{*solid, held_indices},
+                               solution,
+                               rhs,
+                               preconditioner,
+                               reduction,
+                               parameters.maximum_iterations);
+  }
+
+
+
+  template class MultigridSolver<2>;
+  template class MultigridSolver<3>;
+} // namespace ElastoPlastic
