@@ -11,6 +11,7 @@
 #include <deal.II/fe/fe_system.h>
 
 #include "contact_problem.h"
+#include "make_tangent_solver.h"
 #include "material/material_parameters.h"
 #include "mechanics/rigid_body_modes.h"
 #include "sample_mesh.h"
@@ -78,10 +79,9 @@ namespace
     names["top"]       = 2 * dim - 1;
     conditions.contact = {"top"};
 
-    Supports<dim> supports;
-    supports.reinit(dof_handler,
-                    BoundaryConditions<dim>(conditions, names),
-                    0.);
+    const BoundaryConditions<dim> boundary_conditions(conditions, names);
+    Supports<dim>                 supports;
+    supports.reinit(dof_handler, boundary_conditions, 0.);
 
     const auto materials = MaterialParameters().materials();
     const auto solid = make_solid_operator<dim>(degree, treatment, materials);
@@ -100,14 +100,16 @@ namespace
                    u);
     contact.set_depth(strain);
 
-    TangentMatrix<dim> tangent;
-    tangent.reinit(dof_handler, supports.constraints());
-    const auto linear_solver =
-      make_linear_solver(LinearSolverParameters(),
-                         rigid_body_modes(dof_handler, u));
+    const auto tangent_solver =
+      make_tangent_solver(LinearSolverParameters(),
+                          dof_handler,
+                          supports.constraints(),
+                          boundary_conditions,
+                          treatment,
+                          rigid_body_modes(dof_handler, u));
     TimerOutput timer(std::cout, TimerOutput::never, TimerOutput::wall_times);
     ContactProblem<dim> problem(
-      *solid, supports, no_forces, contact, tangent, *linear_solver, timer);
+      *solid, supports, no_forces, contact, *tangent_solver, timer);
     NewtonParameters newton;
     newton.tolerance = 1e-12;
     contact.activate_touching(u);

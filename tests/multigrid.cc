@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Geometric multigrid on meshes with hanging nodes: the operator of the finest
+// level is the tangent, its diagonal is right, and the iterations do not grow
+// with refinement.
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include "material/material_parameters.h"
+#include "multigrid/multigrid_solver.h"
+#include "sample_mesh.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  /// A block that stands on a fixed face; its elastic tangent.
+  template <int dim>
+  class Block
+  {
+  public:
+    Block(const unsigned int        degree,
+          const VolumetricTreatment treatment,
+          const bool                with_hanging_nodes,
+          const unsigned int        n_refinements)
+      : treatment(treatment)
+      , mesh(MPI_COMM_WORLD)
+      , fe(FE_Q<dim>(degree), dim)
+      , dof_handler(mesh)
+      , solid(make_solid_operator<dim>(degree,
+                                       treatment,
+                                       MaterialParameters().materials()))
+    {
+      GridGenerator::subdivided_hyper_cube(mesh, 2, 0., 1., true);
+      if (with_hanging_nodes)
+        refine_corner(mesh);
+      mesh.refine_global(n_refinements);
+      dof_handler.distribute_dofs(fe);
+      supports.reinit(dof_handler, conditions(), 0.);
+      solid->reinit(dof_handler, supports.constraints());
+      solid->initialize_vector(zero);
+      solid->linearize(zero);
+      held = zero;
+      supports.set_fixed_entries(held, 1.);
+    }
+
+    void
+    check_finest_level() const
+    {
+      LevelHierarchy<dim> hierarchy(
+        dof_handler, supports.constraints(), conditions(), treatment, 1);
+      hierarchy.update(*solid, zero);
+      const LevelOperator<dim> &level =
+        *hierarchy.operators()[hierarchy.max_level()];
+
+      VectorType  v = field(), product = zero, diagonal;
+      LevelVector level_v, level_product;
+      level.initialize_vector(level_v);
+      level.initialize_vector(level_product);
+      level_v.copy_locally_owned_data_from(v);
+      level.vmult(level_product, level_v);
+      solid->vmult(product, v);
+      // (on constrained unknowns, the level operator is the identity)
+      supports.constraints().set_zero(level_product);
+      verify("  the finest level is the tangent",
+             difference(product, level_product),
+             1e-5);
+
+      level.inverse_diagonal(level_product);
+      solid->diagonal(diagonal);
+      for (double &value : diagonal)
+        value = 1. / value;
+      verify("  its diagonal", difference(diagonal, level_product), 1e-5);
+    }
+
+    unsigned int
+    n_iterations() const
+    {
+      MultigridSolver<dim> solver(LinearSolverParameters(),
+                                  dof_handler,
+                                  supports.constraints(),
+                                  conditions(),
+                                  treatment);
+      solver.prepare(*solid, held);
+      VectorType rhs = field(), solution = zero, product = zero;
+      supports.set_fixed_entries(rhs, 0.);
+      const unsigned int n = solver.solve(solution, rhs, 1e-8);
+
+      solid->vmult(product, solution);
+      supports.set_fixed_entries(product, 0.);
+      product -= rhs;
+      verify("  solves", product.l2_norm() < 1.1e-8 * rhs.l2_norm());
+      return n;
+    }
+
+  private:
+    static BoundaryConditions<dim>
+    conditions()
+    {
+      BoundaryConditionParameters parameters;
+      BoundaryNames               names;
+      names["bottom"]  = 2 * dim - 2;
+      parameters.fixed = {"bottom"};
+      for (unsigned int id = 0; id < 2 * dim; ++id)
+        if (id != 2 * dim - 2)
+          {
+            names["side" + std::to_string(id)] = id;
+            parameters.free.push_back("side" + std::to_string(id));
+          }
+      return BoundaryConditions<dim>(parameters, names);
+    }
+
+    VectorType
+    field() const
+    {
+      VectorType vector = zero;
+      VectorTools::interpolate(dof_handler, SampleField<dim>(0, 1.), vector);
+      supports.constraints().set_zero(vector);
+      return vector;
+    }
+
+    static double
+    difference(const VectorType &expected, const LevelVector &found)
+    {
+      VectorType error = expected;
+      error.copy_locally_owned_data_from(found);
+      error -= expected;
+      return error.linfty_norm() / expected.linfty_norm();
+    }
+
+    const VolumetricTreatment                 treatment;
+    parallel::distributed::Triangulation<dim> mesh;
+    const FESystem<dim>                       fe;
+    DoFHandler<dim>                           dof_handler;
+    Supports<dim>                             supports;
+    std::unique_ptr<SolidOperator<dim>>       solid;
+    VectorType                                zero, held;
+  };
+
+
+
+  template <int dim>
+  void
+  check(const unsigned int degree, const VolumetricTreatment treatment)
+  {
+    output() << dim << "D, p = " << degree
+             << (treatment == VolumetricTreatment::b_bar ? ", B-bar" : "")
+             << std::endl;
+    Block<dim>(degree, treatment, false, 1).check_finest_level();
+    const unsigned int coarse =
+      Block<dim>(degree, treatment, true, 1).n_iterations();
+    const unsigned int fine =
+      Block<dim>(degree, treatment, true, 2).n_iterations();
+    verify("  in at most 15 iterations", coarse <= 15 && fine <= 15);
+    verify("  almost as many on a finer mesh", fine <= coarse + 3);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  for (const unsigned int degree : {1, 2})
+    for (const auto treatment :
+         {VolumetricTreatment::standard, VolumetricTreatment::b_bar})
+      {
+        check<2>(degree, treatment);
+        check<3>(degree, treatment);
+      }
+}
