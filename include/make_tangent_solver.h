@@ -4,6 +4,7 @@
 #ifndef make_tangent_solver_h
 #define make_tangent_solver_h
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -14,8 +15,9 @@
 namespace ElastoPlastic
 {
   /// The solver that @p parameters ask for, for the problem on one mesh.
-  /// @p near_null_space are the rigid body motions. All references but the
-  /// first and the last must outlive the solver.
+  /// @p near_null_space are the rigid body motions. @p warn is told when the
+  /// solver falls back to another. The mesh, its unknowns and the boundary
+  /// conditions must outlive the solver.
   template <int dim>
   std::unique_ptr<TangentSolver<dim>>
   make_tangent_solver(const LinearSolverParameters    &parameters,
@@ -23,7 +25,8 @@ namespace ElastoPlastic
                       const AffineConstraints<double> &constraints,
                       const BoundaryConditions<dim>   &boundary_conditions,
                       const VolumetricTreatment        treatment,
-                      const std::vector<VectorType>   &near_null_space);
+                      const std::vector<VectorType>   &near_null_space,
+                      const std::function<void(const std::string &)> &warn);
 } // namespace ElastoPlastic
 
 #endif

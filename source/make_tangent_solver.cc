@@ -4,9 +4,18 @@
 #include "make_tangent_solver.h"
 #include "multigrid/multigrid_solver.h"
 #include "solver/assembled_solver.h"
+#include "solver/fallback_solver.h"
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// So many iterations tell that something is wrong.
+    constexpr unsigned int patience_with_multigrid = 150;
+  } // namespace
+
+
+
   template <int dim>
   std::unique_ptr<TangentSolver<dim>>
   make_tangent_solver(const LinearSolverParameters    &parameters,
@@ -14,15 +23,34 @@ namespace ElastoPlastic
                       const AffineConstraints<double> &constraints,
                       const BoundaryConditions<dim>   &boundary_conditions,
                       const VolumetricTreatment        treatment,
-                      const std::vector<VectorType>   &near_null_space)
+                      const std::vector<VectorType>   &near_null_space,
+                      const std::function<void(const std::string &)> &warn)
   {
-    if (parameters.type == "multigrid")
-      return std::make_unique<MultigridSolver<dim>>(
-        parameters, dof_handler, constraints, boundary_conditions, treatment);
-    return std::make_unique<AssembledSolver<dim>>(
-      make_linear_solver(parameters, near_null_space),
-      dof_handler,
-      constraints);
+    const auto make_assembled_solver =
+      [=, &dof_handler, &constraints](const std::string &type) {
+        LinearSolverParameters assembled_parameters = parameters;
+        assembled_parameters.type                   = type;
+        return std::make_unique<AssembledSolver<dim>>(
+          make_linear_solver(assembled_parameters, near_null_space),
+          dof_handler,
+          constraints);
+      };
+
+    if (parameters.type != "multigrid")
+      return make_assembled_solver(parameters.type);
+
+    LinearSolverParameters multigrid_parameters = parameters;
+    multigrid_parameters.maximum_iterations =
+      std::min(parameters.maximum_iterations, patience_with_multigrid);
+    return std::make_unique<FallbackSolver<dim>>(
+      std::make_unique<MultigridSolver<dim>>(multigrid_parameters,
+                                             dof_handler,
+                                             constraints,
+                                             boundary_conditions,
+                                             treatment),
+      multigrid_parameters.maximum_iterations,
+      [=]() { return make_assembled_solver("AMG"); },
+      warn);
   }
 
 
@@ -33,12 +61,14 @@ namespace ElastoPlastic
                       const AffineConstraints<double> &,
                       const BoundaryConditions<2> &,
                       const VolumetricTreatment,
-                      const std::vector<VectorType> &);
+                      const std::vector<VectorType> &,
+                      const std::function<void(const std::string &)> &);
   template std::unique_ptr<TangentSolver<3>>
   make_tangent_solver(const LinearSolverParameters &,
                       const DoFHandler<3> &,
                       const AffineConstraints<double> &,
                       const BoundaryConditions<3> &,
                       const VolumetricTreatment,
-                      const std::vector<VectorType> &);
+                      const std::vector<VectorType> &,
+                      const std::function<void(const std::string &)> &);
 } // namespace ElastoPlastic

@@ -106,7 +106,10 @@ namespace
                           supports.constraints(),
                           boundary_conditions,
                           treatment,
-                          rigid_body_modes(dof_handler, u));
+                          rigid_body_modes(dof_handler, u),
+                          [](const std::string &warning) {
+                            std::cout << warning << std::endl;
+                          });
     TimerOutput timer(std::cout, TimerOutput::never, TimerOutput::wall_times);
     ContactProblem<dim> problem(
       *solid, supports, no_forces, contact, *tangent_solver, timer);

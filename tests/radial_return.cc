@@ -8,6 +8,7 @@
 
 #include <iomanip>
 
+#include "base/simd.h"
 #include "sample_material.h"
 #include "verdict.h"
 
@@ -294,7 +295,7 @@ namespace
   void
   lanes()
   {
-    using Batch          = VectorizedArray<double>;
+    using Batch          = Simd<double>;
     const auto strain_of = [](const unsigned int lane) {
       return deviator(sample_tensor<3>(lane, 0.005 * lane));
     };

@@ -72,6 +72,10 @@ namespace ElastoPlastic
     void
     remark(const std::string &text);
 
+    /// Something unexpected that does not stop the program.
+    void
+    warn(const std::string &text);
+
     /// For the table of times.
     ConditionalOStream &
     full_stream();

@@ -75,7 +75,7 @@ namespace ElastoPlastic
                      const PointResult &result)> &receive) const override;
 
   private:
-    using Number         = VectorizedArray<double>;
+    using Number         = Simd<double>;
     using Strain         = SymmetricTensor<2, dim, Number>;
     using CellEvaluation = DisplacementEvaluation<dim, degree, double>;
     using CellRange      = std::pair<unsigned int, unsigned int>;
@@ -112,7 +112,7 @@ namespace ElastoPlastic
     const VolumetricTreatment           treatment;
     const std::vector<Material<double>> materials;
 
-    MatrixFree<dim, double> matrix_free;
+    MatrixFree<dim, double, Number> matrix_free;
 
     /// For each cell batch and lane an index into materials; empty if there is
     /// only one material.

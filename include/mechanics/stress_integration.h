@@ -8,6 +8,7 @@
 
 #include <array>
 
+#include "base/simd.h"
 #include "mechanics/solid_operator.h"
 
 namespace ElastoPlastic
@@ -15,24 +16,24 @@ namespace ElastoPlastic
   /// The evaluation of displacements on a batch of cells.
   template <int dim, int degree, typename Number>
   using DisplacementEvaluation =
-    FEEvaluation<dim, degree, degree + 1, dim, Number>;
+    FEEvaluation<dim, degree, degree + 1, dim, Number, Simd<Number>>;
 
 
 
   /// The volumetric strain at all points of the current cells of @p phi: point
   /// values or, for B-bar, the cell mean. Gradients must have been evaluated.
   template <int dim, int degree, typename Number>
-  std::array<VectorizedArray<Number>, Utilities::pow(degree + 1, dim)>
+  std::array<Simd<Number>, Utilities::pow(degree + 1, dim)>
   volumetric_strain(const DisplacementEvaluation<dim, degree, Number> &phi,
                     const VolumetricTreatment treatment)
   {
-    std::array<VectorizedArray<Number>, Utilities::pow(degree + 1, dim)> values;
+    std::array<Simd<Number>, Utilities::pow(degree + 1, dim)> values;
     for (const unsigned int q : phi.quadrature_point_indices())
       values[q] = phi.get_divergence(q);
 
     if (treatment == VolumetricTreatment::b_bar)
       {
-        VectorizedArray<Number> integral = Number(0.), volume = Number(0.);
+        Simd<Number> integral = Number(0.), volume = Number(0.);
         for (const unsigned int q : phi.quadrature_point_indices())
           {
             integral += values[q] * phi.JxW(q);
@@ -54,7 +55,7 @@ namespace ElastoPlastic
   template <int dim, int degree, typename Number, typename PointLaw>
   void
   integrate_stress(DisplacementEvaluation<dim, degree, Number> &phi,
-                   const VectorizedArray<Number>               &bulk_modulus,
+                   const Simd<Number>                          &bulk_modulus,
                    const VolumetricTreatment                    treatment,
                    const PointLaw &deviatoric_stress)
   {
@@ -63,7 +64,7 @@ namespace ElastoPlastic
     for (const unsigned int q : phi.quadrature_point_indices())
       {
         auto stress = deviatoric_stress(q, phi.get_symmetric_gradient(q));
-        const VectorizedArray<Number> pressure = bulk_modulus * volumetric[q];
+        const Simd<Number> pressure = bulk_modulus * volumetric[q];
         for (unsigned int d = 0; d < dim; ++d)
           stress[d][d] += pressure;
         phi.submit_symmetric_gradient(stress, q);

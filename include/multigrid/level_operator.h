@@ -79,8 +79,8 @@ namespace ElastoPlastic
       return 0.f;
     }
 
-    /// The reciprocal of the diagonal; that of a node next to hanging nodes is
-    /// an approximation.
+    /// The reciprocal of the diagonal; for the masters of constrained unknowns,
+    /// it is an approximation.
     virtual void
     inverse_diagonal(LevelVector &values) const = 0;
 

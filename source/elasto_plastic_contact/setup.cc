@@ -47,7 +47,10 @@ namespace ElastoPlastic
                                          supports.constraints(),
                                          boundary_conditions,
                                          parameters.discretization.treatment(),
-                                         rigid_body_motions);
+                                         rigid_body_motions,
+                                         [this](const std::string &warning) {
+                                           screen.warn(warning);
+                                         });
     error_indicators.reinit(triangulation.n_active_cells());
   }
 

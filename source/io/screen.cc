@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "base/simd.h"
 #include "io/screen.h"
 #include "version.h"
 
@@ -51,7 +52,7 @@ namespace ElastoPlastic
          << ELASTO_PLASTIC_CONTACT_REVISION << "), "
          << ELASTO_PLASTIC_CONTACT_BUILD_TYPE << " build\n"
          << "deal.II " << DEAL_II_PACKAGE_VERSION << ", "
-         << VectorizedArray<double>::size() << " number(s) per SIMD batch, "
+         << Simd<double>::size() << " number(s) per SIMD batch, "
          << n_ranks << " MPI rank(s)" << std::endl;
   }
 
@@ -125,6 +126,15 @@ namespace ElastoPlastic
   Screen::remark(const std::string &text)
   {
     full << text << std::endl;
+  }
+
+
+
+  void
+  Screen::warn(const std::string &text)
+  {
+    full << "Warning: " << text << std::endl;
+    summary << "Warning: " << text << std::endl;
   }
 
 

@@ -49,7 +49,7 @@ namespace ElastoPlastic
     const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &constraints)
   {
-    typename MatrixFree<dim, double>::AdditionalData settings;
+    typename MatrixFree<dim, double, Number>::AdditionalData settings;
     settings.mapping_update_flags  = update_gradients | update_JxW_values;
     settings.tasks_parallel_scheme = settings.none;
     matrix_free.reinit(MappingQ1<dim>(),
@@ -92,7 +92,7 @@ namespace ElastoPlastic
 
 
   template <int dim, int degree>
-  Material<VectorizedArray<double>>
+  Material<Simd<double>>
   MatrixFreeSolid<dim, degree>::material_of(const unsigned int cell_batch) const
   {
     Material<Number> result;
@@ -114,7 +114,7 @@ namespace ElastoPlastic
 
 
   template <int dim, int degree>
-  RadialReturn<VectorizedArray<double>>
+  RadialReturn<Simd<double>>
   MatrixFreeSolid<dim, degree>::radial_return(
     const CellEvaluation   &phi,
     const unsigned int      point,

@@ -12,7 +12,7 @@ namespace ElastoPlastic
 {
   namespace
   {
-    using Number = VectorizedArray<float>;
+    using Number = Simd<float>;
 
     template <int dim, int degree>
     class MatrixFreeLevel : public LevelOperator<dim>
@@ -78,7 +78,7 @@ namespace ElastoPlastic
 
       const VolumetricTreatment treatment;
 
-      MatrixFree<dim, float>           matrix_free;
+      MatrixFree<dim, float, Number>   matrix_free;
       AffineConstraints<double> const *constraints = nullptr;
 
       /// The cell batches' tangents, and where set_tangents() finds the values
@@ -102,7 +102,7 @@ namespace ElastoPlastic
       const AffineConstraints<double> &new_constraints,
       const DoFHandler<dim>           &cell_dof_handler)
     {
-      typename MatrixFree<dim, float>::AdditionalData settings;
+      typename MatrixFree<dim, float, Number>::AdditionalData settings;
       settings.mapping_update_flags  = update_gradients | update_JxW_values;
       settings.tasks_parallel_scheme = settings.none;
       matrix_free.reinit(MappingQ1<dim>(),
@@ -299,24 +299,42 @@ namespace ElastoPlastic
 
 
 
+    // Of a constrained unknown, each master gets its share of the diagonal with
+    // the square of its weight; the coupling between the two is left out. (With
+    // the weight itself, as in phi.distribute_local_to_global(), the weights of
+    // skew rollers, which may be negative, could make the sum vanish.)
     template <int dim, int degree>
     void
     MatrixFreeLevel<dim, degree>::inverse_diagonal(LevelVector &values) const
     {
       initialize_vector(values);
-      LevelVector unused;
-      matrix_free.template cell_loop<LevelVector, LevelVector>(
-        [&](const auto &, auto &dst, const auto &, const CellRange &range) {
-          CellEvaluation phi(matrix_free);
-          for (unsigned int batch = range.first; batch < range.second; ++batch)
-            {
-              phi.reinit(batch);
-              compute_cell_diagonal(phi);
-              phi.distribute_local_to_global(dst);
-            }
-        },
-        values,
-        values);
+      CellEvaluation            phi(matrix_free);
+      std::vector<unsigned int> indices;
+      for (unsigned int batch = 0; batch < matrix_free.n_cell_batches();
+           ++batch)
+        {
+          phi.reinit(batch);
+          compute_cell_diagonal(phi);
+          matrix_free.get_dof_info().get_dof_indices_on_cell_batch(
+            indices, batch, /* with_constraints = */ false);
+          auto index = indices.begin();
+          for (unsigned int lane = 0;
+               lane < matrix_free.n_active_entries_per_cell_batch(batch);
+               ++lane)
+            for (unsigned int i = 0; i < phi.dofs_per_cell; ++i)
+              values.local_element(*index++) += phi.begin_dof_values()[i][lane];
+        }
+      values.compress(VectorOperation::add);
+
+      LevelVector shares;
+      initialize_vector(shares);
+      for (const auto &line : constraints->get_lines())
+        if (values.in_local_range(line.index))
+          for (const auto &[master, weight] : line.entries)
+            shares(master) += weight * weight * values(line.index);
+      shares.compress(VectorOperation::add);
+      values += shares;
+
       for (const unsigned int i : cut_off_indices)
         values.local_element(i) = 1.f;
       for (unsigned int i = 0; i < values.locally_owned_size(); ++i)
