@@ -120,7 +120,6 @@ namespace ElastoPlastic
     // Linear algebra. The residual is the force that the supports and the
     // indenter take from the body; it vanishes at all other unknowns.
     std::unique_ptr<TangentSolver<dim>> tangent_solver;
-    std::vector<VectorType>             rigid_body_motions;
     VectorType                          external_forces;
     VectorType                          displacement;
     VectorType                          residual;

@@ -6,7 +6,7 @@
 
 #include <functional>
 #include <memory>
-#include <vector>
+#include <string>
 
 #include "mesh/boundary_conditions.h"
 #include "solver/linear_solver.h"
@@ -15,7 +15,7 @@
 namespace ElastoPlastic
 {
   /// The solver that @p parameters ask for, for the problem on one mesh.
-  /// @p near_null_space are the rigid body motions. @p warn is told when the
+  /// @p layout is a vector of the problem. @p warn is told when the
   /// solver falls back to another. The mesh, its unknowns and the boundary
   /// conditions must outlive the solver.
   template <int dim>
@@ -25,7 +25,7 @@ namespace ElastoPlastic
                       const AffineConstraints<double> &constraints,
                       const BoundaryConditions<dim>   &boundary_conditions,
                       const VolumetricTreatment        treatment,
-                      const std::vector<VectorType>   &near_null_space,
+                      const VectorType                &layout,
                       const std::function<void(const std::string &)> &warn);
 } // namespace ElastoPlastic
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "make_tangent_solver.h"
+#include "mechanics/rigid_body_modes.h"
 #include "multigrid/multigrid_solver.h"
 #include "solver/assembled_solver.h"
 #include "solver/fallback_solver.h"
@@ -23,18 +24,21 @@ namespace ElastoPlastic
                       const AffineConstraints<double> &constraints,
                       const BoundaryConditions<dim>   &boundary_conditions,
                       const VolumetricTreatment        treatment,
-                      const std::vector<VectorType>   &near_null_space,
+                      const VectorType                &layout,
                       const std::function<void(const std::string &)> &warn)
   {
-    const auto make_assembled_solver =
-      [=, &dof_handler, &constraints](const std::string &type) {
-        LinearSolverParameters assembled_parameters = parameters;
-        assembled_parameters.type                   = type;
-        return std::make_unique<AssembledSolver<dim>>(
-          make_linear_solver(assembled_parameters, near_null_space),
-          dof_handler,
-          constraints);
-      };
+    const auto make_assembled_solver = [parameters,
+                                        layout,
+                                        &dof_handler,
+                                        &constraints](const std::string &type) {
+      LinearSolverParameters assembled_parameters = parameters;
+      assembled_parameters.type                   = type;
+      return std::make_unique<AssembledSolver<dim>>(
+        make_linear_solver(assembled_parameters,
+                           rigid_body_modes(dof_handler, layout)),
+        dof_handler,
+        constraints);
+    };
 
     if (parameters.type != "multigrid")
       return make_assembled_solver(parameters.type);
@@ -61,7 +65,7 @@ namespace ElastoPlastic
                       const AffineConstraints<double> &,
                       const BoundaryConditions<2> &,
                       const VolumetricTreatment,
-                      const std::vector<VectorType> &,
+                      const VectorType &,
                       const std::function<void(const std::string &)> &);
   template std::unique_ptr<TangentSolver<3>>
   make_tangent_solver(const LinearSolverParameters &,
@@ -69,6 +73,6 @@ namespace ElastoPlastic
                       const AffineConstraints<double> &,
                       const BoundaryConditions<3> &,
                       const VolumetricTreatment,
-                      const std::vector<VectorType> &,
+                      const VectorType &,
                       const std::function<void(const std::string &)> &);
 } // namespace ElastoPlastic

@@ -13,7 +13,6 @@
 #include "contact_problem.h"
 #include "make_tangent_solver.h"
 #include "material/material_parameters.h"
-#include "mechanics/rigid_body_modes.h"
 #include "sample_mesh.h"
 #include "solver/semismooth_newton.h"
 #include "verdict.h"
@@ -106,7 +105,7 @@ namespace
                           supports.constraints(),
                           boundary_conditions,
                           treatment,
-                          rigid_body_modes(dof_handler, u),
+                          u,
                           [](const std::string &warning) {
                             std::cout << warning << std::endl;
                           });

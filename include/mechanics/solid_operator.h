@@ -10,6 +10,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -54,6 +55,19 @@ namespace ElastoPlastic
 
     double                         bulk_modulus;
     DeviatoricTangent<dim, double> deviatoric;
+
+    /// All numbers in a row, for storage.
+    std::array<double, n_values>
+    values() const
+    {
+      std::array<double, n_values> result = {{bulk_modulus, deviatoric.shear}};
+      for (unsigned int i = 0; i < n_symmetric; ++i)
+        {
+          result[2 + i]               = deviatoric.normal.access_raw_entry(i);
+          result[2 + n_symmetric + i] = deviatoric.flow.access_raw_entry(i);
+        }
+      return result;
+    }
   };
 
 

@@ -5,6 +5,7 @@
 #define multigrid_level_hierarchy_h
 
 #include <deal.II/base/mg_level_object.h>
+#include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/multigrid/mg_transfer_global_coarsening.h>
 
@@ -116,11 +117,14 @@ namespace ElastoPlastic
     void
     set_up_transfers();
 
+    void
+    update_tangents(const SolidOperator<dim> &solid);
+
     std::vector<Level> levels;
 
-    /// For each mesh, not for each level, the numbering of the cells' tangents.
+    /// For each mesh, not for each level, a numbering of the cells.
     std::vector<std::unique_ptr<DoFHandler<dim>>> cell_dof_handlers;
-    const FESystem<dim>                           cell_fe;
+    const FE_DGQ<dim>                             cell_fe;
 
     typename LevelTransfer<dim>::Operators level_operators;
     std::unique_ptr<LevelTransfer<dim>>    level_transfer;

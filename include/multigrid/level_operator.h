@@ -33,7 +33,7 @@ namespace ElastoPlastic
 
     /// Prepares everything that depends on the mesh. The first three arguments
     /// must outlive this object or the next call. @p cell_dof_handler numbers
-    /// the values that set_tangents() takes.
+    /// the cells for set_tangent_value().
     virtual void
     reinit(const DoFHandler<dim>           &dof_handler,
            const AffineConstraints<double> &constraints,
@@ -42,10 +42,10 @@ namespace ElastoPlastic
     virtual void
     initialize_vector(LevelVector &vector) const = 0;
 
-    /// Takes the tangents of the cells: CellTangent<dim>::n_values numbers for
-    /// each cell.
+    /// Takes one of the numbers that describe the cells' tangents: entry
+    /// @p index of CellTangent::values().
     virtual void
-    set_tangents(const LevelVector &cell_values) = 0;
+    set_tangent_value(const unsigned int index, const LevelVector &values) = 0;
 
     /// Cuts off the unknowns at which @p held is 1 (and not those where it
     /// is 0).

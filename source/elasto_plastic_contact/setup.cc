@@ -41,13 +41,12 @@ namespace ElastoPlastic
                    residual);
     contact.set_depth(parameters.loading.depth);
 
-    rigid_body_motions = rigid_body_modes(dof_handler, residual);
-    tangent_solver     = make_tangent_solver(parameters.linear_solver,
+    tangent_solver = make_tangent_solver(parameters.linear_solver,
                                          dof_handler,
                                          supports.constraints(),
                                          boundary_conditions,
                                          parameters.discretization.treatment(),
-                                         rigid_body_motions,
+                                         residual,
                                          [this](const std::string &warning) {
                                            screen.warn(warning);
                                          });
@@ -68,7 +67,9 @@ namespace ElastoPlastic
     supports.set_fixed_entries(held, 1.);
     contact.set_candidate_entries(held, 1.);
     const std::string motion =
-      find_free_motion<dim>(rigid_body_motions, held, supports.constraints());
+      find_free_motion<dim>(rigid_body_modes(dof_handler, residual),
+                            held,
+                            supports.constraints());
     if (!motion.empty())
       throw InputError(
         "The supports do not hold the body: nothing prevents its rigid body "

@@ -5,6 +5,7 @@
 
 #include "contact_problem.h"
 #include "elasto_plastic_contact.h"
+#include "mechanics/rigid_body_modes.h"
 
 namespace ElastoPlastic
 {
@@ -82,7 +83,9 @@ namespace ElastoPlastic
     result.complementarity_error   = state.complementarity_error;
 
     const double reaction = vertical_reaction();
-    const double load     = external_forces * rigid_body_motions[dim - 1];
+    double       load     = 0;
+    if (external_forces.l1_norm() > 0)
+      load = external_forces * rigid_body_modes(dof_handler, residual)[dim - 1];
     const double all_nodal_forces =
       residual.l1_norm() + external_forces.l1_norm();
     if (all_nodal_forces > 0)

@@ -52,8 +52,8 @@ namespace ElastoPlastic
          << ELASTO_PLASTIC_CONTACT_REVISION << "), "
          << ELASTO_PLASTIC_CONTACT_BUILD_TYPE << " build\n"
          << "deal.II " << DEAL_II_PACKAGE_VERSION << ", "
-         << Simd<double>::size() << " number(s) per SIMD batch, "
-         << n_ranks << " MPI rank(s)" << std::endl;
+         << Simd<double>::size() << " number(s) per SIMD batch, " << n_ranks
+         << " MPI rank(s)" << std::endl;
   }
 
 

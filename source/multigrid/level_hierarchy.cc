@@ -5,32 +5,12 @@
 #include <deal.II/fe/fe_q.h>
 
 #include "multigrid/level_hierarchy.h"
+#include "multigrid/mesh_sequence.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// The mesh and its coarsened ones, the coarsest first.
-    template <int dim>
-    std::vector<std::shared_ptr<const Triangulation<dim>>>
-    mesh_sequence(const Triangulation<dim> &mesh,
-                  const unsigned int        n_coarse_cells)
-    {
-      auto meshes =
-        MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(
-          mesh);
-      const auto is_too_fine = [=](const auto &coarse_mesh) {
-        return coarse_mesh->n_global_active_cells() > n_coarse_cells;
-      };
-      const auto coarsest =
-        std::find_if(meshes.begin(), meshes.end(), is_too_fine);
-      if (coarsest != meshes.begin())
-        meshes.erase(meshes.begin(), std::prev(coarsest));
-      return meshes;
-    }
-
-
-
     AffineConstraints<float>
     in_single_precision(const AffineConstraints<double> &constraints)
     {
@@ -108,11 +88,13 @@ namespace ElastoPlastic
     const BoundaryConditions<dim>   &boundary_conditions,
     const VolumetricTreatment        treatment,
     const unsigned int               n_coarse_cells)
-    : cell_fe(FE_DGQ<dim>(0), CellTangent<dim>::n_values)
+    : cell_fe(0)
   {
     const unsigned int degree = dof_handler.get_fe().degree;
-    const auto         meshes =
-      mesh_sequence(dof_handler.get_triangulation(), n_coarse_cells);
+    const auto         meshes = mesh_sequence(
+      dynamic_cast<const parallel::distributed::Triangulation<dim> &>(
+        dof_handler.get_triangulation()),
+      n_coarse_cells);
 
     for (const auto &mesh : meshes)
       {
@@ -205,28 +187,7 @@ namespace ElastoPlastic
   LevelHierarchy<dim>::update(const SolidOperator<dim> &solid,
                               const VectorType         &held)
   {
-    const DoFHandler<dim> &cell_dof_handler = *cell_dof_handlers.back();
-    LevelVector            values(cell_dof_handler.locally_owned_dofs(),
-                       cell_dof_handler.get_communicator());
-    std::vector<types::global_dof_index> indices(cell_fe.n_dofs_per_cell());
-    solid.for_each_cell_tangent([&](const auto             &cell,
-                                    const CellTangent<dim> &tangent) {
-      typename DoFHandler<dim>::active_cell_iterator(&cell->get_triangulation(),
-                                                     cell->level(),
-                                                     cell->index(),
-                                                     &cell_dof_handler)
-        ->get_dof_indices(indices);
-      auto index             = indices.begin();
-      values(*index++)       = tangent.bulk_modulus;
-      const auto &deviatoric = tangent.deviatoric;
-      values(*index++)       = deviatoric.shear;
-      for (const auto *tensor : {&deviatoric.normal, &deviatoric.flow})
-        for (unsigned int i = 0; i < CellTangent<dim>::n_symmetric; ++i)
-          values(*index++) = tensor->access_raw_entry(i);
-    });
-
-    MGLevelObject<LevelVector> cell_values(0, cell_dof_handlers.size() - 1);
-    cell_transfer->interpolate_to_mg(cell_values, values);
+    update_tangents(solid);
 
     LevelVector fine_held;
     level_operators[max_level()]->initialize_vector(fine_held);
@@ -235,12 +196,46 @@ namespace ElastoPlastic
     level_transfer->interpolate_to_mg(level_held, fine_held);
 
     for (unsigned int l = 0; l <= max_level(); ++l)
-      {
-        level_operators[l]->set_tangents(
-          cell_values[std::min<unsigned int>(l, cell_values.max_level())]);
-        level_operators[l]->set_held(level_held[l]);
-      }
+      level_operators[l]->set_held(level_held[l]);
     held_on_coarsest_level = level_held[0];
+  }
+
+
+
+  // One number of the tangent after the other: this needs less memory than all
+  // at once, and the transfer between the meshes is the same for all.
+  template <int dim>
+  void
+  LevelHierarchy<dim>::update_tangents(const SolidOperator<dim> &solid)
+  {
+    const DoFHandler<dim> &cell_dof_handler = *cell_dof_handlers.back();
+    std::array<LevelVector, CellTangent<dim>::n_values> values;
+    for (LevelVector &value : values)
+      value.reinit(cell_dof_handler.locally_owned_dofs(),
+                   cell_dof_handler.get_communicator());
+    std::vector<types::global_dof_index> index(1);
+    solid.for_each_cell_tangent([&](const auto             &cell,
+                                    const CellTangent<dim> &tangent) {
+      typename DoFHandler<dim>::active_cell_iterator(&cell->get_triangulation(),
+                                                     cell->level(),
+                                                     cell->index(),
+                                                     &cell_dof_handler)
+        ->get_dof_indices(index);
+      const auto numbers = tangent.values();
+      for (unsigned int i = 0; i < values.size(); ++i)
+        values[i](index[0]) = numbers[i];
+    });
+
+    for (unsigned int i = 0; i < values.size(); ++i)
+      {
+        MGLevelObject<LevelVector> level_values(0,
+                                                cell_dof_handlers.size() - 1);
+        cell_transfer->interpolate_to_mg(level_values, values[i]);
+        for (unsigned int l = 0; l <= max_level(); ++l)
+          level_operators[l]->set_tangent_value(
+            i,
+            level_values[std::min<unsigned int>(l, level_values.max_level())]);
+      }
   }
 
 

@@ -34,7 +34,8 @@ namespace ElastoPlastic
       }
 
       void
-      set_tangents(const LevelVector &cell_values) override;
+      set_tangent_value(const unsigned int index,
+                        const LevelVector &values) override;
 
       void
       set_held(const LevelVector &held) override;
@@ -81,11 +82,10 @@ namespace ElastoPlastic
       MatrixFree<dim, float, Number>   matrix_free;
       AffineConstraints<double> const *constraints = nullptr;
 
-      /// The cell batches' tangents, and where set_tangents() finds the values
-      /// of each lane.
-      AlignedVector<Tangent> tangents;
-      std::vector<std::array<types::global_dof_index, Number::size()>>
-        first_cell_value;
+      /// The cell batches' tangents, and where set_tangent_value() finds the
+      /// values of each lane.
+      AlignedVector<Tangent>                                           tangents;
+      std::vector<std::array<types::global_dof_index, Number::size()>> cells;
 
       /// Local indices of held unknowns, and of those and the constrained ones.
       std::vector<unsigned int>  held_indices;
@@ -115,7 +115,7 @@ namespace ElastoPlastic
       cut_off_indices = matrix_free.get_constrained_dofs();
 
       tangents.resize(matrix_free.n_cell_batches());
-      first_cell_value.resize(matrix_free.n_cell_batches());
+      cells.resize(matrix_free.n_cell_batches());
       std::vector<types::global_dof_index> cell_dofs(
         cell_dof_handler.get_fe().n_dofs_per_cell());
       for (unsigned int batch = 0; batch < tangents.size(); ++batch)
@@ -131,7 +131,7 @@ namespace ElastoPlastic
               cell->index(),
               &cell_dof_handler)
               ->get_dof_indices(cell_dofs);
-            first_cell_value[batch][lane] = cell_dofs[0];
+            cells[batch][lane] = cell_dofs[0];
           }
     }
 
@@ -139,23 +139,25 @@ namespace ElastoPlastic
 
     template <int dim, int degree>
     void
-    MatrixFreeLevel<dim, degree>::set_tangents(const LevelVector &cell_values)
+    MatrixFreeLevel<dim, degree>::set_tangent_value(const unsigned int index,
+                                                    const LevelVector &values)
     {
+      constexpr unsigned int n_symmetric = CellTangent<dim>::n_symmetric;
       for (unsigned int batch = 0; batch < tangents.size(); ++batch)
-        for (unsigned int lane = 0; lane < Number::size(); ++lane)
-          {
-            unsigned int index = cell_values.get_partitioner()->global_to_local(
-              first_cell_value[batch][lane]);
-            const auto next = [&]() {
-              return cell_values.local_element(index++);
-            };
-            auto &[bulk_modulus, deviatoric] = tangents[batch];
-            bulk_modulus[lane]               = next();
-            deviatoric.shear[lane]           = next();
-            for (auto *tensor : {&deviatoric.normal, &deviatoric.flow})
-              for (unsigned int i = 0; i < CellTangent<dim>::n_symmetric; ++i)
-                tensor->access_raw_entry(i)[lane] = next();
-          }
+        {
+          auto &[bulk_modulus, deviatoric] = tangents[batch];
+          Number &value =
+            index == 0 ?
+              bulk_modulus :
+            index == 1 ?
+              deviatoric.shear :
+            index < 2 + n_symmetric ?
+              deviatoric.normal.access_raw_entry(index - 2) :
+              deviatoric.flow.access_raw_entry(index - 2 - n_symmetric);
+          for (unsigned int lane = 0; lane < Number::size(); ++lane)
+            value[lane] = values.local_element(
+              values.get_partitioner()->global_to_local(cells[batch][lane]));
+        }
     }
 
 

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/distributed/p4est_wrappers.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include "multigrid/mesh_sequence.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    template <int dim>
+    using P4est = internal::p4est::functions<dim>;
+
+    template <int dim>
+    using Forest = typename internal::p4est::types<dim>::forest;
+
+
+
+    /// For p4est: whether to replace these siblings by their parent, because
+    /// they are on the level that is to vanish.
+    template <int dim>
+    int
+    is_on_finest_level(
+      Forest<dim> *forest,
+      typename internal::p4est::types<dim>::topidx,
+      typename internal::p4est::types<dim>::quadrant *siblings[])
+    {
+      return siblings[0]->level ==
+             *static_cast<const int *>(forest->user_pointer);
+    }
+
+
+
+    /// Removes the cells of the level @p finest_level, the finest one.
+    template <int dim>
+    void
+    coarsen(Forest<dim> &forest, int finest_level)
+    {
+      P4est<dim>::reset_data(&forest, 0, nullptr, &finest_level);
+      P4est<dim>::coarsen(&forest,
+                          /* recursive = */ 0,
+                          is_on_finest_level<dim>,
+                          nullptr);
+      P4est<dim>::partition(&forest, /* families together = */ 1, nullptr);
+    }
+
+
+
+    template <int dim>
+    std::shared_ptr<const Triangulation<dim>>
+    make_mesh(const parallel::distributed::Triangulation<dim> &original,
+              const Forest<dim>                               &forest)
+    {
+      auto mesh = std::make_shared<parallel::distributed::Triangulation<dim>>(
+        original.get_communicator(), original.get_mesh_smoothing());
+      const auto [vertices, cells, boundary] =
+        GridTools::get_coarse_mesh_description(original);
+      mesh->create_triangulation(vertices, cells, boundary);
+      for (const auto id : original.get_manifold_ids())
+        if (id != numbers::flat_manifold_id)
+          mesh->set_manifold(id, original.get_manifold(id));
+      mesh->load(&forest);
+      return mesh;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<std::shared_ptr<const Triangulation<dim>>>
+  mesh_sequence(const parallel::distributed::Triangulation<dim> &mesh,
+                const unsigned int                               n_coarse_cells)
+  {
+    std::vector<std::shared_ptr<const Triangulation<dim>>> meshes = {
+      {&mesh, [](const auto *) {
+       }}};
+    auto &forest =
+      *P4est<dim>::copy_forest(const_cast<Forest<dim> *>(mesh.get_p4est()),
+                               /* copy data = */ 0);
+    for (unsigned int level = mesh.n_global_levels() - 1;
+         level > 0 && forest.global_num_quadrants > n_coarse_cells;
+         --level)
+      {
+        coarsen<dim>(forest, level);
+        meshes.push_back(make_mesh(mesh, forest));
+      }
+    P4est<dim>::destroy(&forest);
+    std::reverse(meshes.begin(), meshes.end());
+    return meshes;
+  }
+
+
+
+  template std::vector<std::shared_ptr<const Triangulation<2>>>
+  mesh_sequence(const parallel::distributed::Triangulation<2> &,
+                const unsigned int);
+  template std::vector<std::shared_ptr<const Triangulation<3>>>
+  mesh_sequence(const parallel::distributed::Triangulation<3> &,
+                const unsigned int);
+} // namespace ElastoPlastic
