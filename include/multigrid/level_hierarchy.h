@@ -5,30 +5,29 @@
 #define multigrid_level_hierarchy_h
 
 #include <deal.II/base/mg_level_object.h>
-#include <deal.II/fe/fe_dgq.h>
-#include <deal.II/fe/fe_system.h>
-#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
+#include <deal.II/multigrid/mg_base.h>
 
 #include <memory>
 #include <vector>
 
 #include "mechanics/supports.h"
 #include "multigrid/level_operator.h"
+#include "multigrid/two_level_transfer.h"
 
 namespace ElastoPlastic
 {
-  /// Multigrid's transfer between levels, which leaves held unknowns at zero.
+  /// The transfer between all levels as Multigrid and PreconditionMG want to
+  /// see it. It leaves held unknowns at zero.
   template <int dim>
-  class LevelTransfer : public MGTransferGlobalCoarsening<dim, LevelVector>
+  class LevelTransfer : public MGTransferBase<LevelVector>
   {
   public:
-    using Base      = MGTransferGlobalCoarsening<dim, LevelVector>;
     using Operators = MGLevelObject<std::unique_ptr<LevelOperator<dim>>>;
+    using Transfers = MGLevelObject<std::unique_ptr<TwoLevelTransfer<dim>>>;
 
-    /// @p operators must outlive this object.
-    LevelTransfer(
-      const MGLevelObject<MGTwoLevelTransfer<dim, LevelVector>> &transfers,
-      const Operators                                           &operators);
+    /// @p transfers, each with the level below it, and @p operators must
+    /// outlive this object.
+    LevelTransfer(const Transfers &transfers, const Operators &operators);
 
     void
     prolongate(const unsigned int to_level,
@@ -45,7 +44,19 @@ namespace ElastoPlastic
                      LevelVector       &coarse,
                      const LevelVector &fine) const override;
 
+    /// Starts a cycle with @p source on the finest level, zero elsewhere.
+    void
+    copy_to_mg(const DoFHandler<dim>      &dof_handler,
+               MGLevelObject<LevelVector> &levels,
+               const VectorType           &source) const;
+
+    void
+    copy_from_mg(const DoFHandler<dim>            &dof_handler,
+                 VectorType                       &result,
+                 const MGLevelObject<LevelVector> &levels) const;
+
   private:
+    const Transfers &transfers;
     const Operators &operators;
   };
 
@@ -111,24 +122,15 @@ namespace ElastoPlastic
     add_level(const std::shared_ptr<const Triangulation<dim>> &mesh,
               const BoundaryConditions<dim> &boundary_conditions);
 
-    void
-    set_up_operators(const VolumetricTreatment treatment);
-
-    void
-    set_up_transfers();
 
     void
     update_tangents(const SolidOperator<dim> &solid);
 
     std::vector<Level> levels;
 
-    /// For each mesh, not for each level, a numbering of the cells.
-    std::vector<std::unique_ptr<DoFHandler<dim>>> cell_dof_handlers;
-    const FE_DGQ<dim>                             cell_fe;
-
     typename LevelTransfer<dim>::Operators level_operators;
-    std::unique_ptr<LevelTransfer<dim>>    level_transfer;
-    std::unique_ptr<MGTransferGlobalCoarsening<dim, LevelVector>> cell_transfer;
+    typename LevelTransfer<dim>::Transfers two_level_transfers;
+    const LevelTransfer<dim>               level_transfer;
 
     LevelVector held_on_coarsest_level;
   };

@@ -31,19 +31,17 @@ namespace ElastoPlastic
 
     virtual ~LevelOperator() = default;
 
-    /// Prepares everything that depends on the mesh. The first three arguments
-    /// must outlive this object or the next call. @p cell_dof_handler numbers
-    /// the cells for set_tangent_value().
+    /// Prepares everything that depends on the mesh. The arguments must outlive
+    /// this object or the next call.
     virtual void
     reinit(const DoFHandler<dim>           &dof_handler,
-           const AffineConstraints<double> &constraints,
-           const DoFHandler<dim>           &cell_dof_handler) = 0;
+           const AffineConstraints<double> &constraints) = 0;
 
     virtual void
     initialize_vector(LevelVector &vector) const = 0;
 
     /// Takes one of the numbers that describe the cells' tangents: entry
-    /// @p index of CellTangent::values().
+    /// @p index of CellTangent::values(), for all OwnedCells.
     virtual void
     set_tangent_value(const unsigned int index, const LevelVector &values) = 0;
 

@@ -1,47 +1,21 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
 
 #include "multigrid/level_hierarchy.h"
 #include "multigrid/mesh_sequence.h"
+#include "multigrid/owned_cells.h"
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    AffineConstraints<float>
-    in_single_precision(const AffineConstraints<double> &constraints)
-    {
-      AffineConstraints<float> result;
-      result.copy_from(constraints);
-      return result;
-    }
-  } // namespace
-
-
-
   template <int dim>
-  LevelTransfer<dim>::LevelTransfer(
-    const MGLevelObject<MGTwoLevelTransfer<dim, LevelVector>> &transfers,
-    const Operators                                           &operators)
-    : Base(transfers,
-           [&operators](const unsigned int level, LevelVector &vector) {
-             operators[level]->initialize_vector(vector);
-           })
+  LevelTransfer<dim>::LevelTransfer(const Transfers &transfers,
+                                    const Operators &operators)
+    : transfers(transfers)
     , operators(operators)
-  {
-    std::vector<std::shared_ptr<const Utilities::MPI::Partitioner>>
-      partitioners;
-    for (unsigned int level = 0; level <= operators.max_level(); ++level)
-      {
-        LevelVector vector;
-        operators[level]->initialize_vector(vector);
-        partitioners.push_back(vector.get_partitioner());
-      }
-    this->build(partitioners);
-  }
+  {}
 
 
 
@@ -51,8 +25,8 @@ namespace ElastoPlastic
                                  LevelVector       &fine,
                                  const LevelVector &coarse) const
   {
-    Base::prolongate(to_level, fine, coarse);
-    operators[to_level]->zero_held(fine);
+    fine = 0.f;
+    prolongate_and_add(to_level, fine, coarse);
   }
 
 
@@ -63,7 +37,7 @@ namespace ElastoPlastic
                                          LevelVector       &fine,
                                          const LevelVector &coarse) const
   {
-    Base::prolongate_and_add(to_level, fine, coarse);
+    transfers[to_level]->prolongate_and_add(fine, coarse);
     operators[to_level]->zero_held(fine);
   }
 
@@ -75,8 +49,33 @@ namespace ElastoPlastic
                                        LevelVector       &coarse,
                                        const LevelVector &fine) const
   {
-    Base::restrict_and_add(from_level, coarse, fine);
+    transfers[from_level]->restrict_and_add(coarse, fine);
     operators[from_level - 1]->zero_held(coarse);
+  }
+
+
+
+  template <int dim>
+  void
+  LevelTransfer<dim>::copy_to_mg(const DoFHandler<dim> &,
+                                 MGLevelObject<LevelVector> &levels,
+                                 const VectorType           &source) const
+  {
+    for (unsigned int level = 0; level <= levels.max_level(); ++level)
+      operators[level]->initialize_vector(levels[level]);
+    levels[levels.max_level()].copy_locally_owned_data_from(source);
+  }
+
+
+
+  template <int dim>
+  void
+  LevelTransfer<dim>::copy_from_mg(
+    const DoFHandler<dim> &,
+    VectorType                       &result,
+    const MGLevelObject<LevelVector> &levels) const
+  {
+    result.copy_locally_owned_data_from(levels[levels.max_level()]);
   }
 
 
@@ -88,25 +87,34 @@ namespace ElastoPlastic
     const BoundaryConditions<dim>   &boundary_conditions,
     const VolumetricTreatment        treatment,
     const unsigned int               n_coarse_cells)
-    : cell_fe(0)
+    : level_transfer(two_level_transfers, level_operators)
   {
     const unsigned int degree = dof_handler.get_fe().degree;
     const auto         meshes = mesh_sequence(
       dynamic_cast<const parallel::distributed::Triangulation<dim> &>(
         dof_handler.get_triangulation()),
       n_coarse_cells);
-
     for (const auto &mesh : meshes)
-      {
-        if (mesh != meshes.back() || degree > 1)
-          add_level(mesh, boundary_conditions);
-        cell_dof_handlers.push_back(std::make_unique<DoFHandler<dim>>(*mesh));
-        cell_dof_handlers.back()->distribute_dofs(cell_fe);
-      }
+      if (mesh != meshes.back() || degree > 1)
+        add_level(mesh, boundary_conditions);
     levels.push_back({meshes.back(), {}, {}, &dof_handler, &constraints});
 
-    set_up_operators(treatment);
-    set_up_transfers();
+    level_operators.resize(0, max_level());
+    two_level_transfers.resize(1, max_level());
+    for (unsigned int l = 0; l <= max_level(); ++l)
+      {
+        const Level &level = levels[l];
+        level_operators[l] =
+          make_level_operator<dim>(level.dof_handler->get_fe().degree,
+                                   treatment);
+        level_operators[l]->reinit(*level.dof_handler, *level.constraints);
+        if (l > 0)
+          two_level_transfers[l] =
+            std::make_unique<TwoLevelTransfer<dim>>(*level.dof_handler,
+                                                    *level.constraints,
+                                                    *levels[l - 1].dof_handler,
+                                                    *levels[l - 1].constraints);
+      }
   }
 
 
@@ -135,107 +143,54 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  LevelHierarchy<dim>::set_up_operators(const VolumetricTreatment treatment)
-  {
-    level_operators.resize(0, max_level());
-    for (unsigned int l = 0; l <= max_level(); ++l)
-      {
-        const auto &[mesh, own_dofs, own_supports, dof_handler, constraints] =
-          levels[l];
-        level_operators[l] =
-          make_level_operator<dim>(dof_handler->get_fe().degree, treatment);
-        level_operators[l]->reinit(*dof_handler,
-                                   *constraints,
-                                   *cell_dof_handlers[std::min<std::size_t>(
-                                     l, cell_dof_handlers.size() - 1)]);
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  LevelHierarchy<dim>::set_up_transfers()
-  {
-    MGLevelObject<MGTwoLevelTransfer<dim, LevelVector>> transfers(0,
-                                                                  max_level());
-    for (unsigned int l = 1; l <= max_level(); ++l)
-      transfers[l].reinit(*levels[l].dof_handler,
-                          *levels[l - 1].dof_handler,
-                          in_single_precision(*levels[l].constraints),
-                          in_single_precision(*levels[l - 1].constraints));
-    level_transfer =
-      std::make_unique<LevelTransfer<dim>>(transfers, level_operators);
-
-    MGLevelObject<MGTwoLevelTransfer<dim, LevelVector>> cell_transfers(
-      0, cell_dof_handlers.size() - 1);
-    for (unsigned int m = 1; m < cell_dof_handlers.size(); ++m)
-      cell_transfers[m].reinit(*cell_dof_handlers[m],
-                               *cell_dof_handlers[m - 1]);
-    cell_transfer =
-      std::make_unique<MGTransferGlobalCoarsening<dim, LevelVector>>(
-        cell_transfers, [this](const unsigned int mesh, LevelVector &vector) {
-          vector.reinit(cell_dof_handlers[mesh]->locally_owned_dofs(),
-                        cell_dof_handlers[mesh]->get_communicator());
-        });
-  }
-
-
-
-  template <int dim>
-  void
   LevelHierarchy<dim>::update(const SolidOperator<dim> &solid,
                               const VectorType         &held)
   {
     update_tangents(solid);
 
-    LevelVector fine_held;
-    level_operators[max_level()]->initialize_vector(fine_held);
-    fine_held.copy_locally_owned_data_from(held);
-    MGLevelObject<LevelVector> level_held(0, max_level());
-    level_transfer->interpolate_to_mg(level_held, fine_held);
-
-    for (unsigned int l = 0; l <= max_level(); ++l)
-      level_operators[l]->set_held(level_held[l]);
-    held_on_coarsest_level = level_held[0];
+    LevelVector level_held, coarse_held;
+    level_operators[max_level()]->initialize_vector(level_held);
+    level_held.copy_locally_owned_data_from(held);
+    for (unsigned int l = max_level(); l > 0; --l)
+      {
+        level_operators[l]->set_held(level_held);
+        level_operators[l - 1]->initialize_vector(coarse_held);
+        two_level_transfers[l]->inject(coarse_held, level_held);
+        level_held.swap(coarse_held);
+      }
+    level_operators[0]->set_held(level_held);
+    held_on_coarsest_level = level_held;
   }
 
 
 
   // One number of the tangent after the other: this needs less memory than all
-  // at once, and the transfer between the meshes is the same for all.
+  // at once.
   template <int dim>
   void
   LevelHierarchy<dim>::update_tangents(const SolidOperator<dim> &solid)
   {
-    const DoFHandler<dim> &cell_dof_handler = *cell_dof_handlers.back();
+    const OwnedCells<dim> cells(*levels.back().mesh);
     std::array<LevelVector, CellTangent<dim>::n_values> values;
     for (LevelVector &value : values)
-      value.reinit(cell_dof_handler.locally_owned_dofs(),
-                   cell_dof_handler.get_communicator());
-    std::vector<types::global_dof_index> index(1);
-    solid.for_each_cell_tangent([&](const auto             &cell,
-                                    const CellTangent<dim> &tangent) {
-      typename DoFHandler<dim>::active_cell_iterator(&cell->get_triangulation(),
-                                                     cell->level(),
-                                                     cell->index(),
-                                                     &cell_dof_handler)
-        ->get_dof_indices(index);
-      const auto numbers = tangent.values();
-      for (unsigned int i = 0; i < values.size(); ++i)
-        values[i](index[0]) = numbers[i];
-    });
+      value.reinit(cells.size());
+    solid.for_each_cell_tangent(
+      [&](const auto &cell, const CellTangent<dim> &tangent) {
+        const auto numbers = tangent.values();
+        for (unsigned int i = 0; i < values.size(); ++i)
+          values[i].local_element(cells.index(*cell)) = numbers[i];
+      });
 
     for (unsigned int i = 0; i < values.size(); ++i)
-      {
-        MGLevelObject<LevelVector> level_values(0,
-                                                cell_dof_handlers.size() - 1);
-        cell_transfer->interpolate_to_mg(level_values, values[i]);
-        for (unsigned int l = 0; l <= max_level(); ++l)
-          level_operators[l]->set_tangent_value(
-            i,
-            level_values[std::min<unsigned int>(l, level_values.max_level())]);
-      }
+      for (unsigned int l = max_level();; --l)
+        {
+          level_operators[l]->set_tangent_value(i, values[i]);
+          if (l == 0)
+            break;
+          LevelVector coarse_value;
+          two_level_transfers[l]->average_cells(coarse_value, values[i]);
+          values[i].swap(coarse_value);
+        }
   }
 
 
@@ -262,7 +217,7 @@ namespace ElastoPlastic
   const LevelTransfer<dim> &
   LevelHierarchy<dim>::transfer() const
   {
-    return *level_transfer;
+    return level_transfer;
   }
 
 

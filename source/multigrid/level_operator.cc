@@ -7,6 +7,7 @@
 
 #include "mechanics/stress_integration.h"
 #include "multigrid/level_operator.h"
+#include "multigrid/owned_cells.h"
 
 namespace ElastoPlastic
 {
@@ -24,8 +25,7 @@ namespace ElastoPlastic
 
       void
       reinit(const DoFHandler<dim>           &dof_handler,
-             const AffineConstraints<double> &new_constraints,
-             const DoFHandler<dim>           &cell_dof_handler) override;
+             const AffineConstraints<double> &new_constraints) override;
 
       void
       initialize_vector(LevelVector &vector) const override
@@ -84,8 +84,8 @@ namespace ElastoPlastic
 
       /// The cell batches' tangents, and where set_tangent_value() finds the
       /// values of each lane.
-      AlignedVector<Tangent>                                           tangents;
-      std::vector<std::array<types::global_dof_index, Number::size()>> cells;
+      AlignedVector<Tangent>                                tangents;
+      std::vector<std::array<unsigned int, Number::size()>> cells;
 
       /// Local indices of held unknowns, and of those and the constrained ones.
       std::vector<unsigned int>  held_indices;
@@ -99,8 +99,7 @@ namespace ElastoPlastic
     void
     MatrixFreeLevel<dim, degree>::reinit(
       const DoFHandler<dim>           &dof_handler,
-      const AffineConstraints<double> &new_constraints,
-      const DoFHandler<dim>           &cell_dof_handler)
+      const AffineConstraints<double> &new_constraints)
     {
       typename MatrixFree<dim, float, Number>::AdditionalData settings;
       settings.mapping_update_flags  = update_gradients | update_JxW_values;
@@ -116,23 +115,13 @@ namespace ElastoPlastic
 
       tangents.resize(matrix_free.n_cell_batches());
       cells.resize(matrix_free.n_cell_batches());
-      std::vector<types::global_dof_index> cell_dofs(
-        cell_dof_handler.get_fe().n_dofs_per_cell());
-      for (unsigned int batch = 0; batch < tangents.size(); ++batch)
+      const OwnedCells<dim> owned_cells(dof_handler.get_triangulation());
+      for (unsigned int batch = 0; batch < cells.size(); ++batch)
         for (unsigned int lane = 0; lane < Number::size(); ++lane)
-          {
-            const auto cell = matrix_free.get_cell_iterator(
-              batch,
-              std::min(lane,
-                       matrix_free.n_active_entries_per_cell_batch(batch) - 1));
-            typename DoFHandler<dim>::active_cell_iterator(
-              &cell->get_triangulation(),
-              cell->level(),
-              cell->index(),
-              &cell_dof_handler)
-              ->get_dof_indices(cell_dofs);
-            cells[batch][lane] = cell_dofs[0];
-          }
+          cells[batch][lane] = owned_cells.index(*matrix_free.get_cell_iterator(
+            batch,
+            std::min(lane,
+                     matrix_free.n_active_entries_per_cell_batch(batch) - 1)));
     }
 
 
@@ -155,8 +144,7 @@ namespace ElastoPlastic
               deviatoric.normal.access_raw_entry(index - 2) :
               deviatoric.flow.access_raw_entry(index - 2 - n_symmetric);
           for (unsigned int lane = 0; lane < Number::size(); ++lane)
-            value[lane] = values.local_element(
-              values.get_partitioner()->global_to_local(cells[batch][lane]));
+            value[lane] = values.local_element(cells[batch][lane]);
         }
     }
 
