@@ -5,7 +5,10 @@
 #define multigrid_owned_cells_h
 
 #include <deal.II/base/index_set.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/grid/tria.h>
+
+#include <vector>
 
 namespace ElastoPlastic
 {
@@ -17,43 +20,46 @@ namespace ElastoPlastic
   class OwnedCells
   {
   public:
+    /// All ranks must call this.
     explicit OwnedCells(const Triangulation<dim> &mesh)
-      : cells(mesh.n_global_active_cells())
+      : numbers(mesh.n_active_cells())
+      , indices(mesh.n_global_active_cells())
     {
-      types::global_cell_index begin = numbers::invalid_unsigned_int, end = 0;
+      unsigned int n = 0;
       for (const auto &cell : mesh.active_cell_iterators())
         if (cell->is_locally_owned())
-          {
-            begin = std::min(begin, cell->global_active_cell_index());
-            end   = std::max(end, cell->global_active_cell_index() + 1);
-          }
-      if (end > 0)
-        cells.add_range(begin, end);
+          numbers[cell->active_cell_index()] = n++;
+      unsigned int begin = 0;
+      const int    ierr  = MPI_Exscan(
+        &n, &begin, 1, MPI_UNSIGNED, MPI_SUM, mesh.get_communicator());
+      AssertThrowMPI(ierr);
+      indices.add_range(begin, begin + n);
     }
 
     unsigned int
     size() const
     {
-      return cells.n_elements();
+      return indices.n_elements();
     }
 
     /// The number of a locally owned cell.
     template <typename CellAccessor>
     unsigned int
-    index(const CellAccessor &cell) const
+    number(const CellAccessor &cell) const
     {
-      return cells.index_within_set(cell.global_active_cell_index());
+      return numbers[cell.active_cell_index()];
     }
 
-    /// The same cells in the numbering of all cells of all ranks.
+    /// The same cells in a numbering of all cells of all ranks: rank by rank.
     const IndexSet &
     global_indices() const
     {
-      return cells;
+      return indices;
     }
 
   private:
-    IndexSet cells;
+    std::vector<unsigned int> numbers;
+    IndexSet                  indices;
   };
 } // namespace ElastoPlastic
 

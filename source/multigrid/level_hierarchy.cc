@@ -178,7 +178,7 @@ namespace ElastoPlastic
       [&](const auto &cell, const CellTangent<dim> &tangent) {
         const auto numbers = tangent.values();
         for (unsigned int i = 0; i < values.size(); ++i)
-          values[i].local_element(cells.index(*cell)) = numbers[i];
+          values[i].local_element(cells.number(*cell)) = numbers[i];
       });
 
     for (unsigned int i = 0; i < values.size(); ++i)

@@ -118,10 +118,11 @@ namespace ElastoPlastic
       const OwnedCells<dim> owned_cells(dof_handler.get_triangulation());
       for (unsigned int batch = 0; batch < cells.size(); ++batch)
         for (unsigned int lane = 0; lane < Number::size(); ++lane)
-          cells[batch][lane] = owned_cells.index(*matrix_free.get_cell_iterator(
-            batch,
-            std::min(lane,
-                     matrix_free.n_active_entries_per_cell_batch(batch) - 1)));
+          cells[batch][lane] =
+            owned_cells.number(*matrix_free.get_cell_iterator(
+              batch,
+              std::min(
+                lane, matrix_free.n_active_entries_per_cell_batch(batch) - 1)));
     }
 
 

@@ -141,6 +141,7 @@ namespace ElastoPlastic
 
       const types::global_dof_index        first_dof;
       const OwnedCells<dim>                fine_cells;
+      const OwnedCells<dim>                coarse_cells;
       std::vector<bool>                    has_row;
       FullMatrix<double>                   same_cell;
       std::vector<FullMatrix<double>>      from_parent;
@@ -162,6 +163,7 @@ namespace ElastoPlastic
                     *fine.locally_owned_dofs().begin() :
                     0)
       , fine_cells(fine.get_triangulation())
+      , coarse_cells(coarse.get_triangulation())
       , has_row(fine.n_locally_owned_dofs(), false)
       , same_cell(
           interpolation_matrix<dim>(fine.get_fe(),
@@ -193,9 +195,9 @@ namespace ElastoPlastic
               else
                 messages[rank].push_back(coarse_cell);
           }
-      for (const auto &[rank, coarse_cells] :
+      for (const auto &[rank, received] :
            Utilities::MPI::some_to_some(fine_mesh.get_communicator(), messages))
-        for (const CoarseCell &coarse_cell : coarse_cells)
+        for (const CoarseCell &coarse_cell : received)
           match(coarse_cell);
     }
 
@@ -207,7 +209,8 @@ namespace ElastoPlastic
       const typename DoFHandler<dim>::active_cell_iterator &cell) const
     {
       CoarseCell result = {cell->id().template to_binary<dim>(),
-                           cell->global_active_cell_index(),
+                           *coarse_cells.global_indices().begin() +
+                             coarse_cells.number(*cell),
                            {}};
       std::vector<types::global_dof_index> coarse_dofs(
         coarse.get_fe().n_dofs_per_cell());
@@ -255,7 +258,7 @@ namespace ElastoPlastic
       if (!fine_cell->is_active() || !fine_cell->is_locally_owned())
         return;
       const typename DoFHandler<dim>::active_cell_iterator active(fine_cell);
-      parents[fine_cells.index(*active)] = {coarse_cell.index, share};
+      parents[fine_cells.number(*active)] = {coarse_cell.index, share};
 
       active->get_dof_indices(dofs);
       for (unsigned int i = 0; i < dofs.size(); ++i)
