@@ -14,7 +14,6 @@
 
 // first the batches, then what is made of them
 #include <deal.II/matrix_free/evaluation_template_factory.templates.h>
-#include <deal.II/matrix_free/evaluation_template_factory_hanging_nodes.templates.h>
 #include <deal.II/matrix_free/mapping_info.templates.h>
 #include <deal.II/matrix_free/matrix_free.templates.h>
 #include <deal.II/matrix_free/shape_info.templates.h>
@@ -32,10 +31,6 @@
     const AdditionalData &);                                                 \
   namespace internal                                                         \
   {                                                                          \
-    template struct FEEvaluationHangingNodesFactory<                         \
-      dim,                                                                   \
-      Number,                                                                \
-      ElastoPlastic::Simd<Number>>;                                          \
     namespace MatrixFreeFunctions                                            \
     {                                                                        \
       template struct MappingInfo<dim, Number, ElastoPlastic::Simd<Number>>; \
