@@ -6,6 +6,7 @@
 
 #include <deal.II/numerics/data_out.h>
 
+#include <map>
 #include <set>
 #include <string>
 #include <utility>

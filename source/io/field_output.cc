@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_dgq.h>
-#include <deal.II/fe/fe_system.h>
 #include <deal.II/numerics/data_out_faces.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
 #include <fstream>
 #include <limits>
-#include <map>
 
+#include "io/body_output.h"
 #include "io/checked_write.h"
 #include "io/field_output.h"
 
@@ -95,101 +93,6 @@ namespace ElastoPlastic
 
       const std::set<types::boundary_id> boundaries;
     };
-
-
-
-    /// The fields that live at quadrature points, as components of one vector.
-    template <int dim>
-    struct PointFields
-    {
-      static constexpr unsigned int stress         = 0;
-      static constexpr unsigned int plastic_strain = dim * dim;
-      static constexpr unsigned int von_mises      = 2 * dim * dim;
-      static constexpr unsigned int alpha          = 2 * dim * dim + 1;
-      static constexpr unsigned int out_of_plane   = 2 * dim * dim + 2;
-      static constexpr unsigned int n = 2 * dim * dim + (dim == 2 ? 3 : 2);
-
-      static std::vector<std::string>
-      names()
-      {
-        std::vector<std::string> names(dim * dim, "stress");
-        names.insert(names.end(), dim * dim, "plastic_strain");
-        names.push_back("von_mises_stress");
-        names.push_back("equivalent_plastic_strain");
-        if (dim == 2)
-          names.push_back("out_of_plane_stress");
-        return names;
-      }
-
-      static std::vector<Interpretation>
-      interpretation()
-      {
-        std::vector<Interpretation> result(
-          2 * dim * dim,
-          DataComponentInterpretation::component_is_part_of_tensor);
-        result.resize(n, DataComponentInterpretation::component_is_scalar);
-        return result;
-      }
-    };
-
-
-
-    double
-    von_mises(const SymmetricTensor<2, 3> &stress)
-    {
-      return std::sqrt(1.5) * deviator(stress).norm();
-    }
-
-
-
-    /// Fills the vector of PointFields and the fraction of plastic points of
-    /// each cell. The space of @p dof_handler is discontinuous with nodes at
-    /// the quadrature points, so that the point values themselves are the
-    /// coefficients: it is their L2 projection, and nothing is averaged.
-    template <int dim>
-    void
-    collect_point_fields(const SolidOperator<dim> &solid,
-                         const VectorType         &displacement,
-                         const DoFHandler<dim>    &dof_handler,
-                         VectorType               &fields,
-                         Vector<float>            &plastic_fraction)
-    {
-      using F = PointFields<dim>;
-      const unsigned int n_nodes =
-        dof_handler.get_fe().base_element(0).n_dofs_per_cell();
-      std::vector<types::global_dof_index> dofs(
-        dof_handler.get_fe().n_dofs_per_cell());
-
-      solid.for_each_point(
-        displacement,
-        [&](const auto &cell, const unsigned int q, const PointResult &point) {
-          const typename DoFHandler<dim>::active_cell_iterator point_cell(
-            &dof_handler.get_triangulation(),
-            cell->level(),
-            cell->index(),
-            &dof_handler);
-          point_cell->get_dof_indices(dofs);
-          const auto set = [&](const unsigned int component,
-                               const double       value) {
-            fields(
-              dofs[dof_handler.get_fe().component_to_system_index(component,
-                                                                  q)]) = value;
-          };
-          for (unsigned int i = 0; i < dim; ++i)
-            for (unsigned int j = 0; j < dim; ++j)
-              {
-                set(F::stress + dim * i + j, point.stress[i][j]);
-                set(F::plastic_strain + dim * i + j,
-                    point.plastic_strain[i][j]);
-              }
-          set(F::von_mises, von_mises(point.stress));
-          set(F::alpha, point.equivalent_plastic_strain);
-          if (dim == 2)
-            set(F::out_of_plane, point.stress[2][2]);
-          if (point.plastic)
-            plastic_fraction(cell->active_cell_index()) += 1.F / n_nodes;
-        });
-    }
   } // namespace
 
 
@@ -220,57 +123,15 @@ namespace ElastoPlastic
                                const std::string &name,
                                const double       time)
   {
-    const auto        &triangulation = solution.dof_handler.get_triangulation();
-    const unsigned int degree        = solution.dof_handler.get_fe().degree;
-
-    DataOut<dim>          output;
+    BodyOutput<dim>       output(solution.dof_handler,
+                           solution.displacement,
+                           solution.solid,
+                           solution.error_indicators);
     DataOutBase::VtkFlags flags;
     flags.compression_level = DataOutBase::VtkFlags::best_speed;
     output.set_flags(flags);
-
-    const VectorType displacement =
-      with_ghosts(solution.displacement, solution.dof_handler);
-    output.add_data_vector(
-      solution.dof_handler,
-      displacement,
-      std::vector<std::string>(dim, "displacement"),
-      std::vector<Interpretation>(
-        dim, DataComponentInterpretation::component_is_part_of_vector));
-
-    DoFHandler<dim>     point_dof_handler(triangulation);
-    const FESystem<dim> point_fe(
-      FE_DGQArbitraryNodes<dim>(QGauss<1>(degree + 1)), PointFields<dim>::n);
-    point_dof_handler.distribute_dofs(point_fe);
-    VectorType    point_fields(point_dof_handler.locally_owned_dofs(),
-                            triangulation.get_communicator());
-    Vector<float> plastic_fraction(triangulation.n_active_cells());
-    collect_point_fields(solution.solid,
-                         solution.displacement,
-                         point_dof_handler,
-                         point_fields,
-                         plastic_fraction);
-    point_fields = with_ghosts(point_fields, point_dof_handler);
-    output.add_data_vector(point_dof_handler,
-                           point_fields,
-                           PointFields<dim>::names(),
-                           PointFields<dim>::interpretation());
-
-    Vector<float> material_id(triangulation.n_active_cells());
-    Vector<float> subdomain(triangulation.n_active_cells());
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          material_id(cell->active_cell_index()) = cell->material_id();
-          subdomain(cell->active_cell_index())   = cell->subdomain_id();
-        }
-    output.add_data_vector(plastic_fraction, "plastic_fraction");
-    output.add_data_vector(solution.error_indicators, "error_indicator");
-    output.add_data_vector(material_id, "material_id");
-    output.add_data_vector(subdomain, "subdomain");
-
-    output.build_patches(degree);
     write_files(
-      output, triangulation.get_communicator(), "solution", name, time);
+      output, solution.dof_handler.get_communicator(), "solution", name, time);
   }
 
 

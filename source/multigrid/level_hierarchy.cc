@@ -4,9 +4,9 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 
+#include "mesh/owned_cells.h"
 #include "multigrid/level_hierarchy.h"
 #include "multigrid/mesh_sequence.h"
-#include "multigrid/owned_cells.h"
 
 namespace ElastoPlastic
 {

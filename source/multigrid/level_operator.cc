@@ -6,8 +6,8 @@
 #include <deal.II/matrix_free/tools.h>
 
 #include "mechanics/stress_integration.h"
+#include "mesh/owned_cells.h"
 #include "multigrid/level_operator.h"
-#include "multigrid/owned_cells.h"
 
 namespace ElastoPlastic
 {

@@ -7,7 +7,7 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include "multigrid/owned_cells.h"
+#include "mesh/owned_cells.h"
 #include "multigrid/two_level_transfer.h"
 
 namespace ElastoPlastic

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef multigrid_owned_cells_h
-#define multigrid_owned_cells_h
+#ifndef mesh_owned_cells_h
+#define mesh_owned_cells_h
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
@@ -14,8 +14,8 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// The locally owned cells of a mesh, numbered from zero, for data of cells
-  /// that multigrid hands from level to level.
+  /// The locally owned cells of a mesh, numbered from zero in the order of the
+  /// mesh, for data of cells.
   template <int dim>
   class OwnedCells
   {
