@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Geometric multigrid on meshes with hanging nodes: the operator of the finest
-// level is the tangent, its diagonal is right, and the iterations do not grow
-// with refinement.
+// level is the tangent, its diagonal is right, the transfer is exact for linear
+// functions, and the iterations hardly grow with refinement.
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
 #include <deal.II/numerics/vector_tools.h>
 
 #include "material/material_parameters.h"
@@ -75,6 +76,55 @@ namespace
       for (double &value : diagonal)
         value = 1. / value;
       verify("  its diagonal", difference(diagonal, level_product), 1e-5);
+    }
+
+    /// For meshes with hanging nodes on both levels.
+    void
+    check_transfer() const
+    {
+      LevelHierarchy<dim> hierarchy(dof_handler,
+                                    supports.constraints(),
+                                    conditions(),
+                                    treatment,
+                                    mesh.n_global_active_cells() - 1);
+      hierarchy.update(*solid, zero);
+      const unsigned int finest = hierarchy.max_level();
+      const VectorFunctionFromScalarFunctionObject<dim> linear(
+        [](const Point<dim> &x) { return 1. + x[0] + 2. * x[dim - 1]; },
+        dim - 1,
+        dim);
+
+      MGLevelObject<LevelVector> values(0, finest), forces(0, finest);
+      for (unsigned int l = 0; l <= finest; ++l)
+        {
+          hierarchy.operators()[l]->initialize_vector(values[l]);
+          forces[l].reinit(values[l]);
+        }
+      VectorType coarse_values(values[0].get_partitioner());
+      VectorTools::interpolate(hierarchy.coarse_dof_handler(),
+                               linear,
+                               coarse_values);
+      hierarchy.coarse_constraints().set_zero(coarse_values);
+      values[0].copy_locally_owned_data_from(coarse_values);
+      forces[finest].copy_locally_owned_data_from(field());
+      for (unsigned int l = 1; l <= finest; ++l)
+        {
+          hierarchy.transfer().prolongate(l, values[l], values[l - 1]);
+          hierarchy.transfer().restrict_and_add(finest + 1 - l,
+                                                forces[finest - l],
+                                                forces[finest + 1 - l]);
+        }
+
+      VectorType fine_values = zero;
+      VectorTools::interpolate(dof_handler, linear, fine_values);
+      supports.constraints().set_zero(fine_values);
+      verify("  linear functions are prolongated exactly",
+             difference(fine_values, values[finest]),
+             1e-5);
+      const double work = values[finest] * forces[finest];
+      verify("  restriction is the transpose",
+             std::abs(values[0] * forces[0] - work),
+             1e-5 * std::abs(work));
     }
 
     unsigned int
@@ -151,6 +201,7 @@ namespace
              << (treatment == VolumetricTreatment::b_bar ? ", B-bar" : "")
              << std::endl;
     Block<dim>(degree, treatment, false, 1).check_finest_level();
+    Block<dim>(degree, treatment, true, 1).check_transfer();
     const unsigned int n_refinements = (dim == 2 ? 4 : 2);
     const unsigned int coarse =
       Block<dim>(degree, treatment, true, n_refinements - 1).n_iterations();
