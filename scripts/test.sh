@@ -26,7 +26,7 @@ summaries=()
 for type in ${TEST_BUILDS:-Debug Release}; do
   build "$type" -DENABLE_TESTING=ON "$@"
   log=build/${type,,}/ctest.log
-  (cd "build/${type,,}" && ctest --output-on-failure -R "${TEST_SELECTION:-.}") 2>&1 | tee "$log" || status=1
+  (cd "build/${type,,}" && ctest --output-on-failure -j "$(nproc)" -R "${TEST_SELECTION:-.}") 2>&1 | tee "$log" || status=1
   summaries+=("$type: $(grep -E 'tests passed|No tests were found' "$log" || echo 'ctest ended without a summary')")
 done
 
