@@ -127,6 +127,50 @@ namespace ElastoPlastic
     /// The state before the step: virgin.
     const MaterialState<Number> virgin_state;
   };
+
+
+
+  template <int dim, int degree>
+  template <typename Body>
+  void
+  MatrixFreeSolid<dim, degree>::for_each_cell_batch(const VectorType &u,
+                                                    const Body &body) const
+  {
+    double unused = 0;
+    matrix_free.template cell_loop<double, VectorType>(
+      [&](const auto &, auto &, const auto &src, const CellRange &range) {
+        CellEvaluation phi(matrix_free);
+        for (unsigned int batch = range.first; batch < range.second; ++batch)
+          {
+            phi.reinit(batch);
+            phi.read_dof_values_plain(src);
+            phi.evaluate(EvaluationFlags::gradients);
+            body(phi, batch);
+          }
+      },
+      unused,
+      u);
+  }
+
+
+
+  template <int dim, int degree>
+  template <typename Body>
+  void
+  MatrixFreeSolid<dim, degree>::for_each_cell_batch(const VectorType &u,
+                                                    const VectorType &w,
+                                                    const Body &body) const
+  {
+    CellEvaluation w_phi(matrix_free);
+    w.update_ghost_values();
+    for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
+      w_phi.reinit(batch);
+      w_phi.read_dof_values_plain(w);
+      w_phi.evaluate(EvaluationFlags::gradients);
+      body(phi, w_phi, batch);
+    });
+    w.zero_out_ghost_values();
+  }
 } // namespace ElastoPlastic
 
 #endif

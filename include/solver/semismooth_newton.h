@@ -7,31 +7,10 @@
 #include <functional>
 #include <vector>
 
-#include "solver/constrained_minimization.h"
-#include "solver/newton_parameters.h"
+#include "solver/newton_iteration.h"
 
 namespace ElastoPlastic
 {
-  /// One line of the iteration's protocol.
-  struct NewtonStep
-  {
-    unsigned int iteration;
-    unsigned int n_active;
-    double       energy;
-    /// Norm of the forces on the free unknowns, relative to all forces.
-    double residual;
-    /// Of the linear solve that led here; 0 in the starting point.
-    unsigned int linear_iterations;
-    /// The fraction of the Newton step that was taken.
-    double step_length;
-    /// Whether the active set differs from the one of the step before.
-    bool active_set_changed;
-    /// Whether the feasible method has taken over.
-    bool feasible;
-  };
-
-
-
   /// All steps of a nonlinear solve, the starting point first.
   struct NewtonReport
   {
@@ -68,8 +47,6 @@ namespace ElastoPlastic
     solve(ConstrainedMinimization &problem, Vector &u) const;
 
   private:
-    struct Iteration;
-
     const NewtonParameters                        parameters;
     const std::function<void(const NewtonStep &)> show_progress;
   };

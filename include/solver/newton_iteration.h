@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef solver_newton_iteration_h
+#define solver_newton_iteration_h
+
+#include <cstdint>
+#include <map>
+
+#include "solver/constrained_minimization.h"
+#include "solver/newton_parameters.h"
+
+namespace ElastoPlastic
+{
+  /// One line of the iteration's protocol.
+  struct NewtonStep
+  {
+    unsigned int iteration;
+    unsigned int n_active;
+    double       energy;
+    /// Norm of the forces on the free unknowns, relative to all forces.
+    double residual;
+    /// Of the linear solve that led here; 0 in the starting point.
+    unsigned int linear_iterations;
+    /// The fraction of the Newton step that was taken.
+    double step_length;
+    /// Whether the active set differs from the one of the step before.
+    bool active_set_changed;
+    /// Whether the feasible method has taken over.
+    bool feasible;
+  };
+
+
+
+  /// The state of one nonlinear solve, and the steps that SemismoothNewton
+  /// makes of it.
+  struct NewtonIteration
+  {
+    using Vector = ConstrainedMinimization::Vector;
+
+    NewtonIteration(ConstrainedMinimization &problem,
+                    Vector                  &u,
+                    const NewtonParameters  &parameters);
+
+    /// Computes the residual at u and what is derived from it.
+    void
+    evaluate();
+
+    /// Updates the active set and all that depends on it.
+    void
+    update_active_set();
+
+    /// Whether the set just reached has been there too often.
+    bool
+    set_cycles();
+
+    /// Projects u onto the admissible set and hands over to the feasible
+    /// method.
+    void
+    become_feasible();
+
+    bool
+    has_converged() const;
+
+    /// The primal-dual active set and Newton step.
+    void
+    newton_step();
+
+    /// The step of the feasible method.
+    void
+    feasible_step();
+
+    /// Computes the Newton increment with the held unknowns moved to where
+    /// they are held: lift + correction on the free ones.
+    void
+    compute_increment();
+
+    /// Backtracking from @p base along @p direction, where the energy has the
+    /// derivative @p slope < 0: finds a fraction with a sufficient decrease
+    /// and sets u accordingly. Zero, and u = base, if there is none.
+    double
+    line_search(const Vector &base,
+                const Vector &direction,
+                const double  slope);
+
+    /// Whether u is as good as it can be told in the presence of rounding:
+    /// the energy has not grown visibly and its slope along @p direction has
+    /// shrunk @cite hager_zhang_2005.
+    bool
+    slope_has_shrunk(const Vector &direction, const double slope);
+
+    /// Projected Jacobi sweeps, the energy decreasing.
+    void
+    smooth();
+
+    /// Relative tolerance for the next linear solve
+    /// @cite eisenstat_walker_1996 (choice 2), not tighter than useful.
+    double
+    linear_reduction() const;
+
+    ConstrainedMinimization &problem;
+    Vector                  &u;
+    const NewtonParameters  &parameters;
+
+    Vector previous_u, residual, free_residual, lift, increment, trial, work;
+
+    double force_norm             = 0;
+    double free_norm              = 0;
+    double previous_free_norm     = 0;
+    double current_energy         = 0;
+    bool   feasible               = false;
+    bool   stuck                  = false;
+    bool   held_unknowns_at_place = false;
+
+    std::map<std::uint64_t, unsigned int> visited_sets;
+
+    NewtonStep step;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/exceptions.h"
+#include "solver/newton_iteration.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// The loosest relative tolerance of a linear solve.
+    constexpr double loosest_linear_reduction = 1e-3;
+    /// A step that falls below this fraction is no step.
+    constexpr double smallest_step_length = 1e-4;
+    /// Differences of the energy below this fraction of it are rounding noise.
+    constexpr double energy_noise = 1e-11;
+    /// So often may an active set come back before we call it a cycle.
+    constexpr unsigned int tolerated_recurrences = 3;
+    constexpr unsigned int n_smoothing_sweeps    = 3;
+  } // namespace
+
+
+
+  NewtonIteration::NewtonIteration(ConstrainedMinimization &problem,
+                                   Vector                  &u,
+                                   const NewtonParameters  &parameters)
+    : problem(problem)
+    , u(u)
+    , parameters(parameters)
+    , step{0, 0, 0., 0., 0, 0., true, false}
+  {
+    for (Vector *vector : {&previous_u,
+                           &residual,
+                           &free_residual,
+                           &lift,
+                           &increment,
+                           &trial,
+                           &work})
+      problem.initialize_vector(*vector);
+  }
+
+
+
+  void
+  NewtonIteration::evaluate()
+  {
+    problem.compute_residual(residual, u);
+    current_energy = problem.energy(u);
+  }
+
+
+
+  bool
+  NewtonIteration::set_cycles()
+  {
+    return step.active_set_changed &&
+           ++visited_sets[problem.active_set_fingerprint()] >
+             tolerated_recurrences;
+  }
+
+
+
+  void
+  NewtonIteration::become_feasible()
+  {
+    feasible = true;
+    problem.move_held(u);
+    problem.project(u);
+    evaluate();
+    problem.update_feasible_active_set(u, residual);
+  }
+
+
+
+  void
+  NewtonIteration::update_active_set()
+  {
+    // The set of the starting point is the caller's guess.
+    if (step.iteration > 0)
+      {
+        step.active_set_changed =
+          feasible ? problem.update_feasible_active_set(u, residual) :
+                     problem.update_active_set(u, residual);
+        if (!feasible && (stuck || set_cycles()))
+          become_feasible();
+      }
+
+    lift = u;
+    problem.move_held(lift);
+    lift -= u;
+    held_unknowns_at_place =
+      lift.linfty_norm() <= 1e-12 * std::max(u.linfty_norm(), 1e-300);
+
+    free_residual = residual;
+    problem.zero_held(free_residual);
+    previous_free_norm = free_norm;
+    free_norm          = free_residual.l2_norm();
+    force_norm         = residual.l2_norm();
+    if (!std::isfinite(force_norm))
+      throw ConvergenceError(
+        "The forces are no longer finite numbers. Are the moduli in "
+        "'Material', 'Loading/Depth' and the values in 'Boundary conditions' "
+        "right, and all in the same system of units?");
+
+    step.n_active = problem.n_active();
+    step.energy   = current_energy;
+    step.residual = (force_norm > 0 ? free_norm / force_norm : 0.);
+    step.feasible = feasible;
+  }
+
+
+
+  // Whether the set has just changed does not matter: if it has, and u fits
+  // the new set as well as the old one (a node that touches without force),
+  // the solution has been found.
+  bool
+  NewtonIteration::has_converged() const
+  {
+    return step.iteration > 0 && held_unknowns_at_place &&
+           free_norm <= parameters.tolerance * force_norm;
+  }
+
+
+
+  double
+  NewtonIteration::linear_reduction() const
+  {
+    const double useful =
+      0.1 * parameters.tolerance * force_norm / std::max(free_norm, 1e-300);
+    const double ratio =
+      previous_free_norm > 0 ? free_norm / previous_free_norm : 1.;
+    return std::clamp(0.9 * ratio * ratio,
+                      std::clamp(useful, 1e-12, loosest_linear_reduction),
+                      loosest_linear_reduction);
+  }
+
+
+
+  void
+  NewtonIteration::compute_increment()
+  {
+    problem.linearize(u);
+    // right hand side of the free unknowns: residual - tangent * lift
+    work = residual;
+    if (!held_unknowns_at_place)
+      {
+        problem.apply_tangent(trial, lift);
+        work -= trial;
+      }
+    problem.zero_held(work);
+    step.linear_iterations =
+      problem.solve_tangent(increment, work, linear_reduction());
+  }
+
+
+
+  // If the affine set has changed, the line search starts on the new one, at
+  // the point that differs from u only in the held unknowns; if it finds
+  // nothing better, that point is the next iterate, from which the Newton step
+  // is a direction of descent.
+  void
+  NewtonIteration::newton_step()
+  {
+    compute_increment();
+    if (!held_unknowns_at_place)
+      {
+        u += lift;
+        evaluate();
+      }
+    const double slope = -(residual * increment);
+    work               = u;
+    step.step_length   = slope < 0 ? line_search(work, increment, slope) : 0.;
+    stuck              = (step.step_length == 0. && held_unknowns_at_place);
+  }
+
+
+
+  double
+  NewtonIteration::line_search(const Vector &base,
+                               const Vector &direction,
+                               const double  slope)
+  {
+    const double start_energy = current_energy;
+    for (double fraction = 1.; fraction > smallest_step_length; fraction *= 0.5)
+      {
+        u = base;
+        u.add(fraction, direction);
+        current_energy = problem.energy(u);
+        if (current_energy <= start_energy + 1e-4 * fraction * slope ||
+            (current_energy <=
+               start_energy + energy_noise * std::abs(start_energy) &&
+             slope_has_shrunk(direction, slope)))
+          {
+            problem.compute_residual(residual, u);
+            return fraction;
+          }
+      }
+    u = base;
+    evaluate();
+    return 0.;
+  }
+
+
+
+  bool
+  NewtonIteration::slope_has_shrunk(const Vector &direction, const double slope)
+  {
+    problem.compute_residual(residual, u);
+    return std::abs(residual * direction) <= 0.9 * std::abs(slope);
+  }
+
+
+
+  void
+  NewtonIteration::smooth()
+  {
+    problem.linearize(u);
+    problem.tangent_diagonal(work);
+    for (unsigned int sweep = 0; sweep < n_smoothing_sweeps; ++sweep)
+      {
+        free_residual = residual;
+        problem.zero_held(free_residual);
+        for (unsigned int i = 0; i < work.locally_owned_size(); ++i)
+          free_residual.local_element(i) /= work.local_element(i);
+
+        for (double damping = 0.5; damping > smallest_step_length;
+             damping *= 0.5)
+          {
+            trial = u;
+            trial.add(damping, free_residual);
+            problem.project(trial);
+            if (problem.energy(trial) <= current_energy)
+              {
+                u = trial;
+                break;
+              }
+          }
+        evaluate();
+        problem.update_feasible_active_set(u, residual);
+      }
+  }
+
+
+
+  void
+  NewtonIteration::feasible_step()
+  {
+    smooth();
+    problem.linearize(u);
+    work = residual;
+    problem.zero_held(work);
+    step.linear_iterations =
+      problem.solve_tangent(increment, work, linear_reduction());
+
+    work = u;
+    for (step.step_length = 1.; step.step_length > smallest_step_length;
+         step.step_length *= 0.5)
+      {
+        u = work;
+        u.add(step.step_length, increment);
+        problem.project(u);
+        if (problem.energy(u) <=
+            current_energy + energy_noise * std::abs(current_energy))
+          {
+            evaluate();
+            return;
+          }
+      }
+    u                = work;
+    step.step_length = 0.;
+  }
+} // namespace ElastoPlastic
