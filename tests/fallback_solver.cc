@@ -72,8 +72,8 @@ namespace
     for (unsigned int i = 0; i < 2; ++i)
       {
         solver.prepare(*solid, held);
-        output() << "  iterations: " << solver.solve(solution, rhs, 1e-8)
-                 << std::endl;
+        const unsigned int n = solver.solve(solution, rhs, 1e-8);
+        output() << "  iterations: " << n << std::endl;
       }
   }
 } // namespace
