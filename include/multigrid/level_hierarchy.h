@@ -25,7 +25,8 @@ namespace ElastoPlastic
     using Operators = MGLevelObject<std::unique_ptr<LevelOperator<dim>>>;
     using Transfers = MGLevelObject<std::unique_ptr<TwoLevelTransfer<dim>>>;
 
-    /// @p transfers, each with the level below it, and @p operators must
+    /// @p transfers, each with the level below it (none on level 0), and
+    /// @p operators must
     /// outlive this object.
     LevelTransfer(const Transfers &transfers, const Operators &operators);
 

@@ -100,7 +100,7 @@ namespace ElastoPlastic
     levels.push_back({meshes.back(), {}, {}, &dof_handler, &constraints});
 
     level_operators.resize(0, max_level());
-    two_level_transfers.resize(1, max_level());
+    two_level_transfers.resize(0, max_level()); // none on level 0
     for (unsigned int l = 0; l <= max_level(); ++l)
       {
         const Level &level = levels[l];
