@@ -7,8 +7,6 @@
 #include <deal.II/base/vectorization.h>
 
 #ifdef WIDER_THAN_DEAL_II
-#  include <cstring>
-
 #  include <experimental/simd>
 #endif
 
@@ -51,73 +49,79 @@ namespace ElastoPlastic
       : data(scalar)
     {}
 
+    [[gnu::always_inline]] Simd<Number> &
+    operator=(const Number scalar)
+    {
+      return assign(scalar);
+    }
+
     template <typename U>
     NativeVectorizedArray(const std::initializer_list<U> &list)
       : dealii::VectorizedArrayBase<Simd<Number>, simd_width<Number>>(list)
     {}
 
-    DEAL_II_ALWAYS_INLINE Number &
+    [[gnu::always_inline]] Number &
     operator[](const unsigned int lane)
     {
       return reinterpret_cast<Number *>(&data)[lane];
     }
 
-    DEAL_II_ALWAYS_INLINE const Number &
+    [[gnu::always_inline]] const Number &
     operator[](const unsigned int lane) const
     {
       return reinterpret_cast<const Number *>(&data)[lane];
     }
 
-    DEAL_II_ALWAYS_INLINE Simd<Number>                       &
+    [[gnu::always_inline]] Simd<Number> &
     operator+=(const Simd<Number> &other)
     {
       return assign(data + other.data);
     }
 
-    DEAL_II_ALWAYS_INLINE Simd<Number>                       &
+    [[gnu::always_inline]] Simd<Number> &
     operator-=(const Simd<Number> &other)
     {
       return assign(data - other.data);
     }
 
-    DEAL_II_ALWAYS_INLINE Simd<Number>                       &
+    [[gnu::always_inline]] Simd<Number> &
     operator*=(const Simd<Number> &other)
     {
       return assign(data * other.data);
     }
 
-    DEAL_II_ALWAYS_INLINE Simd<Number>                       &
+    [[gnu::always_inline]] Simd<Number> &
     operator/=(const Simd<Number> &other)
     {
       return assign(data / other.data);
     }
 
-    DEAL_II_ALWAYS_INLINE void
+    [[gnu::always_inline]] void
     load(const Number *ptr)
     {
       data.copy_from(ptr, std::experimental::element_aligned);
     }
 
-    DEAL_II_ALWAYS_INLINE void
+    [[gnu::always_inline]] void
     store(Number *ptr) const
     {
       data.copy_to(ptr, std::experimental::element_aligned);
     }
 
-    DEAL_II_ALWAYS_INLINE void
+    [[gnu::always_inline]] void
     streaming_store(Number *ptr) const
     {
       store(ptr);
     }
 
-    DEAL_II_ALWAYS_INLINE void
+    [[gnu::always_inline]] void
     gather(const Number *base_ptr, const unsigned int *offsets)
     {
       for (unsigned int lane = 0; lane < Data::size(); ++lane)
         (*this)[lane] = base_ptr[offsets[lane]];
     }
 
-    DEAL_II_ALWAYS_INLINE void
+    [[gnu::always_inline]] void
     scatter(const unsigned int *offsets, Number *base_ptr) const
     {
       for (unsigned int lane = 0; lane < Data::size(); ++lane)
@@ -129,32 +133,32 @@ namespace ElastoPlastic
 #  pragma GCC diagnostic push
 #  pragma GCC diagnostic ignored "-Wuninitialized"
 #  pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-    DEAL_II_ALWAYS_INLINE Simd<Number>
-                          get_sqrt() const
+    [[gnu::always_inline]] Simd<Number>
+    get_sqrt() const
     {
       return Simd<Number>().assign(std::experimental::sqrt(data));
     }
 #  pragma GCC diagnostic pop
 
-    DEAL_II_ALWAYS_INLINE Simd<Number>
-                          get_abs() const
+    [[gnu::always_inline]] Simd<Number>
+    get_abs() const
     {
       return Simd<Number>().assign(std::experimental::abs(data));
     }
 
-    DEAL_II_ALWAYS_INLINE Simd<Number>
-                          get_max(const Simd<Number> &other) const
+    [[gnu::always_inline]] Simd<Number>
+    get_max(const Simd<Number> &other) const
     {
       return Simd<Number>().assign(std::experimental::max(data, other.data));
     }
 
-    DEAL_II_ALWAYS_INLINE Simd<Number>
-                          get_min(const Simd<Number> &other) const
+    [[gnu::always_inline]] Simd<Number>
+    get_min(const Simd<Number> &other) const
     {
       return Simd<Number>().assign(std::experimental::min(data, other.data));
     }
 
-    DEAL_II_ALWAYS_INLINE Simd<Number>                       &
+    [[gnu::always_inline]] Simd<Number> &
     assign(const Data &new_data)
     {
       data = new_data;
@@ -177,12 +181,7 @@ class VectorizedArray<float, ElastoPlastic::simd_width<float>>
 {
 public:
   using NativeVectorizedArray::NativeVectorizedArray;
-
-  DEAL_II_ALWAYS_INLINE VectorizedArray &
-  operator=(const float scalar)
-  {
-    return assign(scalar);
-  }
+  using NativeVectorizedArray::operator=;
 };
 
 
@@ -193,12 +192,7 @@ class VectorizedArray<double, ElastoPlastic::simd_width<double>>
 {
 public:
   using NativeVectorizedArray::NativeVectorizedArray;
-
-  DEAL_II_ALWAYS_INLINE VectorizedArray &
-  operator=(const double scalar)
-  {
-    return assign(scalar);
-  }
+  using NativeVectorizedArray::operator=;
 };
 
 

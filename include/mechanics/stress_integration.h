@@ -4,7 +4,10 @@
 #ifndef mechanics_stress_integration_h
 #define mechanics_stress_integration_h
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/mapping_q1.h>
 #include <deal.II/matrix_free/fe_evaluation.h>
+#include <deal.II/matrix_free/matrix_free.h>
 
 #include <array>
 
@@ -17,6 +20,25 @@ namespace ElastoPlastic
   template <int dim, int degree, typename Number>
   using DisplacementEvaluation =
     FEEvaluation<dim, degree, degree + 1, dim, Number, Simd<Number>>;
+
+
+
+  /// Prepares @p matrix_free for DisplacementEvaluation.
+  template <int degree, int dim, typename Number>
+  void
+  reinit_matrix_free(MatrixFree<dim, Number, Simd<Number>> &matrix_free,
+                     const DoFHandler<dim>                 &dof_handler,
+                     const AffineConstraints<double>       &constraints)
+  {
+    typename MatrixFree<dim, Number, Simd<Number>>::AdditionalData settings;
+    settings.mapping_update_flags  = update_gradients | update_JxW_values;
+    settings.tasks_parallel_scheme = settings.none;
+    matrix_free.reinit(MappingQ1<dim>(),
+                       dof_handler,
+                       constraints,
+                       QGauss<1>(degree + 1),
+                       settings);
+  }
 
 
 

@@ -33,6 +33,8 @@ namespace ElastoPlastic
       const int    ierr  = MPI_Exscan(
         &n, &begin, 1, MPI_UNSIGNED, MPI_SUM, mesh.get_communicator());
       AssertThrowMPI(ierr);
+      if (Utilities::MPI::this_mpi_process(mesh.get_communicator()) == 0)
+        begin = 0; // which MPI_Exscan leaves undefined
       indices.add_range(begin, begin + n);
     }
 

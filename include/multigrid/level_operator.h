@@ -60,8 +60,8 @@ namespace ElastoPlastic
       vmult(result, vector);
     }
 
-    /// PreconditionChebyshev wants to see these, for the case that nobody hands
-    /// it the diagonal.
+    /// PreconditionChebyshev reads the diagonal in this way, entry by entry, if
+    /// it has not been handed its inverse.
     types::global_dof_index
     m() const
     {
@@ -70,11 +70,15 @@ namespace ElastoPlastic
       return vector.size();
     }
 
+    /// A locally owned entry of the diagonal.
     float
-    el(const types::global_dof_index, const types::global_dof_index) const
+    el(const types::global_dof_index                  row,
+       [[maybe_unused]] const types::global_dof_index column) const
     {
-      Assert(false, ExcNotImplemented());
-      return 0.f;
+      AssertDimension(row, column);
+      LevelVector inverse;
+      inverse_diagonal(inverse);
+      return 1.f / inverse(row);
     }
 
     /// The reciprocal of the diagonal; for the masters of constrained unknowns,

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_tools.h>
 
 #include "io/body_output.h"
+#include "mechanics/ghosted_copy.h"
 #include "mesh/owned_cells.h"
 
 namespace ElastoPlastic
@@ -94,16 +94,9 @@ namespace ElastoPlastic
   BodyOutput<dim>::add_displacement(const DoFHandler<dim> &dof_handler,
                                     const VectorType      &displacement)
   {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-    VectorType u(dof_handler.locally_owned_dofs(),
-                 relevant,
-                 dof_handler.get_communicator());
-    u.copy_locally_owned_data_from(displacement);
-    u.update_ghost_values();
-
-    const auto &fe = dof_handler.get_fe();
-    const auto  to_lexicographic =
+    const VectorType u  = ghosted_copy(displacement, dof_handler);
+    const auto      &fe = dof_handler.get_fe();
+    const auto       to_lexicographic =
       FETools::hierarchic_to_lexicographic_numbering<dim>(fe.degree);
     Vector<double> values(fe.n_dofs_per_cell());
     auto           patch = patches.begin();

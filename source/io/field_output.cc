@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/numerics/data_out_faces.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
@@ -11,6 +10,7 @@
 #include "io/body_output.h"
 #include "io/checked_write.h"
 #include "io/field_output.h"
+#include "mechanics/ghosted_copy.h"
 
 namespace ElastoPlastic
 {
@@ -18,23 +18,6 @@ namespace ElastoPlastic
   {
     using Interpretation =
       DataComponentInterpretation::DataComponentInterpretation;
-
-    /// A copy of @p vector that can be read on ghost cells.
-    template <int dim>
-    VectorType
-    with_ghosts(const VectorType &vector, const DoFHandler<dim> &dof_handler)
-    {
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-      VectorType result(dof_handler.locally_owned_dofs(),
-                        relevant,
-                        dof_handler.get_communicator());
-      result.copy_locally_owned_data_from(vector);
-      result.update_ghost_values();
-      return result;
-    }
-
-
 
     /// The vertical component of a field in the layout of displacements.
     template <int dim>
@@ -154,7 +137,7 @@ namespace ElastoPlastic
 
     BoundaryOutput<dim> output(solution.contact_boundaries);
     const VectorType    displacement =
-      with_ghosts(solution.displacement, solution.dof_handler);
+      ghosted_copy(solution.displacement, solution.dof_handler);
     output.add_data_vector(
       solution.dof_handler,
       displacement,
@@ -165,9 +148,9 @@ namespace ElastoPlastic
     const VerticalComponent<dim> gap_component("gap");
     const VerticalComponent<dim> pressure_component("contact_pressure");
     const VerticalComponent<dim> active_component("active");
-    gap      = with_ghosts(gap, solution.dof_handler);
-    pressure = with_ghosts(pressure, solution.dof_handler);
-    active   = with_ghosts(active, solution.dof_handler);
+    gap      = ghosted_copy(gap, solution.dof_handler);
+    pressure = ghosted_copy(pressure, solution.dof_handler);
+    active   = ghosted_copy(active, solution.dof_handler);
     output.add_data_vector(solution.dof_handler, gap, gap_component);
     output.add_data_vector(solution.dof_handler, pressure, pressure_component);
     output.add_data_vector(solution.dof_handler, active, active_component);

@@ -49,14 +49,7 @@ namespace ElastoPlastic
     const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &constraints)
   {
-    typename MatrixFree<dim, double, Number>::AdditionalData settings;
-    settings.mapping_update_flags  = update_gradients | update_JxW_values;
-    settings.tasks_parallel_scheme = settings.none;
-    matrix_free.reinit(MappingQ1<dim>(),
-                       dof_handler,
-                       constraints,
-                       QGauss<1>(degree + 1),
-                       settings);
+    reinit_matrix_free<degree>(matrix_free, dof_handler, constraints);
 
     tangents.resize(n_points * matrix_free.n_cell_batches());
     flow_directions.resize(0);

@@ -101,14 +101,7 @@ namespace ElastoPlastic
       const DoFHandler<dim>           &dof_handler,
       const AffineConstraints<double> &new_constraints)
     {
-      typename MatrixFree<dim, float, Number>::AdditionalData settings;
-      settings.mapping_update_flags  = update_gradients | update_JxW_values;
-      settings.tasks_parallel_scheme = settings.none;
-      matrix_free.reinit(MappingQ1<dim>(),
-                         dof_handler,
-                         new_constraints,
-                         QGauss<1>(degree + 1),
-                         settings);
+      reinit_matrix_free<degree>(matrix_free, dof_handler, new_constraints);
       constraints = &new_constraints;
       held_indices.clear();
       cut_off_indices = matrix_free.get_constrained_dofs();

@@ -10,22 +10,20 @@
 // first the batches, then what is made of them
 #include <deal.II/matrix_free/evaluation_template_factory_hanging_nodes.templates.h>
 
+#define INSTANTIATE(dim, Number)                   \
+  template struct FEEvaluationHangingNodesFactory< \
+    dim,                                           \
+    Number,                                        \
+    ElastoPlastic::Simd<Number>>;
+
 DEAL_II_NAMESPACE_OPEN
 
 namespace internal
 {
-  template struct FEEvaluationHangingNodesFactory<2,
-                                                  float,
-                                                  ElastoPlastic::Simd<float>>;
-  template struct FEEvaluationHangingNodesFactory<3,
-                                                  float,
-                                                  ElastoPlastic::Simd<float>>;
-  template struct FEEvaluationHangingNodesFactory<2,
-                                                  double,
-                                                  ElastoPlastic::Simd<double>>;
-  template struct FEEvaluationHangingNodesFactory<3,
-                                                  double,
-                                                  ElastoPlastic::Simd<double>>;
+  INSTANTIATE(2, float)
+  INSTANTIATE(3, float)
+  INSTANTIATE(2, double)
+  INSTANTIATE(3, double)
 } // namespace internal
 
 DEAL_II_NAMESPACE_CLOSE

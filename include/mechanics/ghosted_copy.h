@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_ghosted_copy_h
+#define mechanics_ghosted_copy_h
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include "mechanics/solid_operator.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// A copy of @p vector that can be read on ghost cells too: it knows all
+  /// locally relevant unknowns, while the vectors of a MatrixFree know only
+  /// those of its own cells.
+  template <int dim>
+  VectorType
+  ghosted_copy(const VectorType &vector, const DoFHandler<dim> &dof_handler)
+  {
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    VectorType copy(dof_handler.locally_owned_dofs(),
+                    relevant,
+                    dof_handler.get_communicator());
+    copy.copy_locally_owned_data_from(vector);
+    copy.update_ghost_values();
+    return copy;
+  }
+} // namespace ElastoPlastic
+
+#endif
