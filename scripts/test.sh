@@ -25,6 +25,7 @@ status=0
 summaries=()
 for type in ${TEST_BUILDS:-Debug Release}; do
   build "$type" -DENABLE_TESTING=ON "$@"
+  cmake --build "build/${type,,}" --parallel "$(nproc)" --target test_programs
   log=build/${type,,}/ctest.log
   (cd "build/${type,,}" && ctest --output-on-failure -j "$(nproc)" -R "${TEST_SELECTION:-.}") 2>&1 | tee "$log" || status=1
   summaries+=("$type: $(grep -E 'tests passed|No tests were found' "$log" || echo 'ctest ended without a summary')")

@@ -6,14 +6,10 @@
 # Runs the program with the arguments and expects that it ends with the exit
 # status and that the regular expression <message> occurs on standard error
 # exactly once; blanks in it stand for any white space, and ';' must be written as
-# '.'. The tests are called messages/<name>. A Debug build runs them on one rank, a
-# Release build on two.
+# '.'. The tests are called messages/<name> and run on two ranks.
 function(add_message_test _name _status _message)
   cmake_parse_arguments(PARSE_ARGV 3 _test "" "" "")
-  set(_launcher)
-  if(CMAKE_BUILD_TYPE STREQUAL "Release")
-    set(_launcher ${DEAL_II_MPIEXEC} ${DEAL_II_MPIEXEC_NUMPROC_FLAG} 2 ${DEAL_II_MPIEXEC_PREFLAGS})
-  endif()
+  set(_launcher ${DEAL_II_MPIEXEC} ${DEAL_II_MPIEXEC_NUMPROC_FLAG} 2 ${DEAL_II_MPIEXEC_PREFLAGS})
   add_test(NAME messages/${_name}
     COMMAND ${CMAKE_COMMAND}
       "-DSTATUS=${_status}" "-DMESSAGE=${_message}"

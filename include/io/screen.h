@@ -72,7 +72,8 @@ namespace ElastoPlastic
     void
     remark(const std::string &text);
 
-    /// Something unexpected that does not stop the program.
+    /// Something unexpected that does not stop the program: one line on
+    /// standard error, however quiet the program is to be.
     void
     warn(const std::string &text);
 
@@ -83,6 +84,7 @@ namespace ElastoPlastic
   private:
     ConditionalOStream full;
     ConditionalOStream summary;
+    ConditionalOStream warnings;
   };
 } // namespace ElastoPlastic
 

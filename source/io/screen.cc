@@ -37,6 +37,7 @@ namespace ElastoPlastic
     , summary(std::cout,
               verbosity == "summary" &&
                 Utilities::MPI::this_mpi_process(communicator) == 0)
+    , warnings(std::cerr, Utilities::MPI::this_mpi_process(communicator) == 0)
   {
     summary << "cycle cells dofs active_nodes force depth contact_area "
                "max_pressure plastic_volume"
@@ -133,8 +134,7 @@ namespace ElastoPlastic
   void
   Screen::warn(const std::string &text)
   {
-    full << "Warning: " << text << std::endl;
-    summary << "Warning: " << text << std::endl;
+    warnings << "Warning: " << text << std::endl;
   }
 
 

@@ -32,10 +32,9 @@ namespace ElastoPlastic
         }
       P4est::init_quadrant_children<dim>(quadrant, children);
 
-      const auto tree =
-        mesh
-          .get_coarse_cell_to_p4est_tree_permutation()[id.get_coarse_cell_id()];
-      const auto owner_of = [&](const auto &child) {
+      // deal.II takes p4est's tree as the identity of a coarse cell.
+      const types::coarse_cell_id tree     = id.get_coarse_cell_id();
+      const auto                  owner_of = [&](const auto &child) {
         return P4est::functions<dim>::comm_find_owner(
           const_cast<typename P4est::types<dim>::forest *>(mesh.get_p4est()),
           tree,
