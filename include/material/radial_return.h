@@ -41,7 +41,7 @@ namespace ElastoPlastic
 
     /// The in-plane part of the deviatoric stress increment that belongs to
     /// the strain increment @p strain (whose out-of-plane components are zero).
-    SymmetricTensor<2, dim, Number>
+    DEAL_II_ALWAYS_INLINE SymmetricTensor<2, dim, Number>
     operator*(const SymmetricTensor<2, dim, Number> &strain) const
     {
       const Number                    mean = shear * trace(strain) * (1. / 3.);

@@ -12,7 +12,7 @@ namespace ElastoPlastic
   namespace
   {
     /// The loosest relative tolerance of a linear solve.
-    constexpr double loosest_linear_reduction = 1e-3;
+    constexpr double loosest_linear_reduction = 1e-2;
     /// A step that falls below this fraction is no step.
     constexpr double smallest_step_length = 1e-4;
     /// Differences of the energy below this fraction of it are rounding noise.
