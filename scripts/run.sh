@@ -5,11 +5,12 @@
 # scripts/run.sh [FILE.prm] [RANKS]
 #
 # Installs what is missing, builds the program, runs one case (default: a sphere
-# pressed into a block, on two ranks) and draws a picture of the result.
+# pressed into a block, on two ranks) and draws a picture of the result, in a
+# folder of its own below output/.
 
 case ${1:-} in
   -h | --help)
-    sed -n '5,8s/^# \{0,1\}//p' "$0"
+    sed -n '5,9s/^# \{0,1\}//p' "$0"
     exit
     ;;
 esac
@@ -30,9 +31,14 @@ n_ranks=${2:-2}
 install_missing "${build_packages[@]}" "${plot_packages[@]}"
 build Release -DENABLE_TESTING=OFF
 
-results=output/$(basename "$case_file" .prm)
-on_ranks "$n_ranks" build/release/elasto_plastic_contact "$case_file" \
-  --output-directory "$results" --overwrite
+# Earlier results stay.
+name=output/$(basename "$case_file" .prm)
+results=$name
+for ((n = 2; ; ++n)); do
+  [ -e "$results" ] || break
+  results=${name}_$n
+done
+on_ranks "$n_ranks" build/release/elasto_plastic_contact "$case_file" --output-directory "$results"
 
 scripts/plot.py "$results"
 scripts/render.py "$results" --output "$results/picture.png"
