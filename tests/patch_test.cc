@@ -120,8 +120,8 @@ namespace
 
     const auto [axial, lateral] = exact_stress(materials[0]);
     double stress_error         = 0;
-    solid->for_each_point(
-      u, [&](const auto &, const unsigned int, const PointResult &point) {
+    solid->for_each_cell(u, [&](const auto &, const auto &points) {
+      for (const PointResult &point : points)
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int j = 0; j < 3; ++j)
             {
@@ -130,7 +130,7 @@ namespace
               stress_error =
                 std::max(stress_error, std::abs(point.stress[i][j] - exact));
             }
-      });
+    });
     stress_error = Utilities::MPI::max(stress_error, MPI_COMM_WORLD);
 
     const ContactState state = contact.state(u, residual);

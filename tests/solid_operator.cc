@@ -132,12 +132,14 @@ namespace
     check_points() const
     {
       double volume = 0, plastic_volume = 0;
-      solid->for_each_point(
-        u, [&](const auto &, const unsigned int, const PointResult &point) {
-          volume += point.volume;
-          if (point.plastic)
-            plastic_volume += point.volume;
-        });
+      solid->for_each_cell(u, [&](const auto &, const auto &points) {
+        for (const PointResult &point : points)
+          {
+            volume += point.volume;
+            if (point.plastic)
+              plastic_volume += point.volume;
+          }
+      });
       const double plastic_fraction =
         Utilities::MPI::sum(plastic_volume, MPI_COMM_WORLD) /
         Utilities::MPI::sum(volume, MPI_COMM_WORLD);

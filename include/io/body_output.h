@@ -5,6 +5,8 @@
 #define io_body_output_h
 
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include "mechanics/solid_operator.h"
 
@@ -16,47 +18,50 @@ namespace ElastoPlastic
   /// Stresses and strains live at the quadrature points. Their L2 projection
   /// onto discontinuous polynomials of the element's degree is the
   /// interpolation of the point values, here evaluated at the points of the
-  /// patch: nothing is averaged, and neighbouring cells need not agree. Going
-  /// from points to patches directly, this class needs no more memory than the
-  /// patches.
+  /// patch: nothing is averaged, and neighbouring cells need not agree.
+  ///
+  /// The cells are written in pieces of a file as they come from the solid, so
+  /// that memory for only a few of them is needed.
   template <int dim>
-  class BodyOutput : public DataOutInterface<dim>
+  class BodyOutput
   {
   public:
-    using Patch = DataOutBase::Patch<dim, dim>;
-    using Range =
-      std::tuple<unsigned int,
-                 unsigned int,
-                 std::string,
-                 DataComponentInterpretation::DataComponentInterpretation>;
-
-    /// @p error_indicators has an entry for each active cell.
+    /// The arguments must outlive this object; @p error_indicators has an
+    /// entry for each active cell.
     BodyOutput(const DoFHandler<dim>    &dof_handler,
                const VectorType         &displacement,
                const SolidOperator<dim> &solid,
                const Vector<float>      &error_indicators);
 
-  protected:
-    const std::vector<Patch> &
-    get_patches() const override;
+    /// Writes the locally owned cells. All ranks must call this.
+    /// @throws StandardExceptions::ExcIO
+    void
+    write_vtu(std::ostream &out) const;
 
-    std::vector<std::string>
-    get_dataset_names() const override;
-
-    std::vector<Range>
-    get_nonscalar_data_ranges() const override;
+    /// Writes the index of the files of all ranks.
+    void
+    write_pvtu_record(std::ostream                   &out,
+                      const std::vector<std::string> &file_names) const;
 
   private:
-    void
-    add_displacement(const DoFHandler<dim> &dof_handler,
-                     const VectorType      &displacement);
+    using Patch = DataOutBase::Patch<dim, dim>;
 
-    void
-    add_point_fields(const DoFHandler<dim>    &dof_handler,
-                     const VectorType         &displacement,
-                     const SolidOperator<dim> &solid);
+    Patch
+    make_patch(const typename DoFHandler<dim>::active_cell_iterator &cell,
+               const std::vector<PointResult> &points) const;
 
-    std::vector<Patch> patches;
+    const DoFHandler<dim>    &dof_handler;
+    const VectorType         &displacement;
+    const SolidOperator<dim> &solid;
+    const Vector<float>      &error_indicators;
+
+    const unsigned int              degree;
+    const VectorType                ghosted_displacement;
+    const std::vector<unsigned int> to_lexicographic;
+
+    /// Entry (q, i): the weight of quadrature point q at point i of a patch.
+    const FullMatrix<float>     extrapolation;
+    const DataOutBase::VtkFlags flags;
   };
 } // namespace ElastoPlastic
 

@@ -14,7 +14,8 @@ namespace ElastoPlastic
 {
   /// Writes the file @p name with @p write on this rank, and makes sure that it
   /// is complete on disk. Every rank calls this, with an empty @p name if it
-  /// has nothing to write.
+  /// has nothing to write. @p write is called even if the file cannot be
+  /// opened, and writes in vain then: it may have to answer other ranks.
   /// @throws FileError, on all ranks, if any rank fails (no permission, disk
   /// full).
   void

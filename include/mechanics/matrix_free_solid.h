@@ -4,12 +4,12 @@
 #ifndef mechanics_matrix_free_solid_h
 #define mechanics_matrix_free_solid_h
 
-#include <deal.II/base/aligned_vector.h>
 #include <deal.II/matrix_free/fe_evaluation.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
 #include <vector>
 
+#include "base/single_precision_storage.h"
 #include "mechanics/stress_integration.h"
 
 namespace ElastoPlastic
@@ -68,11 +68,11 @@ namespace ElastoPlastic
              const CellTangent<dim> &tangent)> &receive) const override;
 
     void
-    for_each_point(const VectorType              &u,
-                   const std::function<void(
-                     const typename DoFHandler<dim>::active_cell_iterator &cell,
-                     const unsigned int point,
-                     const PointResult &result)> &receive) const override;
+    for_each_cell(
+      const VectorType &u,
+      const std::function<
+        void(const typename DoFHandler<dim>::active_cell_iterator &cell,
+             const std::vector<PointResult> &points)> &receive) const override;
 
   private:
     using Number         = Simd<double>;
@@ -119,10 +119,10 @@ namespace ElastoPlastic
     std::vector<std::array<unsigned int, Number::size()>> material_indices;
 
     /// The tangent at all points, n_points per cell batch.
-    AlignedVector<DeviatoricTangent<dim, Number>> tangents;
+    SinglePrecisionStorage<DeviatoricTangent<dim, Number>> tangents;
 
     /// The predicted flow directions at all points.
-    AlignedVector<SymmetricTensor<2, 3, Number>> flow_directions;
+    SinglePrecisionStorage<SymmetricTensor<2, 3, Number>> flow_directions;
 
     /// The state before the step: virgin.
     const MaterialState<Number> virgin_state;
@@ -136,20 +136,16 @@ namespace ElastoPlastic
   MatrixFreeSolid<dim, degree>::for_each_cell_batch(const VectorType &u,
                                                     const Body &body) const
   {
-    double unused = 0;
-    matrix_free.template cell_loop<double, VectorType>(
-      [&](const auto &, auto &, const auto &src, const CellRange &range) {
-        CellEvaluation phi(matrix_free);
-        for (unsigned int batch = range.first; batch < range.second; ++batch)
-          {
-            phi.reinit(batch);
-            phi.read_dof_values_plain(src);
-            phi.evaluate(EvaluationFlags::gradients);
-            body(phi, batch);
-          }
-      },
-      unused,
-      u);
+    CellEvaluation phi(matrix_free);
+    u.update_ghost_values();
+    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+      {
+        phi.reinit(batch);
+        phi.read_dof_values_plain(u);
+        phi.evaluate(EvaluationFlags::gradients);
+        body(phi, batch);
+      }
+    u.zero_out_ghost_values();
   }
 
 

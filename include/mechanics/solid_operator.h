@@ -143,14 +143,16 @@ namespace ElastoPlastic
         void(const typename DoFHandler<dim>::active_cell_iterator &cell,
              const CellTangent<dim> &tangent)> &receive) const = 0;
 
-    /// Calls @p receive for all quadrature points of all locally owned cells,
-    /// with the points of a cell in the order of QGauss<dim>(degree + 1).
+    /// Calls @p receive for all locally owned cells, in no particular order,
+    /// with what is known at their quadrature points, which are in the order of
+    /// QGauss<dim>(degree + 1). All ranks must call this; all communication
+    /// comes before the first cell.
     virtual void
-    for_each_point(const VectorType              &u,
-                   const std::function<void(
-                     const typename DoFHandler<dim>::active_cell_iterator &cell,
-                     const unsigned int point,
-                     const PointResult &result)> &receive) const = 0;
+    for_each_cell(
+      const VectorType &u,
+      const std::function<
+        void(const typename DoFHandler<dim>::active_cell_iterator &cell,
+             const std::vector<PointResult> &points)> &receive) const = 0;
   };
 
 

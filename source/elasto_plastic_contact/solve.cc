@@ -119,13 +119,14 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::evaluate_plasticity(SolveResult &result) const
   {
     double plastic_volume = 0, max_strain = 0;
-    solid->for_each_point(
-      displacement,
-      [&](const auto &, const unsigned int, const PointResult &point) {
-        if (point.plastic)
-          plastic_volume += point.volume;
-        max_strain = std::max(max_strain, point.equivalent_plastic_strain);
-      });
+    solid->for_each_cell(displacement, [&](const auto &, const auto &points) {
+      for (const PointResult &point : points)
+        {
+          if (point.plastic)
+            plastic_volume += point.volume;
+          max_strain = std::max(max_strain, point.equivalent_plastic_strain);
+        }
+    });
     result.plastic_volume = Utilities::MPI::sum(plastic_volume, communicator);
     result.max_equivalent_plastic_strain =
       Utilities::MPI::max(max_strain, communicator);

@@ -7,12 +7,15 @@
 
 #include "io/body_output.h"
 #include "mechanics/ghosted_copy.h"
-#include "mesh/owned_cells.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
+    constexpr unsigned int cells_per_piece = 10000;
+
+
+
     /// The rows of a patch's data.
     template <int dim>
     struct Rows
@@ -53,6 +56,76 @@ namespace ElastoPlastic
         values[R::out_of_plane] = point.stress[2][2];
       return values;
     }
+
+
+    template <int dim>
+    FullMatrix<float>
+    make_extrapolation(const unsigned int degree)
+    {
+      const FE_DGQArbitraryNodes<dim> point_space(QGauss<1>(degree + 1));
+      const QIterated<dim>            patch_points(QTrapezoid<1>(), degree);
+      const unsigned int              n_points = patch_points.size();
+      FullMatrix<float>               extrapolation(n_points, n_points);
+      for (unsigned int q = 0; q < n_points; ++q)
+        for (unsigned int i = 0; i < n_points; ++i)
+          extrapolation(q, i) =
+            point_space.shape_value(q, patch_points.point(i));
+      return extrapolation;
+    }
+
+
+
+    template <int dim>
+    std::vector<std::string>
+    field_names()
+    {
+      std::vector<std::string> names(dim, "displacement");
+      names.insert(names.end(), dim * dim, "stress");
+      names.insert(names.end(), dim * dim, "plastic_strain");
+      names.push_back("von_mises_stress");
+      names.push_back("equivalent_plastic_strain");
+      if (dim == 2)
+        names.push_back("out_of_plane_stress");
+      for (const auto *const name :
+           {"plastic_fraction", "error_indicator", "material_id", "subdomain"})
+        names.push_back(name);
+      return names;
+    }
+
+
+
+    template <int dim>
+    std::vector<
+      std::tuple<unsigned int,
+                 unsigned int,
+                 std::string,
+                 DataComponentInterpretation::DataComponentInterpretation>>
+    vectors_and_tensors()
+    {
+      using R = Rows<dim>;
+      return {{R::displacement,
+               R::stress - 1,
+               "displacement",
+               DataComponentInterpretation::component_is_part_of_vector},
+              {R::stress,
+               R::plastic_strain - 1,
+               "stress",
+               DataComponentInterpretation::component_is_part_of_tensor},
+              {R::plastic_strain,
+               R::von_mises - 1,
+               "plastic_strain",
+               DataComponentInterpretation::component_is_part_of_tensor}};
+    }
+
+
+
+    DataOutBase::VtkFlags
+    compressed()
+    {
+      DataOutBase::VtkFlags flags;
+      flags.compression_level = DataOutBase::VtkFlags::best_speed;
+      return flags;
+    }
   } // namespace
 
 
@@ -62,138 +135,98 @@ namespace ElastoPlastic
                               const VectorType         &displacement,
                               const SolidOperator<dim> &solid,
                               const Vector<float>      &error_indicators)
+    : dof_handler(dof_handler)
+    , displacement(displacement)
+    , solid(solid)
+    , error_indicators(error_indicators)
+    , degree(dof_handler.get_fe().degree)
+    , ghosted_displacement(ghosted_copy(displacement, dof_handler))
+    , to_lexicographic(
+        FETools::hierarchic_to_lexicographic_numbering<dim>(degree))
+    , extrapolation(make_extrapolation<dim>(degree))
+    , flags(compressed())
+  {}
+
+
+
+  template <int dim>
+  void
+  BodyOutput<dim>::write_vtu(std::ostream &out) const
   {
-    using R                     = Rows<dim>;
-    const unsigned int degree   = dof_handler.get_fe().degree;
-    const unsigned int n_points = Utilities::pow(degree + 1, dim);
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          Patch &patch         = patches.emplace_back();
-          patch.patch_index    = patches.size() - 1;
-          patch.n_subdivisions = degree;
-          for (const unsigned int v : cell->vertex_indices())
-            patch.vertices[v] = cell->vertex(v);
-          patch.data.reinit(R::n, n_points);
-          for (unsigned int i = 0; i < n_points; ++i)
-            {
-              patch.data(R::error_indicator, i) =
-                error_indicators(cell->active_cell_index());
-              patch.data(R::material_id, i) = cell->material_id();
-              patch.data(R::subdomain, i)   = cell->subdomain_id();
-            }
-        }
-    add_displacement(dof_handler, displacement);
-    add_point_fields(dof_handler, displacement, solid);
+    std::vector<Patch> patches;
+    const auto         write_piece = [&]() {
+      DataOutBase::write_vtu_main(
+        patches, field_names<dim>(), vectors_and_tensors<dim>(), flags, out);
+      patches.clear();
+    };
+
+    DataOutBase::write_vtu_header(out, flags);
+    solid.for_each_cell(displacement,
+                        [&](const auto &cell, const auto &points) {
+                          patches.push_back(make_patch(cell, points));
+                          patches.back().patch_index = patches.size() - 1;
+                          if (patches.size() == cells_per_piece)
+                            write_piece();
+                        });
+    write_piece(); // at least one, even if it is empty
+    DataOutBase::write_vtu_footer(out);
   }
 
 
 
   template <int dim>
   void
-  BodyOutput<dim>::add_displacement(const DoFHandler<dim> &dof_handler,
-                                    const VectorType      &displacement)
+  BodyOutput<dim>::write_pvtu_record(
+    std::ostream &out, const std::vector<std::string> &file_names) const
   {
-    const VectorType u  = ghosted_copy(displacement, dof_handler);
-    const auto      &fe = dof_handler.get_fe();
-    const auto       to_lexicographic =
-      FETools::hierarchic_to_lexicographic_numbering<dim>(fe.degree);
-    Vector<double> values(fe.n_dofs_per_cell());
-    auto           patch = patches.begin();
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          cell->get_dof_values(u, values);
-          for (unsigned int i = 0; i < values.size(); ++i)
-            {
-              const auto [component, node] = fe.system_to_component_index(i);
-              patch->data(Rows<dim>::displacement + component,
-                          to_lexicographic[node]) = values(i);
-            }
-          ++patch;
-        }
+    DataOutBase::write_pvtu_record(
+      out, file_names, field_names<dim>(), vectors_and_tensors<dim>(), flags);
   }
 
 
 
   template <int dim>
-  void
-  BodyOutput<dim>::add_point_fields(const DoFHandler<dim>    &dof_handler,
-                                    const VectorType         &displacement,
-                                    const SolidOperator<dim> &solid)
-  {
-    using R                                = Rows<dim>;
-    const unsigned int              degree = dof_handler.get_fe().degree;
-    const FE_DGQArbitraryNodes<dim> point_space(QGauss<1>(degree + 1));
-    const QIterated<dim>            patch_points(QTrapezoid<1>(), degree);
-    const unsigned int              n_points = patch_points.size();
-    FullMatrix<float>               extrapolation(n_points, n_points);
-    for (unsigned int q = 0; q < n_points; ++q)
-      for (unsigned int i = 0; i < n_points; ++i)
-        extrapolation(q, i) = point_space.shape_value(q, patch_points.point(i));
-
-    const OwnedCells<dim> cells(dof_handler.get_triangulation());
-    solid.for_each_point(
-      displacement,
-      [&](const auto &cell, const unsigned int q, const PointResult &point) {
-        auto      &data   = patches[cells.number(*cell)].data;
-        const auto values = values_at<dim>(point);
-        for (unsigned int row = R::stress; row < R::plastic_fraction; ++row)
-          for (unsigned int i = 0; i < n_points; ++i)
-            data(row, i) += extrapolation(q, i) * values[row];
-        if (point.plastic)
-          for (unsigned int i = 0; i < n_points; ++i)
-            data(R::plastic_fraction, i) += 1.f / n_points;
-      });
-  }
-
-
-
-  template <int dim>
-  const std::vector<typename BodyOutput<dim>::Patch> &
-  BodyOutput<dim>::get_patches() const
-  {
-    return patches;
-  }
-
-
-
-  template <int dim>
-  std::vector<std::string>
-  BodyOutput<dim>::get_dataset_names() const
-  {
-    std::vector<std::string> names(dim, "displacement");
-    names.insert(names.end(), dim * dim, "stress");
-    names.insert(names.end(), dim * dim, "plastic_strain");
-    names.push_back("von_mises_stress");
-    names.push_back("equivalent_plastic_strain");
-    if (dim == 2)
-      names.push_back("out_of_plane_stress");
-    for (const auto *const name :
-         {"plastic_fraction", "error_indicator", "material_id", "subdomain"})
-      names.push_back(name);
-    return names;
-  }
-
-
-
-  template <int dim>
-  std::vector<typename BodyOutput<dim>::Range>
-  BodyOutput<dim>::get_nonscalar_data_ranges() const
+  typename BodyOutput<dim>::Patch
+  BodyOutput<dim>::make_patch(
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const std::vector<PointResult>                       &points) const
   {
     using R = Rows<dim>;
-    return {{R::displacement,
-             R::stress - 1,
-             "displacement",
-             DataComponentInterpretation::component_is_part_of_vector},
-            {R::stress,
-             R::plastic_strain - 1,
-             "stress",
-             DataComponentInterpretation::component_is_part_of_tensor},
-            {R::plastic_strain,
-             R::von_mises - 1,
-             "plastic_strain",
-             DataComponentInterpretation::component_is_part_of_tensor}};
+    Patch patch;
+    patch.n_subdivisions = degree;
+    for (const unsigned int v : cell->vertex_indices())
+      patch.vertices[v] = cell->vertex(v);
+    patch.data.reinit(R::n, points.size());
+
+    const auto    &fe = dof_handler.get_fe();
+    Vector<double> values(fe.n_dofs_per_cell());
+    cell->get_dof_values(ghosted_displacement, values);
+    for (unsigned int i = 0; i < values.size(); ++i)
+      {
+        const auto [component, node] = fe.system_to_component_index(i);
+        patch.data(R::displacement + component, to_lexicographic[node]) =
+          values(i);
+      }
+
+    float plastic_fraction = 0;
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        const auto point_values = values_at<dim>(points[q]);
+        for (unsigned int row = R::stress; row < R::plastic_fraction; ++row)
+          for (unsigned int i = 0; i < points.size(); ++i)
+            patch.data(row, i) += extrapolation(q, i) * point_values[row];
+        if (points[q].plastic)
+          plastic_fraction += 1.f / points.size();
+      }
+    for (unsigned int i = 0; i < points.size(); ++i)
+      {
+        patch.data(R::plastic_fraction, i) = plastic_fraction;
+        patch.data(R::error_indicator, i) =
+          error_indicators(cell->active_cell_index());
+        patch.data(R::material_id, i) = cell->material_id();
+        patch.data(R::subdomain, i)   = cell->subdomain_id();
+      }
+    return patch;
   }
 
 

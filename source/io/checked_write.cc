@@ -42,8 +42,7 @@ namespace ElastoPlastic
         std::ofstream file(name);
         try
           {
-            if (file)
-              write(file);
+            write(file);
             file.close();
           }
         catch (const StandardExceptions::ExcIO &)

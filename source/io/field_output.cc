@@ -106,13 +106,10 @@ namespace ElastoPlastic
                                const std::string &name,
                                const double       time)
   {
-    BodyOutput<dim>       output(solution.dof_handler,
-                           solution.displacement,
-                           solution.solid,
-                           solution.error_indicators);
-    DataOutBase::VtkFlags flags;
-    flags.compression_level = DataOutBase::VtkFlags::best_speed;
-    output.set_flags(flags);
+    const BodyOutput<dim> output(solution.dof_handler,
+                                 solution.displacement,
+                                 solution.solid,
+                                 solution.error_indicators);
     write_files(
       output, solution.dof_handler.get_communicator(), "solution", name, time);
   }

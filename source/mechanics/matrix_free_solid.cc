@@ -51,9 +51,8 @@ namespace ElastoPlastic
   {
     reinit_matrix_free<degree>(matrix_free, dof_handler, constraints);
 
-    tangents.resize(n_points * matrix_free.n_cell_batches());
-    flow_directions.resize(0);
-    flow_directions.resize(n_points * matrix_free.n_cell_batches());
+    tangents.reinit(n_points * matrix_free.n_cell_batches());
+    flow_directions.reinit(n_points * matrix_free.n_cell_batches());
 
     material_indices.clear();
     if (materials.size() == 1)
@@ -125,14 +124,13 @@ namespace ElastoPlastic
   void
   MatrixFreeSolid<dim, degree>::integrate_tangent(CellEvaluation &phi) const
   {
-    const auto *const cell_tangents =
-      tangents.data() + n_points * phi.get_current_cell_index();
+    const unsigned int first_point = n_points * phi.get_current_cell_index();
     integrate_stress<dim, degree>(
       phi,
       material_of(phi.get_current_cell_index()).bulk_modulus,
       treatment,
       [&](const unsigned int q, const Strain &strain) {
-        return cell_tangents[q] * strain;
+        return tangents[first_point + q] * strain;
       });
   }
 
@@ -230,9 +228,10 @@ namespace ElastoPlastic
         {
           const auto tangent = radial_return(phi, q % n_points, material)
                                  .tangent(flow_directions[q]);
-          tangents[q] = {tangent.shear,
-                         in_plane<dim>(tangent.normal),
-                         in_plane<dim>(tangent.flow)};
+          tangents.set(q,
+                       {tangent.shear,
+                        in_plane<dim>(tangent.normal),
+                        in_plane<dim>(tangent.flow)});
         }
     });
   }
@@ -253,12 +252,14 @@ namespace ElastoPlastic
         const Material<Number> material = material_of(batch);
         for (unsigned int q = 0; q < n_points; ++q)
           {
-            auto &flow = flow_directions[n_points * batch + q];
-            flow       = radial_return(old_phi, q, material)
-                     .predicted_flow(flow,
-                                     strain_deviator(
-                                       new_phi.get_symmetric_gradient(q) -
-                                       old_phi.get_symmetric_gradient(q)));
+            const unsigned int point = n_points * batch + q;
+            flow_directions.set(
+              point,
+              radial_return(old_phi, q, material)
+                .predicted_flow(flow_directions[point],
+                                strain_deviator(
+                                  new_phi.get_symmetric_gradient(q) -
+                                  old_phi.get_symmetric_gradient(q))));
           }
       });
   }

@@ -78,7 +78,7 @@ namespace ElastoPlastic
           auto            &sum  = mean.deviatoric;
           for (unsigned int q = 0; q < n_points; ++q)
             {
-              const auto  &tangent = tangents[n_points * batch + q];
+              const auto   tangent = tangents[n_points * batch + q];
               const double weight  = 1. / n_points;
               sum.shear += weight * tangent.shear[lane];
               for (unsigned int i = 0; i < CellTangent<dim>::n_symmetric; ++i)
@@ -97,16 +97,20 @@ namespace ElastoPlastic
 
   template <int dim, int degree>
   void
-  MatrixFreeSolid<dim, degree>::for_each_point(
+  MatrixFreeSolid<dim, degree>::for_each_cell(
     const VectorType &u,
     const std::function<
       void(const typename DoFHandler<dim>::active_cell_iterator &cell,
-           const unsigned int                                    point,
-           const PointResult &result)> &receive) const
+           const std::vector<PointResult> &points)> &receive) const
   {
+    // for each lane, the points of its cell
+    std::array<std::vector<PointResult>, Number::size()> results;
+    results.fill(std::vector<PointResult>(n_points));
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
       const Material<Number> material = material_of(batch);
       const auto volumetric = volumetric_strain<dim, degree>(phi, treatment);
+      const unsigned int n_cells =
+        matrix_free.n_active_entries_per_cell_batch(batch);
       for (unsigned int q = 0; q < n_points; ++q)
         {
           const RadialReturn<Number> point  = radial_return(phi, q, material);
@@ -117,11 +121,9 @@ namespace ElastoPlastic
           const Number plastic = point.plastic(Number(1.));
           const Number volume  = phi.JxW(q);
 
-          for (unsigned int lane = 0;
-               lane < matrix_free.n_active_entries_per_cell_batch(batch);
-               ++lane)
+          for (unsigned int lane = 0; lane < n_cells; ++lane)
             {
-              PointResult result;
+              PointResult &result = results[lane][q];
               for (unsigned int i = 0; i < 6; ++i)
                 {
                   result.stress.access_raw_entry(i) =
@@ -133,9 +135,10 @@ namespace ElastoPlastic
                 state.equivalent_plastic_strain[lane];
               result.plastic = plastic[lane] > 0;
               result.volume  = volume[lane];
-              receive(matrix_free.get_cell_iterator(batch, lane), q, result);
             }
         }
+      for (unsigned int lane = 0; lane < n_cells; ++lane)
+        receive(matrix_free.get_cell_iterator(batch, lane), results[lane]);
     });
   }
 
