@@ -13,6 +13,10 @@ readonly test_packages=(numdiff perl python3)
 readonly plot_packages=(python3 paraview python3-paraview python3-matplotlib xvfb xauth libgl1-mesa-dri)
 readonly lint_packages=(clang-format-14 clang-tidy-14)
 
+# (nproc would take the next variable for its answer.)
+n_processors=$(env -u OMP_NUM_THREADS nproc)
+readonly n_processors
+
 # One thread per MPI rank.
 export OMP_NUM_THREADS=1
 
@@ -69,7 +73,7 @@ build()
   local type=$1
   shift
   cmake -S . -B "build/${type,,}" -DCMAKE_BUILD_TYPE="$type" "$@"
-  cmake --build "build/${type,,}" --parallel "$(nproc)"
+  cmake --build "build/${type,,}" --parallel "$n_processors"
 }
 
 # on_ranks NUMBER COMMAND [ARGUMENT ...]

@@ -25,9 +25,9 @@ status=0
 summaries=()
 for type in ${TEST_BUILDS:-Debug Release}; do
   build "$type" -DENABLE_TESTING=ON "$@"
-  cmake --build "build/${type,,}" --parallel "$(nproc)" --target test_programs
+  cmake --build "build/${type,,}" --parallel "$n_processors" --target test_programs
   log=build/${type,,}/ctest.log
-  (cd "build/${type,,}" && ctest --output-on-failure -j "$(nproc)" -R "${TEST_SELECTION:-.}") 2>&1 | tee "$log" || status=1
+  (cd "build/${type,,}" && ctest --output-on-failure -j "$n_processors" -R "${TEST_SELECTION:-.}") 2>&1 | tee "$log" || status=1
   summaries+=("$type: $(grep -E 'tests passed|No tests were found' "$log" || echo 'ctest ended without a summary')")
 done
 

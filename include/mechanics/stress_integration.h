@@ -23,33 +23,27 @@ namespace ElastoPlastic
 
 
 
-  /// For each active cell 1 if it has constrained unknowns, and 0 otherwise.
+  /// For each active cell a bit for each of its vertices that is constrained.
   template <int dim>
   std::vector<unsigned int>
-  mark_constrained_cells(const DoFHandler<dim>           &dof_handler,
-                         const AffineConstraints<double> &constraints)
+  constraint_patterns(const DoFHandler<dim>           &dof_handler,
+                      const AffineConstraints<double> &constraints)
   {
-    std::vector<unsigned int> marks(
+    std::vector<unsigned int> patterns(
       dof_handler.get_triangulation().n_active_cells(), 0);
-    std::vector<types::global_dof_index> dofs(
-      dof_handler.get_fe().n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(dofs);
-          marks[cell->active_cell_index()] =
-            std::any_of(dofs.begin(), dofs.end(), [&](const auto dof) {
-              return constraints.is_constrained(dof);
-            });
-        }
-    return marks;
+        for (const unsigned int v : cell->vertex_indices())
+          if (constraints.is_constrained(cell->vertex_dof_index(v, 0)))
+            patterns[cell->active_cell_index()] |= 1 << v;
+    return patterns;
   }
 
 
 
-  /// Prepares @p matrix_free for DisplacementEvaluation. Cells with hanging
-  /// nodes take more work, of which a batch of cells spares nothing if only one
-  /// of its cells needs it: so they form batches of their own.
+  /// Prepares @p matrix_free for DisplacementEvaluation. Hanging nodes make
+  /// work for the whole batch of cells, once for each pattern in it: so cells
+  /// with the same pattern form batches of their own.
   template <int degree, int dim, typename Number>
   void
   reinit_matrix_free(MatrixFree<dim, Number, Simd<Number>> &matrix_free,
@@ -60,7 +54,7 @@ namespace ElastoPlastic
     settings.mapping_update_flags  = update_gradients | update_JxW_values;
     settings.tasks_parallel_scheme = settings.none;
     settings.cell_vectorization_category =
-      mark_constrained_cells(dof_handler, constraints);
+      constraint_patterns(dof_handler, constraints);
     matrix_free.reinit(MappingQ1<dim>(),
                        dof_handler,
                        constraints,
