@@ -23,8 +23,8 @@ class ComparisonError(Exception):
 
 @dataclass(frozen=True)
 class Case:
-    """A case of step-42's own parameter files. default_cycles keeps the run of
-    step-42 below a few minutes on two cores."""
+    """A case of step-42's own parameter files. With default_cycles, step-42
+    runs for some minutes on two cores."""
     degree: int
     initial_refinements: int
     strategy: str
@@ -33,10 +33,14 @@ class Case:
 
 CASES = {
     "uniform_q1": Case(1, 3, "global", 4),
-    "adaptive_q1": Case(1, 3, "percentage", 5),
+    "adaptive_q1": Case(1, 3, "percentage", 6),
     "uniform_q2": Case(2, 3, "global", 2),
-    "adaptive_q2": Case(2, 2, "percentage", 4),
+    "adaptive_q2": Case(2, 2, "percentage", 5),
 }
+
+# What counts as the converged contact force: that of this program on a finer
+# mesh; and how far from it a force may be.
+REFERENCE_CASE, REFERENCE_CYCLES, ACCURACY = "adaptive_q2", 7, 2e-3
 
 STEP42_PARAMETERS = """\
 set polynomial degree             = {case.degree}
@@ -61,9 +65,15 @@ class Mesh:
 
 @dataclass
 class Run:
+    """megabytes: the largest resident memory of a rank; start_megabytes: what
+    of it the program needs for hardly any mesh."""
     meshes: list
     seconds: float
     megabytes: float
+    start_megabytes: float = 0.
+
+    def kilobytes_per_unknown(self, ranks):
+        return (self.megabytes - self.start_megabytes) * ranks * 1024. / self.meshes[-1].dofs
 
 
 def parse_arguments():
@@ -148,6 +158,20 @@ def run_ours(program, name, cycles, ranks):
     return Run(meshes, seconds, megabytes)
 
 
+def run_with_start(run, program, name, cycles, ranks):
+    result = run(program, name, cycles, ranks)
+    result.start_megabytes = run(program, name, 1, ranks).megabytes
+    return result
+
+
+def first_accurate_mesh(meshes, reference):
+    """Index of the first mesh from which on all forces are accurate, or None."""
+    first = len(meshes)
+    while first > 0 and abs(meshes[first - 1].force / reference - 1.) <= ACCURACY:
+        first -= 1
+    return first if first < len(meshes) else None
+
+
 def format_mesh(mesh):
     if mesh is None:
         return f"{'-':>10}{'':36}"
@@ -155,15 +179,37 @@ def format_mesh(mesh):
             f"{mesh.linear_iterations:>7} {mesh.seconds:>8.2f}")
 
 
-def print_case(name, ours, step42):
+def print_case(name, ours, step42, ranks):
     columns = f"{'unknowns':>10} {'force':>10} {'Newton':>7} {'linear':>7} {'s':>8}"
     print(f"\n{name}\n{'':5}{'elasto_plastic_contact':>46}   {'step-42':>46}\n{'mesh':5}{columns}   {columns}")
     for i, meshes in enumerate(itertools.zip_longest(ours.meshes, step42.meshes), start=1):
         print(f"{i:<5}" + "   ".join(map(format_mesh, meshes)))
-    totals = (f"{f'{run.megabytes:.0f} MB a rank':>37} {run.seconds:>8.2f}" for run in (ours, step42))
+    totals = (f"{f'{run.megabytes:.0f} MB a rank, {run.kilobytes_per_unknown(ranks):.2f} KB/unknown':>37} "
+              f"{run.seconds:>8.2f}" for run in (ours, step42))
     print(f"{'all':5}" + "   ".join(totals))
-    print(f"{'':5}step-42 took {step42.seconds / ours.seconds:.1f} times as long "
-          f"and {step42.megabytes / ours.megabytes:.1f} times the memory.", flush=True)
+    print(f"{'':5}step-42 took {step42.seconds / ours.seconds:.1f} times as long and "
+          f"{step42.kilobytes_per_unknown(ranks) / ours.kilobytes_per_unknown(ranks):.1f} times the memory "
+          "beyond that of the first mesh.", flush=True)
+
+
+def print_accuracy(runs, program, ranks):
+    """How long both take to an accurate contact force, each in its best case."""
+    reference = run_ours(program, REFERENCE_CASE, REFERENCE_CYCLES, ranks).meshes[-1]
+    print(f"\nTime to a contact force within {100 * ACCURACY:g} % of {reference.force:.4f} "
+          f"({REFERENCE_CASE}, {reference.dofs} unknowns)")
+    best = {}
+    for name, (ours, step42) in runs.items():
+        mesh = first_accurate_mesh(ours.meshes, reference.force)
+        if mesh is not None:
+            best.setdefault("ours", []).append((run_ours(program, name, mesh + 1, ranks).seconds, name))
+        mesh = first_accurate_mesh(step42.meshes, reference.force)
+        if mesh is not None:
+            best.setdefault("step-42", []).append((sum(m.seconds for m in step42.meshes[:mesh + 1]), name))
+    for who, times in best.items():
+        for seconds, name in sorted(times):
+            print(f"     {who:10} {name:12} {seconds:8.2f} s")
+    if len(best) == 2:
+        print(f"     step-42 took {min(best['step-42'])[0] / min(best['ours'])[0]:.1f} times as long.")
 
 
 def main():
@@ -177,9 +223,12 @@ def main():
               "linear: iterations of all Newton steps; one of step-42 (BiCGStab) has two matrix products, one of\n"
               "this program (CG) has one. s: wall time, in the rows of the cycle (step-42: set-up, solution and\n"
               "output; this program: solution), in the last row of the whole run, start and output included.")
+        runs = {}
         for name, cycles in cases:
-            print_case(name, run_ours(program, name, cycles, arguments.ranks),
-                       run_step42(step42, name, cycles, arguments.ranks))
+            runs[name] = (run_with_start(run_ours, program, name, cycles, arguments.ranks),
+                          run_with_start(run_step42, step42, name, cycles, arguments.ranks))
+            print_case(name, *runs[name], arguments.ranks)
+        print_accuracy(runs, program, arguments.ranks)
     except ComparisonError as error:
         sys.exit(f"compare_with_step42: {error}")
 

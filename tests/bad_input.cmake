@@ -144,6 +144,7 @@ add_entry_test(depth "'Loading/Depth' is '0', but it must be greater than 0" "Lo
 add_entry_test(cycles_without_strategy "'Refinement/Number of cycles' is '2', but 'Refinement/Strategy = none' allows one" "Refinement/Strategy=none" "Refinement/Number of cycles=2")
 add_entry_test(fractions "'Refinement/Coarsening fraction' is '0.6', but together with" "Refinement/Refinement fraction=0.6" "Refinement/Coarsening fraction=0.6")
 add_entry_test(tolerance "'Nonlinear solver/Tolerance' is '1', but it must lie between 1e-14 and 1e-2" "Nonlinear solver/Tolerance=1")
+add_entry_test(loosest_linear_reduction "'Nonlinear solver/Loosest linear reduction' is '1', but it must lie between 1e-12 and 0.5" "Nonlinear solver/Loosest linear reduction=1")
 add_message_test(first_mesh_too_fine 2 "'Refinement/Maximum number of unknowns' is '10', but the first mesh has 50" ${_base} --output-directory first_mesh_too_fine --overwrite --set "Refinement/Maximum number of unknowns=10")
 add_message_test(no_convergence 3 "has not converged in 1 iterations" ${_base} --output-directory no_convergence --overwrite --set "Nonlinear solver/Maximum number of iterations=1" --set Loading/Depth=0.1)
 add_message_test(overflow 3 "forces are no longer finite numbers" ${_base} --output-directory overflow --overwrite --set Loading/Depth=1e300)

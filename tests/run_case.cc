@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // What the .prm tests run: the program itself, with a results folder of the
-// test's own that may be overwritten, and after it a look at statistics.csv:
-// what must hold after every solve, whatever the case.
+// test's own that may be overwritten, and after it a look at the results: what
+// must hold after every solve, whatever the case.
 
 #include <deal.II/base/mpi.h>
 
-#include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -64,6 +64,35 @@ namespace
 
 
 
+  /// In the .vtu file @p name, every array of a piece that has cells has
+  /// numbers.
+  void
+  check_fields(const std::string &name)
+  {
+    std::ifstream file(name);
+    std::string   line;
+    std::string   last_line;
+    bool          has_cells = false;
+    while (std::getline(file, line))
+      {
+        last_line = line;
+        if (line.find("<Piece") != std::string::npos)
+          has_cells = line.find("NumberOfCells=\"0\"") == std::string::npos;
+        if (line.find("<DataArray") != std::string::npos)
+          {
+            std::string numbers;
+            std::getline(file, numbers);
+            if (has_cells && numbers.empty())
+              std::cout << "FAILED: empty in " << name << ": " << line
+                        << std::endl;
+          }
+      }
+    if (last_line.find("</VTKFile>") == std::string::npos)
+      std::cout << "FAILED: " << name << " has no end" << std::endl;
+  }
+
+
+
   /// Equilibrium, no penetration, no tension, complementarity.
   void
   check_solve(Row row)
@@ -93,6 +122,9 @@ main(int argc, char *argv[])
       const auto rows = read_table("results/statistics.csv");
       for (const Row &row : rows)
         check_solve(row);
+      for (const auto &entry : std::filesystem::directory_iterator("results"))
+        if (entry.path().extension() == ".vtu")
+          check_fields(entry.path());
       std::cout << rows.size() << " solves checked" << std::endl;
     }
   return status;

@@ -41,9 +41,9 @@ namespace ElastoPlastic
 
 
 
-  /// Prepares @p matrix_free for DisplacementEvaluation. Hanging nodes make
-  /// work for the whole batch of cells, once for each pattern in it: so cells
-  /// with the same pattern form batches of their own.
+  /// Prepares @p matrix_free for DisplacementEvaluation. A hanging node makes
+  /// work for the whole batch of cells that it is in: so cells with the same
+  /// pattern of hanging nodes form batches of their own.
   template <int degree, int dim, typename Number>
   void
   reinit_matrix_free(MatrixFree<dim, Number, Simd<Number>> &matrix_free,

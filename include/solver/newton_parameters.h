@@ -13,8 +13,9 @@ namespace ElastoPlastic
   /// The entries of the section "Nonlinear solver".
   struct NewtonParameters
   {
-    double       tolerance          = 1e-10;
-    unsigned int maximum_iterations = 100;
+    double       tolerance                = 1e-10;
+    unsigned int maximum_iterations       = 100;
+    double       loosest_linear_reduction = 1e-2;
 
     void
     add_parameters(ParameterHandler &prm);

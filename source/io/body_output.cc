@@ -168,7 +168,9 @@ namespace ElastoPlastic
                           if (patches.size() == cells_per_piece)
                             write_piece();
                         });
-    write_piece(); // at least one, even if it is empty
+    // (ParaView does not read empty pieces.)
+    if (!patches.empty())
+      write_piece();
     DataOutBase::write_vtu_footer(out);
   }
 
@@ -194,6 +196,7 @@ namespace ElastoPlastic
     using R = Rows<dim>;
     Patch patch;
     patch.n_subdivisions = degree;
+    patch.reference_cell = ReferenceCells::get_hypercube<dim>();
     for (const unsigned int v : cell->vertex_indices())
       patch.vertices[v] = cell->vertex(v);
     patch.data.reinit(R::n, points.size());

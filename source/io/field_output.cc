@@ -64,10 +64,11 @@ namespace ElastoPlastic
       }
 
     private:
+      /// (There may be no face at all: then @p face is at no cell.)
       FaceDescriptor
       skip_others(FaceDescriptor face)
       {
-        while (face.first != this->triangulation->end() &&
+        while (face.first.state() == IteratorState::valid &&
                boundaries.count(face.first->face(face.second)->boundary_id()) ==
                  0)
           face = DataOutFaces<dim>::next_face(face);

@@ -11,8 +11,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// The loosest relative tolerance of a linear solve.
-    constexpr double loosest_linear_reduction = 1e-2;
     /// A step that falls below this fraction is no step.
     constexpr double smallest_step_length = 1e-4;
     /// Differences of the energy below this fraction of it are rounding noise.
@@ -132,9 +130,10 @@ namespace ElastoPlastic
       0.1 * parameters.tolerance * force_norm / std::max(free_norm, 1e-300);
     const double ratio =
       previous_free_norm > 0 ? free_norm / previous_free_norm : 1.;
+    const double loosest = parameters.loosest_linear_reduction;
     return std::clamp(0.9 * ratio * ratio,
-                      std::clamp(useful, 1e-12, loosest_linear_reduction),
-                      loosest_linear_reduction);
+                      std::clamp(useful, 1e-12, loosest),
+                      loosest);
   }
 
 

@@ -24,6 +24,14 @@ namespace ElastoPlastic
                       "solve. When they are used up, the program ends with a "
                       "report and exit status 3.",
                       Patterns::Integer(1));
+    prm.add_parameter(
+      "Loosest linear reduction",
+      loosest_linear_reduction,
+      "Newton's method chooses how accurately each linear system is solved; at "
+      "least its residual falls by this factor. A small number, such as 1e-8, "
+      "makes all solves accurate, to compare linear solvers. Between 1e-12 and "
+      "0.5. No unit.",
+      Patterns::Double());
     prm.leave_subsection();
   }
 
@@ -36,5 +44,9 @@ namespace ElastoPlastic
       throw InputError("Nonlinear solver/Tolerance",
                        Patterns::Tools::to_string(tolerance),
                        "it must lie between 1e-14 and 1e-2.");
+    if (!(loosest_linear_reduction >= 1e-12 && loosest_linear_reduction <= 0.5))
+      throw InputError("Nonlinear solver/Loosest linear reduction",
+                       Patterns::Tools::to_string(loosest_linear_reduction),
+                       "it must lie between 1e-12 and 0.5.");
   }
 } // namespace ElastoPlastic
