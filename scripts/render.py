@@ -275,7 +275,10 @@ def write_text(view, text, location, size, justification):
 def show_plastic_zone(view, body, names):
     """A line around the plastic zone on what is seen of the body."""
     field, value = ("plastic_fraction", 0.5) if "plastic_fraction" in names else ("equivalent_plastic_strain", 1e-12)
-    if field not in names or body.PointData[field].GetRange(0)[1] <= value:
+    if field not in names:
+        return False
+    lowest, highest = body.PointData[field].GetRange(0)
+    if not lowest <= value < highest:
         return False
     skin = body if is_flat(body) else pv.ExtractSurface(Input=body)
     line = pv.Contour(Input=skin, ContourBy=["POINTS", field], Isosurfaces=[value])

@@ -33,7 +33,11 @@ namespace ElastoPlastic
                const SolidOperator<dim> &solid,
                const Vector<float>      &error_indicators);
 
-    /// Writes the locally owned cells. All ranks must call this.
+    /// Whether there are no locally owned cells.
+    bool
+    empty() const;
+
+    /// Writes the locally owned cells. All ranks that have some must call this.
     /// @throws StandardExceptions::ExcIO
     void
     write_vtu(std::ostream &out) const;

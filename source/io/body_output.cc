@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/distributed/tria_base.h>
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_tools.h>
 
@@ -150,6 +151,17 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  bool
+  BodyOutput<dim>::empty() const
+  {
+    const auto &mesh = dynamic_cast<const parallel::TriangulationBase<dim> &>(
+      dof_handler.get_triangulation());
+    return mesh.n_locally_owned_active_cells() == 0;
+  }
+
+
+
+  template <int dim>
   void
   BodyOutput<dim>::write_vtu(std::ostream &out) const
   {
@@ -168,7 +180,6 @@ namespace ElastoPlastic
                           if (patches.size() == cells_per_piece)
                             write_piece();
                         });
-    // (ParaView does not read empty pieces.)
     if (!patches.empty())
       write_piece();
     DataOutBase::write_vtu_footer(out);

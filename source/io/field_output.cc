@@ -63,6 +63,13 @@ namespace ElastoPlastic
         return skip_others(DataOutFaces<dim>::next_face(face));
       }
 
+      /// Whether there are no such faces of locally owned cells.
+      bool
+      empty() const
+      {
+        return this->get_patches().empty();
+      }
+
     private:
       /// (There may be no face at all: then @p face is at no cell.)
       FaceDescriptor
@@ -176,12 +183,16 @@ namespace ElastoPlastic
       return stem + "." + Utilities::int_to_string(r, 4) + ".vtu";
     };
     checked_write(communicator,
-                  directory + "/" + piece(rank),
+                  output.empty() ? "" : directory + "/" + piece(rank),
                   [&](std::ostream &file) { output.write_vtu(file); });
 
+    // ParaView does not like empty pieces.
+    const auto is_empty =
+      Utilities::MPI::all_gather(communicator, int(output.empty()));
     std::vector<std::string> pieces;
     for (unsigned int r = 0; r < n_ranks; ++r)
-      pieces.push_back(piece(r));
+      if (!is_empty[r])
+        pieces.push_back(piece(r));
     const bool first_rank = (rank == 0);
     checked_write(communicator,
                   first_rank ? directory + "/" + stem + ".pvtu" : "",
