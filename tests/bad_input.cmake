@@ -159,13 +159,19 @@ add_message_test(results_exist 2 "results' holds results already \\(history.csv\
 add_message_test(output_is_file 5 "base.prm' cannot be used: Not a directory" ${_base} --output-directory ${_base})
 add_message_test(output_below_file 5 "base.prm/results' cannot be used: Not a directory" ${_base} --output-directory ${_base}/results)
 
-# A full disk is played by a limit on the size of files. Open MPI needs larger
-# ones, unless it is told that the process is alone.
-add_test(NAME messages/disk_full
-  COMMAND ${CMAKE_COMMAND} -DSTATUS=5 "-DMESSAGE=parameters.prm' could not be written completely"
-    -P ${CMAKE_CURRENT_SOURCE_DIR}/expect_message.cmake --
-    sh -c "trap '' XFSZ && ulimit -f 8 && exec \"$@\"" sh
-    env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_btl=self PMIX_MCA_gds=hash
-    $<TARGET_FILE:elasto_plastic_contact> ${_base} --output-directory disk_full --overwrite
-  WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
-set_tests_properties(messages/disk_full PROPERTIES LABELS messages TIMEOUT 60)
+# A full disk is played by a limit on the size of files, in units of 512 bytes.
+# Open MPI needs larger ones, unless it is told that the process is alone.
+function(add_disk_full_test _name _limit _file)
+  add_test(NAME messages/${_name}
+    COMMAND ${CMAKE_COMMAND} -DSTATUS=5 "-DMESSAGE=${_file}' could not be written completely"
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/expect_message.cmake --
+      sh -c "trap '' XFSZ && ulimit -f ${_limit} && exec \"$@\"" sh
+      env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_btl=self PMIX_MCA_gds=hash
+      $<TARGET_FILE:elasto_plastic_contact> ${_base} --output-directory ${_name} --overwrite
+      --set "Geometry/Initial refinements=5"
+    WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+  set_tests_properties(messages/${_name} PROPERTIES LABELS messages TIMEOUT 60)
+endfunction()
+
+add_disk_full_test(disk_full_at_start 8 parameters.prm)
+add_disk_full_test(disk_full_at_fields 64 solution-.*.vtu)

@@ -19,6 +19,7 @@ namespace ElastoPlastic
   {
     TimerOutput::Scope scope(timer, "Setup");
 
+    tangent_solver.reset(); // makes room
     dof_handler.distribute_dofs(fe);
     supports.reinit(dof_handler,
                     boundary_conditions,
