@@ -19,9 +19,7 @@ from dataclasses import dataclass
 
 INSIDE_VIRTUAL_DISPLAY = "ELASTO_PLASTIC_CONTACT_VIRTUAL_DISPLAY"
 
-DARK = [0.12, 0.14, 0.18]
-EDGES = [0.20, 0.22, 0.26]
-PLASTIC = [0.93, 0.16, 0.22]
+DARK, EDGES, PLASTIC = [0.12, 0.14, 0.18], [0.20, 0.22, 0.26], [0.93, 0.16, 0.22]
 
 # From no pressure to the highest: white, yellow, red, black.
 PRESSURE_COLOURS = [(0., [1., 1., 1.]), (0.15, [1., 0.93, 0.62]), (0.4, [0.99, 0.68, 0.32]),
@@ -82,7 +80,8 @@ def restart_in_virtual_display():
     xvfb_run = shutil.which("xvfb-run")
     if xvfb_run:
         os.environ[INSIDE_VIRTUAL_DISPLAY] = "1"
-        os.execv(xvfb_run, [xvfb_run, "-a", "-s", "-screen 0 2560x1600x24", sys.executable] + sys.argv)
+        # (-noreset: else the server restarts after each client, and may miss the next one)
+        os.execv(xvfb_run, [xvfb_run, "-a", "-s", "-screen 0 2560x1600x24 -noreset", sys.executable] + sys.argv)
     if "DISPLAY" not in os.environ:
         raise RenderError("there is neither a screen nor xvfb-run (Debian packages xvfb and xauth)")
 
@@ -249,8 +248,7 @@ def arrange_scalar_bar(view, colours, field, low, high):
 def show_mesh(view, display, edges):
     if edges:
         display.SetRepresentationType("Surface With Edges")
-        display.EdgeColor = EDGES
-        display.LineWidth = 0.8
+        display.EdgeColor, display.LineWidth = EDGES, 0.8
     display.Specular = 0.
     display.Ambient, display.Diffuse = (1., 0.) if is_flat(display.Input) else (0.6, 0.45)
 
@@ -380,8 +378,7 @@ def draw(arguments):
     layout.SetSize(width, height)
 
     output = arguments.output or os.path.join(arguments.directory, "picture.png")
-    folder = os.path.dirname(os.path.abspath(output))
-    if not os.path.isdir(folder):
+    if not os.path.isdir(folder := os.path.dirname(os.path.abspath(output))):
         raise RenderError(f"the folder '{folder}' for the picture does not exist")
     pv.SaveScreenshot(output, layout, ImageResolution=[width, height], SeparatorWidth=0)
     if not os.path.isfile(output):
