@@ -23,27 +23,7 @@ namespace ElastoPlastic
 
 
 
-  /// For each active cell a bit for each of its vertices that is constrained.
-  template <int dim>
-  std::vector<unsigned int>
-  constraint_patterns(const DoFHandler<dim>           &dof_handler,
-                      const AffineConstraints<double> &constraints)
-  {
-    std::vector<unsigned int> patterns(
-      dof_handler.get_triangulation().n_active_cells(), 0);
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int v : cell->vertex_indices())
-          if (constraints.is_constrained(cell->vertex_dof_index(v, 0)))
-            patterns[cell->active_cell_index()] |= 1 << v;
-    return patterns;
-  }
-
-
-
-  /// Prepares @p matrix_free for DisplacementEvaluation. A hanging node makes
-  /// work for the whole batch of cells that it is in: so cells with the same
-  /// pattern of hanging nodes form batches of their own.
+  /// Prepares @p matrix_free for DisplacementEvaluation.
   template <int degree, int dim, typename Number>
   void
   reinit_matrix_free(MatrixFree<dim, Number, Simd<Number>> &matrix_free,
@@ -53,8 +33,6 @@ namespace ElastoPlastic
     typename MatrixFree<dim, Number, Simd<Number>>::AdditionalData settings;
     settings.mapping_update_flags  = update_gradients | update_JxW_values;
     settings.tasks_parallel_scheme = settings.none;
-    settings.cell_vectorization_category =
-      constraint_patterns(dof_handler, constraints);
     matrix_free.reinit(MappingQ1<dim>(),
                        dof_handler,
                        constraints,
