@@ -187,9 +187,11 @@ def print_case(name, ours, step42, ranks):
     totals = (f"{f'{run.megabytes:.0f} MB a rank, {run.kilobytes_per_unknown(ranks):.2f} KB/unknown':>37} "
               f"{run.seconds:>8.2f}" for run in (ours, step42))
     print(f"{'all':5}" + "   ".join(totals))
-    print(f"{'':5}step-42 took {step42.seconds / ours.seconds:.1f} times as long and "
-          f"{step42.kilobytes_per_unknown(ranks) / ours.kilobytes_per_unknown(ranks):.1f} times the memory "
-          "beyond that of the first mesh.", flush=True)
+    memory = ""
+    if len(ours.meshes) > 1:
+        ratio = step42.kilobytes_per_unknown(ranks) / ours.kilobytes_per_unknown(ranks)
+        memory = f" and {ratio:.1f} times the memory beyond that of the first mesh"
+    print(f"{'':5}step-42 took {step42.seconds / ours.seconds:.1f} times as long{memory}.", flush=True)
 
 
 def print_accuracy(runs, program, ranks):
