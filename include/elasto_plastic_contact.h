@@ -59,11 +59,13 @@ namespace ElastoPlastic
     void
     solve_on_mesh_sequence(Statistics &statistics);
 
-    // One mesh (setup.cc): after any change of the mesh, setup_system()
-    // prepares everything that depends on it, and check_supports() makes sure
-    // that the body cannot float away.
+    // One mesh (setup.cc): after any change of the mesh, setup_body() and
+    // setup_contact() prepare everything that depends on it, and
+    // check_supports() makes sure that the body cannot float away.
     void
-    setup_system();
+    setup_body();
+    void
+    setup_contact();
     void
     check_supports() const;
     void

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/single_precision_storage.h"
+#include "mechanics/kinematics.h"
 #include "mechanics/stress_integration.h"
 
 namespace ElastoPlastic
@@ -92,6 +93,15 @@ namespace ElastoPlastic
                   const unsigned int      point,
                   const Material<Number> &material) const;
 
+    DeviatoricTangent<dim, Number>
+    stored_tangent(const unsigned int point) const
+    {
+      const PointTangent tangent = tangents[point];
+      return {tangent.shear,
+              tangent.normal,
+              tangent.flow_length * in_plane<dim>(flow_directions[point])};
+    }
+
     /// The kernel with the stored tangent as point law.
     void
     integrate_tangent(CellEvaluation &phi) const;
@@ -118,10 +128,18 @@ namespace ElastoPlastic
     /// only one material.
     std::vector<std::array<unsigned int, Number::size()>> material_indices;
 
-    /// The tangent at all points, n_points per cell batch.
-    SinglePrecisionStorage<DeviatoricTangent<dim, Number>> tangents;
+    /// What describes the tangent at a point, but for the flow direction: its
+    /// flow is flow_length times that.
+    struct PointTangent
+    {
+      Number                          shear;
+      SymmetricTensor<2, dim, Number> normal;
+      Number                          flow_length;
+    };
 
-    /// The predicted flow directions at all points.
+    /// Of all points, n_points per cell batch: the tangents and the predicted
+    /// flow directions.
+    SinglePrecisionStorage<PointTangent>                  tangents;
     SinglePrecisionStorage<SymmetricTensor<2, 3, Number>> flow_directions;
 
     /// The state before the step: virgin.

@@ -117,6 +117,7 @@ namespace ElastoPlastic
 
     /// Predicts the flow directions at @p new_u from those at @p old_u; if both
     /// are the same, takes the exact ones there. After reinit() they are zero.
+    /// The stored tangent is void until linearize() is called again.
     virtual void
     predict_flow(const VectorType &old_u, const VectorType &new_u) = 0;
 

@@ -55,7 +55,8 @@ namespace ElastoPlastic
                                      parameters.material.materials()))
     , contact([this](const Point<dim> &x) { return gap_function.value(x); })
   {
-    setup_system();
+    setup_body();
+    setup_contact();
     check_supports();
     check_reach();
   }

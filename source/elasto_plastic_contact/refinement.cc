@@ -29,6 +29,8 @@ namespace ElastoPlastic
 
 
   // The next mesh, and on it the interpolated solution as the starting guess.
+  // What is no longer needed makes room for what comes: the levels of the old
+  // mesh, and the values in transfer as soon as there are unknowns for them.
   template <int dim>
   void
   ElastoPlasticContact<dim>::refine_mesh()
@@ -36,6 +38,7 @@ namespace ElastoPlastic
     flag_cells(parameters.refinement, error_indicators, triangulation);
     triangulation.prepare_coarsening_and_refinement();
 
+    tangent_solver.reset();
     const VectorType old_displacement = ghosted_copy(displacement, dof_handler);
     parallel::distributed::SolutionTransfer<dim, VectorType> transfer(
       dof_handler);
@@ -44,9 +47,10 @@ namespace ElastoPlastic
       TimerOutput::Scope scope(timer, "Refine mesh");
       triangulation.execute_coarsening_and_refinement();
     }
-    setup_system();
+    setup_body();
     transfer.interpolate(displacement);
     supports.constraints().distribute(displacement);
+    setup_contact();
   }
 
 

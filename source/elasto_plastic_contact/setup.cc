@@ -9,25 +9,33 @@
 
 namespace ElastoPlastic
 {
-  // Everything that depends on the mesh is prepared here and nowhere else:
-  // unknowns, supports, the body, external forces, contact candidates, and
-  // vectors of the right size. The displacement starts from zero; refine_mesh()
-  // puts a better guess there.
+  // Everything that depends on the mesh is prepared in the next two functions
+  // and nowhere else. First unknowns, supports and the body; the displacement
+  // is zero afterwards, unless refine_mesh() puts a better guess there.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::setup_system()
+  ElastoPlasticContact<dim>::setup_body()
   {
     TimerOutput::Scope scope(timer, "Setup");
 
-    tangent_solver.reset(); // makes room
     dof_handler.distribute_dofs(fe);
     supports.reinit(dof_handler,
                     boundary_conditions,
                     parameters.loading.final_time);
     solid->reinit(dof_handler, supports.constraints());
+    solid->initialize_vector(displacement);
+  }
+
+
+
+  // Then external forces, contact candidates and the linear solver.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::setup_contact()
+  {
+    TimerOutput::Scope scope(timer, "Setup");
 
     solid->initialize_vector(residual);
-    solid->initialize_vector(displacement);
     solid->initialize_vector(external_forces);
     compute_external_forces(external_forces,
                             dof_handler,

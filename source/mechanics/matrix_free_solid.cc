@@ -130,7 +130,7 @@ namespace ElastoPlastic
       material_of(phi.get_current_cell_index()).bulk_modulus,
       treatment,
       [&](const unsigned int q, const Strain &strain) {
-        return tangents[first_point + q] * strain;
+        return stored_tangent(first_point + q) * strain;
       });
   }
 
@@ -231,7 +231,7 @@ namespace ElastoPlastic
           tangents.set(q,
                        {tangent.shear,
                         in_plane<dim>(tangent.normal),
-                        in_plane<dim>(tangent.flow)});
+                        tangent.normal.norm()});
         }
     });
   }

@@ -78,7 +78,7 @@ namespace ElastoPlastic
           auto            &sum  = mean.deviatoric;
           for (unsigned int q = 0; q < n_points; ++q)
             {
-              const auto   tangent = tangents[n_points * batch + q];
+              const auto   tangent = stored_tangent(n_points * batch + q);
               const double weight  = 1. / n_points;
               sum.shear += weight * tangent.shear[lane];
               for (unsigned int i = 0; i < CellTangent<dim>::n_symmetric; ++i)

@@ -103,10 +103,15 @@ namespace ElastoPlastic
     two_level_transfers.resize(0, max_level()); // none on level 0
     for (unsigned int l = 0; l <= max_level(); ++l)
       {
-        const Level &level = levels[l];
+        const Level       &level        = levels[l];
+        const unsigned int level_degree = level.dof_handler->get_fe().degree;
+        // Quadratic elements do not lock, so the linear ones that correct them
+        // must not either.
         level_operators[l] =
-          make_level_operator<dim>(level.dof_handler->get_fe().degree,
-                                   treatment);
+          make_level_operator<dim>(level_degree,
+                                   level_degree < degree ?
+                                     VolumetricTreatment::b_bar :
+                                     treatment);
         level_operators[l]->reinit(*level.dof_handler, *level.constraints);
         if (l > 0)
           two_level_transfers[l] =

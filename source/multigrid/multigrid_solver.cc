@@ -17,9 +17,11 @@ namespace ElastoPlastic
     constexpr unsigned int largest_direct_system = 5000;
     constexpr double       coarse_reduction      = 1e-3;
 
-    constexpr unsigned int smoother_degree = 4;
-    /// The part of the spectrum that the smoother damps.
-    constexpr double       smoothing_range         = 12.;
+    /// The part of the spectrum that the smoother damps. Elastic bodies need
+    /// a third of it; but where the body yields, it stiffly resists changes of
+    /// volume only, and waves as short as a few cells have small eigenvalues.
+    constexpr double       smoothing_range         = 40.;
+    constexpr unsigned int smoother_degree         = 8;
     constexpr unsigned int n_eigenvalue_iterations = 8;
   } // namespace
 
