@@ -23,16 +23,19 @@ namespace ElastoPlastic
 
 
 
-  /// Prepares @p matrix_free for DisplacementEvaluation.
+  /// Prepares @p matrix_free for DisplacementEvaluation; cells of the same one
+  /// of @p categories, if given, form batches of their own.
   template <int degree, int dim, typename Number>
   void
   reinit_matrix_free(MatrixFree<dim, Number, Simd<Number>> &matrix_free,
                      const DoFHandler<dim>                 &dof_handler,
-                     const AffineConstraints<double>       &constraints)
+                     const AffineConstraints<double>       &constraints,
+                     const std::vector<unsigned int>       &categories = {})
   {
     typename MatrixFree<dim, Number, Simd<Number>>::AdditionalData settings;
-    settings.mapping_update_flags  = update_gradients | update_JxW_values;
-    settings.tasks_parallel_scheme = settings.none;
+    settings.mapping_update_flags        = update_gradients | update_JxW_values;
+    settings.tasks_parallel_scheme       = settings.none;
+    settings.cell_vectorization_category = categories;
     matrix_free.reinit(MappingQ1<dim>(),
                        dof_handler,
                        constraints,

@@ -18,10 +18,10 @@ namespace ElastoPlastic
     constexpr double       coarse_reduction      = 1e-3;
 
     /// The part of the spectrum that the smoother damps. Elastic bodies need
-    /// a third of it; but where the body yields, it stiffly resists changes of
+    /// half of it; but where the body yields, it stiffly resists changes of
     /// volume only, and waves as short as a few cells have small eigenvalues.
-    constexpr double       smoothing_range         = 40.;
-    constexpr unsigned int smoother_degree         = 8;
+    constexpr double       smoothing_range         = 24.;
+    constexpr unsigned int smoother_degree         = 6;
     constexpr unsigned int n_eigenvalue_iterations = 8;
   } // namespace
 
