@@ -93,6 +93,7 @@ namespace ElastoPlastic
                   const unsigned int      point,
                   const Material<Number> &material) const;
 
+    /// The tangent at a point, as linearize() has left it.
     DeviatoricTangent<dim, Number>
     stored_tangent(const unsigned int point) const
     {

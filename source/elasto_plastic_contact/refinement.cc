@@ -12,14 +12,12 @@ namespace ElastoPlastic
 {
   // The estimator of Kelly, de Gago, Zienkiewicz and Babuska: jumps of the
   // displacement gradient across faces. Not made for plasticity or contact, but
-  // it finds the edge of the contact zone and of the plastic zone. It needs a
-  // lot of memory: the linear solver, of no more use on this mesh, makes room.
+  // it finds the edge of the contact zone and of the plastic zone.
   template <int dim>
   void
   ElastoPlasticContact<dim>::estimate_error()
   {
     TimerOutput::Scope scope(timer, "Error estimator");
-    tangent_solver.reset();
     KellyErrorEstimator<dim>::estimate(MappingQ1<dim>(),
                                        dof_handler,
                                        QGauss<dim - 1>(fe.degree + 1),
@@ -31,8 +29,8 @@ namespace ElastoPlastic
 
 
   // The next mesh, and on it the interpolated solution as the starting guess.
-  // The values in transfer need memory, so they are unpacked as soon as there
-  // are unknowns for them.
+  // What is no longer needed makes room for what comes: the levels of the old
+  // mesh, and the values in transfer as soon as there are unknowns for them.
   template <int dim>
   void
   ElastoPlasticContact<dim>::refine_mesh()
@@ -40,6 +38,7 @@ namespace ElastoPlastic
     flag_cells(parameters.refinement, error_indicators, triangulation);
     triangulation.prepare_coarsening_and_refinement();
 
+    tangent_solver.reset();
     const VectorType old_displacement = ghosted_copy(displacement, dof_handler);
     parallel::distributed::SolutionTransfer<dim, VectorType> transfer(
       dof_handler);
