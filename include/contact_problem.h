@@ -16,19 +16,30 @@ namespace ElastoPlastic
 {
   /// The contact problem of one load step on one mesh, put together from its
   /// parts, as SemismoothNewton wants to see it: minimise
-  /// Pi(u) = int W(strain(u)) dx - forces . u, where supports and active
-  /// contact nodes are held.
+  ///
+  ///   Pi(u) = int W(strain(u)) dx - forces . u
+  ///
+  /// where supports and active contact nodes are held; or, if the force F on
+  /// the indenter is given,
+  ///
+  ///   Pi(u, delta) = int W(strain(u)) dx - forces . u - F delta
+  ///
+  /// where the active contact nodes are tied: u_i = g_i - delta. Then the depth
+  /// delta need not be kept beside u: it can be read from it.
   template <int dim>
   class ContactProblem : public ConstrainedMinimization
   {
   public:
-    /// All arguments must outlive this object; the parts of the work are
-    /// accounted for in @p timer.
+    /// All arguments must outlive this object; the active set and the load of
+    /// @p contact are those to begin with; the parts of the work are accounted
+    /// for in @p timer. An indenter that a force pushes deeper than
+    /// @p largest_depth is taken to sink without end.
     ContactProblem(SolidOperator<dim>  &solid,
                    const Supports<dim> &supports,
                    const Vector        &external_forces,
                    ContactSet<dim>     &contact,
                    TangentSolver<dim>  &tangent_solver,
+                   const double         largest_depth,
                    TimerOutput         &timer);
 
     void
@@ -43,6 +54,7 @@ namespace ElastoPlastic
     void
     linearize(const Vector &u) override;
 
+    /// @throws ConvergenceError if the indenter sinks without end.
     void
     step_taken(const Vector &from, const Vector &to) override;
 
@@ -55,7 +67,7 @@ namespace ElastoPlastic
                   const double  reduction) override;
 
     void
-    tangent_diagonal(Vector &diagonal) const override;
+    apply_inverse_diagonal(Vector &forces) const override;
 
     bool
     update_active_set(const Vector &u, const Vector &residual) override;
@@ -77,9 +89,13 @@ namespace ElastoPlastic
     project(Vector &u) const override;
 
     void
-    zero_held(Vector &vector) const override;
+    reduce(Vector &residual) const override;
 
   private:
+    /// Finds out which unknowns are held or tied now.
+    void
+    collect_unknowns();
+
     /// Hanging nodes follow their masters.
     void
     distribute(Vector &u) const;
@@ -89,7 +105,10 @@ namespace ElastoPlastic
     const Vector        &external_forces;
     ContactSet<dim>     &contact;
     TangentSolver<dim>  &tangent_solver;
+    const double         largest_depth;
     TimerOutput         &timer;
+
+    ReducedUnknowns unknowns;
   };
 } // namespace ElastoPlastic
 

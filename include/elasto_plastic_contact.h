@@ -11,12 +11,15 @@
 
 #include <memory>
 
+#include "base/exceptions.h"
 #include "contact/contact_set.h"
 #include "contact/gap_function.h"
 #include "io/field_output.h"
 #include "io/parameters.h"
 #include "io/screen.h"
 #include "io/statistics.h"
+#include "loading/load_program.h"
+#include "loading/time_steps.h"
 #include "mechanics/solid_operator.h"
 #include "mechanics/supports.h"
 #include "mesh/boundary_conditions.h"
@@ -32,7 +35,9 @@ namespace ElastoPlastic
   ///   Pi(u) = int_Omega W(strain(u)) dx - int_Gamma_t traction . u ds
   ///
   /// among all u that satisfy the support conditions and, on Gamma_0, do not
-  /// penetrate the indenter: u_d <= g - delta.
+  /// penetrate the indenter: u_d <= g - delta,
+  /// in one load step, or in many steps of a load history, each of which begins
+  /// with what the material remembers of those before.
   ///
   /// This is the one class that sets up, solves, refines and writes. It owns
   /// its parts in the order in which they depend on each other, so that
@@ -48,16 +53,29 @@ namespace ElastoPlastic
     ElastoPlasticContact(const Parameters &parameters,
                          const MPI_Comm    communicator);
 
-    /// Solves the problem on one mesh after the other and writes the results
-    /// to the output directory. @p overwrite allows to replace earlier ones.
-    /// @throws InputError, ConvergenceError, FileError
+    /// Follows the load history, refines the mesh, and writes the results to
+    /// the output directory. @p overwrite allows to replace earlier ones.
+    /// @throws InputError, ConvergenceError, EquilibriumError, FileError
     void
     run(const bool overwrite);
 
   private:
     // The outline, in the order of run() (core.cc):
     void
+    run_load_history(Statistics &statistics);
+    SolveResult
     solve_on_mesh_sequence(Statistics &statistics);
+    [[noreturn]] void
+    give_up(const ConvergenceError &error) const;
+
+    // A load step (load_step.cc): it ends with commit_step(), or it fails and
+    // is taken back.
+    void
+    apply_load();
+    void
+    take_back_step();
+    void
+    commit_step(SolveResult &result);
 
     // One mesh (setup.cc): after any change of the mesh, setup_body() and
     // setup_contact() prepare everything that depends on it, and
@@ -70,11 +88,13 @@ namespace ElastoPlastic
     check_supports() const;
     void
     check_reach() const;
+    void
+    check_size() const;
 
     // One solve (solve.cc): contact and plasticity in one Newton loop, and
     // what its solution says.
     SolveResult
-    solve(const unsigned int cycle);
+    solve();
     void
     evaluate_contact(SolveResult &result);
     void
@@ -82,15 +102,17 @@ namespace ElastoPlastic
     double
     vertical_reaction() const;
 
-    // The next mesh (refinement.cc).
+    // The next mesh (refinement.cc), if there is to be one.
     void
     estimate_error();
+    bool
+    mark_next_mesh();
     void
     refine_mesh();
 
     // Results (core.cc).
     void
-    output_results(const unsigned int cycle);
+    output_results(const bool last_cycle);
 
     /// Gap of the undeformed body, for the contact surface as it is.
     GapFunction<dim>
@@ -99,6 +121,12 @@ namespace ElastoPlastic
     // The problem as the user has described it.
     const Parameters parameters;
     const MPI_Comm   communicator;
+
+    // The load over time, the step under way, and how many meshes there have
+    // been before the present one.
+    LoadProgram  load_program;
+    TimeSteps    time_steps;
+    unsigned int cycle = 0;
 
     // What tells the user about it.
     mutable Screen      screen;
@@ -126,6 +154,12 @@ namespace ElastoPlastic
     VectorType                          displacement;
     VectorType                          residual;
     Vector<float>                       error_indicators;
+
+    // The end of the last load step: what it has found, the displacement, and
+    // the nodal forces of the stresses (empty before the second step).
+    SolveResult last_step;
+    VectorType  committed_displacement;
+    VectorType  committed_forces;
   };
 } // namespace ElastoPlastic
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "mesh/boundary_conditions.h"
-#include "solver/linear_solver.h"
+#include "solver/linear_solver_parameters.h"
 #include "solver/tangent_solver.h"
 
 namespace ElastoPlastic

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "base/exceptions.h"
 #include "contact_problem.h"
 
 namespace ElastoPlastic
@@ -11,14 +12,35 @@ namespace ElastoPlastic
                                       const Vector        &external_forces,
                                       ContactSet<dim>     &contact,
                                       TangentSolver<dim>  &tangent_solver,
+                                      const double         largest_depth,
                                       TimerOutput         &timer)
     : solid(solid)
     , supports(supports)
     , external_forces(external_forces)
     , contact(contact)
     , tangent_solver(tangent_solver)
+    , largest_depth(largest_depth)
     , timer(timer)
-  {}
+  {
+    collect_unknowns();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::collect_unknowns()
+  {
+    std::vector<unsigned int> held = supports.fixed_entries(external_forces);
+    std::vector<unsigned int> tied;
+    if (contact.is_force_driven())
+      tied = contact.active_entries();
+    else
+      for (const unsigned int i : contact.active_entries())
+        held.push_back(i);
+    unknowns =
+      ReducedUnknowns(held, tied, external_forces.get_mpi_communicator());
+  }
 
 
 
@@ -36,7 +58,8 @@ namespace ElastoPlastic
   ContactProblem<dim>::energy(const Vector &u) const
   {
     TimerOutput::Scope scope(timer, "Newton: energy");
-    return solid.energy(u) - external_forces * u;
+    return solid.energy(u) - external_forces * u -
+           contact.force() * contact.depth_at(u);
   }
 
 
@@ -68,6 +91,11 @@ namespace ElastoPlastic
   {
     TimerOutput::Scope scope(timer, "Newton: linearize");
     solid.predict_flow(from, to);
+    if (contact.is_force_driven() && contact.depth_at(to) > largest_depth)
+      throw ConvergenceError(
+        "The indenter sinks without end: its depth exceeds the size of the "
+        "body. Is 'Loading/Force' in the same system of units as the moduli in "
+        "'Material', and below the limit load?");
   }
 
 
@@ -92,18 +120,14 @@ namespace ElastoPlastic
     if (rhs.l2_norm() == 0.)
       return 0;
 
-    Vector held;
-    initialize_vector(held);
-    supports.set_fixed_entries(held, 1.);
-    contact.set_active_entries(held, 1.);
     {
       TimerOutput::Scope scope(timer, "Newton: prepare linear solver");
-      tangent_solver.prepare(solid, held);
+      tangent_solver.prepare(solid, unknowns);
     }
     TimerOutput::Scope scope(timer, "Newton: solve linear system");
     const unsigned int n_iterations =
       tangent_solver.solve(increment, rhs, reduction);
-    zero_held(increment);
+    unknowns.expand(increment);
     distribute(increment);
     return n_iterations;
   }
@@ -112,9 +136,16 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  ContactProblem<dim>::tangent_diagonal(Vector &diagonal) const
+  ContactProblem<dim>::apply_inverse_diagonal(Vector &forces) const
   {
+    Vector diagonal;
+    initialize_vector(diagonal);
     solid.diagonal(diagonal);
+    unknowns.contract(diagonal);
+    for (unsigned int i = 0; i < forces.locally_owned_size(); ++i)
+      if (diagonal.local_element(i) > 0)
+        forces.local_element(i) /= diagonal.local_element(i);
+    unknowns.expand(forces);
   }
 
 
@@ -124,7 +155,9 @@ namespace ElastoPlastic
   ContactProblem<dim>::update_active_set(const Vector &u,
                                          const Vector &residual)
   {
-    return contact.update(u, residual);
+    const bool changed = contact.update(u, residual);
+    collect_unknowns();
+    return changed;
   }
 
 
@@ -134,7 +167,9 @@ namespace ElastoPlastic
   ContactProblem<dim>::update_feasible_active_set(const Vector &u,
                                                   const Vector &residual)
   {
-    return contact.update_feasible(u, residual);
+    const bool changed = contact.update_feasible(u, residual);
+    collect_unknowns();
+    return changed;
   }
 
 
@@ -180,10 +215,13 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  ContactProblem<dim>::zero_held(Vector &vector) const
+  ContactProblem<dim>::reduce(Vector &residual) const
   {
-    supports.set_fixed_entries(vector, 0.);
-    contact.set_active_entries(vector, 0.);
+    unknowns.contract(residual);
+    if (unknowns.has_ties())
+      unknowns.set_leading_value(residual,
+                                 unknowns.leading_value(residual) -
+                                   contact.force());
   }
 
 

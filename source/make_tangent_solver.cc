@@ -3,9 +3,8 @@
 
 #include "make_tangent_solver.h"
 #include "mechanics/rigid_body_modes.h"
-#include "multigrid/multigrid_solver.h"
-#include "solver/assembled_solver.h"
-#include "solver/fallback_solver.h"
+#include "multigrid/multigrid_preconditioner.h"
+#include "solver/assembled_preconditioner.h"
 
 namespace ElastoPlastic
 {
@@ -27,34 +26,37 @@ namespace ElastoPlastic
                       const VectorType                &layout,
                       const std::function<void(const std::string &)> &warn)
   {
-    const auto make_assembled_solver = [parameters,
-                                        layout,
-                                        &dof_handler,
-                                        &constraints](const std::string &type) {
-      LinearSolverParameters assembled_parameters = parameters;
-      assembled_parameters.type                   = type;
-      return std::make_unique<AssembledSolver<dim>>(
-        make_linear_solver(assembled_parameters,
-                           rigid_body_modes(dof_handler, layout)),
-        dof_handler,
-        constraints);
+    using Method           = typename TangentSolver<dim>::Method;
+    const auto with_matrix = [&](const std::string &name,
+                                 const std::string &type) -> Method {
+      return {name,
+              [type, layout, &dof_handler, &constraints]() {
+                return std::make_unique<AssembledPreconditioner<dim>>(
+                  make_matrix_preconditioner(
+                    type, rigid_body_modes(dof_handler, layout)),
+                  dof_handler,
+                  constraints);
+              },
+              parameters.maximum_iterations};
     };
+    const Method geometric = {
+      "geometric multigrid",
+      [treatment, &dof_handler, &constraints, &boundary_conditions]() {
+        return std::make_unique<MultigridPreconditioner<dim>>(
+          dof_handler, constraints, boundary_conditions, treatment);
+      },
+      std::min(parameters.maximum_iterations, patience_with_multigrid)};
+    const Method algebraic = with_matrix("algebraic multigrid", "AMG");
+    const Method direct    = with_matrix("a factorisation", "direct");
 
-    if (parameters.type != "multigrid")
-      return make_assembled_solver(parameters.type);
-
-    LinearSolverParameters multigrid_parameters = parameters;
-    multigrid_parameters.maximum_iterations =
-      std::min(parameters.maximum_iterations, patience_with_multigrid);
-    return std::make_unique<FallbackSolver<dim>>(
-      std::make_unique<MultigridSolver<dim>>(multigrid_parameters,
-                                             dof_handler,
-                                             constraints,
-                                             boundary_conditions,
-                                             treatment),
-      multigrid_parameters.maximum_iterations,
-      [=]() { return make_assembled_solver("AMG"); },
-      warn);
+    std::vector<Method> methods;
+    if (parameters.type == "multigrid")
+      methods = {geometric, algebraic};
+    else if (parameters.type == "AMG")
+      methods = {algebraic};
+    else
+      methods = {direct};
+    return std::make_unique<TangentSolver<dim>>(methods, warn);
   }
 
 

@@ -57,11 +57,12 @@ add_message_test(dimension 2 "'Dimension' is '4', but it must be: integer from 2
 add_message_test(no_number 2 "'Dimension' is 'two', but" ${_base} --set Dimension=two)
 add_message_test(fraction 2 "'Discretization/Polynomial degree' is '1.5', but it must be: integer from 1 to 2" ${_base} --set "Discretization/Polynomial degree=1.5")
 add_message_test(nan 2 "'Indenter/Radius' is 'nan', but it must be: number" ${_base} --set Indenter/Radius=nan)
-add_message_test(infinity 2 "'Loading/Depth' is 'inf', but it must be: number" ${_base} --set Loading/Depth=inf)
-add_message_test(huge_number 2 "'Loading/Depth' is '1e999', but it must be: number" ${_base} --set Loading/Depth=1e999)
+add_message_test(infinity 2 "'Loading/Depth' is 'inf', but it must be finite" ${_base} --set Loading/Depth=inf)
+add_message_test(huge_number 2 "'Loading/Depth' is '1e999', but this is not an expression in t that can be evaluated" ${_base} --set Loading/Depth=1e999)
 add_message_test(empty_value 2 "'Material/Yield stress' is '', but it must be: list" ${_base} --set "Material/Yield stress=")
 add_message_test(unknown_choice 2 "'Linear solver/Type' is 'gmres', but it must be: .*AMG.*direct" ${_base} --set "Linear solver/Type=gmres")
-add_message_test(several_steps 2 "'Loading/Number of steps' is '2', but it must be" ${_base} --set "Loading/Number of steps=2")
+add_message_test(too_many_cuts 2 "'Loading/Maximum number of cuts' is '31', but it must be" ${_base} --set "Loading/Maximum number of cuts=31")
+add_message_test(no_steps 2 "'Loading/Number of steps' is '0', but it must be" ${_base} --set "Loading/Number of steps=0")
 
 # Material
 add_entry_test(negative_modulus "'Material/Young's modulus' is '-1', but it must be greater than 0" "Material/Young's modulus=-1")
@@ -141,6 +142,20 @@ add_entry_test(too_short "'Loading/Depth' is '0.001', but the indenter can never
 
 # Loading, refinement and solvers
 add_entry_test(depth "'Loading/Depth' is '0', but it must be greater than 0" "Loading/Depth=0")
+add_entry_test(depth_expression "'Loading/Depth' is '0.1.x', but this is not an expression in t that can be evaluated" "Loading/Depth=0.1*x")
+add_entry_test(depth_not_finite "'Loading/Depth' is '0.001/.t-0.5.', but at t = 0.5 its value is infinite" "Loading/Depth=0.001/(t-0.5)" "Loading/Number of steps=2")
+add_entry_test(never_deep_enough "'Loading/Depth' is '0.1.t', but the indenter can never touch the body" "Loading/Depth=0.1*t" "Indenter/Initial gap=1")
+add_entry_test(negative_force "'Loading/Force' is '-1', but a force cannot be negative" "Loading/Control=force" "Loading/Force=-1")
+add_entry_test(force_below_zero "'Loading/Force' is 'at t = 1: -0.5', but a force cannot be negative" "Loading/Control=force" "Loading/Force=t-1.5")
+add_entry_test(final_time "'Loading/Final time' is '0', but it must be a number greater than 0" "Loading/Final time=0")
+add_entry_test(history_row "'Loading/History' is '1 depth 0.1', but a row must look like" "Loading/History=1 depth 0.1")
+add_entry_test(history_word "'Loading/History' is '2: load 1', but a row must look like" "Loading/History=1: depth 0.1 | 2: load 1")
+add_entry_test(history_number "'Loading/History' is '1: depth deep', but a row must look like" "Loading/History=1: depth deep")
+add_entry_test(history_not_finite "'Loading/History' is '1: depth nan', but its numbers must be finite" "Loading/History=1: depth nan")
+add_entry_test(history_not_increasing "'Loading/History' is '1: force 0', but the times must increase" "Loading/History=1: depth 0.1 | 1: force 0")
+add_entry_test(history_from_zero "'Loading/History' is '0: depth 0', but the times must increase, and the first must be greater than 0" "Loading/History=0: depth 0 | 1: depth 1")
+add_entry_test(history_negative_force "'Loading/History' is '1: force -2', but a force cannot be negative" "Loading/History=1: force -2")
+add_entry_test(history_never_touches "'Loading/History' is '1: depth 0.1', but the indenter can never touch" "Loading/History=1: depth 0.1" "Indenter/Initial gap=1")
 add_entry_test(cycles_without_strategy "'Refinement/Number of cycles' is '2', but 'Refinement/Strategy = none' allows one" "Refinement/Strategy=none" "Refinement/Number of cycles=2")
 add_entry_test(fractions "'Refinement/Coarsening fraction' is '0.6', but together with" "Refinement/Refinement fraction=0.6" "Refinement/Coarsening fraction=0.6")
 add_entry_test(tolerance "'Nonlinear solver/Tolerance' is '1', but it must lie between 1e-14 and 1e-2" "Nonlinear solver/Tolerance=1")
@@ -149,8 +164,17 @@ add_message_test(first_mesh_too_fine 2 "'Refinement/Maximum number of unknowns' 
 add_message_test(no_convergence 3 "has not converged in 1 iterations" ${_base} --output-directory no_convergence --overwrite --set "Nonlinear solver/Maximum number of iterations=1" --set Loading/Depth=0.1)
 add_message_test(overflow 3 "forces are no longer finite numbers" ${_base} --output-directory overflow --overwrite --set Loading/Depth=1e300)
 
+add_message_test(beyond_limit_load 4 "No equilibrium has been found for the force 4 .t = 1.: it seems to be beyond the limit load of the perfectly plastic body. The largest force reached is 0"
+  ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --output-directory beyond_limit_load --overwrite --quiet
+  --set "Loading/Control=force" --set "Loading/Force=4" --set "Refinement/Number of cycles=1")
+add_message_test(sinks_without_end 3 "The indenter sinks without end: its depth exceeds the size of the body"
+  ${_base} --output-directory sinks_without_end --overwrite --quiet --set "Loading/Control=force" --set "Loading/Force=1e8")
+
 # A warning, and the program goes on.
-add_message_test(multigrid_fails 0 "Warning: Geometric multigrid does not converge here: algebraic multigrid takes over on this mesh"
+add_message_test(step_is_cut 3 "Warning: The step from t = 0 has not converged; trying half of it"
+  ${_base} --output-directory step_is_cut --overwrite --quiet --set "Loading/Number of steps=2" --set "Loading/Maximum number of cuts=1"
+  --set "Nonlinear solver/Maximum number of iterations=1" --set Loading/Depth=0.1)
+add_message_test(multigrid_fails 0 "Warning: Conjugate gradients with geometric multigrid do not converge here: algebraic multigrid takes over on this mesh"
   ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --output-directory multigrid_fails --overwrite --quiet
   --set "Refinement/Number of cycles=1" --set "Linear solver/Type=multigrid" --set "Linear solver/Maximum number of iterations=40")
 

@@ -76,7 +76,7 @@ namespace
     hanging_penetration()
     {
       Vector u = zero;
-      contact.set_depth(1.);
+      contact.place(1.);
       contact.activate_touching(zero);
       contact.move_active(u);
       constraints.distribute(u);
@@ -86,7 +86,7 @@ namespace
     void
     check_areas()
     {
-      contact.set_depth(1.);
+      contact.place(1.);
       contact.activate_touching(zero);
       const ContactState state = contact.state(zero, constant(1.));
       verify("  areas add up to the surface", std::abs(state.area - 1.), 1e-12);
@@ -98,7 +98,7 @@ namespace
     void
     check_switching()
     {
-      contact.set_depth(depth);
+      contact.place(depth);
       contact.activate_touching(zero);
       const auto   fingerprint = contact.fingerprint();
       const auto   pressing = constant(1.), pulling = constant(-1.);
@@ -128,14 +128,15 @@ namespace
     void
     check_projection()
     {
-      contact.set_depth(depth);
+      contact.place(depth);
       contact.activate_touching(zero);
       Vector expected = zero, projected = zero, moved = zero, marked = zero;
       for (const auto &[dof, gap] : candidates)
         expected(dof) = std::min(0., gap - depth);
       contact.project(projected);
       contact.move_active(moved);
-      contact.set_active_entries(marked, 1.);
+      for (const unsigned int i : contact.active_entries())
+        marked.local_element(i) = 1.;
       projected -= expected;
       moved -= expected;
       verify("  projection moves those that penetrate",
@@ -151,7 +152,7 @@ namespace
     void
     check_state()
     {
-      contact.set_depth(depth);
+      contact.place(depth);
       contact.activate_touching(zero);
       const Vector       force = constant(2.);
       const ContactState state = contact.state(zero, force);

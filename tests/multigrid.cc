@@ -11,8 +11,9 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include "material/material_parameters.h"
-#include "multigrid/multigrid_solver.h"
+#include "multigrid/multigrid_preconditioner.h"
 #include "sample_mesh.h"
+#include "solver/tangent_solver.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -132,12 +133,22 @@ namespace
     unsigned int
     n_iterations() const
     {
-      MultigridSolver<dim> solver(LinearSolverParameters(),
-                                  dof_handler,
-                                  supports.constraints(),
-                                  conditions(),
-                                  treatment);
-      solver.prepare(*solid, held);
+      const BoundaryConditions<dim> boundary_conditions = conditions();
+      TangentSolver<dim>            solver(
+        {{"multigrid",
+                     [&]() {
+            return std::make_unique<MultigridPreconditioner<dim>>(
+              dof_handler,
+              supports.constraints(),
+              boundary_conditions,
+              treatment);
+          },
+                     1000}},
+        [](const std::string &) {});
+      solver.prepare(*solid,
+                     ReducedUnknowns(supports.fixed_entries(zero),
+                                     {},
+                                     MPI_COMM_WORLD));
       VectorType rhs = field(), solution = zero, product = zero;
       supports.set_fixed_entries(rhs, 0.);
       const unsigned int n = solver.solve(solution, rhs, 1e-8);

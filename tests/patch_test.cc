@@ -4,8 +4,8 @@
 // The patch test with contact: a laterally confined block under a flat
 // indenter is in uniaxial strain, exactly, on any mesh. Here the mesh is
 // distorted and has hanging nodes, on the contact surface too. All stresses,
-// the pressures and the force must be exact. Put together from the parts,
-// without the big class.
+// the pressures and the force must be exact, or the depth if the force is
+// given. Put together from the parts, without the big class.
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
@@ -60,7 +60,9 @@ namespace
 
   template <int dim>
   void
-  run(const unsigned int degree, const VolumetricTreatment treatment)
+  run(const unsigned int        degree,
+      const VolumetricTreatment treatment,
+      const Control             control)
   {
     parallel::distributed::Triangulation<dim> mesh(MPI_COMM_WORLD);
     make_mesh(mesh);
@@ -97,7 +99,9 @@ namespace
                    {names["top"]},
                    supports.fixed_dofs(),
                    u);
-    contact.set_depth(strain);
+    const auto [axial, lateral] = exact_stress(materials[0]);
+    const bool by_force         = (control == Control::force);
+    contact.set_load({control, by_force ? -axial : strain});
 
     const auto tangent_solver =
       make_tangent_solver(LinearSolverParameters(),
@@ -110,16 +114,16 @@ namespace
                             std::cout << warning << std::endl;
                           });
     TimerOutput timer(std::cout, TimerOutput::never, TimerOutput::wall_times);
-    ContactProblem<dim> problem(
-      *solid, supports, no_forces, contact, *tangent_solver, timer);
     NewtonParameters newton;
     newton.tolerance = 1e-12;
     contact.activate_touching(u);
+    ContactProblem<dim> problem(
+      *solid, supports, no_forces, contact, *tangent_solver, 1., timer);
     SemismoothNewton(newton, [](const NewtonStep &) {}).solve(problem, u);
     problem.compute_residual(residual, u);
+    contact.settle(u);
 
-    const auto [axial, lateral] = exact_stress(materials[0]);
-    double stress_error         = 0;
+    double stress_error = 0;
     solid->for_each_cell(u, [&](const auto &, const auto &points) {
       for (const PointResult &point : points)
         for (unsigned int i = 0; i < 3; ++i)
@@ -136,11 +140,12 @@ namespace
     const ContactState state = contact.state(u, residual);
     output() << dim << "D, degree " << degree
              << (treatment == VolumetricTreatment::b_bar ? ", B-bar" : "")
-             << std::endl;
+             << (by_force ? ", force given" : "") << std::endl;
     verify("  published values",
            std::abs(axial + 1102.1150033) < 1e-7 &&
              std::abs(lateral + 698.9424983) < 1e-7);
     verify("  stress", stress_error < 1e-9 * std::abs(axial));
+    verify("  depth", std::abs(contact.depth() - strain) < 1e-10 * strain);
     verify("  force", std::abs(state.force + axial) < 1e-9 * std::abs(axial));
     verify("  pressure",
            std::abs(state.max_pressure + axial) < 1e-8 * std::abs(axial) &&
@@ -158,8 +163,9 @@ main(int argc, char *argv[])
   for (const unsigned int degree : {1, 2})
     for (const auto treatment :
          {VolumetricTreatment::standard, VolumetricTreatment::b_bar})
-      {
-        run<2>(degree, treatment);
-        run<3>(degree, treatment);
-      }
+      for (const auto control : {Control::depth, Control::force})
+        {
+          run<2>(degree, treatment, control);
+          run<3>(degree, treatment, control);
+        }
 }

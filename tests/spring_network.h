@@ -128,10 +128,10 @@ public:
   }
 
   void
-  tangent_diagonal(Vector &diagonal) const override
+  apply_inverse_diagonal(Vector &forces) const override
   {
     for (unsigned int i = 0; i < load.size(); ++i)
-      diagonal[i] = tangent(i, i);
+      forces[i] /= tangent(i, i);
   }
 
   bool
@@ -181,11 +181,11 @@ public:
   }
 
   void
-  zero_held(Vector &vector) const override
+  reduce(Vector &residual) const override
   {
     for (unsigned int i = 0; i < load.size(); ++i)
       if (active[i])
-        vector[i] = 0;
+        residual[i] = 0;
   }
 
   /// How far @p u is from a solution: penetration, tension, forces on free

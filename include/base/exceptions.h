@@ -58,6 +58,14 @@ namespace ElastoPlastic
     {}
   };
 
+  /// No stress field can carry the load.
+  struct EquilibriumError : Error
+  {
+    explicit EquilibriumError(const std::string &message)
+      : Error(ExitStatus::no_equilibrium, message)
+    {}
+  };
+
   /// A file or directory could not be read or written.
   struct FileError : Error
   {

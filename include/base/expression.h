@@ -13,7 +13,8 @@ namespace ElastoPlastic
   using namespace dealii;
 
   /// A scalar function of position and time that a user has typed, in the
-  /// variables x, y (, z) and t and with everything muParser knows. It is
+  /// variables x, y (, z) and t and with everything muParser knows; with dim =
+  /// 1, of time alone, which then is the coordinate of the point. It is
   /// parsed on construction; what does not parse, and a value that is not
   /// finite, is an InputError that names the entry.
   template <int dim>

@@ -11,8 +11,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <vector>
+
+#include "loading/load.h"
 
 namespace ElastoPlastic
 {
@@ -70,17 +73,49 @@ namespace ElastoPlastic
            const IndexSet                     &supported_dofs,
            const Vector                       &layout);
 
-    /// Pushes the indenter to @p depth.
+    /// Drives the indenter: to a depth, or by a force F, which leaves it where
+    /// it is until a displacement says how far it has moved.
     void
-    set_depth(const double depth);
+    set_load(const Load &load);
 
-    /// Takes those candidates as active that @p u brings to the indenter or
-    /// beyond.
+    /// Puts the indenter to @p depth.
+    void
+    place(const double depth);
+
+    /// Where the indenter is.
+    double
+    depth() const;
+
+    bool
+    is_force_driven() const;
+
+    /// F; zero if a depth drives the indenter.
+    double
+    force() const;
+
+    /// Where the indenter is when the body has the displacement @p u, in which
+    /// the active nodes, if a force drives them, have moved together: the mean
+    /// of g - u over them.
+    double
+    depth_at(const Vector &u) const;
+
+    /// Puts a force driven indenter to where it is according to @p u: on the
+    /// active nodes, or if there is none, to where it just touches the body.
+    void
+    settle(const Vector &u);
+
+    /// Takes those candidates as active, too, that @p u brings to the indenter
+    /// or beyond. If there is none, a force moves the indenter to the nearest.
     void
     activate_touching(const Vector &u);
 
+    /// Takes none as active.
+    void
+    deactivate_all();
+
     /// The primal-dual switching test with lambda = 0 off the active set:
-    /// active nodes stay if they press, others join if they penetrate.
+    /// active nodes stay if they press, others join if they penetrate. A force
+    /// F > 0 that has lost all of them moves the indenter to the nearest.
     /// @return whether the set has changed on any rank.
     bool
     update(const Vector &u, const Vector &residual);
@@ -114,9 +149,9 @@ namespace ElastoPlastic
     void
     project(Vector &u) const;
 
-    /// Sets @p value at the active entries of @p vector.
-    void
-    set_active_entries(Vector &vector, const double value) const;
+    /// The indices of the active nodes of this rank in vectors.
+    std::vector<unsigned int>
+    active_entries() const;
 
     /// Sets @p value at the entries of all candidates.
     void
@@ -148,21 +183,24 @@ namespace ElastoPlastic
     double
     bound(const Node &node) const;
 
+    /// The smallest distance from the undisplaced indenter down to a candidate.
+    double
+    nearest_distance(const Vector &u) const;
+
+    /// If a force F > 0 has no active node to press on, moves the indenter to
+    /// the nearest candidates and activates them. @return whether it has.
+    bool
+    find_contact(const Vector &u);
+
     /// Sets the active flag of all candidates. @return whether any flag has
     /// changed on any rank.
     template <typename Predicate>
     bool
     set_active(const Predicate &is_active);
 
-    void
-    find_nodes(const DoFHandler<dim>              &dof_handler,
-               const AffineConstraints<double>    &constraints,
-               const std::set<types::boundary_id> &contact_boundaries,
-               const IndexSet                     &supported_dofs,
-               const Vector                       &area);
-
     const std::function<double(const Point<dim> &)> gap;
-    double                                          depth = 0;
+    double                                          present_depth = 0;
+    std::optional<double>                           given_force;
     MPI_Comm                                        communicator;
     types::global_dof_index                         first_owned_dof = 0;
 

@@ -16,7 +16,7 @@
 #include "mesh/boundary_conditions.h"
 #include "mesh/geometry.h"
 #include "mesh/refinement.h"
-#include "solver/linear_solver.h"
+#include "solver/linear_solver_parameters.h"
 #include "solver/newton_parameters.h"
 
 namespace ElastoPlastic

@@ -19,6 +19,7 @@ namespace ElastoPlastic
   struct SolveResult
   {
     unsigned int            step              = 0;
+    double                  time              = 0;
     unsigned int            cycle             = 0;
     types::global_dof_index cells             = 0;
     types::global_dof_index dofs              = 0;
@@ -43,6 +44,14 @@ namespace ElastoPlastic
     double energy                        = 0;
     double plastic_volume                = 0;
     double max_equivalent_plastic_strain = 0;
+    double elastic_energy                = 0;
+    /// what hardening has stored
+    double hardening_energy = 0;
+    /// of the load step; in history.csv since the virgin state, as is the work
+    /// of the external forces, those of indenter and supports included
+    double plastic_work  = 0;
+    double dissipation   = 0;
+    double external_work = 0;
   };
 
 

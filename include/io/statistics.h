@@ -22,7 +22,7 @@ namespace ElastoPlastic
 
     /// @p result is that of the last solve of the step.
     void
-    add_step(const SolveResult &result, const double time);
+    add_step(const SolveResult &result);
 
   private:
     CsvFile statistics;

@@ -6,22 +6,30 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <string>
+
 namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// The entries of the section "Loading".
+  /// The entries of the section "Loading"; see LoadProgram for their meaning.
   struct LoadingParameters
   {
-    double       depth      = 0.01;
+    std::string  control = "depth";
+    std::string  depth   = "0.01";
+    std::string  force   = "1";
+    std::string  history;
     unsigned int n_steps    = 1;
     double       final_time = 1;
+    unsigned int max_cuts   = 6;
 
     void
     add_parameters(ParameterHandler &prm);
 
-    void
-    check() const;
+    /// Whether the load is one step from the virgin state, Johnson's stationary
+    /// problem, rather than a history.
+    bool
+    is_single_step() const;
   };
 } // namespace ElastoPlastic
 

@@ -151,6 +151,40 @@ namespace ElastoPlastic
       return prediction / std::max(prediction.norm(), Number(1.));
     }
 
+    /// The work of the stress on the plastic strain of the step,
+    /// s : (e_p - e_p,n).
+    Number
+    plastic_work() const
+    {
+      return multiplier * (deviatoric_stress() * direction);
+    }
+
+    /// G |e - e_p|^2 at the end of the step.
+    Number
+    distortion_energy() const
+    {
+      const Tensor3 elastic_strain =
+        elastic_trial_strain - multiplier * direction;
+      return material.shear_modulus * (elastic_strain * elastic_strain);
+    }
+
+    /// What hardening has stored at the end of the step,
+    /// H alpha^2 / 2 + |beta|^2 / (2 (2/3 H_k)).
+    Number
+    hardening_energy() const
+    {
+      return stored_by_hardening(state());
+    }
+
+    /// The part of the plastic work that has become heat: what hardening has
+    /// not stored. Not negative.
+    Number
+    dissipation() const
+    {
+      return plastic_work() -
+             (hardening_energy() - stored_by_hardening(old_state));
+    }
+
     /// The state at the end of the step.
     MaterialState<Number>
     state() const
@@ -173,6 +207,16 @@ namespace ElastoPlastic
     }
 
   private:
+    Number
+    stored_by_hardening(const MaterialState<Number> &state) const
+    {
+      const Number alpha = state.equivalent_plastic_strain;
+      // (without kinematic hardening there is no back stress)
+      return 0.75 * material.isotropic_modulus * alpha * alpha +
+             0.5 * (state.back_stress * state.back_stress) /
+               std::max(material.kinematic_modulus, Number(1e-100));
+    }
+
     const Material<Number>       material;
     const MaterialState<Number> &old_state;
 

@@ -4,6 +4,7 @@
 #ifndef mechanics_matrix_free_solid_h
 #define mechanics_matrix_free_solid_h
 
+#include <deal.II/base/aligned_vector.h>
 #include <deal.II/matrix_free/fe_evaluation.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
@@ -33,6 +34,9 @@ namespace ElastoPlastic
     void
     reinit(const DoFHandler<dim>           &dof_handler,
            const AffineConstraints<double> &constraints) override;
+
+    void
+    commit(const VectorType &u) override;
 
     void
     initialize_vector(VectorType &vector) const override;
@@ -87,7 +91,8 @@ namespace ElastoPlastic
     Material<Number>
     material_of(const unsigned int cell_batch) const;
 
-    /// The radial return at a point of the current cell, from the virgin state.
+    /// The radial return at a point of the current cell, from the state before
+    /// the step.
     RadialReturn<Number>
     radial_return(const CellEvaluation   &phi,
                   const unsigned int      point,
@@ -143,8 +148,10 @@ namespace ElastoPlastic
     SinglePrecisionStorage<PointTangent>                  tangents;
     SinglePrecisionStorage<SymmetricTensor<2, 3, Number>> flow_directions;
 
-    /// The state before the step: virgin.
-    const MaterialState<Number> virgin_state;
+    /// The states of all points before the step; none as long as all points
+    /// are virgin.
+    AlignedVector<MaterialState<Number>> history;
+    const MaterialState<Number>          virgin_state;
   };
 
 

@@ -38,10 +38,13 @@ namespace ElastoPlastic
     SymmetricTensor<2, 3> stress;
     SymmetricTensor<2, 3> plastic_strain;
     double                equivalent_plastic_strain;
-    /// Whether the point has yielded in this step.
+    /// Whether the point has ever yielded.
     bool plastic;
     /// The volume (in 2D: the area) that the point stands for.
     double volume;
+    /// Per unit of volume: the elastic energy, what hardening has stored, and
+    /// the plastic work and the dissipation of the step under way.
+    double elastic_energy, hardening_energy, plastic_work, dissipation;
   };
 
 
@@ -78,6 +81,9 @@ namespace ElastoPlastic
   /// those that the AffineConstraints passed to reinit() (hanging nodes,
   /// skew rollers) express by others.
   ///
+  /// All stresses and energies are those at the end of a load step that begins
+  /// with the material states of the last commit().
+  ///
   /// Vectors passed in need no ghost values; displacements must satisfy the
   /// constraints (AffineConstraints::distribute()). Forces come out condensed:
   /// a hanging node's force is handed to its masters.
@@ -87,11 +93,17 @@ namespace ElastoPlastic
   public:
     virtual ~SolidOperator() = default;
 
-    /// Prepares everything that depends on the mesh. @p dof_handler and
-    /// @p constraints must outlive this object or the next call.
+    /// Prepares everything that depends on the mesh; all points are virgin.
+    /// @p dof_handler and @p constraints must outlive this object or the next
+    /// call.
     virtual void
     reinit(const DoFHandler<dim>           &dof_handler,
            const AffineConstraints<double> &constraints) = 0;
+
+    /// Ends a load step with the displacement @p u: what the points then
+    /// remember is what the next step begins with.
+    virtual void
+    commit(const VectorType &u) = 0;
 
     virtual void
     initialize_vector(VectorType &vector) const = 0;

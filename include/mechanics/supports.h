@@ -38,12 +38,23 @@ namespace ElastoPlastic
            const BoundaryConditions<dim> &boundary_conditions,
            const double                   time);
 
+    /// Changes the prescribed displacements to those at @p time, on the same
+    /// mesh.
+    void
+    set_time(const DoFHandler<dim>         &dof_handler,
+             const BoundaryConditions<dim> &boundary_conditions,
+             const double                   time);
+
     const AffineConstraints<double> &
     constraints() const;
 
     /// The hanging nodes alone: what a field must satisfy to be continuous.
     const AffineConstraints<double> &
     hanging_nodes() const;
+
+    /// The indices in @p layout of the fixed entries that this rank owns.
+    std::vector<unsigned int>
+    fixed_entries(const Vector &layout) const;
 
     /// The fixed, locally relevant degrees of freedom.
     IndexSet
@@ -64,15 +75,21 @@ namespace ElastoPlastic
 
   private:
     void
-    add_fixed_and_prescribed(const DoFHandler<dim>         &dof_handler,
-                             const BoundaryConditions<dim> &boundary_conditions,
-                             const double                   time);
+    find_fixed_values(const DoFHandler<dim>         &dof_handler,
+                      const BoundaryConditions<dim> &boundary_conditions,
+                      const double                   time);
 
-    /// Rollers: a fixed component where all normals are parallel to an axis,
-    /// else a constraint of no normal displacement.
     void
-    add_rollers(const DoFHandler<dim>              &dof_handler,
-                const std::set<types::boundary_id> &rollers);
+    drop_constrained_values();
+
+    /// Rollers on surfaces that are not normal to an axis: a constraint of no
+    /// normal displacement.
+    void
+    add_skew_rollers(const DoFHandler<dim>              &dof_handler,
+                     const std::set<types::boundary_id> &rollers);
+
+    /// The rollers that are normal to an axis, with that axis.
+    std::map<types::boundary_id, unsigned int> level_rollers;
 
     AffineConstraints<double>                 hanging;
     AffineConstraints<double>                 combined;

@@ -40,6 +40,15 @@ namespace ElastoPlastic
   flag_cells(const RefinementParameters                &parameters,
              const Vector<float>                       &error_indicators,
              parallel::distributed::Triangulation<dim> &triangulation);
+
+
+
+  /// The number of cells that the mesh will have, all ranks together, when the
+  /// flags have been obeyed.
+  template <int dim>
+  types::global_cell_index
+  n_cells_after_refinement(
+    const parallel::distributed::Triangulation<dim> &triangulation);
 } // namespace ElastoPlastic
 
 #endif

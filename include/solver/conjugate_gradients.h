@@ -13,16 +13,24 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
+  [[noreturn]] inline void
+  throw_singular()
+  {
+    throw ConvergenceError(
+      "The linear solver has produced values that are not finite: the "
+      "system is singular. Is the body supported against all rigid body "
+      "motions, and is the load below the limit load?");
+  }
+
+
+
   /// What a linear solver owes its caller.
   /// @throws ConvergenceError if @p norm is not finite.
   inline void
   check_finite(const double norm)
   {
     if (!std::isfinite(norm))
-      throw ConvergenceError(
-        "The linear solver has produced values that are not finite: the "
-        "system is singular. Is the body supported against all rigid body "
-        "motions, and is the load below the limit load?");
+      throw_singular();
   }
 
 

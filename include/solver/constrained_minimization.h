@@ -11,11 +11,14 @@ namespace ElastoPlastic
   using namespace dealii;
 
   /// What SemismoothNewton needs to know of a problem: minimise a convex
-  /// energy Pi(u), where some unknowns are held at given values ("held": by
-  /// supports, or because they are in the active set) and others are bounded
-  /// from above (the contact candidates). The derivative of Pi is called
-  /// -residual, so that the residual at a held unknown is the force its
-  /// support takes from the body.
+  /// energy Pi(u), where some unknowns are held (by supports, or because they
+  /// are in the active set) and others are bounded from above (the contact
+  /// candidates). The derivative of Pi is called -residual, so that the
+  /// residual at a held unknown is the force its support takes from the body.
+  ///
+  /// The place of the bounds may be an unknown itself, with a given force that
+  /// pushes them: then the active unknowns are not held, but tied together, and
+  /// one of them stands for all in reduced vectors; see ReducedUnknowns.
   class ConstrainedMinimization
   {
   public:
@@ -49,18 +52,19 @@ namespace ElastoPlastic
     virtual void
     apply_tangent(Vector &result, const Vector &increment) const = 0;
 
-    /// Solves tangent * increment = rhs on the free unknowns, with zero at the
-    /// held ones, until the linear residual has fallen by @p reduction.
+    /// Solves tangent * increment = rhs, a reduced vector, on the unknowns that
+    /// can move, with zero at the held ones, until the linear residual has
+    /// fallen by @p reduction. The increment is an expanded vector.
     /// @return the number of iterations.
     virtual unsigned int
     solve_tangent(Vector       &increment,
                   const Vector &rhs,
                   const double  reduction) = 0;
 
-    /// An approximation, positive, of the diagonal of the stored second
-    /// derivative.
+    /// Divides reduced @p forces by an approximation, positive, of the diagonal
+    /// of the stored second derivative, and expands the result.
     virtual void
-    tangent_diagonal(Vector &diagonal) const = 0;
+    apply_inverse_diagonal(Vector &forces) const = 0;
 
     /// The switching test of the primal-dual active set method.
     /// @return whether the set has changed.
@@ -89,9 +93,10 @@ namespace ElastoPlastic
     virtual void
     project(Vector &u) const = 0;
 
-    /// Sets the held entries of @p vector to zero.
+    /// Turns the residual at all unknowns into the reduced vector -dPi/du of
+    /// the unknowns that can move; zero at the held ones.
     virtual void
-    zero_held(Vector &vector) const = 0;
+    reduce(Vector &residual) const = 0;
   };
 } // namespace ElastoPlastic
 

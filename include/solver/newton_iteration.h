@@ -83,6 +83,11 @@ namespace ElastoPlastic
                 const Vector &direction,
                 const double  slope);
 
+    /// The derivative of the energy at u, whose residual has been computed,
+    /// along an expanded @p direction.
+    double
+    slope_along(const Vector &direction);
+
     /// Whether u is as good as it can be told in the presence of rounding:
     /// the energy has not grown visibly and its slope along @p direction has
     /// shrunk @cite hager_zhang_2005.

@@ -4,34 +4,90 @@
 #ifndef solver_tangent_solver_h
 #define solver_tangent_solver_h
 
-#include "mechanics/solid_operator.h"
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "solver/reduced_unknowns.h"
+#include "solver/tangent_preconditioner.h"
 
 namespace ElastoPlastic
 {
-  /// Solves linear systems with the stored tangent of a body of which some
-  /// unknowns are held.
+  /// Solves linear systems with the stored tangent of a body, without a matrix,
+  /// by preconditioned conjugate gradients.
+  ///
+  /// If some unknowns are tied, all of them count as held in the
+  /// preconditioner, and their common motion is treated by deflation
+  /// @cite tang_nabben_vuik_erlangga_2009: the response of the body to a unit
+  /// motion of the tied unknowns, as far as it is known from earlier systems,
+  /// is eliminated exactly. What is left is as easy as without ties, but for
+  /// one outlying eigenvalue if the response is inaccurate.
   template <int dim>
   class TangentSolver
   {
   public:
-    virtual ~TangentSolver() = default;
+    /// A preconditioner, and how long to wait for it.
+    struct Method
+    {
+      /// for the user, such as "geometric multigrid"
+      std::string                                                  name;
+      std::function<std::unique_ptr<TangentPreconditioner<dim>>()> make;
+      unsigned int maximum_iterations;
+    };
 
-    /// Takes the stored tangent of @p solid, which must outlive the solves.
-    /// @p held has ones at the held unknowns that this rank owns, zeros
-    /// elsewhere.
-    virtual void
-    prepare(const SolidOperator<dim> &solid, const VectorType &held) = 0;
+    /// The first of @p methods is used; it has failed if its result is not
+    /// finite or it needs all its iterations. Then @p warn gets a sentence for
+    /// the user, and the next one takes over for good.
+    TangentSolver(const std::vector<Method>                      &methods,
+                  const std::function<void(const std::string &)> &warn);
 
-    /// Solves on the free unknowns until the residual has fallen by the factor
-    /// @p reduction. @p rhs is zero at held and constrained unknowns, and so is
-    /// the result. @return the number of iterations. If they are used up
-    /// before, the last iterate is the answer: what CG has found by then is
-    /// still a direction of descent for the energy.
+    /// Takes the stored tangent of @p solid, which must outlive the solves, and
+    /// which unknowns are held and tied.
+    void
+    prepare(const SolidOperator<dim> &solid, const ReducedUnknowns &unknowns);
+
+    /// Solves until the residual has fallen by the factor @p reduction. Both
+    /// vectors are reduced, and zero at constrained unknowns. @return the
+    /// number of iterations. If those of the last method are used up before,
+    /// the last iterate is the answer: what has been found by then is still a
+    /// direction of descent for the energy.
     /// @throws ConvergenceError if the result is not finite.
-    virtual unsigned int
-    solve(VectorType       &solution,
-          const VectorType &rhs,
-          const double      reduction) = 0;
+    unsigned int
+    solve(VectorType &solution, const VectorType &rhs, const double reduction);
+
+  private:
+    class ReducedTangent;
+    class DeflatedPreconditioner;
+
+    void
+    prepare_preconditioner();
+
+    void
+    prepare_response();
+
+    unsigned int
+    try_to_solve(VectorType       &solution,
+                 const VectorType &rhs,
+                 const double      reduction);
+
+    /// Keeps @p solution as the response if it is better than the present one.
+    void
+    learn_response(const VectorType &solution, const VectorType &rhs);
+
+    const std::vector<Method>                      methods;
+    const std::function<void(const std::string &)> warn;
+
+    typename std::vector<Method>::const_iterator method;
+    std::unique_ptr<TangentPreconditioner<dim>>  preconditioner;
+
+    const SolidOperator<dim> *solid = nullptr;
+    ReducedUnknowns           unknowns;
+
+    /// To a unit motion of the tied unknowns: expanded, between the systems;
+    /// the tangent times the response; and their product, the response's
+    /// stiffness. By the minimum principle, the smaller the better.
+    VectorType response, tangent_times_response;
+    double     response_stiffness = 0;
   };
 } // namespace ElastoPlastic
 

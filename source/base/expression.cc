@@ -57,14 +57,16 @@ namespace ElastoPlastic
     : path(path)
     , text(text)
   {
-    const std::string variables = (dim == 2 ? "x,y,t" : "x,y,z,t");
+    const std::string variables = (dim == 1 ? "t" :
+                                   dim == 2 ? "x,y,t" :
+                                              "x,y,z,t");
     try
       {
         const SilentErrorStream silence;
         function.initialize(variables,
                             text,
                             {{"pi", numbers::PI}, {"e", numbers::E}},
-                            /* time_dependent = */ true);
+                            /* time_dependent = */ dim > 1);
         function.value(Point<dim>()); // deal.II parses at the first use
       }
     catch (const ExceptionBase &exception)
@@ -82,12 +84,17 @@ namespace ElastoPlastic
   double
   Expression<dim>::value(const Point<dim> &point, const double time) const
   {
-    function.set_time(time);
+    if (dim > 1)
+      function.set_time(time);
     const double result = function.value(point);
     if (!std::isfinite(result))
       {
         std::ostringstream where;
-        where << "at (" << point << ") and t = " << time << " its value is "
+        if (dim == 1)
+          where << "at t = " << point;
+        else
+          where << "at (" << point << ") and t = " << time;
+        where << " its value is "
               << (std::isnan(result) ? "not a number" : "infinite")
               << ". It must be finite wherever it is needed.";
         throw InputError(path, text, where.str());
@@ -97,6 +104,7 @@ namespace ElastoPlastic
 
 
 
+  template class Expression<1>;
   template class Expression<2>;
   template class Expression<3>;
 } // namespace ElastoPlastic

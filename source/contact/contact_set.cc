@@ -1,77 +1,15 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/filtered_iterator.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
-#include "base/throw_together.h"
+#include "contact/contact_nodes.h"
 #include "contact/contact_set.h"
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    using Vector = LinearAlgebra::distributed::Vector<double>;
-
-    /// Calls body(cell, face_no) for all faces of @p cells on @p boundaries.
-    template <typename CellRange, typename Body>
-    void
-    for_each_face(const CellRange                    &cells,
-                  const std::set<types::boundary_id> &boundaries,
-                  const Body                         &body)
-    {
-      for (const auto &cell : cells)
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              boundaries.count(cell->face(f)->boundary_id()) > 0)
-            body(cell, f);
-    }
-
-
-
-    /// The lumped boundary mass D of the vertical component, condensed: the
-    /// integrals of the shape functions.
-    template <int dim>
-    void
-    compute_lumped_areas(const DoFHandler<dim>              &dof_handler,
-                         const AffineConstraints<double>    &constraints,
-                         const std::set<types::boundary_id> &boundaries,
-                         Vector                             &areas)
-    {
-      const auto                          &fe = dof_handler.get_fe();
-      const QGauss<dim - 1>                quadrature(fe.degree + 1);
-      FEFaceValues<dim>                    fe_face_values(fe,
-                                       quadrature,
-                                       update_values | update_JxW_values);
-      dealii::Vector<double>               cell_areas(fe.n_dofs_per_cell());
-      std::vector<types::global_dof_index> dof_indices(fe.n_dofs_per_cell());
-
-      const auto cells = dof_handler.active_cell_iterators() |
-                         IteratorFilters::LocallyOwnedCell();
-      for_each_face(cells, boundaries, [&](const auto &cell, const auto f) {
-        fe_face_values.reinit(cell, f);
-        cell_areas = 0;
-        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
-          if (fe.system_to_component_index(i).first == dim - 1)
-            for (const unsigned int q :
-                 fe_face_values.quadrature_point_indices())
-              cell_areas(i) +=
-                fe_face_values.shape_value(i, q) * fe_face_values.JxW(q);
-        cell->get_dof_indices(dof_indices);
-        constraints.distribute_local_to_global(cell_areas, dof_indices, areas);
-      });
-      areas.compress(VectorOperation::add);
-    }
-  } // namespace
-
-
-
   template <int dim>
   ContactSet<dim>::ContactSet(
     const std::function<double(const Point<dim> &)> &gap)
@@ -92,66 +30,114 @@ namespace ElastoPlastic
   {
     communicator    = layout.get_mpi_communicator();
     first_owned_dof = layout.get_partitioner()->local_range().first;
-
-    Vector areas;
-    areas.reinit(layout);
-    compute_lumped_areas(dof_handler, constraints, contact_boundaries, areas);
-    throw_together(communicator, [&]() {
-      find_nodes(
-        dof_handler, constraints, contact_boundaries, supported_dofs, areas);
-    });
-  }
-
-
-
-  template <int dim>
-  void
-  ContactSet<dim>::find_nodes(
-    const DoFHandler<dim>              &dof_handler,
-    const AffineConstraints<double>    &constraints,
-    const std::set<types::boundary_id> &contact_boundaries,
-    const IndexSet                     &supported_dofs,
-    const Vector                       &areas)
-  {
-    const auto               &fe = dof_handler.get_fe();
-    const Quadrature<dim - 1> nodes(fe.get_unit_face_support_points());
-    FEFaceValues<dim> fe_face_values(fe, nodes, update_quadrature_points);
-    std::vector<types::global_dof_index> dof_indices(fe.n_dofs_per_face());
-
-    std::map<types::global_dof_index, double> gaps; // ordered, and each once
-    // A node's owner need not own one of its contact faces: look at ghosts too.
-    const auto cells =
-      filter_iterators(dof_handler.active_cell_iterators(),
-                       [](const auto &cell) { return !cell->is_artificial(); });
-    for_each_face(
-      cells, contact_boundaries, [&](const auto &cell, const auto f) {
-        fe_face_values.reinit(cell, f);
-        cell->face(f)->get_dof_indices(dof_indices);
-        for (unsigned int i = 0; i < dof_indices.size(); ++i)
-          if (fe.face_system_to_component_index(i).first == dim - 1 &&
-              dof_handler.locally_owned_dofs().is_element(dof_indices[i]))
-            gaps[dof_indices[i]] = gap(fe_face_values.quadrature_point(i));
-      });
-
     candidates.clear();
     hanging_nodes.clear();
-    for (const auto &[dof, gap] : gaps)
-      if (std::isfinite(gap) && !supported_dofs.is_element(dof))
-        {
-          const unsigned int index = dof - first_owned_dof;
-          const Node node{index, gap, areas.local_element(index), false};
-          (constraints.is_constrained(dof) ? hanging_nodes : candidates)
-            .push_back(node);
-        }
+    for (const ContactNode &node : find_contact_nodes(
+           dof_handler, constraints, contact_boundaries, gap, layout))
+      if (!supported_dofs.is_element(first_owned_dof + node.index))
+        (node.hanging ? hanging_nodes : candidates)
+          .push_back({node.index, node.gap, node.area, false});
   }
 
 
 
   template <int dim>
   void
-  ContactSet<dim>::set_depth(const double new_depth)
+  ContactSet<dim>::set_load(const Load &load)
   {
-    depth = new_depth;
+    given_force.reset();
+    if (load.control == Control::force)
+      given_force = load.value;
+    else
+      place(load.value);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::place(const double depth)
+  {
+    present_depth = depth;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactSet<dim>::depth() const
+  {
+    return present_depth;
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSet<dim>::is_force_driven() const
+  {
+    return given_force.has_value();
+  }
+
+
+
+  template <int dim>
+  double
+  ContactSet<dim>::force() const
+  {
+    return given_force.value_or(0.);
+  }
+
+
+
+  template <int dim>
+  double
+  ContactSet<dim>::depth_at(const Vector &u) const
+  {
+    if (!is_force_driven())
+      return present_depth;
+    double sum = 0;
+    for (const Node &node : candidates)
+      if (node.active)
+        sum += node.gap - u.local_element(node.index);
+    const unsigned int n = n_active();
+    return n > 0 ? Utilities::MPI::sum(sum, communicator) / n : present_depth;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactSet<dim>::nearest_distance(const Vector &u) const
+  {
+    double distance = std::numeric_limits<double>::infinity();
+    for (const Node &node : candidates)
+      distance = std::min(distance, node.gap - u.local_element(node.index));
+    return Utilities::MPI::min(distance, communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::settle(const Vector &u)
+  {
+    if (is_force_driven())
+      present_depth = n_active() > 0 ? depth_at(u) : nearest_distance(u);
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSet<dim>::find_contact(const Vector &u)
+  {
+    if (force() == 0. || n_active() > 0)
+      return false;
+    present_depth = nearest_distance(u);
+    return set_active([&](const Node &node) {
+      return node.gap - u.local_element(node.index) <= present_depth;
+    });
   }
 
 
@@ -160,7 +146,7 @@ namespace ElastoPlastic
   double
   ContactSet<dim>::bound(const Node &node) const
   {
-    return node.gap - depth;
+    return node.gap - present_depth;
   }
 
 
@@ -186,10 +172,21 @@ namespace ElastoPlastic
   void
   ContactSet<dim>::activate_touching(const Vector &u)
   {
-    const double contact_tolerance = 1e-8 * std::abs(depth);
+    const double contact_tolerance = 1e-8 * std::abs(present_depth);
     set_active([&](const Node &node) {
-      return u.local_element(node.index) >= bound(node) - contact_tolerance;
+      return node.active ||
+             u.local_element(node.index) >= bound(node) - contact_tolerance;
     });
+    find_contact(u);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::deactivate_all()
+  {
+    set_active([](const Node &) { return false; });
   }
 
 
@@ -198,22 +195,28 @@ namespace ElastoPlastic
   bool
   ContactSet<dim>::update(const Vector &u, const Vector &residual)
   {
-    return set_active([&](const Node &node) {
+    present_depth      = depth_at(u);
+    const bool changed = set_active([&](const Node &node) {
       return node.active ? residual.local_element(node.index) > 0 :
                            u.local_element(node.index) > bound(node);
     });
+    return find_contact(u) || changed;
   }
 
 
 
+  // (Nodes that have moved together differ in the last digits.)
   template <int dim>
   bool
   ContactSet<dim>::update_feasible(const Vector &u, const Vector &residual)
   {
-    return set_active([&](const Node &node) {
-      return u.local_element(node.index) >= bound(node) &&
+    present_depth         = depth_at(u);
+    const double rounding = 1e-13 * std::abs(present_depth);
+    const bool   changed  = set_active([&](const Node &node) {
+      return u.local_element(node.index) >= bound(node) - rounding &&
              residual.local_element(node.index) > 0;
     });
+    return find_contact(u) || changed;
   }
 
 
@@ -287,20 +290,23 @@ namespace ElastoPlastic
   void
   ContactSet<dim>::project(Vector &u) const
   {
+    const double depth = depth_at(u);
     for (const Node &node : candidates)
       u.local_element(node.index) =
-        std::min(u.local_element(node.index), bound(node));
+        std::min(u.local_element(node.index), node.gap - depth);
   }
 
 
 
   template <int dim>
-  void
-  ContactSet<dim>::set_active_entries(Vector &vector, const double value) const
+  std::vector<unsigned int>
+  ContactSet<dim>::active_entries() const
   {
+    std::vector<unsigned int> entries;
     for (const Node &node : candidates)
       if (node.active)
-        vector.local_element(node.index) = value;
+        entries.push_back(node.index);
+    return entries;
   }
 
 
@@ -356,8 +362,10 @@ namespace ElastoPlastic
     if (state.n_active > 0)
       {
         state.min_pressure = Utilities::MPI::min(min_pressure, communicator);
-        state.complementarity_error = Utilities::MPI::sum(work, communicator) /
-                                      std::abs(state.force * depth);
+        const double scale = std::abs(state.force * present_depth);
+        if (scale > 0)
+          state.complementarity_error =
+            Utilities::MPI::sum(work, communicator) / scale;
       }
     return state;
   }

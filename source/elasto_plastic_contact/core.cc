@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+#include <sstream>
+
 #include "base/exceptions.h"
 #include "elasto_plastic_contact.h"
 #include "io/checked_write.h"
@@ -41,6 +44,12 @@ namespace ElastoPlastic
                                                   const MPI_Comm communicator)
     : parameters(parameters)
     , communicator(communicator)
+    , load_program(parameters.loading)
+    , time_steps(load_program.segment_ends(),
+                 parameters.loading.n_steps,
+                 parameters.loading.is_single_step() ?
+                   0 :
+                   parameters.loading.max_cuts)
     , screen(communicator, parameters.output.screen)
     , timer(screen.full_stream(), TimerOutput::never, TimerOutput::wall_times)
     , field_output(parameters.output.directory)
@@ -59,6 +68,7 @@ namespace ElastoPlastic
     setup_contact();
     check_supports();
     check_reach();
+    check_size();
   }
 
 
@@ -92,7 +102,7 @@ namespace ElastoPlastic
                   });
 
     Statistics statistics(communicator, parameters.output.directory);
-    solve_on_mesh_sequence(statistics);
+    run_load_history(statistics);
 
     timer.print_summary();
     screen.remark("Results are in " + parameters.output.directory);
@@ -100,57 +110,97 @@ namespace ElastoPlastic
 
 
 
-  // One load step on a sequence of meshes. Each solution, interpolated to the
-  // next mesh, is the starting guess there, so that the fine meshes need only
-  // a few Newton steps.
+  // One load step after the other. A step that does not converge is taken back
+  // and tried again in two halves.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::solve_on_mesh_sequence(Statistics &statistics)
+  ElastoPlasticContact<dim>::run_load_history(Statistics &statistics)
   {
-    const auto &refinement = parameters.refinement;
-    SolveResult result;
-    for (unsigned int cycle = 0; cycle < refinement.n_cycles; ++cycle)
+    while (!time_steps.finished())
       {
-        if (cycle > 0)
-          refine_mesh();
-        if (refinement.max_unknowns > 0 &&
-            dof_handler.n_dofs() > refinement.max_unknowns)
+        try
           {
-            if (cycle == 0)
-              throw InputError("Refinement/Maximum number of unknowns",
-                               std::to_string(refinement.max_unknowns),
-                               "the first mesh has " +
-                                 std::to_string(dof_handler.n_dofs()) +
-                                 " unknowns already. Allow more, or start with "
-                                 "a coarser mesh.");
-            screen.remark(
-              "The next mesh would have more unknowns than "
-              "'Refinement/Maximum number of unknowns' allows.");
-            break;
+            apply_load();
+            SolveResult result = solve_on_mesh_sequence(statistics);
+            commit_step(result);
+            statistics.add_step(result);
           }
-
-        result = solve(cycle);
-        statistics.add_solve(result);
-        output_results(cycle);
+        catch (const ConvergenceError &error)
+          {
+            if (!time_steps.cut())
+              give_up(error);
+            screen.warn("The step from t = " +
+                        Patterns::Tools::to_string(time_steps.time()) +
+                        " has not converged; trying half of it.");
+            take_back_step();
+            continue;
+          }
+        time_steps.advance();
       }
-    statistics.add_step(result, parameters.loading.final_time);
   }
 
 
 
-  // Whether a cycle is the last one is known in advance only if the number of
-  // unknowns is not limited. If it is, each cycle's fields replace those of the
-  // one before.
+  // A perfectly plastic body has a limit load. Steps that fail, however short,
+  // when the force is to grow tell that it has been reached.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::output_results(const unsigned int cycle)
+  ElastoPlasticContact<dim>::give_up(const ConvergenceError &error) const
   {
-    const bool every_cycle = (parameters.output.fields == "every cycle");
-    const bool may_be_last = (cycle + 1 == parameters.refinement.n_cycles ||
-                              parameters.refinement.max_unknowns > 0);
-    if (parameters.output.fields == "never" || !(every_cycle || may_be_last))
+    const auto &laws = parameters.material.laws;
+    if (contact.force() <= last_step.force ||
+        std::count(laws.begin(), laws.end(), "perfectly plastic") == 0)
+      throw error;
+
+    std::ostringstream message;
+    message.precision(10);
+    message << "No equilibrium has been found for the force " << contact.force()
+            << " (t = " << time_steps.next_time()
+            << "): it seems to be beyond the limit load of the perfectly "
+               "plastic body. The largest force reached is "
+            << last_step.force << ", at the depth " << last_step.depth
+            << ". Prescribe the depth, or a smaller force; several load steps "
+               "come closer to the limit.";
+    throw EquilibriumError(message.str());
+  }
+
+
+
+  // The mesh is adapted in the first load step, in a number of cycles. Each
+  // solution, interpolated to the next mesh, is the starting guess there, so
+  // that the fine meshes need only a few Newton steps.
+  template <int dim>
+  SolveResult
+  ElastoPlasticContact<dim>::solve_on_mesh_sequence(Statistics &statistics)
+  {
+    while (true)
+      {
+        const SolveResult result  = solve();
+        const bool        is_last = !mark_next_mesh();
+        statistics.add_solve(result);
+        output_results(is_last);
+        if (is_last)
+          return result;
+        refine_mesh();
+      }
+  }
+
+
+
+  // In a history, the fields of a step are those on its last mesh.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::output_results(const bool last_cycle)
+  {
+    const bool single_step = parameters.loading.is_single_step();
+    const bool last_step  = time_steps.next_time() == load_program.final_time();
+    const bool every_time = (parameters.output.fields == "every cycle");
+    if (parameters.output.fields == "never" ||
+        (!last_cycle && !(every_time && single_step)) ||
+        (!last_step && !every_time))
       return;
 
+    const unsigned int number = single_step ? cycle : time_steps.number();
     TimerOutput::Scope scope(timer, "Output");
     field_output.write({dof_handler,
                         supports.constraints(),
@@ -160,9 +210,9 @@ namespace ElastoPlastic
                         displacement,
                         residual,
                         error_indicators},
-                       every_cycle ? Utilities::int_to_string(cycle, 3) :
-                                     "last",
-                       cycle);
+                       every_time ? Utilities::int_to_string(number, 3) :
+                                    "last",
+                       single_step ? cycle : time_steps.next_time());
   }
 
 

@@ -28,6 +28,35 @@ namespace ElastoPlastic
 
 
 
+  // The mesh is adapted in the first load step. What the next mesh would need
+  // is known only when it is there, when there is no way back; but a new cell
+  // hardly ever brings fewer unknowns than it has in the interior of a mesh.
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::mark_next_mesh()
+  {
+    const auto &refinement = parameters.refinement;
+    if (time_steps.number() > 1 || cycle + 1 >= refinement.n_cycles)
+      return false;
+
+    flag_cells(refinement, error_indicators, triangulation);
+    const double n_new_cells =
+      n_cells_after_refinement(triangulation) -
+      static_cast<double>(triangulation.n_global_active_cells());
+    const double unknowns_per_cell = dim * std::pow(fe.degree, dim);
+    if (refinement.max_unknowns == 0 ||
+        dof_handler.n_dofs() + unknowns_per_cell * n_new_cells <=
+          refinement.max_unknowns)
+      return true;
+
+    screen.remark(
+      "The next mesh would have more unknowns than "
+      "'Refinement/Maximum number of unknowns' allows.");
+    return false;
+  }
+
+
+
   // The next mesh, and on it the interpolated solution as the starting guess.
   // What is no longer needed makes room for what comes: the levels of the old
   // mesh, and the values in transfer as soon as there are unknowns for them.
@@ -35,9 +64,7 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::refine_mesh()
   {
-    flag_cells(parameters.refinement, error_indicators, triangulation);
-    triangulation.prepare_coarsening_and_refinement();
-
+    ++cycle;
     tangent_solver.reset();
     const VectorType old_displacement = ghosted_copy(displacement, dof_handler);
     parallel::distributed::SolutionTransfer<dim, VectorType> transfer(

@@ -4,7 +4,6 @@
 #include "base/exceptions.h"
 #include "elasto_plastic_contact.h"
 #include "make_tangent_solver.h"
-#include "mechanics/external_forces.h"
 #include "mechanics/rigid_body_modes.h"
 
 namespace ElastoPlastic
@@ -19,9 +18,7 @@ namespace ElastoPlastic
     TimerOutput::Scope scope(timer, "Setup");
 
     dof_handler.distribute_dofs(fe);
-    supports.reinit(dof_handler,
-                    boundary_conditions,
-                    parameters.loading.final_time);
+    supports.reinit(dof_handler, boundary_conditions, time_steps.next_time());
     solid->reinit(dof_handler, supports.constraints());
     solid->initialize_vector(displacement);
   }
@@ -37,18 +34,12 @@ namespace ElastoPlastic
 
     solid->initialize_vector(residual);
     solid->initialize_vector(external_forces);
-    compute_external_forces(external_forces,
-                            dof_handler,
-                            supports.constraints(),
-                            boundary_conditions,
-                            parameters.loading.final_time);
-
     contact.reinit(dof_handler,
                    supports.constraints(),
                    boundary_conditions.ids(BoundaryConditionType::contact),
                    supports.fixed_dofs(),
                    residual);
-    contact.set_depth(parameters.loading.depth);
+    apply_load();
 
     tangent_solver = make_tangent_solver(parameters.linear_solver,
                                          dof_handler,
@@ -96,22 +87,47 @@ namespace ElastoPlastic
     if (!gap_function.has_indenter())
       return;
 
-    const double min_gap = contact.min_gap();
     if (contact.n_candidates() == 0)
       throw InputError(
         "The indenter can never touch the body: no node of the contact "
         "boundary lies within its reach. Check 'Indenter/Position', its size "
         "and 'Indenter/Reach', or refine the mesh ('Geometry/Initial "
         "refinements').");
-    if (min_gap >= parameters.loading.depth)
+
+    const double min_gap = contact.min_gap();
+    bool         touches = false;
+    for (TimeSteps step = time_steps; !step.finished(); step.advance())
+      {
+        const Load load = load_program.load(step.next_time());
+        touches =
+          touches || load.control == Control::force || load.value > min_gap;
+      }
+    const auto &loading = parameters.loading;
+    if (!touches)
       throw InputError(
-        "Loading/Depth",
-        Patterns::Tools::to_string(parameters.loading.depth),
+        loading.history.empty() ? "Loading/Depth" : "Loading/History",
+        loading.history.empty() ? loading.depth : loading.history,
         "the indenter can never touch the body: the smallest gap "
         "under it is " +
           Patterns::Tools::to_string(min_gap) +
           ". Push deeper, reduce 'Indenter/Initial gap', or "
           "refine the mesh under the tip.");
+  }
+
+
+
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::check_size() const
+  {
+    const unsigned int max_unknowns = parameters.refinement.max_unknowns;
+    if (max_unknowns > 0 && dof_handler.n_dofs() > max_unknowns)
+      throw InputError("Refinement/Maximum number of unknowns",
+                       std::to_string(max_unknowns),
+                       "the first mesh has " +
+                         std::to_string(dof_handler.n_dofs()) +
+                         " unknowns already. Allow more, or start with "
+                         "a coarser mesh.");
   }
 
 

@@ -6,6 +6,7 @@
 #include "contact_problem.h"
 #include "elasto_plastic_contact.h"
 #include "mechanics/rigid_body_modes.h"
+#include "mesh/body_size.h"
 
 namespace ElastoPlastic
 {
@@ -17,28 +18,35 @@ namespace ElastoPlastic
   // look at what has come out.
   template <int dim>
   SolveResult
-  ElastoPlasticContact<dim>::solve(const unsigned int cycle)
+  ElastoPlasticContact<dim>::solve()
   {
     Timer       wall_clock(communicator, /* sync_lap_times = */ true);
     SolveResult result;
-    result.step  = 1;
+    result.step  = time_steps.number();
+    result.time  = time_steps.next_time();
     result.cycle = cycle;
     result.cells = triangulation.n_global_active_cells();
     result.dofs  = dof_handler.n_dofs();
     screen.begin_solve(result);
 
     {
-      TimerOutput::Scope  scope(timer, "Nonlinear solver");
-      ContactProblem<dim> problem(
-        *solid, supports, external_forces, contact, *tangent_solver, timer);
+      TimerOutput::Scope     scope(timer, "Nonlinear solver");
       const SemismoothNewton newton(parameters.newton,
                                     [this](const NewtonStep &step) {
                                       screen.newton_step(step);
                                     });
 
       contact.activate_touching(displacement);
-      const NewtonReport report = newton.solve(problem, displacement);
+      ContactProblem<dim> problem(*solid,
+                                  supports,
+                                  external_forces,
+                                  contact,
+                                  *tangent_solver,
+                                  body_size(triangulation),
+                                  timer);
+      const NewtonReport  report = newton.solve(problem, displacement);
       problem.compute_residual(residual, displacement);
+      contact.settle(displacement);
 
       result.newton_iterations = report.n_iterations();
       result.linear_iterations = report.n_linear_iterations();
@@ -74,11 +82,11 @@ namespace ElastoPlastic
     const ContactState state = contact.state(displacement, residual);
     result.active_nodes      = state.n_active;
     result.force             = state.force;
-    result.depth = gap_function.has_indenter() ? parameters.loading.depth : 0.;
-    result.contact_area            = state.area;
-    result.max_pressure            = state.max_pressure;
-    result.min_pressure            = state.min_pressure;
-    result.max_penetration         = state.max_penetration;
+    result.depth           = gap_function.has_indenter() ? contact.depth() : 0.;
+    result.contact_area    = state.area;
+    result.max_pressure    = state.max_pressure;
+    result.min_pressure    = state.min_pressure;
+    result.max_penetration = state.max_penetration;
     result.max_hanging_penetration = state.max_hanging_penetration;
     result.complementarity_error   = state.complementarity_error;
 
@@ -118,16 +126,35 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::evaluate_plasticity(SolveResult &result) const
   {
-    double plastic_volume = 0, max_strain = 0;
+    enum
+    {
+      plastic_volume,
+      elastic_energy,
+      hardening_energy,
+      plastic_work,
+      dissipation,
+      n_integrals
+    };
+    std::vector<double> integrals(n_integrals, 0.);
+    double              max_strain = 0;
     solid->for_each_cell(displacement, [&](const auto &, const auto &points) {
       for (const PointResult &point : points)
         {
           if (point.plastic)
-            plastic_volume += point.volume;
+            integrals[plastic_volume] += point.volume;
+          integrals[elastic_energy] += point.elastic_energy * point.volume;
+          integrals[hardening_energy] += point.hardening_energy * point.volume;
+          integrals[plastic_work] += point.plastic_work * point.volume;
+          integrals[dissipation] += point.dissipation * point.volume;
           max_strain = std::max(max_strain, point.equivalent_plastic_strain);
         }
     });
-    result.plastic_volume = Utilities::MPI::sum(plastic_volume, communicator);
+    Utilities::MPI::sum(integrals, communicator, integrals);
+    result.plastic_volume   = integrals[plastic_volume];
+    result.elastic_energy   = integrals[elastic_energy];
+    result.hardening_energy = integrals[hardening_energy];
+    result.plastic_work     = integrals[plastic_work];
+    result.dissipation      = integrals[dissipation];
     result.max_equivalent_plastic_strain =
       Utilities::MPI::max(max_strain, communicator);
   }

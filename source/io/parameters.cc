@@ -106,8 +106,6 @@ namespace ElastoPlastic
     geometry.check(dimension);
     material.check();
     indenter.check(dimension);
-    if (indenter.type != "none")
-      loading.check();
     refinement.check();
     newton.check();
 

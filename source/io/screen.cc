@@ -39,7 +39,7 @@ namespace ElastoPlastic
                 Utilities::MPI::this_mpi_process(communicator) == 0)
     , warnings(std::cerr, Utilities::MPI::this_mpi_process(communicator) == 0)
   {
-    summary << "cycle cells dofs active_nodes force depth contact_area "
+    summary << "step cycle cells dofs active_nodes force depth contact_area "
                "max_pressure plastic_volume"
             << std::endl;
   }
@@ -62,7 +62,9 @@ namespace ElastoPlastic
   void
   Screen::begin_solve(const SolveResult &sizes)
   {
-    full << format("\nCycle %u: %llu cells, %llu unknowns\n",
+    full << format("\nStep %u, t = %.6g, cycle %u: %llu cells, %llu unknowns\n",
+                   sizes.step,
+                   sizes.time,
                    sizes.cycle,
                    static_cast<unsigned long long>(sizes.cells),
                    static_cast<unsigned long long>(sizes.dofs))
@@ -92,23 +94,26 @@ namespace ElastoPlastic
   void
   Screen::end_solve(const SolveResult &r)
   {
-    full << format(
-              "  force %.10g, contact area %.6g, largest pressure %.6g, "
-              "plastic volume %.6g\n"
-              "  force balance %.1e, penetration %.1e (hanging nodes "
-              "%.1e), complementarity %.1e; %.2f s, %.0f MB",
-              r.force,
-              r.contact_area,
-              r.max_pressure,
-              r.plastic_volume,
-              r.force_balance_error,
-              r.max_penetration,
-              r.max_hanging_penetration,
-              r.complementarity_error,
-              r.wall_seconds,
-              r.memory_mb)
-         << std::endl;
-    summary << format("%u %llu %llu %u %.12g %.12g %.12g %.12g %.12g",
+    full
+      << format(
+           "  depth %.10g, force %.10g, contact area %.6g, largest pressure %.6g, "
+           "plastic volume %.6g\n"
+           "  force balance %.1e, penetration %.1e (hanging nodes "
+           "%.1e), complementarity %.1e; %.2f s, %.0f MB",
+           r.depth,
+           r.force,
+           r.contact_area,
+           r.max_pressure,
+           r.plastic_volume,
+           r.force_balance_error,
+           r.max_penetration,
+           r.max_hanging_penetration,
+           r.complementarity_error,
+           r.wall_seconds,
+           r.memory_mb)
+      << std::endl;
+    summary << format("%u %u %llu %llu %u %.12g %.12g %.12g %.12g %.12g",
+                      r.step,
                       r.cycle,
                       static_cast<unsigned long long>(r.cells),
                       static_cast<unsigned long long>(r.dofs),

@@ -46,7 +46,12 @@ namespace ElastoPlastic
                "newton_iterations",
                "linear_iterations",
                "estimated_error",
-               "wall_seconds"})
+               "wall_seconds",
+               "elastic_energy",
+               "hardening_energy",
+               "plastic_work",
+               "dissipation",
+               "external_work"})
   {}
 
 
@@ -80,10 +85,10 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::add_step(const SolveResult &r, const double time)
+  Statistics::add_step(const SolveResult &r)
   {
     history.add_row({static_cast<double>(r.step),
-                     time,
+                     r.time,
                      r.depth,
                      r.force,
                      r.contact_area,
@@ -96,6 +101,11 @@ namespace ElastoPlastic
                      static_cast<double>(r.newton_iterations),
                      static_cast<double>(r.linear_iterations),
                      r.estimated_error,
-                     r.wall_seconds});
+                     r.wall_seconds,
+                     r.elastic_energy,
+                     r.hardening_energy,
+                     r.plastic_work,
+                     r.dissipation,
+                     r.external_work});
   }
 } // namespace ElastoPlastic

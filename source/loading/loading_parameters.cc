@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "base/exceptions.h"
 #include "loading/loading_parameters.h"
 
 namespace ElastoPlastic
@@ -9,39 +8,66 @@ namespace ElastoPlastic
   void
   LoadingParameters::add_parameters(ParameterHandler &prm)
   {
+    const std::string ramp =
+      "A number is reached in proportion to the time t, at the final time; an "
+      "expression in t is taken as it is, for instance: ";
+
     prm.enter_subsection("Loading");
+    prm.add_parameter("Control",
+                      control,
+                      "What drives the indenter. depth: 'Depth' is given, the "
+                      "force is a result. force: 'Force' is given, the depth "
+                      "is a result.",
+                      Patterns::Selection("depth|force"));
     prm.add_parameter("Depth",
                       depth,
-                      "delta > 0: how far the indenter is pushed down from "
-                      "where it stands undisplaced. With an 'Indenter/Initial "
-                      "gap' the first part of the way is through air. Unit: "
-                      "length.",
-                      Patterns::Double());
-    prm.add_parameter("Number of steps",
-                      n_steps,
-                      "The load steps from the virgin state to the full depth. "
-                      "This version solves Johnson's stationary problem: one "
-                      "step (Hencky's deformation theory).",
-                      Patterns::Integer(1, 1));
+                      "delta: how far the indenter is pushed down from where "
+                      "it stands undisplaced. With an 'Indenter/Initial gap' "
+                      "the first part of the way is through air. " +
+                        ramp + "0.02*sin(pi*t). Unit: length.",
+                      Patterns::Anything());
+    prm.add_parameter("Force",
+                      force,
+                      "F >= 0: the force that presses the indenter down, for "
+                      "'Control = force'. In 2D per unit of thickness. " +
+                        ramp + "50*if(t < 1, t, 2 - t). Unit: force.",
+                      Patterns::Anything());
+    prm.add_parameter(
+      "History",
+      history,
+      "A table that replaces 'Control', 'Depth', 'Force' and 'Final time': "
+      "times with the depth or the force that is reached then, linear in "
+      "between, beginning with zero at t = 0. For instance: 1: depth 0.02 | "
+      "2: force 0 | 3: depth 0.03. Where the control changes, the new one "
+      "starts from what has been reached.",
+      Patterns::Anything());
+    prm.add_parameter(
+      "Number of steps",
+      n_steps,
+      "The load steps from the virgin state at t = 0 to the final time. 1: "
+      "Johnson's stationary problem (Hencky's deformation theory), which is a "
+      "different problem from that of many steps. The segments of a 'History' "
+      "share the steps in proportion to their lengths, each gets at least one.",
+      Patterns::Integer(1));
     prm.add_parameter("Final time",
                       final_time,
-                      "The value of t in the expressions of boundary "
-                      "conditions at the end of the step. Unit: time.",
+                      "The time t at the end of the last step. Greater than 0. "
+                      "Unit: time.",
                       Patterns::Double());
+    prm.add_parameter("Maximum number of cuts",
+                      max_cuts,
+                      "A step that does not converge is taken back and "
+                      "halved, this many times at most; after success steps "
+                      "grow again. A single step is never cut.",
+                      Patterns::Integer(0, 30));
     prm.leave_subsection();
   }
 
 
 
-  void
-  LoadingParameters::check() const
+  bool
+  LoadingParameters::is_single_step() const
   {
-    if (!(depth > 0))
-      throw InputError(
-        "Loading/Depth",
-        Patterns::Tools::to_string(depth),
-        "it must be greater than 0. For a body that is loaded by "
-        "its boundary conditions alone set 'Indenter/Type = "
-        "none'.");
+    return n_steps == 1 && history.empty();
   }
 } // namespace ElastoPlastic

@@ -53,6 +53,7 @@ namespace ElastoPlastic
 
     tangents.reinit(n_points * matrix_free.n_cell_batches());
     flow_directions.reinit(n_points * matrix_free.n_cell_batches());
+    history.clear();
 
     material_indices.clear();
     if (materials.size() == 1)
@@ -112,10 +113,27 @@ namespace ElastoPlastic
     const unsigned int      point,
     const Material<Number> &material) const
   {
-    return RadialReturn<Number>(material,
-                                strain_deviator(
-                                  phi.get_symmetric_gradient(point)),
-                                virgin_state);
+    return RadialReturn<Number>(
+      material,
+      strain_deviator(phi.get_symmetric_gradient(point)),
+      history.empty() ?
+        virgin_state :
+        history[n_points * phi.get_current_cell_index() + point]);
+  }
+
+
+
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::commit(const VectorType &u)
+  {
+    if (history.empty())
+      history.resize(n_points * matrix_free.n_cell_batches(), virgin_state);
+    for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
+      const Material<Number> material = material_of(batch);
+      for (unsigned int q = 0; q < n_points; ++q)
+        history[n_points * batch + q] = radial_return(phi, q, material).state();
+    });
   }
 
 

@@ -118,8 +118,13 @@ namespace ElastoPlastic
           auto                       stress = point.deviatoric_stress();
           for (unsigned int d = 0; d < 3; ++d)
             stress[d][d] += material.bulk_modulus * volumetric[q];
-          const Number plastic = point.plastic(Number(1.));
-          const Number volume  = phi.JxW(q);
+          const Number volume = phi.JxW(q);
+          const Number elastic_energy =
+            point.distortion_energy() +
+            0.5 * material.bulk_modulus * volumetric[q] * volumetric[q];
+          const Number hardening_energy = point.hardening_energy();
+          const Number plastic_work     = point.plastic_work();
+          const Number dissipation      = point.dissipation();
 
           for (unsigned int lane = 0; lane < n_cells; ++lane)
             {
@@ -133,8 +138,12 @@ namespace ElastoPlastic
                 }
               result.equivalent_plastic_strain =
                 state.equivalent_plastic_strain[lane];
-              result.plastic = plastic[lane] > 0;
-              result.volume  = volume[lane];
+              result.plastic        = state.equivalent_plastic_strain[lane] > 0;
+              result.volume         = volume[lane];
+              result.elastic_energy = elastic_energy[lane];
+              result.hardening_energy = hardening_energy[lane];
+              result.plastic_work     = plastic_work[lane];
+              result.dissipation      = dissipation[lane];
             }
         }
       for (unsigned int lane = 0; lane < n_cells; ++lane)

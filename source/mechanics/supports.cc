@@ -124,20 +124,22 @@ namespace ElastoPlastic
     hanging.close();
     combined.reinit(relevant);
     combined.merge(hanging);
-    fixed_values.clear();
+
+    level_rollers.clear();
+    std::set<types::boundary_id> skew_rollers;
+    for (const auto id : boundary_conditions.ids(BoundaryConditionType::roller))
+      if (const unsigned int axis = common_normal_axis(dof_handler, id);
+          axis < dim)
+        level_rollers[id] = axis;
+      else
+        skew_rollers.insert(id);
+
+    find_fixed_values(dof_handler, boundary_conditions, time);
     vertical = IndexSet(dof_handler.n_dofs());
-
-    throw_together(dof_handler.get_communicator(), [&]() {
-      add_fixed_and_prescribed(dof_handler, boundary_conditions, time);
-    });
-    add_rollers(dof_handler,
-                boundary_conditions.ids(BoundaryConditionType::roller));
+    if (!skew_rollers.empty())
+      add_skew_rollers(dof_handler, skew_rollers);
     combined.close();
-
-    // Hanging nodes follow their masters, also where those are fixed.
-    for (auto dof = fixed_values.begin(); dof != fixed_values.end();)
-      dof = combined.is_constrained(dof->first) ? fixed_values.erase(dof) :
-                                                  std::next(dof);
+    drop_constrained_values();
 
     const IndexSet vertical_dofs =
       DoFTools::extract_dofs(dof_handler, mask_of_component<dim>(dim - 1));
@@ -150,65 +152,79 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  Supports<dim>::add_fixed_and_prescribed(
-    const DoFHandler<dim>         &dof_handler,
-    const BoundaryConditions<dim> &boundary_conditions,
-    const double                   time)
+  Supports<dim>::set_time(const DoFHandler<dim>         &dof_handler,
+                          const BoundaryConditions<dim> &boundary_conditions,
+                          const double                   time)
   {
-    for (const auto id : boundary_conditions.ids(BoundaryConditionType::fixed))
-      VectorTools::interpolate_boundary_values(MappingQ1<dim>(),
-                                               dof_handler,
-                                               id,
-                                               Functions::ZeroFunction<dim>(
-                                                 dim),
-                                               fixed_values);
-
-    for (const auto &[id, displacement] :
-         boundary_conditions.prescribed_displacements())
-      for (unsigned int d = 0; d < dim; ++d)
-        if (displacement[d])
-          VectorTools::interpolate_boundary_values(
-            MappingQ1<dim>(),
-            dof_handler,
-            id,
-            ComponentFunction<dim>(*displacement[d], d, time),
-            fixed_values,
-            mask_of_component<dim>(d));
+    find_fixed_values(dof_handler, boundary_conditions, time);
+    drop_constrained_values();
   }
 
 
 
   template <int dim>
   void
-  Supports<dim>::add_rollers(const DoFHandler<dim>              &dof_handler,
-                             const std::set<types::boundary_id> &rollers)
+  Supports<dim>::find_fixed_values(
+    const DoFHandler<dim>         &dof_handler,
+    const BoundaryConditions<dim> &boundary_conditions,
+    const double                   time)
   {
-    std::set<types::boundary_id> skew_rollers;
-    for (const auto id : rollers)
-      {
-        const unsigned int axis = common_normal_axis(dof_handler, id);
-        if (axis == dim)
-          skew_rollers.insert(id);
-        else
-          VectorTools::interpolate_boundary_values(
-            MappingQ1<dim>(),
-            dof_handler,
-            id,
-            Functions::ZeroFunction<dim>(dim),
-            fixed_values,
-            mask_of_component<dim>(axis));
-      }
-    if (skew_rollers.empty())
-      return;
+    fixed_values.clear();
+    const Functions::ZeroFunction<dim> zero(dim);
+    for (const auto id : boundary_conditions.ids(BoundaryConditionType::fixed))
+      VectorTools::interpolate_boundary_values(
+        MappingQ1<dim>(), dof_handler, id, zero, fixed_values);
 
+    throw_together(dof_handler.get_communicator(), [&]() {
+      for (const auto &[id, displacement] :
+           boundary_conditions.prescribed_displacements())
+        for (unsigned int d = 0; d < dim; ++d)
+          if (displacement[d])
+            VectorTools::interpolate_boundary_values(
+              MappingQ1<dim>(),
+              dof_handler,
+              id,
+              ComponentFunction<dim>(*displacement[d], d, time),
+              fixed_values,
+              mask_of_component<dim>(d));
+    });
+
+    for (const auto &[id, axis] : level_rollers)
+      VectorTools::interpolate_boundary_values(MappingQ1<dim>(),
+                                               dof_handler,
+                                               id,
+                                               zero,
+                                               fixed_values,
+                                               mask_of_component<dim>(axis));
+  }
+
+
+
+  // Hanging nodes follow their masters, also where those are fixed.
+  template <int dim>
+  void
+  Supports<dim>::drop_constrained_values()
+  {
+    for (auto dof = fixed_values.begin(); dof != fixed_values.end();)
+      dof = combined.is_constrained(dof->first) ? fixed_values.erase(dof) :
+                                                  std::next(dof);
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::add_skew_rollers(const DoFHandler<dim> &dof_handler,
+                                  const std::set<types::boundary_id> &rollers)
+  {
     AffineConstraints<double> sliding(combined.get_local_lines());
     VectorTools::compute_no_normal_flux_constraints(
-      dof_handler, 0, skew_rollers, sliding, MappingQ1<dim>());
+      dof_handler, 0, rollers, sliding, MappingQ1<dim>());
     sliding.close();
     for (const auto &line : sliding.get_lines())
       add_sliding_condition(line, fixed_values, combined);
     vertical.add_indices(DoFTools::extract_boundary_dofs(
-      dof_handler, mask_of_component<dim>(dim - 1), skew_rollers));
+      dof_handler, mask_of_component<dim>(dim - 1), rollers));
   }
 
 
@@ -227,6 +243,20 @@ namespace ElastoPlastic
   Supports<dim>::hanging_nodes() const
   {
     return hanging;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  Supports<dim>::fixed_entries(const Vector &layout) const
+  {
+    std::vector<unsigned int> entries;
+    const auto               &partitioner = *layout.get_partitioner();
+    for (const auto &dof_and_value : fixed_values)
+      if (partitioner.in_local_range(dof_and_value.first))
+        entries.push_back(partitioner.global_to_local(dof_and_value.first));
+    return entries;
   }
 
 

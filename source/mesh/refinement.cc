@@ -23,12 +23,14 @@ namespace ElastoPlastic
                       n_cycles,
                       "The number of meshes on which the problem is solved, "
                       "one after the other; each solution is the starting "
-                      "guess on the next.",
+                      "guess on the next. In a load history, the first step "
+                      "is solved on all of them, the others on the last.",
                       Patterns::Integer(1));
     prm.add_parameter("Maximum number of unknowns",
                       max_unknowns,
-                      "No further mesh is begun that has more displacement "
-                      "unknowns than this. 0: no limit.",
+                      "No further mesh is begun that would have more "
+                      "displacement unknowns than this, as far as can be told "
+                      "in advance (within some per cent). 0: no limit.",
                       Patterns::Integer(0));
     prm.add_parameter("Refinement fraction",
                       refinement_fraction,
@@ -76,6 +78,30 @@ namespace ElastoPlastic
         error_indicators,
         parameters.refinement_fraction,
         parameters.coarsening_fraction);
+    triangulation.prepare_coarsening_and_refinement();
+  }
+
+
+
+  template <int dim>
+  types::global_cell_index
+  n_cells_after_refinement(
+    const parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    constexpr unsigned int n_children =
+      GeometryInfo<dim>::max_children_per_cell;
+    types::global_cell_index n_refined = 0, n_coarsened = 0;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          n_refined += cell->refine_flag_set() ? 1 : 0;
+          n_coarsened += cell->coarsen_flag_set() ? 1 : 0;
+        }
+    const MPI_Comm communicator = triangulation.get_communicator();
+    return triangulation.n_global_active_cells() +
+           (n_children - 1) * Utilities::MPI::sum(n_refined, communicator) -
+           (n_children - 1) * Utilities::MPI::sum(n_coarsened, communicator) /
+             n_children;
   }
 
 
@@ -84,8 +110,12 @@ namespace ElastoPlastic
   flag_cells(const RefinementParameters &,
              const Vector<float> &,
              parallel::distributed::Triangulation<2> &);
+  template types::global_cell_index
+  n_cells_after_refinement(const parallel::distributed::Triangulation<2> &);
   template void
   flag_cells(const RefinementParameters &,
              const Vector<float> &,
              parallel::distributed::Triangulation<3> &);
+  template types::global_cell_index
+  n_cells_after_refinement(const parallel::distributed::Triangulation<3> &);
 } // namespace ElastoPlastic

@@ -93,10 +93,10 @@ namespace ElastoPlastic
       lift.linfty_norm() <= 1e-12 * std::max(u.linfty_norm(), 1e-300);
 
     free_residual = residual;
-    problem.zero_held(free_residual);
+    problem.reduce(free_residual);
     previous_free_norm = free_norm;
     free_norm          = free_residual.l2_norm();
-    force_norm         = residual.l2_norm();
+    force_norm         = std::max(residual.l2_norm(), free_norm);
     if (!std::isfinite(force_norm))
       throw ConvergenceError(
         "The forces are no longer finite numbers. Are the moduli in "
@@ -142,16 +142,26 @@ namespace ElastoPlastic
   NewtonIteration::compute_increment()
   {
     problem.linearize(u);
-    // right hand side of the free unknowns: residual - tangent * lift
+    // the forces at u + lift, to first order
     work = residual;
     if (!held_unknowns_at_place)
       {
         problem.apply_tangent(trial, lift);
         work -= trial;
       }
-    problem.zero_held(work);
+    problem.reduce(work);
     step.linear_iterations =
       problem.solve_tangent(increment, work, linear_reduction());
+  }
+
+
+
+  double
+  NewtonIteration::slope_along(const Vector &direction)
+  {
+    free_residual = residual;
+    problem.reduce(free_residual);
+    return -(free_residual * direction);
   }
 
 
@@ -169,7 +179,7 @@ namespace ElastoPlastic
         u += lift;
         evaluate();
       }
-    const double slope = -(residual * increment);
+    const double slope = slope_along(increment);
     work               = u;
     step.step_length   = slope < 0 ? line_search(work, increment, slope) : 0.;
     stuck              = (step.step_length == 0. && held_unknowns_at_place);
@@ -208,7 +218,7 @@ namespace ElastoPlastic
   NewtonIteration::slope_has_shrunk(const Vector &direction, const double slope)
   {
     problem.compute_residual(residual, u);
-    return std::abs(residual * direction) <= 0.9 * std::abs(slope);
+    return std::abs(slope_along(direction)) <= 0.9 * std::abs(slope);
   }
 
 
@@ -217,13 +227,11 @@ namespace ElastoPlastic
   NewtonIteration::smooth()
   {
     problem.linearize(u);
-    problem.tangent_diagonal(work);
     for (unsigned int sweep = 0; sweep < n_smoothing_sweeps; ++sweep)
       {
         free_residual = residual;
-        problem.zero_held(free_residual);
-        for (unsigned int i = 0; i < work.locally_owned_size(); ++i)
-          free_residual.local_element(i) /= work.local_element(i);
+        problem.reduce(free_residual);
+        problem.apply_inverse_diagonal(free_residual);
 
         for (double damping = 0.5; damping > smallest_step_length;
              damping *= 0.5)
@@ -250,7 +258,7 @@ namespace ElastoPlastic
     smooth();
     problem.linearize(u);
     work = residual;
-    problem.zero_held(work);
+    problem.reduce(work);
     step.linear_iterations =
       problem.solve_tangent(increment, work, linear_reduction());
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef multigrid_multigrid_solver_h
-#define multigrid_multigrid_solver_h
+#ifndef multigrid_multigrid_preconditioner_h
+#define multigrid_multigrid_preconditioner_h
 
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>
@@ -13,33 +13,29 @@
 
 #include "mechanics/tangent_matrix.h"
 #include "multigrid/level_hierarchy.h"
-#include "solver/linear_solver.h"
-#include "solver/tangent_solver.h"
+#include "solver/matrix_preconditioner.h"
+#include "solver/tangent_preconditioner.h"
 
 namespace ElastoPlastic
 {
-  /// Conjugate gradients without a matrix, preconditioned by a V-cycle of
-  /// geometric multigrid in single precision: Chebyshev smoothing
+  /// A V-cycle of geometric multigrid in single precision: Chebyshev smoothing
   /// @cite adams_brezina_hu_tuminaro_2003 on all levels of a LevelHierarchy,
   /// a direct or algebraic multigrid solver on the coarsest one.
   template <int dim>
-  class MultigridSolver : public TangentSolver<dim>
+  class MultigridPreconditioner : public TangentPreconditioner<dim>
   {
   public:
-    /// The arguments after the parameters are those of LevelHierarchy.
-    MultigridSolver(const LinearSolverParameters    &parameters,
-                    const DoFHandler<dim>           &dof_handler,
-                    const AffineConstraints<double> &constraints,
-                    const BoundaryConditions<dim>   &boundary_conditions,
-                    const VolumetricTreatment        treatment);
+    /// The arguments are those of LevelHierarchy.
+    MultigridPreconditioner(const DoFHandler<dim>           &dof_handler,
+                            const AffineConstraints<double> &constraints,
+                            const BoundaryConditions<dim> &boundary_conditions,
+                            const VolumetricTreatment      treatment);
 
     void
     prepare(const SolidOperator<dim> &solid, const VectorType &held) override;
 
-    unsigned int
-    solve(VectorType       &solution,
-          const VectorType &rhs,
-          const double      reduction) override;
+    void
+    vmult(VectorType &result, const VectorType &vector) const override;
 
   private:
     using Smoother = PreconditionChebyshev<LevelOperator<dim>,
@@ -61,27 +57,22 @@ namespace ElastoPlastic
                  const LevelVector &rhs) const override;
 
     private:
-      const LevelHierarchy<dim>    &hierarchy;
-      TangentMatrix<dim>            tangent;
-      std::unique_ptr<LinearSolver> solver;
-      mutable VectorType            double_solution, double_rhs;
+      const LevelHierarchy<dim>            &hierarchy;
+      TangentMatrix<dim>                    tangent;
+      std::unique_ptr<MatrixPreconditioner> preconditioner;
+      mutable VectorType                    double_solution, double_rhs;
     };
 
     void
     prepare_smoother();
 
-    const LinearSolverParameters parameters;
-    const DoFHandler<dim>       &dof_handler;
-    LevelHierarchy<dim>          hierarchy;
-    CoarseSolver                 coarse_solver;
+    LevelHierarchy<dim> hierarchy;
+    CoarseSolver        coarse_solver;
 
     mg::Matrix<LevelVector>                              level_matrices;
     mg::SmootherRelaxation<Smoother, LevelVector>        smoother;
     Multigrid<LevelVector>                               multigrid;
     PreconditionMG<dim, LevelVector, LevelTransfer<dim>> preconditioner;
-
-    const SolidOperator<dim> *solid = nullptr;
-    std::vector<unsigned int> held_indices;
   };
 } // namespace ElastoPlastic
 

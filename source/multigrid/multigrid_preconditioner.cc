@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "mechanics/rigid_body_modes.h"
-#include "multigrid/multigrid_solver.h"
+#include "multigrid/multigrid_preconditioner.h"
 #include "solver/conjugate_gradients.h"
 
 namespace ElastoPlastic
@@ -16,6 +16,7 @@ namespace ElastoPlastic
     /// iteratively.
     constexpr unsigned int largest_direct_system = 5000;
     constexpr double       coarse_reduction      = 1e-3;
+    constexpr unsigned int n_coarse_iterations   = 1000;
 
     /// The part of the spectrum that the smoother damps. Elastic bodies need
     /// half of it; but where the body yields, it stiffly resists changes of
@@ -28,7 +29,7 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  MultigridSolver<dim>::CoarseSolver::CoarseSolver(
+  MultigridPreconditioner<dim>::CoarseSolver::CoarseSolver(
     const LevelHierarchy<dim> &hierarchy)
     : hierarchy(hierarchy)
   {
@@ -39,36 +40,37 @@ namespace ElastoPlastic
 
     tangent.reinit(hierarchy.coarse_dof_handler(),
                    hierarchy.coarse_constraints());
-    LinearSolverParameters parameters;
-    parameters.type =
-      double_rhs.size() > largest_direct_system ? "AMG" : "direct";
-    solver = make_linear_solver(parameters,
-                                rigid_body_modes(hierarchy.coarse_dof_handler(),
-                                                 double_rhs));
+    preconditioner = make_matrix_preconditioner(
+      double_rhs.size() > largest_direct_system ? "AMG" : "direct",
+      rigid_body_modes(hierarchy.coarse_dof_handler(), double_rhs));
   }
 
 
 
   template <int dim>
   void
-  MultigridSolver<dim>::CoarseSolver::prepare()
+  MultigridPreconditioner<dim>::CoarseSolver::prepare()
   {
     double_rhs.copy_locally_owned_data_from(hierarchy.coarse_held());
     tangent.assemble(*hierarchy.operators()[0], double_rhs);
-    solver->initialize(tangent.matrix());
+    preconditioner->initialize(tangent.matrix());
   }
 
 
 
   template <int dim>
   void
-  MultigridSolver<dim>::CoarseSolver::operator()(const unsigned int,
-                                                 LevelVector       &solution,
-                                                 const LevelVector &rhs) const
+  MultigridPreconditioner<dim>::CoarseSolver::operator()(
+    const unsigned int, LevelVector &solution, const LevelVector &rhs) const
   {
     double_rhs.copy_locally_owned_data_from(rhs);
     if (double_rhs.linfty_norm() > 0.)
-      solver->solve(double_solution, double_rhs, coarse_reduction);
+      conjugate_gradients(tangent.matrix(),
+                          double_solution,
+                          double_rhs,
+                          *preconditioner,
+                          coarse_reduction,
+                          n_coarse_iterations);
     else
       double_solution = 0.;
     solution.copy_locally_owned_data_from(double_solution);
@@ -78,15 +80,12 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  MultigridSolver<dim>::MultigridSolver(
-    const LinearSolverParameters    &parameters,
+  MultigridPreconditioner<dim>::MultigridPreconditioner(
     const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &constraints,
     const BoundaryConditions<dim>   &boundary_conditions,
     const VolumetricTreatment        treatment)
-    : parameters(parameters)
-    , dof_handler(dof_handler)
-    , hierarchy(dof_handler,
+    : hierarchy(dof_handler,
                 constraints,
                 boundary_conditions,
                 treatment,
@@ -107,16 +106,10 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  MultigridSolver<dim>::prepare(const SolidOperator<dim> &new_solid,
-                                const VectorType         &held)
+  MultigridPreconditioner<dim>::prepare(const SolidOperator<dim> &solid,
+                                        const VectorType         &held)
   {
-    solid = &new_solid;
-    held_indices.clear();
-    for (unsigned int i = 0; i < held.locally_owned_size(); ++i)
-      if (held.local_element(i) != 0.)
-        held_indices.push_back(i);
-
-    hierarchy.update(*solid, held);
+    hierarchy.update(solid, held);
     prepare_smoother();
     coarse_solver.prepare();
   }
@@ -125,7 +118,7 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  MultigridSolver<dim>::prepare_smoother()
+  MultigridPreconditioner<dim>::prepare_smoother()
   {
     smoother.resize(0, hierarchy.max_level());
     for (unsigned int level = 1; level <= hierarchy.max_level(); ++level)
@@ -145,35 +138,15 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  unsigned int
-  MultigridSolver<dim>::solve(VectorType       &solution,
-                              const VectorType &rhs,
-                              const double      reduction)
+  void
+  MultigridPreconditioner<dim>::vmult(VectorType       &result,
+                                      const VectorType &vector) const
   {
-    struct Tangent
-    {
-      const SolidOperator<dim>        &solid;
-      const std::vector<unsigned int> &held_indices;
-
-      void
-      vmult(VectorType &result, const VectorType &vector) const
-      {
-        solid.vmult(result, vector);
-        for (const unsigned int i : held_indices)
-          result.local_element(i) = 0.;
-      }
-    };
-
-    return conjugate_gradients(Tangent{*solid, held_indices},
-                               solution,
-                               rhs,
-                               preconditioner,
-                               reduction,
-                               parameters.maximum_iterations);
+    preconditioner.vmult(result, vector);
   }
 
 
 
-  template class MultigridSolver<2>;
-  template class MultigridSolver<3>;
+  template class MultigridPreconditioner<2>;
+  template class MultigridPreconditioner<3>;
 } // namespace ElastoPlastic

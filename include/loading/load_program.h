@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef loading_load_program_h
+#define loading_load_program_h
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/expression.h"
+#include "loading/load.h"
+#include "loading/loading_parameters.h"
+
+namespace ElastoPlastic
+{
+  /// The load over time: segments one after the other, each with one control,
+  /// from t = 0 on. In a segment the load is an expression in t, or linear
+  /// between the value reached at its beginning and the one given for its end.
+  class LoadProgram
+  {
+  public:
+    /// @throws InputError for an expression that cannot be evaluated, a table
+    /// that is malformed, not increasing in time or empty, a value that is not
+    /// allowed.
+    explicit LoadProgram(const LoadingParameters &parameters);
+
+    double
+    final_time() const;
+
+    /// The ends of the segments, increasing; the last is final_time().
+    std::vector<double>
+    segment_ends() const;
+
+    /// The load at @p time > 0, at a segment's end that of the segment that
+    /// ends.
+    Load
+    load(const double time) const;
+
+    /// Tells what has been reached at @p time. If a segment ends then, the next
+    /// one starts from there.
+    void
+    reached(const double time, const double depth, const double force);
+
+  private:
+    struct Segment
+    {
+      double  end_time;
+      Control control;
+      double  end_value   = 0;
+      double  begin_value = 0;
+      /// Instead of the two values, if there is one.
+      std::shared_ptr<const Expression<1>> expression = nullptr;
+    };
+
+    void
+    read_history(const std::string &table);
+
+    void
+    read_expression(const LoadingParameters &parameters);
+
+    std::vector<Segment> segments;
+  };
+} // namespace ElastoPlastic
+
+#endif

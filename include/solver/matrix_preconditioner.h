@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef solver_matrix_preconditioner_h
+#define solver_matrix_preconditioner_h
+
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// Approximates the inverse of an assembled, symmetric positive definite
+  /// matrix.
+  class MatrixPreconditioner
+  {
+  public:
+    using Vector = LinearAlgebra::distributed::Vector<double>;
+
+    virtual ~MatrixPreconditioner() = default;
+
+    /// Prepares for @p matrix, which must outlive the products.
+    virtual void
+    initialize(const TrilinosWrappers::SparseMatrix &matrix) = 0;
+
+    virtual void
+    vmult(Vector &result, const Vector &vector) const = 0;
+  };
+
+
+
+  /// The preconditioner that the entry 'Linear solver/Type' calls @p type: AMG,
+  /// or direct, which is a factorisation. @p near_null_space holds the rigid
+  /// body motions of the body, which algebraic multigrid must represent on its
+  /// coarse levels.
+  std::unique_ptr<MatrixPreconditioner>
+  make_matrix_preconditioner(
+    const std::string                               &type,
+    const std::vector<MatrixPreconditioner::Vector> &near_null_space);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/filtered_iterator.h>
+
+#include <cmath>
+#include <map>
+
+#include "base/throw_together.h"
+#include "contact/contact_nodes.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    using Vector = LinearAlgebra::distributed::Vector<double>;
+
+    /// Calls body(cell, face_no) for all faces of @p cells on @p boundaries.
+    template <typename CellRange, typename Body>
+    void
+    for_each_face(const CellRange                    &cells,
+                  const std::set<types::boundary_id> &boundaries,
+                  const Body                         &body)
+    {
+      for (const auto &cell : cells)
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() &&
+              boundaries.count(cell->face(f)->boundary_id()) > 0)
+            body(cell, f);
+    }
+
+
+
+    /// The lumped boundary mass D of the vertical component, condensed: the
+    /// integrals of the shape functions.
+    template <int dim>
+    void
+    compute_lumped_areas(const DoFHandler<dim>              &dof_handler,
+                         const AffineConstraints<double>    &constraints,
+                         const std::set<types::boundary_id> &boundaries,
+                         Vector                             &areas)
+    {
+      const auto                          &fe = dof_handler.get_fe();
+      const QGauss<dim - 1>                quadrature(fe.degree + 1);
+      FEFaceValues<dim>                    fe_face_values(fe,
+                                       quadrature,
+                                       update_values | update_JxW_values);
+      dealii::Vector<double>               cell_areas(fe.n_dofs_per_cell());
+      std::vector<types::global_dof_index> dof_indices(fe.n_dofs_per_cell());
+
+      const auto cells = dof_handler.active_cell_iterators() |
+                         IteratorFilters::LocallyOwnedCell();
+      for_each_face(cells, boundaries, [&](const auto &cell, const auto f) {
+        fe_face_values.reinit(cell, f);
+        cell_areas = 0;
+        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+          if (fe.system_to_component_index(i).first == dim - 1)
+            for (const unsigned int q :
+                 fe_face_values.quadrature_point_indices())
+              cell_areas(i) +=
+                fe_face_values.shape_value(i, q) * fe_face_values.JxW(q);
+        cell->get_dof_indices(dof_indices);
+        constraints.distribute_local_to_global(cell_areas, dof_indices, areas);
+      });
+      areas.compress(VectorOperation::add);
+    }
+
+
+
+    /// The gaps of the nodes on @p boundaries that this rank owns, in their
+    /// order.
+    template <int dim>
+    std::map<types::global_dof_index, double>
+    find_gaps(const DoFHandler<dim>                           &dof_handler,
+              const std::set<types::boundary_id>              &boundaries,
+              const std::function<double(const Point<dim> &)> &gap)
+    {
+      const auto               &fe = dof_handler.get_fe();
+      const Quadrature<dim - 1> nodes(fe.get_unit_face_support_points());
+      FEFaceValues<dim> fe_face_values(fe, nodes, update_quadrature_points);
+      std::vector<types::global_dof_index> dof_indices(fe.n_dofs_per_face());
+
+      std::map<types::global_dof_index, double> gaps; // ordered, and each once
+      // A node's owner need not own one of its contact faces: look at ghosts
+      // too.
+      const auto cells = filter_iterators(dof_handler.active_cell_iterators(),
+                                          [](const auto &cell) {
+                                            return !cell->is_artificial();
+                                          });
+      for_each_face(cells, boundaries, [&](const auto &cell, const auto f) {
+        fe_face_values.reinit(cell, f);
+        cell->face(f)->get_dof_indices(dof_indices);
+        for (unsigned int i = 0; i < dof_indices.size(); ++i)
+          if (fe.face_system_to_component_index(i).first == dim - 1 &&
+              dof_handler.locally_owned_dofs().is_element(dof_indices[i]))
+            gaps[dof_indices[i]] = gap(fe_face_values.quadrature_point(i));
+      });
+      return gaps;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<ContactNode>
+  find_contact_nodes(const DoFHandler<dim>              &dof_handler,
+                     const AffineConstraints<double>    &constraints,
+                     const std::set<types::boundary_id> &boundaries,
+                     const std::function<double(const Point<dim> &)> &gap,
+                     const Vector                                    &layout)
+  {
+    Vector areas;
+    areas.reinit(layout);
+    compute_lumped_areas(dof_handler, constraints, boundaries, areas);
+
+    std::map<types::global_dof_index, double> gaps;
+    throw_together(layout.get_mpi_communicator(),
+                   [&]() { gaps = find_gaps(dof_handler, boundaries, gap); });
+
+    const auto              &partitioner = *layout.get_partitioner();
+    std::vector<ContactNode> nodes;
+    for (const auto &[dof, gap] : gaps)
+      if (std::isfinite(gap))
+        {
+          const unsigned int index = partitioner.global_to_local(dof);
+          nodes.push_back({index,
+                           gap,
+                           areas.local_element(index),
+                           constraints.is_constrained(dof)});
+        }
+    return nodes;
+  }
+
+
+
+  template std::vector<ContactNode>
+  find_contact_nodes(const DoFHandler<2> &,
+                     const AffineConstraints<double> &,
+                     const std::set<types::boundary_id> &,
+                     const std::function<double(const Point<2> &)> &,
+                     const Vector &);
+  template std::vector<ContactNode>
+  find_contact_nodes(const DoFHandler<3> &,
+                     const AffineConstraints<double> &,
+                     const std::set<types::boundary_id> &,
+                     const std::function<double(const Point<3> &)> &,
+                     const Vector &);
+} // namespace ElastoPlastic

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <regex>
+
+#include "base/exceptions.h"
+#include "loading/load_program.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// The number that @p text is, if it is one.
+    std::optional<double>
+    as_number(const std::string &text)
+    {
+      try
+        {
+          std::size_t  end   = 0;
+          const double value = std::stod(text, &end);
+          if (Utilities::trim(text.substr(end)).empty())
+            return value;
+        }
+      catch (const std::exception &)
+        {}
+      return {};
+    }
+
+
+
+    void
+    check_force(const std::string &path,
+                const std::string &text,
+                const double       force)
+    {
+      if (force < 0)
+        throw InputError(path,
+                         text,
+                         "a force cannot be negative: the indenter presses, it "
+                         "does not pull.");
+    }
+  } // namespace
+
+
+
+  LoadProgram::LoadProgram(const LoadingParameters &parameters)
+  {
+    if (!parameters.history.empty())
+      {
+        read_history(parameters.history);
+        return;
+      }
+    if (!(parameters.final_time > 0 && std::isfinite(parameters.final_time)))
+      throw InputError("Loading/Final time",
+                       Patterns::Tools::to_string(parameters.final_time),
+                       "it must be a number greater than 0.");
+    read_expression(parameters);
+  }
+
+
+
+  void
+  LoadProgram::read_history(const std::string &table)
+  {
+    static const std::string path = "Loading/History";
+    static const std::regex  row_format(
+      "\\s*([^:\\s]+)\\s*:\\s*(depth|force)\\s+(\\S+)\\s*");
+
+    for (const std::string &row : Utilities::split_string_list(table, '|'))
+      {
+        std::smatch           parts;
+        std::optional<double> time, value;
+        if (std::regex_match(row, parts, row_format))
+          {
+            time  = as_number(parts[1]);
+            value = as_number(parts[3]);
+          }
+        if (!time || !value)
+          throw InputError(path,
+                           row,
+                           "a row must look like '1.5: depth 0.02' or '2: "
+                           "force 0': a time, then what is reached at that "
+                           "time. Rows are separated by '|'.");
+        if (!std::isfinite(*time) || !std::isfinite(*value))
+          throw InputError(path, row, "its numbers must be finite.");
+        const double last_time = segments.empty() ? 0. : final_time();
+        if (*time <= last_time)
+          throw InputError(path,
+                           row,
+                           "the times must increase, and the first must be "
+                           "greater than 0.");
+        const Control control =
+          parts[2] == "depth" ? Control::depth : Control::force;
+        if (control == Control::force)
+          check_force(path, row, *value);
+        const double begin = segments.empty() ? 0. : segments.back().end_value;
+        segments.push_back({*time, control, *value, begin});
+      }
+  }
+
+
+
+  void
+  LoadProgram::read_expression(const LoadingParameters &parameters)
+  {
+    const bool        by_depth = (parameters.control == "depth");
+    const Control     control  = by_depth ? Control::depth : Control::force;
+    const std::string path     = by_depth ? "Loading/Depth" : "Loading/Force";
+    const std::string text     = by_depth ? parameters.depth : parameters.force;
+
+    const auto number = as_number(text);
+    if (!number)
+      {
+        const auto expression =
+          std::make_shared<const Expression<1>>(path, text);
+        segments.push_back(
+          {parameters.final_time, control, 0., 0., expression});
+        return;
+      }
+    if (!std::isfinite(*number))
+      throw InputError(path, text, "it must be finite.");
+    if (by_depth && *number <= 0)
+      throw InputError(path,
+                       text,
+                       "it must be greater than 0. For a body that is loaded "
+                       "by its boundary conditions alone set 'Indenter/Type = "
+                       "none'.");
+    if (!by_depth)
+      check_force(path, text, *number);
+    segments.push_back({parameters.final_time, control, *number});
+  }
+
+
+
+  double
+  LoadProgram::final_time() const
+  {
+    return segments.back().end_time;
+  }
+
+
+
+  std::vector<double>
+  LoadProgram::segment_ends() const
+  {
+    std::vector<double> ends;
+    for (const Segment &segment : segments)
+      ends.push_back(segment.end_time);
+    return ends;
+  }
+
+
+
+  Load
+  LoadProgram::load(const double time) const
+  {
+    double begin_time = 0;
+    auto   segment    = segments.begin();
+    for (; segment + 1 != segments.end() && time > segment->end_time; ++segment)
+      begin_time = segment->end_time;
+
+    if (segment->expression)
+      {
+        const double value = segment->expression->value(Point<1>(time));
+        if (segment->control == Control::force)
+          check_force("Loading/Force",
+                      "at t = " + Patterns::Tools::to_string(time) + ": " +
+                        Patterns::Tools::to_string(value),
+                      value);
+        return {segment->control, value};
+      }
+    const double fraction =
+      (time - begin_time) / (segment->end_time - begin_time);
+    return {segment->control,
+            (1 - fraction) * segment->begin_value +
+              fraction * segment->end_value};
+  }
+
+
+
+  void
+  LoadProgram::reached(const double time,
+                       const double depth,
+                       const double force)
+  {
+    for (unsigned int i = 0; i + 1 < segments.size(); ++i)
+      if (segments[i].end_time == time)
+        segments[i + 1].begin_value =
+          segments[i + 1].control == Control::depth ? depth : force;
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "solver/linear_solver_parameters.h"
+
+namespace ElastoPlastic
+{
+  void
+  LinearSolverParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Linear solver");
+    prm.add_parameter(
+      "Type",
+      type,
+      "What preconditions the conjugate gradients. multigrid: geometric "
+      "multigrid, without a matrix. AMG: algebraic multigrid for an assembled "
+      "matrix, which knows the rigid body motions. direct: a sparse "
+      "factorisation of the matrix, for small problems.",
+      Patterns::Selection("multigrid|AMG|direct"));
+    prm.add_parameter("Maximum number of iterations",
+                      maximum_iterations,
+                      "The conjugate gradient steps allowed per linear system. "
+                      "When they are used up, Newton's method goes on with "
+                      "what has been found.",
+                      Patterns::Integer(1));
+    prm.leave_subsection();
+  }
+} // namespace ElastoPlastic

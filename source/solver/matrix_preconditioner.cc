@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_solver.h>
+
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+
+#include "solver/conjugate_gradients.h"
+#include "solver/matrix_preconditioner.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    using Vector = MatrixPreconditioner::Vector;
+
+    /// A V-cycle of Trilinos ML, smoothed aggregation.
+    class AlgebraicMultigrid : public MatrixPreconditioner
+    {
+    public:
+      explicit AlgebraicMultigrid(const std::vector<Vector> &near_null_space)
+        : near_null_space(near_null_space)
+      {}
+
+      void
+      initialize(const TrilinosWrappers::SparseMatrix &matrix) override
+      {
+        TrilinosWrappers::PreconditionAMG::AdditionalData data;
+        data.elliptic              = true;
+        data.higher_order_elements = false;
+        data.smoother_sweeps       = 2;
+        data.aggregation_threshold = 0.02;
+
+        Teuchos::ParameterList              list;
+        std::unique_ptr<Epetra_MultiVector> no_constant_modes;
+        data.set_parameters(list, no_constant_modes, matrix);
+        const Epetra_MultiVector modes =
+          as_epetra(near_null_space, matrix.trilinos_matrix().RangeMap());
+        list.set("null space: type", "pre-computed");
+        list.set("null space: dimension", modes.NumVectors());
+        list.set("null space: vectors", modes.Values());
+        preconditioner.initialize(matrix, list);
+      }
+
+      void
+      vmult(Vector &result, const Vector &vector) const override
+      {
+        preconditioner.vmult(result, vector);
+      }
+
+    private:
+      static Epetra_MultiVector
+      as_epetra(const std::vector<Vector> &vectors, const Epetra_BlockMap &map)
+      {
+        Epetra_MultiVector result(map, vectors.size());
+        for (unsigned int v = 0; v < vectors.size(); ++v)
+          for (int i = 0; i < result.MyLength(); ++i)
+            result[v][i] = vectors[v].local_element(i);
+        return result;
+      }
+
+      const std::vector<Vector>         near_null_space;
+      TrilinosWrappers::PreconditionAMG preconditioner;
+    };
+
+
+
+    class Factorization : public MatrixPreconditioner
+    {
+    public:
+      void
+      initialize(const TrilinosWrappers::SparseMatrix &matrix) override
+      {
+        factorization =
+          std::make_unique<TrilinosWrappers::SolverDirect>(control);
+        try
+          {
+            factorization->initialize(matrix);
+          }
+        catch (const TrilinosWrappers::SolverDirect::ExcTrilinosError &)
+          {
+            throw_singular();
+          }
+      }
+
+      void
+      vmult(Vector &result, const Vector &vector) const override
+      {
+        factorization->solve(result, vector);
+      }
+
+    private:
+      SolverControl                                   control;
+      std::unique_ptr<TrilinosWrappers::SolverDirect> factorization;
+    };
+  } // namespace
+
+
+
+  std::unique_ptr<MatrixPreconditioner>
+  make_matrix_preconditioner(const std::string         &type,
+                             const std::vector<Vector> &near_null_space)
+  {
+    if (type == "direct")
+      return std::make_unique<Factorization>();
+    return std::make_unique<AlgebraicMultigrid>(near_null_space);
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The load over time, and the steps that follow it: segments, cutting, growing.
+
+#include <cmath>
+
+#include "loading/load_program.h"
+#include "loading/time_steps.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  std::string
+  text(const Load &load)
+  {
+    return (load.control == Control::depth ? "depth " : "force ") +
+           std::to_string(load.value);
+  }
+
+
+
+  void
+  print_loads(const LoadProgram &program, const std::vector<double> &times)
+  {
+    for (const double time : times)
+      output() << "  t = " << time << ": " << text(program.load(time))
+               << std::endl;
+  }
+
+
+
+  void
+  check_expressions()
+  {
+    LoadingParameters parameters;
+    parameters.final_time = 4;
+    parameters.depth      = "0.2";
+    output() << "A number is reached in proportion to the time" << std::endl;
+    print_loads(LoadProgram(parameters), {1, 2, 4});
+
+    parameters.depth = "0.1*sin(pi*t/4)";
+    output() << "An expression" << std::endl;
+    print_loads(LoadProgram(parameters), {2, 4});
+
+    parameters.control = "force";
+    parameters.force   = "5*t";
+    output() << "A force" << std::endl;
+    print_loads(LoadProgram(parameters), {1, 4});
+  }
+
+
+
+  void
+  check_history()
+  {
+    LoadingParameters parameters;
+    parameters.history =
+      "1: depth 0.2 | 1.5: force 0 | 2: force 8 | 3: depth 1";
+    LoadProgram program(parameters);
+    output() << "A table; it begins at zero" << std::endl;
+    verify("  final time", program.final_time() == 3);
+    print_loads(program, {0.5, 1});
+    output() << "  changes of control start from what has been reached"
+             << std::endl;
+    program.reached(0.5, 0.1, 20.);
+    program.reached(1., 0.2, 30.);
+    print_loads(program, {1.25, 1.5, 1.75, 2});
+    program.reached(1.5, 0.15, 0.);
+    program.reached(2., 0.4, 8.);
+    print_loads(program, {2.5, 3});
+  }
+
+
+
+  void
+  print_steps(TimeSteps steps, const std::vector<unsigned int> &failures)
+  {
+    for (unsigned int attempt = 1; !steps.finished(); ++attempt)
+      {
+        output() << "  step " << steps.number() << ": " << steps.time()
+                 << " to " << steps.next_time();
+        if (std::count(failures.begin(), failures.end(), attempt) > 0)
+          output() << ", fails" << (steps.cut() ? "" : ", cannot be cut")
+                   << std::endl;
+        else
+          {
+            output() << std::endl;
+            steps.advance();
+          }
+      }
+    output() << "  end: " << steps.time() << std::endl;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  check_expressions();
+  check_history();
+
+  output() << "Three steps" << std::endl;
+  print_steps(TimeSteps({3.}, 3, 4), {});
+  output() << "Segments share the steps, each has at least one" << std::endl;
+  print_steps(TimeSteps({1., 1.1, 3.}, 4, 4), {});
+  output() << "Cut twice, then growing again" << std::endl;
+  print_steps(TimeSteps({2.}, 2, 4), {1, 2, 4});
+  output() << "As short as it may be" << std::endl;
+  print_steps(TimeSteps({2.}, 2, 1), {1, 2});
+
+  TimeSteps many({1.}, 1000, 6);
+  double    largest_error = 0;
+  for (; !many.finished(); many.advance())
+    largest_error =
+      std::max(largest_error, std::abs(many.next_time() - many.number() / 1e3));
+  verify("A thousand steps without drift", largest_error, 1e-15);
+}

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The solver for tangents: a method that fails, because its result is not
+// finite or its iterations are used up, is replaced by the next for good, with
+// one warning; and tied unknowns move together, at little more than the cost of
+// held ones once the body's response is known.
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include "material/material_parameters.h"
+#include "mechanics/rigid_body_modes.h"
+#include "sample_mesh.h"
+#include "solver/assembled_preconditioner.h"
+#include "solver/tangent_solver.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  constexpr unsigned int dim = 2;
+
+  /// Multiplies by a number and says when it is prepared.
+  class Scaling : public TangentPreconditioner<dim>
+  {
+  public:
+    Scaling(const std::string &name, const double factor)
+      : name(name)
+      , factor(factor)
+    {}
+
+    void
+    prepare(const SolidOperator<dim> &, const VectorType &held) override
+    {
+      output() << "  " << name << " is prepared, " << held.l1_norm() << " held"
+               << std::endl;
+    }
+
+    void
+    vmult(VectorType &result, const VectorType &vector) const override
+    {
+      result.equ(factor, vector);
+    }
+
+  private:
+    const std::string name;
+    const double      factor;
+  };
+
+
+
+  /// An elastic block whose bottom is held.
+  class Block
+  {
+  public:
+    using Method = TangentSolver<dim>::Method;
+
+    Block()
+      : mesh(MPI_COMM_WORLD)
+      , fe(FE_Q<dim>(1), dim)
+      , dof_handler(mesh)
+      , solid(make_solid_operator<dim>(1,
+                                       VolumetricTreatment::standard,
+                                       MaterialParameters().materials()))
+    {
+      GridGenerator::subdivided_hyper_cube(mesh, 12, 0., 1., true);
+      dof_handler.distribute_dofs(fe);
+      constraints.close();
+      solid->reinit(dof_handler, constraints);
+      solid->initialize_vector(rhs);
+      solid->linearize(rhs);
+      held = boundary_entries(2, ComponentMask());
+      top  = boundary_entries(3, ComponentMask({false, true}));
+      VectorTools::interpolate(dof_handler, SampleField<dim>(0, 1.), rhs);
+    }
+
+    void
+    check_fallback(const std::string &title, const std::vector<Method> &methods)
+    {
+      output() << title << std::endl;
+      TangentSolver<dim>    solver(methods, [](const std::string &warning) {
+        output() << "  warning: " << warning << std::endl;
+      });
+      const ReducedUnknowns unknowns(held, {}, MPI_COMM_WORLD);
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          solver.prepare(*solid, unknowns);
+          check_solve(solver, unknowns, 1e-6);
+        }
+    }
+
+    void
+    check_ties()
+    {
+      output() << "Tied unknowns" << std::endl;
+      const Method       amg = {"AMG", [&]() { return make_amg(); }, 1000};
+      TangentSolver<dim> solver({amg}, [](const std::string &) {});
+
+      std::vector<unsigned int> all_held = held;
+      all_held.insert(all_held.end(), top.begin(), top.end());
+      const ReducedUnknowns without_ties(all_held, {}, MPI_COMM_WORLD);
+      solver.prepare(*solid, without_ties);
+      const unsigned int n_without = check_solve(solver, without_ties, 1e-9);
+
+      const ReducedUnknowns ties(held, top, MPI_COMM_WORLD);
+      solver.prepare(*solid, ties);
+      verify("  not much worse than held ones, the response unknown",
+             check_solve(solver, ties, 1e-9) <= n_without + 5);
+      solver.prepare(*solid, ties);
+      verify("  as good as held ones, the response known",
+             check_solve(solver, ties, 1e-9) <= n_without + 1);
+    }
+
+    static Method
+    scaling(const std::string &name,
+            const double       factor,
+            const unsigned int maximum_iterations)
+    {
+      return {name,
+              [=]() { return std::make_unique<Scaling>(name, factor); },
+              maximum_iterations};
+    }
+
+  private:
+    std::vector<unsigned int>
+    boundary_entries(const types::boundary_id id, const ComponentMask &mask)
+    {
+      std::vector<unsigned int> entries;
+      for (const auto dof :
+           DoFTools::extract_boundary_dofs(dof_handler, mask, {id}))
+        if (rhs.in_local_range(dof))
+          entries.push_back(rhs.get_partitioner()->global_to_local(dof));
+      return entries;
+    }
+
+    std::unique_ptr<TangentPreconditioner<dim>>
+    make_amg() const
+    {
+      return std::make_unique<AssembledPreconditioner<dim>>(
+        make_matrix_preconditioner("AMG", rigid_body_modes(dof_handler, rhs)),
+        dof_handler,
+        constraints);
+    }
+
+    unsigned int
+    check_solve(TangentSolver<dim>    &solver,
+                const ReducedUnknowns &unknowns,
+                const double           reduction) const
+    {
+      VectorType reduced_rhs = rhs, solution = rhs, product = rhs;
+      unknowns.contract(reduced_rhs);
+      const unsigned int n = solver.solve(solution, reduced_rhs, reduction);
+      unknowns.expand(solution);
+      solid->vmult(product, solution);
+      unknowns.contract(product);
+      product -= reduced_rhs;
+      verify("  solved", product.l2_norm() / reduced_rhs.l2_norm(), reduction);
+      return n;
+    }
+
+    parallel::distributed::Triangulation<dim> mesh;
+    const FESystem<dim>                       fe;
+    DoFHandler<dim>                           dof_handler;
+    AffineConstraints<double>                 constraints;
+    std::unique_ptr<SolidOperator<dim>>       solid;
+    std::vector<unsigned int>                 held, top;
+    VectorType                                rhs;
+  };
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  Block        block;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  block.check_fallback("No failure",
+                       {Block::scaling("First", 1., 1000),
+                        Block::scaling("Second", 1., 1000)});
+  block.check_fallback("Too many iterations",
+                       {Block::scaling("First", 1., 10),
+                        Block::scaling("Second", 1., 1000)});
+  block.check_fallback("Values that are not finite",
+                       {Block::scaling("First", nan, 1000),
+                        Block::scaling("Second", 1., 1000)});
+  block.check_ties();
+}
