@@ -74,7 +74,7 @@ namespace
       solid->initialize_vector(rhs);
       solid->linearize(rhs);
       held = boundary_entries(2, ComponentMask());
-      top  = boundary_entries(3, ComponentMask({false, true}));
+      top  = boundary_entries(3, ComponentMask(std::vector<bool>{false, true}));
       VectorTools::interpolate(dof_handler, SampleField<dim>(0, 1.), rhs);
     }
 
