@@ -73,6 +73,8 @@ namespace ElastoPlastic
     void
     apply_load();
     void
+    predict();
+    void
     take_back_step();
     void
     commit_step(SolveResult &result);
@@ -156,10 +158,13 @@ namespace ElastoPlastic
     Vector<float>                       error_indicators;
 
     // The end of the last load step: what it has found, the displacement, and
-    // the nodal forces of the stresses (empty before the second step).
+    // the nodal forces of the stresses (empty before the second step); and how
+    // fast displacement and depth have changed in it.
     SolveResult last_step;
     VectorType  committed_displacement;
     VectorType  committed_forces;
+    VectorType  displacement_rate;
+    double      depth_rate = 0;
   };
 } // namespace ElastoPlastic
 

@@ -24,7 +24,7 @@ namespace ElastoPlastic
                       const DoFHandler<dim>           &dof_handler,
                       const AffineConstraints<double> &constraints,
                       const BoundaryConditions<dim>   &boundary_conditions,
-                      const VolumetricTreatment        treatment,
+                      const StrainModel               &strain_model,
                       const VectorType                &layout,
                       const std::function<void(const std::string &)> &warn);
 } // namespace ElastoPlastic

@@ -22,7 +22,7 @@ namespace ElastoPlastic
                       const DoFHandler<dim>           &dof_handler,
                       const AffineConstraints<double> &constraints,
                       const BoundaryConditions<dim>   &boundary_conditions,
-                      const VolumetricTreatment        treatment,
+                      const StrainModel               &strain_model,
                       const VectorType                &layout,
                       const std::function<void(const std::string &)> &warn)
   {
@@ -41,9 +41,9 @@ namespace ElastoPlastic
     };
     const Method geometric = {
       "geometric multigrid",
-      [treatment, &dof_handler, &constraints, &boundary_conditions]() {
+      [strain_model, &dof_handler, &constraints, &boundary_conditions]() {
         return std::make_unique<MultigridPreconditioner<dim>>(
-          dof_handler, constraints, boundary_conditions, treatment);
+          dof_handler, constraints, boundary_conditions, strain_model);
       },
       std::min(parameters.maximum_iterations, patience_with_multigrid)};
     const Method algebraic = with_matrix("algebraic multigrid", "AMG");
@@ -66,7 +66,7 @@ namespace ElastoPlastic
                       const DoFHandler<2> &,
                       const AffineConstraints<double> &,
                       const BoundaryConditions<2> &,
-                      const VolumetricTreatment,
+                      const StrainModel &,
                       const VectorType &,
                       const std::function<void(const std::string &)> &);
   template std::unique_ptr<TangentSolver<3>>
@@ -74,7 +74,7 @@ namespace ElastoPlastic
                       const DoFHandler<3> &,
                       const AffineConstraints<double> &,
                       const BoundaryConditions<3> &,
-                      const VolumetricTreatment,
+                      const StrainModel &,
                       const VectorType &,
                       const std::function<void(const std::string &)> &);
 } // namespace ElastoPlastic

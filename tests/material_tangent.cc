@@ -9,7 +9,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
-#include "mechanics/kinematics.h"
+#include "base/tensors.h"
 #include "sample_material.h"
 #include "verdict.h"
 
@@ -60,7 +60,7 @@ namespace
     predicted_flow(const Tensor &strain, const Tensor &increment) const
     {
       return at(strain).predicted_flow(flow_direction(strain),
-                                       strain_deviator(increment));
+                                       deviator_of(increment));
     }
 
     /// The stress increment that the tangent with the given flow direction
@@ -75,7 +75,9 @@ namespace
         tangent.shear,
         in_plane<dim>(tangent.normal),
         in_plane<dim>(tangent.flow)};
-      return with_pressure(in_plane_tangent * increment, increment);
+      return with_pressure(in_plane<dim>(in_plane_tangent *
+                                         in_space<dim>(increment, 0.)),
+                           increment);
     }
 
     bool
@@ -88,7 +90,13 @@ namespace
     RadialReturn<double>
     at(const Tensor &strain) const
     {
-      return RadialReturn<double>(material, strain_deviator(strain), old_state);
+      return RadialReturn<double>(material, deviator_of(strain), old_state);
+    }
+
+    static SymmetricTensor<2, 3>
+    deviator_of(const Tensor &strain)
+    {
+      return strain_deviator(in_space<dim>(strain, 0.));
     }
 
     Tensor

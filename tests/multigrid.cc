@@ -25,16 +25,17 @@ namespace
   class Block
   {
   public:
-    Block(const unsigned int        degree,
-          const VolumetricTreatment treatment,
-          const bool                with_hanging_nodes,
-          const unsigned int        n_refinements)
-      : treatment(treatment)
+    Block(const unsigned int degree,
+          const StrainModel &strain_model,
+          const bool         with_hanging_nodes,
+          const unsigned int n_refinements)
+      : strain_model(strain_model)
       , mesh(MPI_COMM_WORLD)
       , fe(FE_Q<dim>(degree), dim)
       , dof_handler(mesh)
+      , supports(strain_model.kinematics)
       , solid(make_solid_operator<dim>(degree,
-                                       treatment,
+                                       strain_model,
                                        MaterialParameters().materials()))
     {
       // (p4est orders the 3^2 cells differently from deal.II)
@@ -56,7 +57,7 @@ namespace
     check_finest_level() const
     {
       LevelHierarchy<dim> hierarchy(
-        dof_handler, supports.constraints(), conditions(), treatment, 1);
+        dof_handler, supports.constraints(), conditions(), strain_model, 1);
       hierarchy.update(*solid, zero);
       const LevelOperator<dim> &level =
         *hierarchy.operators()[hierarchy.max_level()];
@@ -88,7 +89,7 @@ namespace
       LevelHierarchy<dim> hierarchy(dof_handler,
                                     supports.constraints(),
                                     conditions(),
-                                    treatment,
+                                    strain_model,
                                     mesh.n_global_active_cells() - 1);
       hierarchy.update(*solid, zero);
       const unsigned int finest = hierarchy.max_level();
@@ -141,7 +142,7 @@ namespace
               dof_handler,
               supports.constraints(),
               boundary_conditions,
-              treatment);
+              strain_model);
           },
                      1000}},
         [](const std::string &) {});
@@ -195,7 +196,7 @@ namespace
       return error.linfty_norm() / expected.linfty_norm();
     }
 
-    const VolumetricTreatment                 treatment;
+    const StrainModel                         strain_model;
     parallel::distributed::Triangulation<dim> mesh;
     const FESystem<dim>                       fe;
     DoFHandler<dim>                           dof_handler;
@@ -208,18 +209,23 @@ namespace
 
   template <int dim>
   void
-  check(const unsigned int degree, const VolumetricTreatment treatment)
+  check(const unsigned int degree, const StrainModel &strain_model)
   {
     output() << dim << "D, p = " << degree
-             << (treatment == VolumetricTreatment::b_bar ? ", B-bar" : "")
+             << (strain_model.treatment == VolumetricTreatment::b_bar ?
+                   ", B-bar" :
+                   "")
+             << (strain_model.kinematics == Kinematics::axisymmetric ?
+                   ", axisymmetric" :
+                   "")
              << std::endl;
-    Block<dim>(degree, treatment, false, 1).check_finest_level();
-    Block<dim>(degree, treatment, true, 1).check_transfer();
+    Block<dim>(degree, strain_model, false, 1).check_finest_level();
+    Block<dim>(degree, strain_model, true, 1).check_transfer();
     const unsigned int n_refinements = (dim == 2 ? 4 : 2);
     const unsigned int coarse =
-      Block<dim>(degree, treatment, true, n_refinements - 1).n_iterations();
+      Block<dim>(degree, strain_model, true, n_refinements - 1).n_iterations();
     const unsigned int fine =
-      Block<dim>(degree, treatment, true, n_refinements).n_iterations();
+      Block<dim>(degree, strain_model, true, n_refinements).n_iterations();
     verify("  in at most 15 iterations", coarse <= 15 && fine <= 15);
     verify("  at most 30 % more on a finer mesh", fine <= 1.3 * coarse);
   }
@@ -236,6 +242,7 @@ main(int argc, char *argv[])
          {VolumetricTreatment::standard, VolumetricTreatment::b_bar})
       {
         check<2>(degree, treatment);
+        check<2>(degree, {treatment, Kinematics::axisymmetric});
         check<3>(degree, treatment);
       }
 }

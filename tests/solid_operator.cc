@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The deformable body on distorted cells with hanging nodes and two materials:
+// The deformable body on distorted cells with hanging nodes and two materials,
+// virgin and with a history, in space, in plane strain and as a body of
+// revolution:
 // forces are derivatives of the energy, the tangent is the derivative of the
 // forces, and matrix and diagonal are those of the tangent.
 
@@ -41,13 +43,16 @@ namespace
   class Body
   {
   public:
-    Body(const unsigned int degree, const VolumetricTreatment treatment)
-      : mesh(MPI_COMM_WORLD)
+    Body(const unsigned int degree, const StrainModel &strain_model)
+      : strain_model(strain_model)
+      , mesh(MPI_COMM_WORLD)
       , fe(FE_Q<dim>(degree), dim)
       , dof_handler(mesh)
-      , solid(make_solid_operator<dim>(degree, treatment, two_materials()))
+      , solid(make_solid_operator<dim>(degree, strain_model, two_materials()))
     {
       make_distorted_mesh(mesh);
+      if (is_axisymmetric())
+        GridTools::shift(Point<dim>::unit_vector(0), mesh);
       dof_handler.distribute_dofs(fe);
       IndexSet relevant;
       DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
@@ -71,10 +76,30 @@ namespace
       check_tangent();
       check_matrix();
       check_held_unknowns();
-      check_rigid_motions();
+      if (virgin)
+        check_rigid_motions();
+    }
+
+    /// Ends a load step with another displacement.
+    void
+    commit()
+    {
+      const VectorType old_u  = field(2, 0.15);
+      const VectorType before = forces(old_u);
+      solid->commit(old_u);
+      virgin = false;
+      verify("  the end of a step changes no stress",
+             relative_difference(forces(old_u), before),
+             1e-12);
     }
 
   private:
+    bool
+    is_axisymmetric() const
+    {
+      return strain_model.kinematics == Kinematics::axisymmetric;
+    }
+
     VectorType
     new_vector() const
     {
@@ -234,17 +259,21 @@ namespace
       for (VectorType motion : rigid_body_modes(dof_handler, u))
         {
           constraints.distribute(motion);
+          if (is_axisymmetric())
+            motion = rigid_body_modes(dof_handler, u)[dim - 1];
           error =
             std::max(error, forces(motion).l2_norm() / forces(u).l2_norm());
         }
       verify("  rigid motions cause no forces", error, 1e-12);
     }
 
+    const StrainModel                         strain_model;
     parallel::distributed::Triangulation<dim> mesh;
     const FESystem<dim>                       fe;
     DoFHandler<dim>                           dof_handler;
     AffineConstraints<double>                 constraints;
     std::unique_ptr<SolidOperator<dim>>       solid;
+    bool                                      virgin = true;
 
     /// The displacement, and two other fields.
     VectorType u, v, w;
@@ -254,17 +283,21 @@ namespace
 
   template <int dim>
   void
-  check_bodies()
+  check_bodies(const Kinematics kinematics)
   {
     for (const unsigned int degree : {1, 2})
       for (const auto treatment :
            {VolumetricTreatment::standard, VolumetricTreatment::b_bar})
         {
-          output() << dim << "D, p = " << degree << ", "
-                   << (treatment == VolumetricTreatment::b_bar ? "B-bar" :
-                                                                 "standard")
-                   << std::endl;
-          Body<dim>(degree, treatment).check();
+          output()
+            << dim << "D, p = " << degree << ", "
+            << (treatment == VolumetricTreatment::b_bar ? "B-bar" : "standard")
+            << (kinematics == Kinematics::axisymmetric ? ", axisymmetric" : "")
+            << std::endl;
+          Body<dim> body(degree, {treatment, kinematics});
+          body.check();
+          body.commit();
+          body.check();
         }
   }
 } // namespace
@@ -276,6 +309,7 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   output() << std::setprecision(10);
-  check_bodies<2>();
-  check_bodies<3>();
+  check_bodies<2>(Kinematics::cartesian);
+  check_bodies<2>(Kinematics::axisymmetric);
+  check_bodies<3>(Kinematics::cartesian);
 }

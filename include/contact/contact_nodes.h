@@ -12,6 +12,8 @@
 #include <set>
 #include <vector>
 
+#include "base/kinematics.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -26,7 +28,9 @@ namespace ElastoPlastic
     /// The integral of the node's shape function; hanging nodes hand theirs to
     /// their masters.
     double area;
-    /// Whether it is a hanging node, or constrained otherwise.
+    /// Whether it has no pressure of its own: hanging nodes, those that are
+    /// constrained otherwise, and a node without area (that of quadratic
+    /// elements on the axis of a body of revolution).
     bool hanging;
   };
 
@@ -40,7 +44,8 @@ namespace ElastoPlastic
   find_contact_nodes(const DoFHandler<dim>              &dof_handler,
                      const AffineConstraints<double>    &constraints,
                      const std::set<types::boundary_id> &boundaries,
-                     const std::function<double(const Point<dim> &)>  &gap,
+                     const std::function<double(const Point<dim> &)> &gap,
+                     const Kinematics kinematics,
                      const LinearAlgebra::distributed::Vector<double> &layout);
 } // namespace ElastoPlastic
 

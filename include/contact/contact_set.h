@@ -15,6 +15,7 @@
 #include <set>
 #include <vector>
 
+#include "base/kinematics.h"
 #include "loading/load.h"
 
 namespace ElastoPlastic
@@ -62,7 +63,8 @@ namespace ElastoPlastic
 
     /// @p gap(x) is the vertical distance from x up to the undisplaced
     /// indenter, infinite where it does not reach.
-    explicit ContactSet(const std::function<double(const Point<dim> &)> &gap);
+    explicit ContactSet(const std::function<double(const Point<dim> &)> &gap,
+                        const Kinematics kinematics = Kinematics::cartesian);
 
     /// Finds the candidates. @p supported_dofs are no candidates;
     /// @p layout gives the partition of vectors.
@@ -199,6 +201,7 @@ namespace ElastoPlastic
     set_active(const Predicate &is_active);
 
     const std::function<double(const Point<dim> &)> gap;
+    const Kinematics                                kinematics;
     double                                          present_depth = 0;
     std::optional<double>                           given_force;
     MPI_Comm                                        communicator;

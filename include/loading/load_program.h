@@ -32,6 +32,9 @@ namespace ElastoPlastic
     std::vector<double>
     segment_ends() const;
 
+    bool
+    is_segment_end(const double time) const;
+
     /// The load at @p time > 0, at a segment's end that of the segment that
     /// ends.
     Load

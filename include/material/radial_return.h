@@ -7,6 +7,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/vectorization.h>
 
+#include "base/tensors.h"
 #include "material/material.h"
 
 namespace ElastoPlastic
@@ -30,8 +31,7 @@ namespace ElastoPlastic
   /// with a = 2 G theta, where m and l are the normal of the yield surface and
   /// the flow direction, both times sqrt(2 G theta_bar); for the consistent
   /// tangent they are the same (doc/theory.md, "Material"). Since both are
-  /// deviatoric, their in-plane parts (dim = 2) are all that plane strain
-  /// needs.
+  /// deviatoric, their in-plane parts (dim = 2) say all about them.
   template <int dim, typename Number>
   struct DeviatoricTangent
   {
@@ -39,16 +39,18 @@ namespace ElastoPlastic
     SymmetricTensor<2, dim, Number> normal;
     SymmetricTensor<2, dim, Number> flow;
 
-    /// The in-plane part of the deviatoric stress increment that belongs to
-    /// the strain increment @p strain (whose out-of-plane components are zero).
-    DEAL_II_ALWAYS_INLINE SymmetricTensor<2, dim, Number>
-    operator*(const SymmetricTensor<2, dim, Number> &strain) const
+    /// The deviatoric stress increment that belongs to the increment @p strain.
+    DEAL_II_ALWAYS_INLINE SymmetricTensor<2, 3, Number>
+    operator*(const SymmetricTensor<2, 3, Number> &strain) const
     {
-      const Number                    mean = shear * trace(strain) * (1. / 3.);
-      SymmetricTensor<2, dim, Number> stress = shear * strain;
-      stress -= (0.5 * (flow * strain)) * normal;
-      stress -= (0.5 * (normal * strain)) * flow;
-      for (unsigned int d = 0; d < dim; ++d)
+      const auto m = in_space<dim>(normal, Number(-trace(normal)));
+      const auto l = in_space<dim>(flow, Number(-trace(flow)));
+
+      const Number                  mean   = shear * trace(strain) * (1. / 3.);
+      SymmetricTensor<2, 3, Number> stress = shear * strain;
+      stress -= (0.5 * (l * strain)) * m;
+      stress -= (0.5 * (m * strain)) * l;
+      for (unsigned int d = 0; d < 3; ++d)
         stress[d][d] -= mean;
       return stress;
     }

@@ -12,17 +12,18 @@
 
 namespace ElastoPlastic
 {
-  /// The entries of the section "Discretization".
+  /// The entries of the section "Discretization", and the entry "Kinematics".
   struct DiscretizationParameters
   {
     unsigned int degree               = 1;
     std::string  volumetric_treatment = "standard";
+    std::string  kinematics           = "plane strain";
 
     void
     add_parameters(ParameterHandler &prm);
 
-    VolumetricTreatment
-    treatment() const;
+    StrainModel
+    strain_model() const;
   };
 } // namespace ElastoPlastic
 

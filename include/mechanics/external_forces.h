@@ -8,6 +8,7 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include "base/kinematics.h"
 #include "mesh/boundary_conditions.h"
 
 namespace ElastoPlastic
@@ -22,6 +23,7 @@ namespace ElastoPlastic
                           const DoFHandler<dim>           &dof_handler,
                           const AffineConstraints<double> &constraints,
                           const BoundaryConditions<dim>   &boundary_conditions,
+                          const Kinematics                 kinematics,
                           const double                     time);
 } // namespace ElastoPlastic
 

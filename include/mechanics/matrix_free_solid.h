@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/single_precision_storage.h"
-#include "mechanics/kinematics.h"
+#include "base/tensors.h"
 #include "mechanics/stress_integration.h"
 
 namespace ElastoPlastic
@@ -28,7 +28,7 @@ namespace ElastoPlastic
   class MatrixFreeSolid : public SolidOperator<dim>
   {
   public:
-    MatrixFreeSolid(const VolumetricTreatment            treatment,
+    MatrixFreeSolid(const StrainModel                   &strain_model,
                     const std::vector<Material<double>> &materials);
 
     void
@@ -81,7 +81,7 @@ namespace ElastoPlastic
 
   private:
     using Number         = Simd<double>;
-    using Strain         = SymmetricTensor<2, dim, Number>;
+    using Strain         = SymmetricTensor<2, 3, Number>;
     using CellEvaluation = DisplacementEvaluation<dim, degree, double>;
     using CellRange      = std::pair<unsigned int, unsigned int>;
 
@@ -97,6 +97,21 @@ namespace ElastoPlastic
     radial_return(const CellEvaluation   &phi,
                   const unsigned int      point,
                   const Material<Number> &material) const;
+
+    /// The deviator of the strain at a point of the current cell.
+    Strain
+    deviator_at(const CellEvaluation &phi, const unsigned int point) const
+    {
+      return strain_deviator(
+        strain_at<dim, degree>(phi, point, strain_model.kinematics));
+    }
+
+    /// The volume of a point of the current cell.
+    Number
+    volume_at(const CellEvaluation &phi, const unsigned int point) const
+    {
+      return volume_of<dim, degree>(phi, point, strain_model.kinematics);
+    }
 
     /// The tangent at a point, as linearize() has left it.
     DeviatoricTangent<dim, Number>
@@ -125,7 +140,7 @@ namespace ElastoPlastic
                         const VectorType &w,
                         const Body       &body) const;
 
-    const VolumetricTreatment           treatment;
+    const StrainModel                   strain_model;
     const std::vector<Material<double>> materials;
 
     MatrixFree<dim, double, Number> matrix_free;
@@ -168,7 +183,7 @@ namespace ElastoPlastic
       {
         phi.reinit(batch);
         phi.read_dof_values_plain(u);
-        phi.evaluate(EvaluationFlags::gradients);
+        phi.evaluate(strain_flags(strain_model.kinematics));
         body(phi, batch);
       }
     u.zero_out_ghost_values();
@@ -188,7 +203,7 @@ namespace ElastoPlastic
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
       w_phi.reinit(batch);
       w_phi.read_dof_values_plain(w);
-      w_phi.evaluate(EvaluationFlags::gradients);
+      w_phi.evaluate(strain_flags(strain_model.kinematics));
       body(phi, w_phi, batch);
     });
     w.zero_out_ghost_values();

@@ -15,6 +15,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/kinematics.h"
 #include "material/radial_return.h"
 
 namespace ElastoPlastic
@@ -32,6 +33,21 @@ namespace ElastoPlastic
 
 
 
+  /// How strains follow from displacements.
+  struct StrainModel
+  {
+    StrainModel(const VolumetricTreatment treatment,
+                const Kinematics          kinematics = Kinematics::cartesian)
+      : treatment(treatment)
+      , kinematics(kinematics)
+    {}
+
+    VolumetricTreatment treatment;
+    Kinematics          kinematics;
+  };
+
+
+
   /// What is known at one quadrature point of a displacement field.
   struct PointResult
   {
@@ -40,7 +56,7 @@ namespace ElastoPlastic
     double                equivalent_plastic_strain;
     /// Whether the point has ever yielded.
     bool plastic;
-    /// The volume (in 2D: the area) that the point stands for.
+    /// The volume (in plane strain: the area) that the point stands for.
     double volume;
     /// Per unit of volume: the elastic energy, what hardening has stored, and
     /// the plastic work and the dissipation of the step under way.
@@ -176,7 +192,7 @@ namespace ElastoPlastic
   template <int dim>
   std::unique_ptr<SolidOperator<dim>>
   make_solid_operator(const unsigned int                   degree,
-                      const VolumetricTreatment            treatment,
+                      const StrainModel                   &strain_model,
                       const std::vector<Material<double>> &materials);
 } // namespace ElastoPlastic
 

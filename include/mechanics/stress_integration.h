@@ -12,6 +12,7 @@
 #include <array>
 
 #include "base/simd.h"
+#include "base/tensors.h"
 #include "mechanics/solid_operator.h"
 
 namespace ElastoPlastic
@@ -30,10 +31,13 @@ namespace ElastoPlastic
   reinit_matrix_free(MatrixFree<dim, Number, Simd<Number>> &matrix_free,
                      const DoFHandler<dim>                 &dof_handler,
                      const AffineConstraints<double>       &constraints,
+                     const Kinematics                       kinematics,
                      const std::vector<unsigned int>       &categories = {})
   {
     typename MatrixFree<dim, Number, Simd<Number>>::AdditionalData settings;
-    settings.mapping_update_flags        = update_gradients | update_JxW_values;
+    settings.mapping_update_flags = update_gradients | update_JxW_values;
+    if (kinematics == Kinematics::axisymmetric)
+      settings.mapping_update_flags |= update_quadrature_points;
     settings.tasks_parallel_scheme       = settings.none;
     settings.cell_vectorization_category = categories;
     matrix_free.reinit(MappingQ1<dim>(),
@@ -45,24 +49,98 @@ namespace ElastoPlastic
 
 
 
+  /// What has to be evaluated for strain_at().
+  inline EvaluationFlags::EvaluationFlags
+  strain_flags(const Kinematics kinematics)
+  {
+    return kinematics == Kinematics::axisymmetric ?
+             EvaluationFlags::values | EvaluationFlags::gradients :
+             EvaluationFlags::gradients;
+  }
+
+
+
+  /// The strain at a quadrature point. Out of plane it is zero in plane strain,
+  /// and u_r / r for a body of revolution.
+  template <int dim, int degree, typename Number>
+  DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, 3, Simd<Number>>
+  strain_at(const DisplacementEvaluation<dim, degree, Number> &phi,
+            const unsigned int                                 point,
+            [[maybe_unused]] const Kinematics                  kinematics)
+  {
+    Simd<Number> hoop = Number(0.);
+    if constexpr (dim == 2)
+      if (kinematics == Kinematics::axisymmetric)
+        hoop = phi.get_value(point)[0] / phi.quadrature_point(point)[0];
+    return in_space<dim>(phi.get_symmetric_gradient(point), hoop);
+  }
+
+
+
+  /// The volume that a quadrature point stands for.
+  template <int dim, int degree, typename Number>
+  DEAL_II_ALWAYS_INLINE inline Simd<Number>
+  volume_of(const DisplacementEvaluation<dim, degree, Number> &phi,
+            const unsigned int                                 point,
+            [[maybe_unused]] const Kinematics                  kinematics)
+  {
+    if constexpr (dim == 2)
+      if (kinematics == Kinematics::axisymmetric)
+        return phi.JxW(point) * extent(phi.quadrature_point(point), kinematics);
+    return phi.JxW(point);
+  }
+
+
+
+  /// Hands in a stress, to be integrated against the strains of the shape
+  /// functions.
+  template <int dim, int degree, typename Number>
+  DEAL_II_ALWAYS_INLINE inline void
+  submit_stress(DisplacementEvaluation<dim, degree, Number> &phi,
+                const SymmetricTensor<2, 3, Simd<Number>>   &stress,
+                const unsigned int                           point,
+                [[maybe_unused]] const Kinematics            kinematics)
+  {
+    if constexpr (dim == 2)
+      if (kinematics == Kinematics::axisymmetric)
+        {
+          const auto                   x    = phi.quadrature_point(point);
+          const Simd<Number>           ring = extent(x, kinematics);
+          Tensor<1, dim, Simd<Number>> radial;
+          radial[0] = stress[2][2] * ring / x[0];
+          phi.submit_value(radial, point);
+          phi.submit_symmetric_gradient(ring * in_plane<dim>(stress), point);
+          return;
+        }
+    phi.submit_symmetric_gradient(in_plane<dim>(stress), point);
+  }
+
+
+
   /// The volumetric strain at all points of the current cells of @p phi: point
-  /// values or, for B-bar, the cell mean. Gradients must have been evaluated.
+  /// values or, for B-bar, the cell mean. What strain_flags() says must have
+  /// been evaluated.
   template <int dim, int degree, typename Number>
   std::array<Simd<Number>, Utilities::pow(degree + 1, dim)>
   volumetric_strain(const DisplacementEvaluation<dim, degree, Number> &phi,
-                    const VolumetricTreatment treatment)
+                    const StrainModel &strain_model)
   {
+    const Kinematics kinematics = strain_model.kinematics;
     std::array<Simd<Number>, Utilities::pow(degree + 1, dim)> values;
     for (const unsigned int q : phi.quadrature_point_indices())
-      values[q] = phi.get_divergence(q);
+      if (kinematics == Kinematics::axisymmetric)
+        values[q] = trace(strain_at<dim, degree>(phi, q, kinematics));
+      else
+        values[q] = phi.get_divergence(q);
 
-    if (treatment == VolumetricTreatment::b_bar)
+    if (strain_model.treatment == VolumetricTreatment::b_bar)
       {
         Simd<Number> integral = Number(0.), volume = Number(0.);
         for (const unsigned int q : phi.quadrature_point_indices())
           {
-            integral += values[q] * phi.JxW(q);
-            volume += phi.JxW(q);
+            const Simd<Number> dx = volume_of<dim, degree>(phi, q, kinematics);
+            integral += values[q] * dx;
+            volume += dx;
           }
         values.fill(integral / volume);
       }
@@ -75,26 +153,29 @@ namespace ElastoPlastic
   /// @p deviatoric_stress(point, strain) is the point law. The weak form is,
   /// with the volumetric strain tr of volumetric_strain(),
   ///   int s(strain(u)) : strain(v) + K tr(u) tr(v) dx.
-  /// For B-bar, the mean of tr(v) may be replaced by div v itself, because the
-  /// pressure K tr(u) is then constant on the cell.
+  /// For B-bar, the mean of tr(v) may be replaced by the trace of strain(v)
+  /// itself, because the pressure K tr(u) is then constant on the cell.
   template <int dim, int degree, typename Number, typename PointLaw>
   void
   integrate_stress(DisplacementEvaluation<dim, degree, Number> &phi,
                    const Simd<Number>                          &bulk_modulus,
-                   const VolumetricTreatment                    treatment,
+                   const StrainModel                           &strain_model,
                    const PointLaw &deviatoric_stress)
   {
-    phi.evaluate(EvaluationFlags::gradients);
-    const auto volumetric = volumetric_strain<dim, degree>(phi, treatment);
+    const Kinematics kinematics = strain_model.kinematics;
+    const auto       flags      = strain_flags(kinematics);
+    phi.evaluate(flags);
+    const auto volumetric = volumetric_strain<dim, degree>(phi, strain_model);
     for (const unsigned int q : phi.quadrature_point_indices())
       {
-        auto stress = deviatoric_stress(q, phi.get_symmetric_gradient(q));
+        auto stress =
+          deviatoric_stress(q, strain_at<dim, degree>(phi, q, kinematics));
         const Simd<Number> pressure = bulk_modulus * volumetric[q];
-        for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int d = 0; d < 3; ++d)
           stress[d][d] += pressure;
-        phi.submit_symmetric_gradient(stress, q);
+        submit_stress<dim, degree>(phi, stress, q, kinematics);
       }
-    phi.integrate(EvaluationFlags::gradients);
+    phi.integrate(flags);
   }
 } // namespace ElastoPlastic
 

@@ -10,6 +10,7 @@
 
 #include <map>
 
+#include "base/kinematics.h"
 #include "mesh/boundary_conditions.h"
 
 namespace ElastoPlastic
@@ -23,13 +24,16 @@ namespace ElastoPlastic
   ///   homogeneous: hanging nodes, and rollers on surfaces that are not
   ///   parallel to a coordinate plane. They are eliminated once per mesh.
   /// - fixed(): degrees of freedom with a given value: fixed and prescribed
-  ///   displacements and all other rollers. Together with the active contact
+  ///   displacements, all other rollers, and the radial displacement on the
+  ///   axis of a body of revolution. Together with the active contact
   ///   nodes they are "held", which is the business of the nonlinear solver.
   template <int dim>
   class Supports
   {
   public:
     using Vector = LinearAlgebra::distributed::Vector<double>;
+
+    explicit Supports(const Kinematics kinematics = Kinematics::cartesian);
 
     /// Finds both parts for @p dof_handler, with prescribed displacements at
     /// @p time.
@@ -79,6 +83,10 @@ namespace ElastoPlastic
                       const BoundaryConditions<dim> &boundary_conditions,
                       const double                   time);
 
+    /// @throws InputError if the body reaches across its axis of revolution.
+    void
+    fix_axis(const DoFHandler<dim> &dof_handler);
+
     void
     drop_constrained_values();
 
@@ -87,6 +95,8 @@ namespace ElastoPlastic
     void
     add_skew_rollers(const DoFHandler<dim>              &dof_handler,
                      const std::set<types::boundary_id> &rollers);
+
+    const Kinematics kinematics;
 
     /// The rollers that are normal to an axis, with that axis.
     std::map<types::boundary_id, unsigned int> level_rollers;

@@ -21,12 +21,15 @@ namespace ElastoPlastic
   /// The entries of the section "Geometry": the body and its first mesh.
   struct GeometryParameters
   {
-    std::string        type = "box";
-    BoxParameters      box;
-    HalfBallParameters half_ball;
-    GmshFileParameters gmsh_file;
-    unsigned int       initial_refinements = 0;
-    std::string        material_id; ///< expression; empty: see make_mesh()
+    std::string         type = "box";
+    BoxParameters       box;
+    HalfBallParameters  half_ball;
+    GmshFileParameters  gmsh_file;
+    unsigned int        initial_refinements = 0;
+    unsigned int        local_refinements   = 0;
+    double              local_radius        = 1;
+    std::vector<double> local_centre;
+    std::string         material_id; ///< expression; empty: see make_mesh()
 
     void
     add_parameters(ParameterHandler &prm);
@@ -39,7 +42,7 @@ namespace ElastoPlastic
 
   /// Fill the empty @p triangulation, serial or distributed, with the mesh of
   /// the body: coarse mesh, manifolds, boundary ids, material ids and the
-  /// initial refinements.
+  /// initial and local refinements.
   ///
   /// The material id of a cell is the value of the expression at its centre on
   /// the mesh after the initial refinements, rounded; later refinement

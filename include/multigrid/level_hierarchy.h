@@ -79,7 +79,7 @@ namespace ElastoPlastic
     LevelHierarchy(const DoFHandler<dim>           &dof_handler,
                    const AffineConstraints<double> &constraints,
                    const BoundaryConditions<dim>   &boundary_conditions,
-                   const VolumetricTreatment        treatment,
+                   const StrainModel               &strain_model,
                    const unsigned int               n_coarse_cells);
 
     /// Hands the stored tangent of @p solid and the held unknowns (ones there,

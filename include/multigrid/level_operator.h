@@ -102,8 +102,8 @@ namespace ElastoPlastic
   /// The level operator for FE_Q(@p degree)^dim.
   template <int dim>
   std::unique_ptr<LevelOperator<dim>>
-  make_level_operator(const unsigned int        degree,
-                      const VolumetricTreatment treatment);
+  make_level_operator(const unsigned int degree,
+                      const StrainModel &strain_model);
 } // namespace ElastoPlastic
 
 #endif

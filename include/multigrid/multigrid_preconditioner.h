@@ -29,7 +29,7 @@ namespace ElastoPlastic
     MultigridPreconditioner(const DoFHandler<dim>           &dof_handler,
                             const AffineConstraints<double> &constraints,
                             const BoundaryConditions<dim> &boundary_conditions,
-                            const VolumetricTreatment      treatment);
+                            const StrainModel             &strain_model);
 
     void
     prepare(const SolidOperator<dim> &solid, const VectorType &held) override;

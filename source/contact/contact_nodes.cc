@@ -40,13 +40,15 @@ namespace ElastoPlastic
     compute_lumped_areas(const DoFHandler<dim>              &dof_handler,
                          const AffineConstraints<double>    &constraints,
                          const std::set<types::boundary_id> &boundaries,
+                         const Kinematics                    kinematics,
                          Vector                             &areas)
     {
       const auto                          &fe = dof_handler.get_fe();
       const QGauss<dim - 1>                quadrature(fe.degree + 1);
       FEFaceValues<dim>                    fe_face_values(fe,
                                        quadrature,
-                                       update_values | update_JxW_values);
+                                       update_values | update_JxW_values |
+                                         update_quadrature_points);
       dealii::Vector<double>               cell_areas(fe.n_dofs_per_cell());
       std::vector<types::global_dof_index> dof_indices(fe.n_dofs_per_cell());
 
@@ -60,7 +62,8 @@ namespace ElastoPlastic
             for (const unsigned int q :
                  fe_face_values.quadrature_point_indices())
               cell_areas(i) +=
-                fe_face_values.shape_value(i, q) * fe_face_values.JxW(q);
+                fe_face_values.shape_value(i, q) * fe_face_values.JxW(q) *
+                extent(fe_face_values.quadrature_point(q), kinematics);
         cell->get_dof_indices(dof_indices);
         constraints.distribute_local_to_global(cell_areas, dof_indices, areas);
       });
@@ -109,11 +112,14 @@ namespace ElastoPlastic
                      const AffineConstraints<double>    &constraints,
                      const std::set<types::boundary_id> &boundaries,
                      const std::function<double(const Point<dim> &)> &gap,
-                     const Vector                                    &layout)
+                     const Kinematics kinematics,
+                     const Vector    &layout)
   {
     Vector areas;
     areas.reinit(layout);
-    compute_lumped_areas(dof_handler, constraints, boundaries, areas);
+    compute_lumped_areas(
+      dof_handler, constraints, boundaries, kinematics, areas);
+    const double no_area = 1e-10 * areas.linfty_norm();
 
     std::map<types::global_dof_index, double> gaps;
     throw_together(layout.get_mpi_communicator(),
@@ -128,7 +134,8 @@ namespace ElastoPlastic
           nodes.push_back({index,
                            gap,
                            areas.local_element(index),
-                           constraints.is_constrained(dof)});
+                           constraints.is_constrained(dof) ||
+                             areas.local_element(index) <= no_area});
         }
     return nodes;
   }
@@ -140,11 +147,13 @@ namespace ElastoPlastic
                      const AffineConstraints<double> &,
                      const std::set<types::boundary_id> &,
                      const std::function<double(const Point<2> &)> &,
+                     const Kinematics,
                      const Vector &);
   template std::vector<ContactNode>
   find_contact_nodes(const DoFHandler<3> &,
                      const AffineConstraints<double> &,
                      const std::set<types::boundary_id> &,
                      const std::function<double(const Point<3> &)> &,
+                     const Kinematics,
                      const Vector &);
 } // namespace ElastoPlastic

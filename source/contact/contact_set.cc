@@ -12,8 +12,10 @@ namespace ElastoPlastic
 {
   template <int dim>
   ContactSet<dim>::ContactSet(
-    const std::function<double(const Point<dim> &)> &gap)
+    const std::function<double(const Point<dim> &)> &gap,
+    const Kinematics                                 kinematics)
     : gap(gap)
+    , kinematics(kinematics)
     , communicator(MPI_COMM_SELF)
   {}
 
@@ -32,8 +34,12 @@ namespace ElastoPlastic
     first_owned_dof = layout.get_partitioner()->local_range().first;
     candidates.clear();
     hanging_nodes.clear();
-    for (const ContactNode &node : find_contact_nodes(
-           dof_handler, constraints, contact_boundaries, gap, layout))
+    for (const ContactNode &node : find_contact_nodes(dof_handler,
+                                                      constraints,
+                                                      contact_boundaries,
+                                                      gap,
+                                                      kinematics,
+                                                      layout))
       if (!supported_dofs.is_element(first_owned_dof + node.index))
         (node.hanging ? hanging_nodes : candidates)
           .push_back({node.index, node.gap, node.area, false});

@@ -59,10 +59,12 @@ namespace ElastoPlastic
     , gap_function(make_gap_function())
     , fe(FE_Q<dim>(parameters.discretization.degree), dim)
     , dof_handler(triangulation)
+    , supports(parameters.discretization.strain_model().kinematics)
     , solid(make_solid_operator<dim>(parameters.discretization.degree,
-                                     parameters.discretization.treatment(),
+                                     parameters.discretization.strain_model(),
                                      parameters.material.materials()))
-    , contact([this](const Point<dim> &x) { return gap_function.value(x); })
+    , contact([this](const Point<dim> &x) { return gap_function.value(x); },
+              parameters.discretization.strain_model().kinematics)
   {
     setup_body();
     setup_contact();
@@ -116,11 +118,14 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::run_load_history(Statistics &statistics)
   {
+    bool cut = false;
     while (!time_steps.finished())
       {
         try
           {
             apply_load();
+            if (!cut)
+              predict();
             SolveResult result = solve_on_mesh_sequence(statistics);
             commit_step(result);
             statistics.add_step(result);
@@ -133,9 +138,11 @@ namespace ElastoPlastic
                         Patterns::Tools::to_string(time_steps.time()) +
                         " has not converged; trying half of it.");
             take_back_step();
+            cut = true;
             continue;
           }
         time_steps.advance();
+        cut = false;
       }
   }
 

@@ -17,8 +17,26 @@ namespace ElastoPlastic
                             dof_handler,
                             supports.constraints(),
                             boundary_conditions,
+                            parameters.discretization.strain_model().kinematics,
                             time);
     contact.set_load(load_program.load(time));
+  }
+
+
+
+  // The starting guess for a step that continues the last one: things go on at
+  // the same rate.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::predict()
+  {
+    const double begin = time_steps.time();
+    if (time_steps.number() < 3 || load_program.is_segment_end(begin))
+      return;
+    const double duration = time_steps.next_time() - begin;
+    displacement.add(duration, displacement_rate);
+    if (contact.is_force_driven())
+      contact.place(last_step.depth + duration * depth_rate);
   }
 
 
@@ -55,6 +73,8 @@ namespace ElastoPlastic
       result.external_work += 0.5 * (committed_forces * displacement -
                                      forces * committed_displacement -
                                      committed_forces * committed_displacement);
+    const double duration = result.time - last_step.time;
+    depth_rate            = (result.depth - last_step.depth) / duration;
     result.plastic_work += last_step.plastic_work;
     result.dissipation += last_step.dissipation;
     last_step = result;
@@ -63,6 +83,12 @@ namespace ElastoPlastic
     if (result.time == load_program.final_time())
       return;
     solid->commit(displacement);
+    if (time_steps.number() > 1)
+      {
+        displacement_rate = displacement;
+        displacement_rate -= committed_displacement;
+        displacement_rate /= duration;
+      }
     committed_displacement = displacement;
     committed_forces       = forces;
   }

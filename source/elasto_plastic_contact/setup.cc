@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/dofs/dof_tools.h>
+
 #include "base/exceptions.h"
 #include "elasto_plastic_contact.h"
 #include "make_tangent_solver.h"
@@ -41,15 +43,16 @@ namespace ElastoPlastic
                    residual);
     apply_load();
 
-    tangent_solver = make_tangent_solver(parameters.linear_solver,
-                                         dof_handler,
-                                         supports.constraints(),
-                                         boundary_conditions,
-                                         parameters.discretization.treatment(),
-                                         residual,
-                                         [this](const std::string &warning) {
-                                           screen.warn(warning);
-                                         });
+    tangent_solver =
+      make_tangent_solver(parameters.linear_solver,
+                          dof_handler,
+                          supports.constraints(),
+                          boundary_conditions,
+                          parameters.discretization.strain_model(),
+                          residual,
+                          [this](const std::string &warning) {
+                            screen.warn(warning);
+                          });
     error_indicators.reinit(triangulation.n_active_cells());
   }
 
@@ -66,6 +69,11 @@ namespace ElastoPlastic
     solid->initialize_vector(held);
     supports.set_fixed_entries(held, 1.);
     contact.set_candidate_entries(held, 1.);
+    if (parameters.discretization.strain_model().kinematics ==
+        Kinematics::axisymmetric)
+      for (const auto dof : DoFTools::extract_dofs(
+             dof_handler, ComponentMask(std::vector<bool>{true, false})))
+        held(dof) = 1.; // rings resist all but the vertical motion
     const std::string motion =
       find_free_motion<dim>(rigid_body_modes(dof_handler, residual),
                             held,

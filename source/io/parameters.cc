@@ -48,10 +48,11 @@ namespace ElastoPlastic
   void
   Parameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Dimension",
-                      dimension,
-                      "2: plane strain; 3: a body in space.",
-                      Patterns::Integer(2, 3));
+    prm.add_parameter(
+      "Dimension",
+      dimension,
+      "2: a section of the body, see 'Kinematics'; 3: a body in space.",
+      Patterns::Integer(2, 3));
     prm.add_parameter("Analysis",
                       analysis,
                       "contact: an indenter pressed into an elasto-plastic "
@@ -104,6 +105,11 @@ namespace ElastoPlastic
   Parameters::check() const
   {
     geometry.check(dimension);
+    if (dimension == 3 && discretization.kinematics == "axisymmetric")
+      throw InputError("Kinematics",
+                       discretization.kinematics,
+                       "that is for two dimensions. Set 'Dimension = 2' for a "
+                       "body of revolution.");
     material.check();
     indenter.check(dimension);
     refinement.check();

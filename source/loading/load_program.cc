@@ -154,6 +154,18 @@ namespace ElastoPlastic
 
 
 
+  bool
+  LoadProgram::is_segment_end(const double time) const
+  {
+    return std::any_of(segments.begin(),
+                       segments.end(),
+                       [&](const Segment &segment) {
+                         return segment.end_time == time;
+                       });
+  }
+
+
+
   Load
   LoadProgram::load(const double time) const
   {

@@ -8,6 +8,14 @@ namespace ElastoPlastic
   void
   DiscretizationParameters::add_parameters(ParameterHandler &prm)
   {
+    prm.add_parameter("Kinematics",
+                      kinematics,
+                      "What a body in two dimensions is. plane strain: the "
+                      "section of a long body; forces are per unit of "
+                      "thickness. axisymmetric: the half section x >= 0 of a "
+                      "body of revolution, y is its axis; forces and areas are "
+                      "those of the whole body.",
+                      Patterns::Selection("plane strain|axisymmetric"));
     prm.enter_subsection("Discretization");
     prm.add_parameter("Polynomial degree",
                       degree,
@@ -27,10 +35,12 @@ namespace ElastoPlastic
 
 
 
-  VolumetricTreatment
-  DiscretizationParameters::treatment() const
+  StrainModel
+  DiscretizationParameters::strain_model() const
   {
-    return volumetric_treatment == "B-bar" ? VolumetricTreatment::b_bar :
-                                             VolumetricTreatment::standard;
+    return {volumetric_treatment == "B-bar" ? VolumetricTreatment::b_bar :
+                                              VolumetricTreatment::standard,
+            kinematics == "axisymmetric" ? Kinematics::axisymmetric :
+                                           Kinematics::cartesian};
   }
 } // namespace ElastoPlastic

@@ -15,6 +15,7 @@ namespace ElastoPlastic
                           const DoFHandler<dim>           &dof_handler,
                           const AffineConstraints<double> &constraints,
                           const BoundaryConditions<dim>   &boundary_conditions,
+                          const Kinematics                 kinematics,
                           const double                     time)
   {
     const auto       &fe        = dof_handler.get_fe();
@@ -48,7 +49,8 @@ namespace ElastoPlastic
                   cell_forces(i) +=
                     traction->second[fe.system_to_component_index(i).first]
                       ->value(fe_face_values.quadrature_point(q), time) *
-                    fe_face_values.shape_value(i, q) * fe_face_values.JxW(q);
+                    fe_face_values.shape_value(i, q) * fe_face_values.JxW(q) *
+                    extent(fe_face_values.quadrature_point(q), kinematics);
               cell->get_dof_indices(dof_indices);
               constraints.distribute_local_to_global(cell_forces,
                                                      dof_indices,
@@ -65,11 +67,13 @@ namespace ElastoPlastic
                           const DoFHandler<2> &,
                           const AffineConstraints<double> &,
                           const BoundaryConditions<2> &,
+                          const Kinematics,
                           const double);
   template void
   compute_external_forces(LinearAlgebra::distributed::Vector<double> &,
                           const DoFHandler<3> &,
                           const AffineConstraints<double> &,
                           const BoundaryConditions<3> &,
+                          const Kinematics,
                           const double);
 } // namespace ElastoPlastic

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "base/exceptions.h"
+#include "base/tensors.h"
 #include "base/throw_together.h"
-#include "mechanics/kinematics.h"
 #include "mechanics/matrix_free_solid.h"
 
 namespace ElastoPlastic
@@ -35,9 +35,9 @@ namespace ElastoPlastic
 
   template <int dim, int degree>
   MatrixFreeSolid<dim, degree>::MatrixFreeSolid(
-    const VolumetricTreatment            treatment,
+    const StrainModel                   &strain_model,
     const std::vector<Material<double>> &materials)
-    : treatment(treatment)
+    : strain_model(strain_model)
     , materials(materials)
   {}
 
@@ -49,7 +49,10 @@ namespace ElastoPlastic
     const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &constraints)
   {
-    reinit_matrix_free<degree>(matrix_free, dof_handler, constraints);
+    reinit_matrix_free<degree>(matrix_free,
+                               dof_handler,
+                               constraints,
+                               strain_model.kinematics);
 
     tangents.reinit(n_points * matrix_free.n_cell_batches());
     flow_directions.reinit(n_points * matrix_free.n_cell_batches());
@@ -115,7 +118,7 @@ namespace ElastoPlastic
   {
     return RadialReturn<Number>(
       material,
-      strain_deviator(phi.get_symmetric_gradient(point)),
+      deviator_at(phi, point),
       history.empty() ?
         virgin_state :
         history[n_points * phi.get_current_cell_index() + point]);
@@ -146,7 +149,7 @@ namespace ElastoPlastic
     integrate_stress<dim, degree>(
       phi,
       material_of(phi.get_current_cell_index()).bulk_modulus,
-      treatment,
+      strain_model,
       [&](const unsigned int q, const Strain &strain) {
         return stored_tangent(first_point + q) * strain;
       });
@@ -170,10 +173,9 @@ namespace ElastoPlastic
             integrate_stress<dim, degree>(
               phi,
               material.bulk_modulus,
-              treatment,
+              strain_model,
               [&](const unsigned int q, const Strain &) {
-                return in_plane<dim>(
-                  radial_return(phi, q, material).deviatoric_stress());
+                return radial_return(phi, q, material).deviatoric_stress();
               });
             phi.distribute_local_to_global(dst);
           }
@@ -261,25 +263,23 @@ namespace ElastoPlastic
   MatrixFreeSolid<dim, degree>::predict_flow(const VectorType &old_u,
                                              const VectorType &new_u)
   {
-    for_each_cell_batch(
-      old_u,
-      new_u,
-      [&](CellEvaluation    &old_phi,
-          CellEvaluation    &new_phi,
-          const unsigned int batch) {
-        const Material<Number> material = material_of(batch);
-        for (unsigned int q = 0; q < n_points; ++q)
-          {
-            const unsigned int point = n_points * batch + q;
-            flow_directions.set(
-              point,
-              radial_return(old_phi, q, material)
-                .predicted_flow(flow_directions[point],
-                                strain_deviator(
-                                  new_phi.get_symmetric_gradient(q) -
-                                  old_phi.get_symmetric_gradient(q))));
-          }
-      });
+    for_each_cell_batch(old_u,
+                        new_u,
+                        [&](CellEvaluation    &old_phi,
+                            CellEvaluation    &new_phi,
+                            const unsigned int batch) {
+                          const Material<Number> material = material_of(batch);
+                          for (unsigned int q = 0; q < n_points; ++q)
+                            {
+                              const unsigned int point = n_points * batch + q;
+                              flow_directions.set(
+                                point,
+                                radial_return(old_phi, q, material)
+                                  .predicted_flow(flow_directions[point],
+                                                  deviator_at(new_phi, q) -
+                                                    deviator_at(old_phi, q)));
+                            }
+                        });
   }
 
 
@@ -287,23 +287,23 @@ namespace ElastoPlastic
   template <int dim>
   std::unique_ptr<SolidOperator<dim>>
   make_solid_operator(const unsigned int                   degree,
-                      const VolumetricTreatment            treatment,
+                      const StrainModel                   &strain_model,
                       const std::vector<Material<double>> &materials)
   {
     if (degree == 1)
-      return std::make_unique<MatrixFreeSolid<dim, 1>>(treatment, materials);
+      return std::make_unique<MatrixFreeSolid<dim, 1>>(strain_model, materials);
     AssertDimension(degree, 2);
-    return std::make_unique<MatrixFreeSolid<dim, 2>>(treatment, materials);
+    return std::make_unique<MatrixFreeSolid<dim, 2>>(strain_model, materials);
   }
 
 
 
   template std::unique_ptr<SolidOperator<2>>
   make_solid_operator(const unsigned int,
-                      const VolumetricTreatment,
+                      const StrainModel &,
                       const std::vector<Material<double>> &);
   template std::unique_ptr<SolidOperator<3>>
   make_solid_operator(const unsigned int,
-                      const VolumetricTreatment,
+                      const StrainModel &,
                       const std::vector<Material<double>> &);
 } // namespace ElastoPlastic

@@ -3,7 +3,7 @@
 
 // What the body tells others: energy, work, tangents and the fields at points.
 
-#include "mechanics/kinematics.h"
+#include "base/tensors.h"
 #include "mechanics/matrix_free_solid.h"
 
 namespace ElastoPlastic
@@ -15,12 +15,12 @@ namespace ElastoPlastic
     double local_energy = 0;
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
       const Material<Number> material = material_of(batch);
-      const auto volumetric = volumetric_strain<dim, degree>(phi, treatment);
+      const auto volumetric = volumetric_strain<dim, degree>(phi, strain_model);
       Number     sum        = 0.;
       for (unsigned int q = 0; q < n_points; ++q)
         sum += (0.5 * material.bulk_modulus * volumetric[q] * volumetric[q] +
                 radial_return(phi, q, material).energy()) *
-               phi.JxW(q);
+               volume_at(phi, q);
       for (unsigned int lane = 0;
            lane < matrix_free.n_active_entries_per_cell_batch(batch);
            ++lane)
@@ -42,16 +42,17 @@ namespace ElastoPlastic
       w,
       [&](CellEvaluation &phi, CellEvaluation &test, const unsigned int batch) {
         const Material<Number> material = material_of(batch);
-        const auto volumetric = volumetric_strain<dim, degree>(phi, treatment);
+        const auto             volumetric =
+          volumetric_strain<dim, degree>(phi, strain_model);
         const auto virtual_volumetric =
-          volumetric_strain<dim, degree>(test, treatment);
+          volumetric_strain<dim, degree>(test, strain_model);
         Number sum = 0.;
         for (unsigned int q = 0; q < n_points; ++q)
           sum +=
             (material.bulk_modulus * volumetric[q] * virtual_volumetric[q] +
              radial_return(phi, q, material).deviatoric_stress() *
-               strain_deviator(test.get_symmetric_gradient(q))) *
-            phi.JxW(q);
+               deviator_at(test, q)) *
+            volume_at(phi, q);
         for (unsigned int lane = 0;
              lane < matrix_free.n_active_entries_per_cell_batch(batch);
              ++lane)
@@ -108,7 +109,7 @@ namespace ElastoPlastic
     results.fill(std::vector<PointResult>(n_points));
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
       const Material<Number> material = material_of(batch);
-      const auto volumetric = volumetric_strain<dim, degree>(phi, treatment);
+      const auto volumetric = volumetric_strain<dim, degree>(phi, strain_model);
       const unsigned int n_cells =
         matrix_free.n_active_entries_per_cell_batch(batch);
       for (unsigned int q = 0; q < n_points; ++q)
@@ -118,7 +119,7 @@ namespace ElastoPlastic
           auto                       stress = point.deviatoric_stress();
           for (unsigned int d = 0; d < 3; ++d)
             stress[d][d] += material.bulk_modulus * volumetric[q];
-          const Number volume = phi.JxW(q);
+          const Number volume = volume_at(phi, q);
           const Number elastic_energy =
             point.distortion_energy() +
             0.5 * material.bulk_modulus * volumetric[q] * volumetric[q];

@@ -5,6 +5,7 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include "base/exceptions.h"
 #include "base/throw_together.h"
 #include "mechanics/supports.h"
 
@@ -112,6 +113,13 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  Supports<dim>::Supports(const Kinematics kinematics)
+    : kinematics(kinematics)
+  {}
+
+
+
+  template <int dim>
   void
   Supports<dim>::reinit(const DoFHandler<dim>         &dof_handler,
                         const BoundaryConditions<dim> &boundary_conditions,
@@ -196,6 +204,42 @@ namespace ElastoPlastic
                                                zero,
                                                fixed_values,
                                                mask_of_component<dim>(axis));
+    if (kinematics == Kinematics::axisymmetric)
+      throw_together(dof_handler.get_communicator(),
+                     [&]() { fix_axis(dof_handler); });
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::fix_axis(const DoFHandler<dim> &dof_handler)
+  {
+    const auto                          &fe = dof_handler.get_fe();
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (!cell->is_artificial())
+        for (const auto &face : cell->face_iterators())
+          {
+            const double rounding = 1e-10 * face->diameter();
+            bool         on_axis  = face->at_boundary();
+            for (const unsigned int v : face->vertex_indices())
+              {
+                if (face->vertex(v)[0] < -rounding)
+                  throw InputError("Kinematics",
+                                   "axisymmetric",
+                                   "the body reaches to negative x. It must be "
+                                   "the half section x >= 0; x = 0 is the axis "
+                                   "of revolution.");
+                on_axis = on_axis && face->vertex(v)[0] <= rounding;
+              }
+            if (!on_axis)
+              continue;
+            face->get_dof_indices(dofs);
+            for (unsigned int i = 0; i < dofs.size(); ++i)
+              if (fe.face_system_to_component_index(i).first == 0)
+                fixed_values[dofs[i]] = 0.;
+          }
   }
 
 

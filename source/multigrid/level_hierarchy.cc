@@ -85,7 +85,7 @@ namespace ElastoPlastic
     const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &constraints,
     const BoundaryConditions<dim>   &boundary_conditions,
-    const VolumetricTreatment        treatment,
+    const StrainModel               &strain_model,
     const unsigned int               n_coarse_cells)
     : level_transfer(two_level_transfers, level_operators)
   {
@@ -110,8 +110,9 @@ namespace ElastoPlastic
         level_operators[l] =
           make_level_operator<dim>(level_degree,
                                    level_degree < degree ?
-                                     VolumetricTreatment::b_bar :
-                                     treatment);
+                                     StrainModel(VolumetricTreatment::b_bar,
+                                                 strain_model.kinematics) :
+                                     strain_model);
         level_operators[l]->reinit(*level.dof_handler, *level.constraints);
         if (l > 0)
           two_level_transfers[l] =

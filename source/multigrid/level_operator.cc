@@ -19,8 +19,8 @@ namespace ElastoPlastic
     class MatrixFreeLevel : public LevelOperator<dim>
     {
     public:
-      explicit MatrixFreeLevel(const VolumetricTreatment treatment)
-        : treatment(treatment)
+      explicit MatrixFreeLevel(const StrainModel &strain_model)
+        : strain_model(strain_model)
       {}
 
       void
@@ -61,7 +61,7 @@ namespace ElastoPlastic
     private:
       using CellEvaluation = DisplacementEvaluation<dim, degree, float>;
       using CellRange      = std::pair<unsigned int, unsigned int>;
-      using Strain         = SymmetricTensor<2, dim, Number>;
+      using Strain         = SymmetricTensor<2, 3, Number>;
 
       struct Tangent
       {
@@ -72,12 +72,18 @@ namespace ElastoPlastic
       void
       integrate_tangent(CellEvaluation &phi) const;
 
+      /// phi_node / r at a quadrature point of a body of revolution.
+      Number
+      hoop_strain(const CellEvaluation &phi,
+                  const unsigned int    point,
+                  const unsigned int    node) const;
+
       /// The diagonal of the tangent of the current cells of @p phi, as its dof
       /// values.
       void
       compute_cell_diagonal(CellEvaluation &phi) const;
 
-      const VolumetricTreatment treatment;
+      const StrainModel strain_model;
 
       MatrixFree<dim, float, Number>   matrix_free;
       AffineConstraints<double> const *constraints = nullptr;
@@ -104,6 +110,7 @@ namespace ElastoPlastic
       reinit_matrix_free<degree>(matrix_free,
                                  dof_handler,
                                  new_constraints,
+                                 strain_model.kinematics,
                                  hanging_node_patterns(dof_handler,
                                                        new_constraints));
       constraints = &new_constraints;
@@ -171,7 +178,7 @@ namespace ElastoPlastic
       const Tangent &tangent = tangents[phi.get_current_cell_index()];
       integrate_stress<dim, degree>(phi,
                                     tangent.bulk_modulus,
-                                    treatment,
+                                    strain_model,
                                     [&](const unsigned int,
                                         const Strain &strain) {
                                       return tangent.deviatoric * strain;
@@ -217,8 +224,28 @@ namespace ElastoPlastic
 
 
 
+    template <int dim, int degree>
+    Number
+    MatrixFreeLevel<dim, degree>::hoop_strain(const CellEvaluation &phi,
+                                              const unsigned int    point,
+                                              const unsigned int    node) const
+    {
+      if (strain_model.kinematics == Kinematics::cartesian)
+        return 0.f;
+      const auto &shape = matrix_free.get_shape_info().data[0].shape_values;
+      constexpr unsigned int n_1d  = degree + 1;
+      Number                 value = 1.f;
+      for (unsigned int e = 0, i = node, p = point; e < dim;
+           ++e, i /= n_1d, p /= n_1d)
+        value *= shape[(i % n_1d) * n_1d + p % n_1d];
+      return value / phi.quadrature_point(point)[0];
+    }
+
+
+
     // For the shape function phi_i e_c with the gradient g = grad phi_i, the
-    // strain has the norm^2 (|g|^2 + g_c^2)/2 and the trace g_c.
+    // strain has the norm^2 (|g|^2 + g_c^2)/2 + h^2 and the trace g_c + h, with
+    // the hoop strain h = phi_i / r for c = 0 in a body of revolution.
     template <int dim, int degree>
     void
     MatrixFreeLevel<dim, degree>::compute_cell_diagonal(
@@ -242,10 +269,12 @@ namespace ElastoPlastic
       for (const unsigned int q : phi.quadrature_point_indices())
         {
           const auto   inverse_jacobian = phi.inverse_jacobian(q);
-          const Number JxW              = phi.JxW(q);
-          volume += JxW;
+          const Number dx =
+            volume_of<dim, degree>(phi, q, strain_model.kinematics);
+          volume += dx;
           for (unsigned int node = 0; node < n_nodes; ++node)
             {
+              const Number           hoop = hoop_strain(phi, q, node);
               Tensor<1, dim, Number> unit_gradient;
               for (unsigned int d = 0; d < dim; ++d)
                 {
@@ -263,14 +292,17 @@ namespace ElastoPlastic
               const auto g_square = g * g;
               for (unsigned int c = 0; c < dim; ++c)
                 {
-                  Number density =
-                    tangent.shear *
-                      (0.5f * g_square + float(1. / 6.) * g[c] * g[c]) -
-                    normal_g[c] * flow_g[c];
-                  if (treatment == VolumetricTreatment::standard)
-                    density += bulk_modulus * g[c] * g[c];
-                  diagonal[c][node] += density * JxW;
-                  divergence[c][node] += g[c] * JxW;
+                  const Number h     = (c == 0 ? hoop : Number(0.f));
+                  const Number trace = g[c] + h;
+                  Number       density =
+                    tangent.shear * (0.5f * (g_square + g[c] * g[c]) + h * h -
+                                     float(1. / 3.) * trace * trace) -
+                    (normal_g[c] - dealii::trace(tangent.normal) * h) *
+                      (flow_g[c] - dealii::trace(tangent.flow) * h);
+                  if (strain_model.treatment == VolumetricTreatment::standard)
+                    density += bulk_modulus * trace * trace;
+                  diagonal[c][node] += density * dx;
+                  divergence[c][node] += trace * dx;
                 }
             }
         }
@@ -278,7 +310,7 @@ namespace ElastoPlastic
       for (unsigned int c = 0; c < dim; ++c)
         for (unsigned int node = 0; node < n_nodes; ++node)
           {
-            if (treatment == VolumetricTreatment::b_bar)
+            if (strain_model.treatment == VolumetricTreatment::b_bar)
               diagonal[c][node] += bulk_modulus * divergence[c][node] *
                                    divergence[c][node] / volume;
             phi.begin_dof_values()[c * n_nodes + node] = diagonal[c][node];
@@ -381,19 +413,19 @@ namespace ElastoPlastic
 
   template <int dim>
   std::unique_ptr<LevelOperator<dim>>
-  make_level_operator(const unsigned int        degree,
-                      const VolumetricTreatment treatment)
+  make_level_operator(const unsigned int degree,
+                      const StrainModel &strain_model)
   {
     if (degree == 1)
-      return std::make_unique<MatrixFreeLevel<dim, 1>>(treatment);
+      return std::make_unique<MatrixFreeLevel<dim, 1>>(strain_model);
     AssertDimension(degree, 2);
-    return std::make_unique<MatrixFreeLevel<dim, 2>>(treatment);
+    return std::make_unique<MatrixFreeLevel<dim, 2>>(strain_model);
   }
 
 
 
   template std::unique_ptr<LevelOperator<2>>
-  make_level_operator(const unsigned int, const VolumetricTreatment);
+  make_level_operator(const unsigned int, const StrainModel &);
   template std::unique_ptr<LevelOperator<3>>
-  make_level_operator(const unsigned int, const VolumetricTreatment);
+  make_level_operator(const unsigned int, const StrainModel &);
 } // namespace ElastoPlastic

@@ -18,31 +18,33 @@ namespace ElastoPlastic
 
 
 
-    /// For p4est: whether to replace these siblings by their parent, because
-    /// they are on the level that is to vanish.
+    /// For p4est: to replace all siblings by their parent.
     template <int dim>
     int
-    is_on_finest_level(
-      Forest<dim> *forest,
-      typename internal::p4est::types<dim>::topidx,
-      typename internal::p4est::types<dim>::quadrant *siblings[])
+    always(Forest<dim> *,
+           typename internal::p4est::types<dim>::topidx,
+           typename internal::p4est::types<dim>::quadrant **)
     {
-      return siblings[0]->level ==
-             *static_cast<const int *>(forest->user_pointer);
+      return 1;
     }
 
 
 
-    /// Removes the cells of the level @p finest_level, the finest one.
+    /// Coarsens every cell that can be, but for those that keep neighbours from
+    /// differing by more than one level.
     template <int dim>
     void
-    coarsen(Forest<dim> &forest, int finest_level)
+    coarsen(Forest<dim> &forest)
     {
-      P4est<dim>::reset_data(&forest, 0, nullptr, &finest_level);
+      P4est<dim>::reset_data(&forest, 0, nullptr, nullptr);
       P4est<dim>::coarsen(&forest,
                           /* recursive = */ 0,
-                          is_on_finest_level<dim>,
+                          always<dim>,
                           nullptr);
+      if constexpr (dim == 2)
+        P4est<dim>::balance(&forest, P4EST_CONNECT_FULL, nullptr);
+      else
+        P4est<dim>::balance(&forest, P8EST_CONNECT_FULL, nullptr);
       P4est<dim>::partition(&forest, /* families together = */ 1, nullptr);
     }
 
@@ -83,7 +85,7 @@ namespace ElastoPlastic
          level > 0 && forest.global_num_quadrants > n_coarse_cells;
          --level)
       {
-        coarsen<dim>(forest, level);
+        coarsen<dim>(forest);
         meshes.push_back(make_mesh(mesh, forest));
       }
     P4est<dim>::destroy(&forest);

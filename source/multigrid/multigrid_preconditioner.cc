@@ -84,11 +84,11 @@ namespace ElastoPlastic
     const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &constraints,
     const BoundaryConditions<dim>   &boundary_conditions,
-    const VolumetricTreatment        treatment)
+    const StrainModel               &strain_model)
     : hierarchy(dof_handler,
                 constraints,
                 boundary_conditions,
-                treatment,
+                strain_model,
                 n_coarse_cells)
     , coarse_solver(hierarchy)
     , level_matrices(hierarchy.operators())
