@@ -34,6 +34,16 @@ class Runner:
 
     def run(self, case, *entries):
         """Rows of statistics.csv, the last one extended by that of history.csv."""
+        rows, steps = self.run_program(case, entries)
+        rows[-1].update(steps[-1])
+        return rows
+
+    def history(self, case, *entries):
+        """Rows of history.csv."""
+        return self.run_program(case, entries)[1]
+
+    def run_program(self, case, entries):
+        """Rows of statistics.csv and of history.csv."""
         with tempfile.TemporaryDirectory() as folder:
             command = ["mpirun", "-np", str(self.ranks)] if self.ranks > 1 else []
             command += [self.program, CASES / case, "--quiet", "--output-directory", folder]
@@ -50,11 +60,13 @@ class Runner:
             )
             subprocess.run(list(map(str, command)), check=True, env=environment)
             rows = read_table(pathlib.Path(folder) / "statistics.csv")
-            rows[-1].update(read_table(pathlib.Path(folder) / "history.csv")[-1])
-        for row in rows:
-            self.compare("force balance", row["force_balance_error"], 0, 1e-8, absolute=True)
-            self.compare("complementarity", row["complementarity_error"], 0, 1e-8, absolute=True)
-        return rows
+            steps = read_table(pathlib.Path(folder) / "history.csv")
+        for name in ("force_balance_error", "complementarity_error"):
+            self.compare(f"largest {name}", max(row[name] for row in rows), 0, 1e-8, absolute=True)
+        dissipation = [0] + [step["dissipation"] for step in steps]
+        self.verify("dissipation never negative",
+                    all(b >= a for a, b in zip(dissipation, dissipation[1:])))
+        return rows, steps
 
     def compare(self, name, value, reference, allowed, absolute=False):
         """Reports a value whose relative (or absolute) deviation is limited."""
@@ -115,6 +127,94 @@ def uniaxial(runner):
                        0.02 - stress / E, 1e-9)
 
 
+def uniaxial_history(runner):
+    """Uniaxial stress, strain 0, 0.02, -0.02, 0 in three steps (exact)."""
+    for law, moduli, stresses in (
+        ("perfectly plastic", (0, 0), (400, 400, 400)),
+        ("isotropic hardening", (2000, 0), (435.6435644, 506.2249, 535.8046)),
+        ("kinematic hardening", (0, 2000), (435.6435644, 435.6435644, 396.0396040)),
+        ("combined hardening", (1000, 1000), (435.6435644, 470.9342, 466.2715)),
+    ):
+        strain = "0.02*if(t <= 1, t, if(t <= 2, 3 - 2*t, t - 3))"
+        for body, volume in (
+            (("Boundary conditions/Prescribed displacement=top: free; free; " + strain,), 1),
+            (("Dimension=2", "Kinematics=axisymmetric", "Boundary conditions/Roller=left, bottom",
+              "Boundary conditions/Free=right",
+              "Boundary conditions/Prescribed displacement=top: free; " + strain), math.pi),
+        ):
+            steps = runner.history(
+                "verification/uniaxial_stress.prm", f"Material/Law={law}",
+                f"Material/Isotropic hardening modulus={moduli[0]}",
+                f"Material/Kinematic hardening modulus={moduli[1]}",
+                "Loading/Final time=3", "Loading/Number of steps=3", *body)
+            for step, stress in zip(steps, stresses):
+                # the elastic energy is stress^2 / (2 E) per volume
+                runner.compare(f"|stress|, {law}", math.sqrt(2 * E * step["elastic_energy"] / volume),
+                               stress, 1e-7)
+
+
+def confined_history(runner):
+    """Uniaxial strain to 0.01 and back to 0 (exact)."""
+    steps = runner.history(
+        "verification/confined_block.prm", "Indenter/Type=none", "Boundary conditions/Contact=",
+        "Boundary conditions/Prescribed displacement=top: 0; 0; 0.01*if(t <= 1, t, 2 - t)",
+        "Loading/Final time=2", "Loading/Number of steps=2")
+    for step, axial, lateral in zip(steps, (1939.8545936, -277.3058695), (1530.0727032, 138.6529347)):
+        energy = (axial**2 + 2 * lateral**2 - 2 * NU * (2 * axial * lateral + lateral**2)) / (2 * E)
+        runner.compare("elastic energy", step["elastic_energy"], energy, 1e-8)
+
+
+def force_control(runner):
+    """The force that a depth needs leads back to that depth."""
+    for case, entries in (
+        ("step42/sphere_uniform_q1.prm", ("Refinement/Number of cycles=2",)),
+        ("cylinder_2d.prm", ("Refinement/Strategy=global", "Refinement/Number of cycles=3")),
+        ("indentation/cone_axisymmetric.prm", ("Loading/History=", "Loading/Number of steps=1")),
+    ):
+        depth = runner.run(case, *entries)[-1]
+        force = runner.run(case, *entries, "Loading/Control=force",
+                           f"Loading/Force={depth['force']:.15g}")[-1]
+        for name in ("depth", "max_pressure", "contact_area", "plastic_volume", "elastic_energy"):
+            runner.compare(f"{case}, {name}", force[name], depth[name], 1e-7)
+        runner.compare(f"{case}, force", force["force"], depth["force"], 1e-10)
+
+
+def sphere_indentation(runner):
+    """An elastic-plastic sphere: loading, unloading, residual depth (published fits)."""
+    yield_stress, radius = 400, 1.0
+    first_depth = 6.417988 * radius * yield_stress**2 / E_STAR**2
+    first_force = 21.678895 * radius**2 * yield_stress**3 / E_STAR**2
+    steps = runner.history("indentation/sphere_axisymmetric.prm")
+    for step in steps:
+        w = step["depth"] / first_depth
+        if step["time"] <= 1 and w >= 6:
+            runner.compare(f"force at w = {w:.1f}", step["force"] / first_force, 1.40 * w**1.263, 0.06)
+    top = next(i for i, step in enumerate(steps) if step["time"] == 1)
+    deepest, after = steps[top], steps[top + 1]
+    unloaded = next(step for step in steps if step["time"] == 2)
+    w = deepest["depth"] / first_depth
+    runner.compare("residual depth", unloaded["depth"] / deepest["depth"],
+                   (1 - w**-0.28) * (1 - w**-0.69), 0.06)
+    runner.compare("initial slope of unloading",
+                   (deepest["force"] - after["force"]) / (deepest["depth"] - after["depth"]),
+                   2 * E_STAR * math.sqrt(deepest["contact_area"] / math.pi), 0.03)
+    runner.compare("work of the sphere against energies and heat", steps[-1]["external_work"],
+                   sum(steps[-1][name] for name in ("elastic_energy", "hardening_energy", "dissipation")),
+                   0.02)
+
+
+def hertz_axisymmetric(runner):
+    """Hertz' paraboloid as a body of revolution (exact)."""
+    row = runner.run("indentation/sphere_axisymmetric.prm", "Loading/History=", "Loading/Depth=0.004",
+                     "Geometry/Initial refinements=5", "Loading/Number of steps=1", "Material/Law=linear elastic",
+                     "Indenter/Type=paraboloid", "Discretization/Volumetric treatment=standard")[-1]
+    force = row["force"]
+    runner.compare("peak pressure", row["max_pressure"],
+                   (6 * force * E_STAR**2 / math.pi**3) ** (1 / 3), 0.02)
+    runner.compare("contact area", row["contact_area"],
+                   math.pi * (3 * force / (4 * E_STAR)) ** (2 / 3), 0.05)
+
+
 def hertz(runner):
     """Hertz' paraboloid: force against contact radius and peak pressure (exact)."""
     row = runner.run("verification/hertz_sphere.prm")[-1]
@@ -159,8 +259,9 @@ def strip_punch_locks(runner):
 
 ALL = {
     function.__name__: function
-    for function in (step42, step42_fine, confined_block, uniaxial, hertz, strip_punch,
-                     strip_punch_locks)
+    for function in (step42, step42_fine, confined_block, confined_history, uniaxial,
+                     uniaxial_history, force_control, hertz, hertz_axisymmetric,
+                     sphere_indentation, strip_punch, strip_punch_locks)
 }
 
 

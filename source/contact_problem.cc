@@ -94,7 +94,7 @@ namespace ElastoPlastic
     if (contact.is_force_driven() && contact.depth_at(to) > largest_depth)
       throw ConvergenceError(
         "The indenter sinks without end: its depth exceeds the size of the "
-        "body. Is 'Loading/Force' in the same system of units as the moduli in "
+        "body by far. Is 'Loading/Force' in the same system of units as the moduli in "
         "'Material', and below the limit load?");
   }
 

@@ -42,7 +42,7 @@ namespace ElastoPlastic
                                   external_forces,
                                   contact,
                                   *tangent_solver,
-                                  body_size(triangulation),
+                                  1e4 * body_size(triangulation),
                                   timer);
       const NewtonReport  report = newton.solve(problem, displacement);
       problem.compute_residual(residual, displacement);
