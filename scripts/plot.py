@@ -211,6 +211,7 @@ def plot_force_depth(arguments, target):
         return None
     figure, axes = plt.subplots(figsize=(6.4, 4.))
     axes.plot(table["depth"], table["force"], "o-", markersize=3., color=BLUE)
+    axes.locator_params(axis="x", nbins=6)
     axes.set(xlabel="depth", ylabel="force")
     return save(figure, target, "force_depth.png")
 

@@ -86,14 +86,23 @@ namespace ElastoPlastic
 
     /// Where the indenter is.
     double
-    depth() const;
+    depth() const
+    {
+      return present_depth;
+    }
 
     bool
-    is_force_driven() const;
+    is_force_driven() const
+    {
+      return given_force.has_value();
+    }
 
     /// F; zero if a depth drives the indenter.
     double
-    force() const;
+    force() const
+    {
+      return given_force.value_or(0.);
+    }
 
     /// Where the indenter is when the body has the displacement @p u, in which
     /// the active nodes, if a force drives them, have moved together: the mean
@@ -183,7 +192,10 @@ namespace ElastoPlastic
     };
 
     double
-    bound(const Node &node) const;
+    bound(const Node &node) const
+    {
+      return node.gap - present_depth;
+    }
 
     /// The smallest distance from the undisplaced indenter down to a candidate.
     double

@@ -71,33 +71,6 @@ namespace ElastoPlastic
 
   template <int dim>
   double
-  ContactSet<dim>::depth() const
-  {
-    return present_depth;
-  }
-
-
-
-  template <int dim>
-  bool
-  ContactSet<dim>::is_force_driven() const
-  {
-    return given_force.has_value();
-  }
-
-
-
-  template <int dim>
-  double
-  ContactSet<dim>::force() const
-  {
-    return given_force.value_or(0.);
-  }
-
-
-
-  template <int dim>
-  double
   ContactSet<dim>::depth_at(const Vector &u) const
   {
     if (!is_force_driven())
@@ -144,15 +117,6 @@ namespace ElastoPlastic
     return set_active([&](const Node &node) {
       return node.gap - u.local_element(node.index) <= present_depth;
     });
-  }
-
-
-
-  template <int dim>
-  double
-  ContactSet<dim>::bound(const Node &node) const
-  {
-    return node.gap - present_depth;
   }
 
 

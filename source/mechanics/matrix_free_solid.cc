@@ -8,6 +8,7 @@
 #include "base/exceptions.h"
 #include "base/tensors.h"
 #include "base/throw_together.h"
+#include "mechanics/cell_matrices.h"
 #include "mechanics/matrix_free_solid.h"
 
 namespace ElastoPlastic
@@ -229,11 +230,11 @@ namespace ElastoPlastic
     TrilinosWrappers::SparseMatrix  &matrix,
     const AffineConstraints<double> &all_constraints) const
   {
-    MatrixFreeTools::compute_matrix(matrix_free,
-                                    all_constraints,
-                                    matrix,
-                                    &MatrixFreeSolid::integrate_tangent,
-                                    this);
+    add_cell_matrices<degree>(
+      matrix_free,
+      [this](CellEvaluation &phi) { integrate_tangent(phi); },
+      all_constraints,
+      matrix);
   }
 
 

@@ -4,7 +4,7 @@
 #include <deal.II/base/aligned_vector.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
-#include "mechanics/stress_integration.h"
+#include "mechanics/cell_matrices.h"
 #include "mesh/owned_cells.h"
 #include "multigrid/hanging_node_patterns.h"
 #include "multigrid/level_operator.h"
@@ -363,49 +363,17 @@ namespace ElastoPlastic
 
 
 
-    // (MatrixFreeTools::compute_matrix() of deal.II 9.4 takes the categories of
-    // cells for indices of finite elements.)
     template <int dim, int degree>
     void
     MatrixFreeLevel<dim, degree>::add_matrix(
       TrilinosWrappers::SparseMatrix  &matrix,
       const AffineConstraints<double> &all_constraints) const
     {
-      CellEvaluation         phi(matrix_free);
-      constexpr unsigned int n = CellEvaluation::static_dofs_per_cell;
-      FullMatrix<double>     cell_matrix(n, n);
-      std::vector<types::global_dof_index> dofs(n);
-      AlignedVector<Number>                columns(n * n);
-      const auto                          &numbering =
-        matrix_free.get_shape_info().lexicographic_numbering;
-      for (unsigned int batch = 0; batch < matrix_free.n_cell_batches();
-           ++batch)
-        {
-          phi.reinit(batch);
-          for (unsigned int j = 0; j < n; ++j)
-            {
-              std::fill_n(phi.begin_dof_values(), n, Number(0.f));
-              phi.begin_dof_values()[j] = 1.f;
-              integrate_tangent(phi);
-              std::copy_n(phi.begin_dof_values(), n, &columns[j * n]);
-            }
-          for (unsigned int lane = 0;
-               lane < matrix_free.n_active_entries_per_cell_batch(batch);
-               ++lane)
-            {
-              for (unsigned int i = 0; i < n; ++i)
-                for (unsigned int j = 0; j < n; ++j)
-                  cell_matrix(numbering[i], numbering[j]) =
-                    columns[j * n + i][lane];
-              const typename DoFHandler<dim>::active_cell_iterator cell =
-                matrix_free.get_cell_iterator(batch, lane);
-              cell->get_dof_indices(dofs);
-              all_constraints.distribute_local_to_global(cell_matrix,
-                                                         dofs,
-                                                         matrix);
-            }
-        }
-      matrix.compress(VectorOperation::add);
+      add_cell_matrices<degree>(
+        matrix_free,
+        [this](CellEvaluation &phi) { integrate_tangent(phi); },
+        all_constraints,
+        matrix);
     }
   } // namespace
 
