@@ -73,6 +73,9 @@ namespace
     {
       GridGenerator::subdivided_hyper_cube(mesh, 12, 0., 1., true);
       dof_handler.distribute_dofs(fe);
+      IndexSet relevant;
+      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      constraints.reinit(relevant);
       constraints.close();
       solid->reinit(dof_handler, constraints);
       solid->initialize_vector(rhs);
