@@ -171,7 +171,7 @@ add_message_test(sinks_without_end 3 "The indenter sinks without end: its depth 
   ${_base} --output-directory sinks_without_end --overwrite --quiet --set "Loading/Control=force" --set "Loading/Force=1e12")
 
 # A warning, and the program goes on.
-add_message_test(step_is_cut 3 "Warning: The step from t = 0 has not converged; trying half of it"
+add_message_test(step_is_cut 3 "Warning: The step from t = 0 has not converged. trying half of it"
   ${_base} --output-directory step_is_cut --overwrite --quiet --set "Loading/Number of steps=2" --set "Loading/Maximum number of cuts=1"
   --set "Nonlinear solver/Maximum number of iterations=1" --set Loading/Depth=0.1)
 add_message_test(multigrid_fails 0 "Warning: Conjugate gradients with geometric multigrid do not converge here: algebraic multigrid takes over on this mesh"

@@ -18,8 +18,8 @@ namespace ElastoPlastic
       "Fields",
       fields,
       "When solution-*.vtu and surface-*.vtu are written: after "
-      "every cycle, after the last one only, or never. The "
-      "tables statistics.csv and history.csv are always "
+      "every cycle (in a load history: after every step), after the last one "
+      "only, or never. The tables statistics.csv and history.csv are always "
       "written.",
       Patterns::Selection("every cycle|last cycle|never"));
     prm.add_parameter(
