@@ -140,6 +140,13 @@ add_entry_test(matrix_two_rows "two_rows.txt', but it has 2 rows" "Indenter/Type
 add_entry_test(out_of_reach "indenter can never touch the body: no node" "Indenter/Position=50")
 add_entry_test(too_short "'Loading/Depth' is '0.001', but the indenter can never touch the body: the smallest gap" "Indenter/Initial gap=1")
 
+# Kinematics and local refinement
+add_entry_test(local_radius "'Geometry/Local radius' is '0', but it must be greater than 0" "Geometry/Local radius=0")
+add_entry_test(local_centre "'Geometry/Local centre' is '0', but it must be empty or hold one coordinate for each of the" "Geometry/Local centre=0")
+add_entry_test(axisymmetric_3d "'Kinematics' is 'axisymmetric', but that is for two dimensions" "Dimension=3" "Kinematics=axisymmetric")
+add_message_test(across_the_axis 2 "'Kinematics' is 'axisymmetric', but the body reaches to negative x"
+  ${CMAKE_SOURCE_DIR}/parameter_files/indentation/sphere_axisymmetric.prm --validate --set "Geometry/Lower corner=-1, -4")
+
 # Loading, refinement and solvers
 add_entry_test(depth "'Loading/Depth' is '0', but it must be greater than 0" "Loading/Depth=0")
 add_entry_test(depth_expression "'Loading/Depth' is '0.1.x', but this is not an expression in t that can be evaluated" "Loading/Depth=0.1*x")
@@ -167,6 +174,12 @@ add_message_test(overflow 3 "forces are no longer finite numbers" ${_base} --out
 add_message_test(beyond_limit_load 4 "No equilibrium has been found for the force 4 .t = 1.: it seems to be beyond the limit load of the perfectly plastic body. The largest force reached is 0"
   ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --output-directory beyond_limit_load --overwrite --quiet
   --set "Loading/Control=force" --set "Loading/Force=4" --set "Refinement/Number of cycles=1")
+# Steps that are taken back and cut come closer to the limit load, which is
+# (2 + pi)/sqrt(3) = 2.97, and somewhat more on a coarse mesh.
+add_message_test(close_to_limit_load 4 "Error: No equilibrium .* The largest force reached is (2.97|2.98|2.99|3.0|3.1).*, at the depth 0.0"
+  ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --output-directory close_to_limit_load --overwrite --quiet
+  --set "Loading/Control=force" --set "Loading/Force=4" --set "Loading/Number of steps=4" --set "Loading/Maximum number of cuts=3"
+  --set "Refinement/Number of cycles=1" --set "Output/Fields=never")
 add_message_test(sinks_without_end 3 "The indenter sinks without end: its depth exceeds the size of the body by far"
   ${_base} --output-directory sinks_without_end --overwrite --quiet --set "Loading/Control=force" --set "Loading/Force=1e12")
 
