@@ -14,6 +14,7 @@
 #include "base/exceptions.h"
 #include "contact/contact_set.h"
 #include "contact/gap_function.h"
+#include "io/checkpoint.h"
 #include "io/field_output.h"
 #include "io/parameters.h"
 #include "io/screen.h"
@@ -59,10 +60,18 @@ namespace ElastoPlastic
     void
     run(const bool overwrite);
 
+    /// Goes on from the last checkpoint in the output directory, as if the run
+    /// had not been interrupted.
+    /// @throws the same
+    void
+    resume();
+
   private:
     // The outline, in the order of run() (core.cc):
     void
-    run_load_history(Statistics &statistics);
+    run_load_history(const Statistics::Sizes &rows_so_far);
+    void
+    take_load_steps(Statistics &statistics);
     SolveResult
     solve_on_mesh_sequence(Statistics &statistics);
     [[noreturn]] void
@@ -78,6 +87,10 @@ namespace ElastoPlastic
     take_back_step();
     void
     commit_step(SolveResult &result);
+    void
+    commit_state();
+    VectorType
+    forces_of_stresses() const;
 
     // One mesh (setup.cc): after any change of the mesh, setup_body() and
     // setup_contact() prepare everything that depends on it, and
@@ -104,17 +117,31 @@ namespace ElastoPlastic
     double
     vertical_reaction() const;
 
-    // The next mesh (refinement.cc), if there is to be one.
+    // The next mesh (refinement.cc), if there is to be one, in the first load
+    // step or after any other.
     void
     estimate_error();
     bool
     mark_next_mesh();
     void
     refine_mesh();
+    void
+    adapt_mesh(Statistics &statistics);
+    bool
+    mark_adapted_mesh();
 
-    // Results (core.cc).
+    // Results (core.cc) and checkpoints (checkpoint.cc).
     void
     output_results(const bool last_cycle);
+    void
+    save_checkpoint(Statistics::Sizes sizes);
+    Statistics::Sizes
+    load_checkpoint();
+    void
+    stop_if_requested() const;
+    template <typename Archive>
+    void
+    serialize_progress(Archive &archive, Statistics::Sizes &sizes);
 
     /// Gap of the undeformed body, for the contact surface as it is.
     GapFunction<dim>
@@ -158,13 +185,18 @@ namespace ElastoPlastic
     Vector<float>                       error_indicators;
 
     // The end of the last load step: what it has found, the displacement, and
-    // the nodal forces of the stresses (empty before the second step); and how
-    // fast displacement and depth have changed in it.
+    // the nodal forces of the stresses (both empty before the second step); and
+    // how fast displacement and depth have changed in it.
     SolveResult last_step;
     VectorType  committed_displacement;
     VectorType  committed_forces;
     VectorType  displacement_rate;
     double      depth_rate = 0;
+
+    // The last of them on disk; and whether a step is under way that can be
+    // taken back when the user wants to stop.
+    const Checkpoint checkpoint;
+    bool             step_is_under_way = false;
   };
 } // namespace ElastoPlastic
 

@@ -22,7 +22,11 @@ namespace
                         const Parameters  &parameters)
   {
     ElastoPlasticContact<dim> problem(parameters, MPI_COMM_WORLD);
-    if (command_line.task == CommandLine::Task::run)
+    if (command_line.task != CommandLine::Task::run)
+      return;
+    if (command_line.resume)
+      problem.resume();
+    else
       problem.run(command_line.overwrite);
   }
 

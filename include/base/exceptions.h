@@ -13,10 +13,11 @@ namespace ElastoPlastic
   enum class ExitStatus : int
   {
     success        = 0,
-    wrong_input    = 2, ///< wrong usage, or a parameter that makes no sense
-    no_convergence = 3, ///< every remedy has been tried
-    no_equilibrium = 4, ///< no stress field can carry the load
-    io_failure     = 5  ///< a file could not be read or written
+    wrong_input    = 2,  ///< wrong usage, or a parameter that makes no sense
+    no_convergence = 3,  ///< every remedy has been tried
+    no_equilibrium = 4,  ///< no stress field can carry the load
+    io_failure     = 5,  ///< a file could not be read or written
+    terminated     = 143 ///< the signal SIGTERM: 128 + 15, as shells have it
   };
 
   /// An error a user can act on: one clear message, and the exit status that
@@ -63,6 +64,14 @@ namespace ElastoPlastic
   {
     explicit EquilibriumError(const std::string &message)
       : Error(ExitStatus::no_equilibrium, message)
+    {}
+  };
+
+  /// Somebody has asked the program to end.
+  struct TerminationError : Error
+  {
+    explicit TerminationError(const std::string &message)
+      : Error(ExitStatus::terminated, message)
     {}
   };
 

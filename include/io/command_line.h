@@ -30,6 +30,7 @@ namespace ElastoPlastic
     /// Empty if the parameter file decides.
     std::string output_directory;
     bool        overwrite = false;
+    bool        resume    = false;
     bool        quiet     = false;
 
     /// @throws InputError for unknown or incomplete options, and if there is

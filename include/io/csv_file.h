@@ -18,20 +18,30 @@ namespace ElastoPlastic
   class CsvFile
   {
   public:
-    /// Creates the file with the names of its columns.
+    /// Creates the file with the names of its columns, or goes on after the
+    /// first @p n_rows rows of the one that is there.
     /// @throws FileError, on all ranks, if that is not possible.
     CsvFile(const MPI_Comm                  communicator,
             const std::string              &name,
-            const std::vector<std::string> &columns);
+            const std::vector<std::string> &columns,
+            const unsigned int              n_rows = 0);
 
     /// Appends one row. @throws FileError, on all ranks, if it cannot be
     /// written.
     void
     add_row(const std::vector<double> &values);
 
+    /// The number of rows so far.
+    unsigned int
+    n_rows() const
+    {
+      return row_count;
+    }
+
   private:
     const MPI_Comm    communicator;
     const std::string name;
+    unsigned int      row_count;
     std::ofstream     file;
   };
 } // namespace ElastoPlastic

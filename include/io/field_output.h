@@ -46,6 +46,14 @@ namespace ElastoPlastic
     void
     write(const Solution &solution, const std::string &name, const double time);
 
+    /// The list of what has been written, for checkpoints.
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /* version */)
+    {
+      archive &records;
+    }
+
   private:
     void
     write_body(const Solution    &solution,

@@ -18,6 +18,8 @@ namespace ElastoPlastic
     std::string directory = "output";
     std::string fields    = "every cycle";
     std::string screen    = "full";
+    /// Load steps from one checkpoint to the next; 0: on request only.
+    unsigned int checkpoint_interval = 1;
 
     void
     add_parameters(ParameterHandler &prm);

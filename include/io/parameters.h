@@ -5,6 +5,7 @@
 #define io_parameters_h
 
 #include <iosfwd>
+#include <map>
 #include <string>
 
 #include "contact/indenter_parameters.h"
@@ -42,6 +43,9 @@ namespace ElastoPlastic
 
     /// The complete effective input, in the format of a parameter file.
     std::string effective_input;
+
+    /// The same, entry by entry: paths like "Material/Law" and values.
+    std::map<std::string, std::string> entries;
 
     /// Reads the file and the overrides of the command line.
     /// @throws InputError with file, line, section, entry, value and remedy.

@@ -52,6 +52,19 @@ namespace ElastoPlastic
     double plastic_work  = 0;
     double dissipation   = 0;
     double external_work = 0;
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /* version */)
+    {
+      archive &step &time &cycle &cells &dofs &newton_iterations
+        &linear_iterations &active_nodes &force &depth &residual
+          &force_balance_error &max_penetration &complementarity_error
+            &estimated_error &wall_seconds &memory_mb &max_hanging_penetration
+              &min_pressure &contact_area &max_pressure &energy &plastic_volume
+                &max_equivalent_plastic_strain &elastic_energy &hardening_energy
+                  &plastic_work &dissipation &external_work;
+    }
   };
 
 

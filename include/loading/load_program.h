@@ -45,6 +45,15 @@ namespace ElastoPlastic
     void
     reached(const double time, const double depth, const double force);
 
+    /// What has been reached, for checkpoints.
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /* version */)
+    {
+      for (Segment &segment : segments)
+        archive &segment.begin_value;
+    }
+
   private:
     struct Segment
     {

@@ -52,6 +52,14 @@ namespace ElastoPlastic
     bool
     cut();
 
+    /// The position in the history, for checkpoints.
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /* version */)
+    {
+      archive &step_number &segment &position &length;
+    }
+
   private:
     double
     time_at(const std::uint64_t units) const;

@@ -7,6 +7,8 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/vectorization.h>
 
+#include <array>
+
 #include "base/tensors.h"
 #include "material/material.h"
 
@@ -23,6 +25,22 @@ namespace ElastoPlastic
     SymmetricTensor<2, 3, Number> back_stress;
     /// alpha, with the rate sqrt(2/3) |plastic strain rate|.
     Number equivalent_plastic_strain = Number(0.);
+
+    /// All numbers that a state consists of, for storage.
+    static constexpr unsigned int n_numbers = 13;
+
+    std::array<Number *, n_numbers>
+    numbers()
+    {
+      std::array<Number *, n_numbers> result;
+      for (unsigned int i = 0; i < 6; ++i)
+        {
+          result[i]     = &plastic_strain.access_raw_entry(i);
+          result[6 + i] = &back_stress.access_raw_entry(i);
+        }
+      result[12] = &equivalent_plastic_strain;
+      return result;
+    }
   };
 
 

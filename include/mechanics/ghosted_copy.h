@@ -29,6 +29,34 @@ namespace ElastoPlastic
     copy.update_ghost_values();
     return copy;
   }
+
+
+
+  /// Such copies of several vectors, as deal.II's SolutionTransfer wants them.
+  template <int dim>
+  class GhostedCopies
+  {
+  public:
+    GhostedCopies(const std::vector<VectorType *> &vectors,
+                  const DoFHandler<dim>           &dof_handler)
+    {
+      for (const VectorType *vector : vectors)
+        copies.push_back(ghosted_copy(*vector, dof_handler));
+    }
+
+    /// Valid as long as this object.
+    std::vector<const VectorType *>
+    pointers() const
+    {
+      std::vector<const VectorType *> result;
+      for (const VectorType &copy : copies)
+        result.push_back(&copy);
+      return result;
+    }
+
+  private:
+    std::vector<VectorType> copies;
+  };
 } // namespace ElastoPlastic
 
 #endif

@@ -38,6 +38,12 @@ namespace ElastoPlastic
     void
     commit(const VectorType &u) override;
 
+    CellStates
+    states() const override;
+
+    void
+    set_states(const CellStates &states) override;
+
     void
     initialize_vector(VectorType &vector) const override;
 

@@ -24,6 +24,14 @@ namespace ElastoPlastic
 
   using VectorType = LinearAlgebra::distributed::Vector<double>;
 
+  /// The committed states of all points, for transfer between meshes and for
+  /// checkpoints: for each active cell of this rank (in the order of
+  /// active_cell_index()) the numbers that describe the states at its points,
+  /// one point after the other; empty for cells of other ranks.
+  using CellStates = std::vector<std::vector<double>>;
+
+
+
   /// How the volumetric strain enters the stress (doc/theory.md, "Locking").
   enum class VolumetricTreatment
   {
@@ -120,6 +128,15 @@ namespace ElastoPlastic
     /// remember is what the next step begins with.
     virtual void
     commit(const VectorType &u) = 0;
+
+    /// What the points remember of the last commit().
+    virtual CellStates
+    states() const = 0;
+
+    /// Lets the points remember @p states. Where interpolation has made an
+    /// equivalent plastic strain negative, zero takes its place.
+    virtual void
+    set_states(const CellStates &states) = 0;
 
     virtual void
     initialize_vector(VectorType &vector) const = 0;

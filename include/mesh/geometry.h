@@ -50,14 +50,18 @@ namespace ElastoPlastic
   /// survives coarsening, repartitioning and loading from a checkpoint. Without
   /// an expression it is 0, or what the mesh file says.
   ///
-  /// Before Triangulation::load(), which wants the coarse mesh only, undo the
-  /// initial refinements with coarsen_global().
+  /// Before Triangulation::load() call coarsen_to_coarse_mesh().
   ///
   /// Collective; errors are thrown on all ranks.
   template <int dim>
   BoundaryNames
   make_mesh(const GeometryParameters &parameters,
             Triangulation<dim>       &triangulation);
+
+  /// Undoes all refinements.
+  template <int dim>
+  void
+  coarsen_to_coarse_mesh(Triangulation<dim> &triangulation);
 } // namespace ElastoPlastic
 
 #endif

@@ -22,6 +22,8 @@ namespace ElastoPlastic
     unsigned int max_unknowns        = 0;
     double       refinement_fraction = 0.3;
     double       coarsening_fraction = 0.03;
+    /// In a history: load steps from one mesh to the next; 0: one mesh.
+    unsigned int adaptation_interval = 0;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -40,6 +42,18 @@ namespace ElastoPlastic
   flag_cells(const RefinementParameters                &parameters,
              const Vector<float>                       &error_indicators,
              parallel::distributed::Triangulation<dim> &triangulation);
+
+
+
+  /// The same for a mesh that is to follow its load over many steps: halves the
+  /// refinement fraction until the next mesh has at most @p max_cells cells,
+  /// all ranks together. @return whether any cell is to be refined.
+  template <int dim>
+  bool
+  flag_cells_within(const double                               max_cells,
+                    RefinementParameters                       parameters,
+                    const Vector<float>                       &error_indicators,
+                    parallel::distributed::Triangulation<dim> &triangulation);
 
 
 

@@ -55,6 +55,17 @@ namespace ElastoPlastic
     unsigned int
     solve(VectorType &solution, const VectorType &rhs, const double reduction);
 
+    /// The response learnt so far; without size as long as there is none.
+    const VectorType &
+    known_response() const
+    {
+      return response;
+    }
+
+    /// Begins with @p known_response, of an earlier solver on the same mesh.
+    void
+    set_response(const VectorType &known_response);
+
   private:
     class ReducedTangent;
     class DeflatedPreconditioner;

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/exceptions.h"
+#include "base/termination.h"
 #include "elasto_plastic_contact.h"
 #include "io/checked_write.h"
 #include "io/output_directory.h"
@@ -65,6 +66,7 @@ namespace ElastoPlastic
                                      parameters.material.materials()))
     , contact([this](const Point<dim> &x) { return gap_function.value(x); },
               parameters.discretization.strain_model().kinematics)
+    , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
     setup_body();
     setup_contact();
@@ -103,9 +105,44 @@ namespace ElastoPlastic
                     file << parameters.effective_input;
                   });
 
-    Statistics statistics(communicator, parameters.output.directory);
-    run_load_history(statistics);
+    run_load_history(Statistics::Sizes());
+  }
 
+
+
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::resume()
+  {
+    screen.print_banner(Utilities::MPI::n_mpi_processes(communicator));
+    run_load_history(load_checkpoint());
+  }
+
+
+
+  // When the user wants to stop, the step under way is given up.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::run_load_history(
+    const Statistics::Sizes &rows_so_far)
+  {
+    Statistics statistics(communicator,
+                          parameters.output.directory,
+                          rows_so_far);
+    note_termination_requests();
+    try
+      {
+        take_load_steps(statistics);
+      }
+    catch (const TerminationError &)
+      {
+        if (time_steps.number() > 1)
+          {
+            take_back_step();
+            save_checkpoint(statistics.sizes());
+          }
+        throw;
+      }
     timer.print_summary();
     screen.remark("Results are in " + parameters.output.directory);
   }
@@ -116,19 +153,22 @@ namespace ElastoPlastic
   // and tried again in two halves.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::run_load_history(Statistics &statistics)
+  ElastoPlasticContact<dim>::take_load_steps(Statistics &statistics)
   {
-    bool cut = false;
+    const unsigned int interval = parameters.output.checkpoint_interval;
+    bool               cut      = false;
     while (!time_steps.finished())
       {
         try
           {
+            step_is_under_way = true;
             apply_load();
             if (!cut)
               predict();
             SolveResult result = solve_on_mesh_sequence(statistics);
             commit_step(result);
             statistics.add_step(result);
+            step_is_under_way = false;
           }
         catch (const ConvergenceError &error)
           {
@@ -141,8 +181,12 @@ namespace ElastoPlastic
             cut = true;
             continue;
           }
+        adapt_mesh(statistics);
         time_steps.advance();
         cut = false;
+        if (interval > 0 && (time_steps.number() - 1) % interval == 0 &&
+            !time_steps.finished())
+          save_checkpoint(statistics.sizes());
       }
   }
 

@@ -59,14 +59,25 @@ namespace ElastoPlastic
 
 
 
+  // The nodal forces that are in equilibrium with the stresses.
+  template <int dim>
+  VectorType
+  ElastoPlasticContact<dim>::forces_of_stresses() const
+  {
+    VectorType forces = external_forces;
+    forces -= residual;
+    return forces;
+  }
+
+
+
   // The end of a step: the work that has been done in it (that of the external
   // forces by the trapezoidal rule), and what the next step begins with.
   template <int dim>
   void
   ElastoPlasticContact<dim>::commit_step(SolveResult &result)
   {
-    VectorType forces = external_forces;
-    forces -= residual;
+    const VectorType forces = forces_of_stresses();
     result.external_work =
       last_step.external_work + 0.5 * (forces * displacement);
     if (time_steps.number() > 1)
@@ -82,15 +93,24 @@ namespace ElastoPlastic
     load_program.reached(result.time, result.depth, result.force);
     if (result.time == load_program.final_time())
       return;
-    solid->commit(displacement);
+    displacement_rate = displacement;
     if (time_steps.number() > 1)
-      {
-        displacement_rate = displacement;
-        displacement_rate -= committed_displacement;
-        displacement_rate /= duration;
-      }
+      displacement_rate -= committed_displacement;
+    displacement_rate /= duration;
+    commit_state();
+  }
+
+
+
+  // From now on, this equilibrium is where the next step begins.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::commit_state()
+  {
+    solid->commit(displacement);
+    solid->predict_flow(displacement, displacement);
     committed_displacement = displacement;
-    committed_forces       = forces;
+    committed_forces       = forces_of_stresses();
   }
 
 

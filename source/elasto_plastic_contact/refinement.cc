@@ -5,8 +5,11 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/numerics/error_estimator.h>
 
+#include <limits>
+
 #include "elasto_plastic_contact.h"
 #include "mechanics/ghosted_copy.h"
+#include "mechanics/state_transfer.h"
 
 namespace ElastoPlastic
 {
@@ -57,27 +60,90 @@ namespace ElastoPlastic
 
 
 
-  // The next mesh, and on it the interpolated solution as the starting guess.
-  // What is no longer needed makes room for what comes: the levels of the old
-  // mesh, and the values in transfer as soon as there are unknowns for them.
+  // The next mesh, and on it the interpolated solution as the starting guess,
+  // and the states of the material points, unless they are virgin. What is no
+  // longer needed makes room for what comes: the levels of the old mesh, and
+  // the values in transfer as soon as there are unknowns for them.
   template <int dim>
   void
   ElastoPlasticContact<dim>::refine_mesh()
   {
     ++cycle;
     tangent_solver.reset();
-    const VectorType old_displacement = ghosted_copy(displacement, dof_handler);
+    const bool                is_virgin = (committed_displacement.size() == 0);
+    std::vector<VectorType *> fields    = {&displacement};
+    if (!is_virgin)
+      fields.push_back(&displacement_rate);
+
+    const GhostedCopies<dim> old_fields(fields, dof_handler);
     parallel::distributed::SolutionTransfer<dim, VectorType> transfer(
       dof_handler);
-    transfer.prepare_for_coarsening_and_refinement(old_displacement);
+    transfer.prepare_for_coarsening_and_refinement(old_fields.pointers());
+    const CellStates   states = is_virgin ? CellStates() : solid->states();
+    StateTransfer<dim> state_transfer(triangulation, fe.degree);
+    if (!is_virgin)
+      state_transfer.prepare(states);
     {
       TimerOutput::Scope scope(timer, "Refine mesh");
       triangulation.execute_coarsening_and_refinement();
     }
+
     setup_body();
-    transfer.interpolate(displacement);
-    supports.constraints().distribute(displacement);
+    for (VectorType *field : fields)
+      solid->initialize_vector(*field);
+    transfer.interpolate(fields);
+    for (VectorType *field : fields)
+      supports.constraints().distribute(*field);
+    if (!is_virgin)
+      solid->set_states(state_transfer.take());
     setup_contact();
+  }
+
+
+
+  // In a history, the mesh may follow the contact. On the new one, the
+  // interpolated state is not in equilibrium, nor are all its stresses
+  // admissible: the solution under the same load is both, and the difference
+  // is what the change of the mesh has cost.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::adapt_mesh(Statistics &statistics)
+  {
+    const unsigned int interval = parameters.refinement.adaptation_interval;
+    if (interval == 0 || time_steps.number() % interval != 0 ||
+        last_step.time == load_program.final_time() || !mark_adapted_mesh())
+      return;
+
+    refine_mesh();
+    contact.place(last_step.depth);
+    solid->predict_flow(displacement, displacement);
+    SolveResult result = solve();
+    statistics.add_solve(result);
+    statistics.add_mesh_change(last_step, result);
+
+    result.plastic_work  = last_step.plastic_work;
+    result.dissipation   = last_step.dissipation;
+    result.external_work = last_step.external_work;
+    last_step            = result;
+    load_program.reached(result.time, result.depth, result.force);
+    commit_state();
+  }
+
+
+
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::mark_adapted_mesh()
+  {
+    const double n_cells  = triangulation.n_global_active_cells();
+    const double n_dofs   = dof_handler.n_dofs();
+    const double max_dofs = parameters.refinement.max_unknowns > 0 ?
+                              parameters.refinement.max_unknowns :
+                              std::numeric_limits<double>::infinity();
+    return flag_cells_within(n_cells * max_dofs / n_dofs,
+                             parameters.refinement,
+                             error_indicators,
+                             triangulation);
   }
 
 

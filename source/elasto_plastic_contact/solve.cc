@@ -34,6 +34,7 @@ namespace ElastoPlastic
       const SemismoothNewton newton(parameters.newton,
                                     [this](const NewtonStep &step) {
                                       screen.newton_step(step);
+                                      stop_if_requested();
                                     });
 
       contact.activate_touching(displacement);

@@ -24,6 +24,7 @@ namespace ElastoPlastic
          "override an entry of the file; repeatable")
         ("output-directory", options::value<std::string>()->value_name("DIR"),
          "where the results go, instead of 'Output/Directory'")
+        ("resume", "go on from the last checkpoint in the output directory")
         ("overwrite", "replace the results in the output directory")
         ("validate", "read and check everything, compute nothing")
         ("print-parameters", "print every entry with default, range, unit and meaning")
@@ -69,11 +70,13 @@ namespace ElastoPlastic
   CommandLine::help()
   {
     std::ostringstream text;
-    text << "Usage: elasto_plastic_contact FILE.prm [options]\n"
-         << "Presses a rigid indenter into an elasto-plastic body.\n\n"
-         << visible_options()
-         << "\nExit status: 0 done; 2 wrong usage or input; 3 no convergence; "
-            "4 no\nequilibrium exists; 5 input or output failed.\n";
+    text
+      << "Usage: elasto_plastic_contact FILE.prm [options]\n"
+      << "Presses a rigid indenter into an elasto-plastic body.\n\n"
+      << visible_options()
+      << "\nExit status: 0 done; 2 wrong usage or input; 3 no convergence; "
+         "4 no\nequilibrium exists; 5 input or output failed; 143 ended by the signal "
+         "SIGTERM.\n";
     return text.str();
   }
 
@@ -106,7 +109,12 @@ namespace ElastoPlastic
     CommandLine result;
     result.task      = chosen_task(given);
     result.overwrite = given.count("overwrite") > 0;
-    result.quiet     = given.count("quiet") > 0;
+    result.resume    = given.count("resume") > 0;
+    if (result.overwrite && result.resume)
+      throw InputError(
+        "Wrong usage: --overwrite begins anew, --resume goes on "
+        "with what is there. Give one of them only.");
+    result.quiet = given.count("quiet") > 0;
     if (given.count("output-directory"))
       result.output_directory = given["output-directory"].as<std::string>();
     if (given.count("set"))

@@ -19,12 +19,13 @@ namespace ElastoPlastic
   {
     namespace fs = std::filesystem;
 
-    /// The files in @p directory that a run has written.
+    /// The files and folders in @p directory that a run has written.
     std::vector<fs::path>
     results_in(const fs::path &directory)
     {
       const std::regex result_names(
-        "parameters\\.prm|(history|statistics)\\.csv|"
+        "parameters\\.prm|(history|statistics|mesh_changes)\\.csv(\\.new)?|"
+        "checkpoint(\\.new|\\.old)?|"
         "(solution|surface)(\\.pvd|-.*\\.p?vtu)");
       std::vector<fs::path> results;
       for (const auto &entry : fs::directory_iterator(directory))
@@ -48,7 +49,7 @@ namespace ElastoPlastic
                "). Choose another 'Output/Directory' or add the option "
                "--overwrite to replace them.";
       for (const fs::path &result : results)
-        fs::remove(result);
+        fs::remove_all(result);
       return "";
     }
   } // namespace

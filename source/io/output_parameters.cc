@@ -23,6 +23,13 @@ namespace ElastoPlastic
       "written.",
       Patterns::Selection("every cycle|last cycle|never"));
     prm.add_parameter(
+      "Steps between checkpoints",
+      checkpoint_interval,
+      "In a load history: after how many steps the folder checkpoint is "
+      "written, from which the option --resume goes on. A run that receives "
+      "the signal SIGTERM writes one before it ends. 0: only then.",
+      Patterns::Integer(0));
+    prm.add_parameter(
       "Screen",
       screen,
       "What is printed. full: versions, one line per Newton "

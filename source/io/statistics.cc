@@ -6,7 +6,8 @@
 namespace ElastoPlastic
 {
   Statistics::Statistics(const MPI_Comm     communicator,
-                         const std::string &directory)
+                         const std::string &directory,
+                         const Sizes       &sizes)
     : statistics(communicator,
                  directory + "/statistics.csv",
                  {"step",
@@ -29,7 +30,8 @@ namespace ElastoPlastic
                   "min_pressure",
                   "contact_area",
                   "max_pressure",
-                  "energy"})
+                  "energy"},
+                 sizes.statistics)
     , history(communicator,
               directory + "/history.csv",
               {"step",
@@ -51,8 +53,39 @@ namespace ElastoPlastic
                "hardening_energy",
                "plastic_work",
                "dissipation",
-               "external_work"})
+               "external_work"},
+              sizes.history)
+    , mesh_changes(communicator,
+                   directory + "/mesh_changes.csv",
+                   {"step",
+                    "time",
+                    "cells_before",
+                    "cells",
+                    "dofs",
+                    "force_before",
+                    "force",
+                    "depth_before",
+                    "depth",
+                    "elastic_energy_before",
+                    "elastic_energy",
+                    "hardening_energy_before",
+                    "hardening_energy",
+                    "plastic_volume_before",
+                    "plastic_volume",
+                    "max_equivalent_plastic_strain_before",
+                    "max_equivalent_plastic_strain",
+                    "plastic_work",
+                    "dissipation"},
+                   sizes.mesh_changes)
   {}
+
+
+
+  Statistics::Sizes
+  Statistics::sizes() const
+  {
+    return {statistics.n_rows(), history.n_rows(), mesh_changes.n_rows()};
+  }
 
 
 
@@ -107,5 +140,32 @@ namespace ElastoPlastic
                      r.plastic_work,
                      r.dissipation,
                      r.external_work});
+  }
+
+
+
+  void
+  Statistics::add_mesh_change(const SolveResult &before,
+                              const SolveResult &after)
+  {
+    mesh_changes.add_row({static_cast<double>(after.step),
+                          after.time,
+                          static_cast<double>(before.cells),
+                          static_cast<double>(after.cells),
+                          static_cast<double>(after.dofs),
+                          before.force,
+                          after.force,
+                          before.depth,
+                          after.depth,
+                          before.elastic_energy,
+                          after.elastic_energy,
+                          before.hardening_energy,
+                          after.hardening_energy,
+                          before.plastic_volume,
+                          after.plastic_volume,
+                          before.max_equivalent_plastic_strain,
+                          after.max_equivalent_plastic_strain,
+                          after.plastic_work,
+                          after.dissipation});
   }
 } // namespace ElastoPlastic

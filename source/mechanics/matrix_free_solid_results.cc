@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What the body tells others: energy, work, tangents and the fields at points.
+// What the body tells others: energy, work, tangents, states and the fields at
+// points.
 
 #include "base/tensors.h"
 #include "mechanics/matrix_free_solid.h"
@@ -150,6 +151,59 @@ namespace ElastoPlastic
       for (unsigned int lane = 0; lane < n_cells; ++lane)
         receive(matrix_free.get_cell_iterator(batch, lane), results[lane]);
     });
+  }
+
+
+
+  template <int dim, int degree>
+  CellStates
+  MatrixFreeSolid<dim, degree>::states() const
+  {
+    CellStates result(
+      matrix_free.get_dof_handler().get_triangulation().n_active_cells());
+    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+      for (unsigned int lane = 0;
+           lane < matrix_free.n_active_entries_per_cell_batch(batch);
+           ++lane)
+        {
+          auto &values = result[matrix_free.get_cell_iterator(batch, lane)
+                                  ->active_cell_index()];
+          for (unsigned int q = 0; q < n_points; ++q)
+            {
+              auto state =
+                history.empty() ? virgin_state : history[n_points * batch + q];
+              for (const Number *number : state.numbers())
+                values.push_back((*number)[lane]);
+            }
+        }
+    return result;
+  }
+
+
+
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::set_states(const CellStates &states)
+  {
+    history.resize(n_points * matrix_free.n_cell_batches(), virgin_state);
+    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+      for (unsigned int lane = 0;
+           lane < matrix_free.n_active_entries_per_cell_batch(batch);
+           ++lane)
+        {
+          const double *value =
+            states[matrix_free.get_cell_iterator(batch, lane)
+                     ->active_cell_index()]
+              .data();
+          for (unsigned int q = 0; q < n_points; ++q)
+            {
+              auto &state = history[n_points * batch + q];
+              for (Number *number : state.numbers())
+                (*number)[lane] = *value++;
+              state.equivalent_plastic_strain[lane] =
+                std::max(state.equivalent_plastic_strain[lane], 0.);
+            }
+        }
   }
 
 

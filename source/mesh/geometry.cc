@@ -238,8 +238,22 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  void
+  coarsen_to_coarse_mesh(Triangulation<dim> &triangulation)
+  {
+    while (triangulation.n_global_levels() > 1)
+      triangulation.coarsen_global();
+  }
+
+
+
   template BoundaryNames
   make_mesh(const GeometryParameters &, Triangulation<2> &);
+  template void
+  coarsen_to_coarse_mesh(Triangulation<2> &);
+  template void
+  coarsen_to_coarse_mesh(Triangulation<3> &);
   template BoundaryNames
   make_mesh(const GeometryParameters &, Triangulation<3> &);
 } // namespace ElastoPlastic

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/distributed/grid_refinement.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include "base/exceptions.h"
 #include "mesh/refinement.h"
@@ -42,6 +43,14 @@ namespace ElastoPlastic
                       "Kelly: the fraction of cells that are coarsened; "
                       "together with the refinement fraction at most 1.",
                       Patterns::Double(0, 1));
+    prm.add_parameter(
+      "Steps between adaptations",
+      adaptation_interval,
+      "In a load history: after how many steps the mesh is adapted to the "
+      "solution, with the fractions above; as many cells are refined as "
+      "'Maximum number of unknowns' allows. Only for the strategy Kelly. 0: "
+      "the mesh of the first step stays.",
+      Patterns::Integer(0));
     prm.leave_subsection();
   }
 
@@ -55,12 +64,80 @@ namespace ElastoPlastic
                        std::to_string(n_cycles),
                        "'Refinement/Strategy = none' allows one cycle only. "
                        "Choose the strategy global or Kelly.");
+    if (strategy != "Kelly" && adaptation_interval > 0)
+      throw InputError("Refinement/Steps between adaptations",
+                       std::to_string(adaptation_interval),
+                       "only 'Refinement/Strategy = Kelly' can adapt the mesh "
+                       "during a history. Choose it, or 0.");
     if (refinement_fraction + coarsening_fraction > 1)
       throw InputError("Refinement/Coarsening fraction",
                        Patterns::Tools::to_string(coarsening_fraction),
                        "together with 'Refinement/Refinement fraction' it must "
                        "not exceed 1.");
   }
+
+
+
+  namespace
+  {
+    /// What is to happen to a cell.
+    template <typename Cell>
+    int
+    flag_of(const Cell &cell)
+    {
+      return cell->refine_flag_set() ? 1 : cell->coarsen_flag_set() ? -1 : 0;
+    }
+
+
+
+    /// Tells the neighbouring ranks about the flags.
+    template <int dim>
+    void
+    share_flags(parallel::distributed::Triangulation<dim> &triangulation)
+    {
+      using Cell = typename Triangulation<dim>::active_cell_iterator;
+      GridTools::exchange_cell_data_to_ghosts<int>(
+        triangulation,
+        [](const Cell &cell) { return flag_of(cell); },
+        [](const Cell &cell, const int flag) {
+          cell->clear_refine_flag();
+          cell->clear_coarsen_flag();
+          if (flag == 1)
+            cell->set_refine_flag();
+          if (flag == -1)
+            cell->set_coarsen_flag();
+        });
+    }
+
+
+
+    /// Adds and removes flags so that neighbours differ by one level at most.
+    /// What deal.II does for the cells of a rank depends on the flags beyond
+    /// its border, and the next mesh must not depend on where that is. (Flags
+    /// for refinement are only added and those for coarsening only removed, so
+    /// this ends.)
+    template <int dim>
+    void
+    smooth_flags(parallel::distributed::Triangulation<dim> &triangulation)
+    {
+      const auto own_flags = [&triangulation]() {
+        std::vector<int> flags;
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (cell->is_locally_owned())
+            flags.push_back(flag_of(cell));
+        return flags;
+      };
+      std::vector<int> flags, next_flags = own_flags();
+      do
+        {
+          flags.swap(next_flags);
+          share_flags(triangulation);
+          triangulation.prepare_coarsening_and_refinement();
+          next_flags = own_flags();
+      } while (Utilities::MPI::logical_or(next_flags != flags,
+                                          triangulation.get_communicator()));
+    }
+  } // namespace
 
 
 
@@ -78,7 +155,27 @@ namespace ElastoPlastic
         error_indicators,
         parameters.refinement_fraction,
         parameters.coarsening_fraction);
-    triangulation.prepare_coarsening_and_refinement();
+    smooth_flags(triangulation);
+  }
+
+
+
+  template <int dim>
+  bool
+  flag_cells_within(const double                               max_cells,
+                    RefinementParameters                       parameters,
+                    const Vector<float>                       &error_indicators,
+                    parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    const double one_cell = 1. / triangulation.n_global_active_cells();
+    for (; parameters.refinement_fraction >= one_cell;
+         parameters.refinement_fraction *= 0.5)
+      {
+        flag_cells(parameters, error_indicators, triangulation);
+        if (n_cells_after_refinement(triangulation) <= max_cells)
+          return true;
+      }
+    return false;
   }
 
 
@@ -110,12 +207,22 @@ namespace ElastoPlastic
   flag_cells(const RefinementParameters &,
              const Vector<float> &,
              parallel::distributed::Triangulation<2> &);
+  template bool
+  flag_cells_within(const double,
+                    RefinementParameters,
+                    const Vector<float> &,
+                    parallel::distributed::Triangulation<2> &);
   template types::global_cell_index
   n_cells_after_refinement(const parallel::distributed::Triangulation<2> &);
   template void
   flag_cells(const RefinementParameters &,
              const Vector<float> &,
              parallel::distributed::Triangulation<3> &);
+  template bool
+  flag_cells_within(const double,
+                    RefinementParameters,
+                    const Vector<float> &,
+                    parallel::distributed::Triangulation<3> &);
   template types::global_cell_index
   n_cells_after_refinement(const parallel::distributed::Triangulation<3> &);
 } // namespace ElastoPlastic

@@ -103,6 +103,16 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  TangentSolver<dim>::set_response(const VectorType &known_response)
+  {
+    response = known_response;
+    tangent_times_response.reinit(response);
+  }
+
+
+
+  template <int dim>
+  void
   TangentSolver<dim>::prepare_preconditioner()
   {
     VectorType held;

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef io_checkpoint_h
+#define io_checkpoint_h
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include <mpi.h>
+
+namespace ElastoPlastic
+{
+  /// The folder "checkpoint" in an output directory: everything that is needed
+  /// to go on from the end of a load step. It holds the mesh with the data
+  /// attached to its cells (files of p4est and deal.II, called mesh*), the rest
+  /// of the state (state), and a list of these files with sizes and checksums
+  /// (index).
+  ///
+  /// A checkpoint is written in a folder beside the last one and renamed into
+  /// its place when it is complete, so that there is a complete one at any
+  /// moment after the first.
+  ///
+  /// All ranks call all functions. Errors are thrown on all ranks.
+  class Checkpoint
+  {
+  public:
+    /// The entries of a parameter file: paths like "Material/Law" and values.
+    using Entries = std::map<std::string, std::string>;
+
+    /// What load() finds.
+    struct Contents
+    {
+      std::string state;
+      std::string mesh_file;
+    };
+
+    /// @p entries are those of the present run.
+    Checkpoint(const MPI_Comm     communicator,
+               const std::string &output_directory,
+               const Entries     &entries);
+
+    /// Replaces the last checkpoint. @p save_mesh writes the mesh into files
+    /// whose names begin with the one it is passed; @p state is what the first
+    /// rank says.
+    /// @throws FileError
+    void
+    save(const std::string                              &state,
+         const std::function<void(const std::string &)> &save_mesh) const;
+
+    /// Finds the last complete checkpoint and checks it: that it is undamaged,
+    /// written by this version of the program, and for the same problem.
+    /// @throws InputError
+    Contents
+    load() const;
+
+  private:
+    void
+    check_entries(const Entries &saved) const;
+
+    const MPI_Comm    communicator;
+    const std::string directory;
+    const Entries     entries;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,178 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Kill a load history at random moments, also while it writes a checkpoint,
+resume it with another number of ranks, and compare the final results with those
+of an uninterrupted run."""
+
+import argparse
+import csv
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+CASE = ROOT / "parameter_files/indentation/sphere_axisymmetric.prm"
+# Small, with a mesh that follows the contact, so that checkpoints take a good
+# part of the time.
+ENTRIES = ["Geometry/Initial refinements=3", "Geometry/Local refinements=5",
+           "Loading/Number of steps=18", "Nonlinear solver/Tolerance=1e-12",
+           "Refinement/Strategy=Kelly", "Refinement/Refinement fraction=0.1",
+           "Refinement/Coarsening fraction=0.3",
+           "Refinement/Steps between adaptations=4",
+           "Refinement/Maximum number of unknowns=1200"]
+TABLES = ["history.csv", "statistics.csv", "mesh_changes.csv"]
+# What a clock says, or what depends on how the process has lived.
+NOT_COMPARED = {"wall_seconds", "memory_mb"}
+TERMINATED = 143
+
+
+def command(program, ranks, directory, option):
+    launcher = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
+    entries = [part for entry in ENTRIES for part in ("--set", entry)]
+    return [*launcher, program, str(CASE), *entries, "--quiet",
+            "--output-directory", str(directory), option]
+
+
+def read_table(name):
+    with open(name, newline="") as table:
+        return list(csv.DictReader(table))
+
+
+def descendants(pid):
+    """All processes that have been started by pid, and itself."""
+    children = {}
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = stat.read_text().rsplit(")", 1)[1].split()
+        except OSError:
+            continue  # it has just ended
+        children.setdefault(int(fields[1]), []).append(int(stat.parent.name))
+    found = [pid]
+    for parent in found:
+        found += children.get(parent, [])
+    return found
+
+
+def end(process, number):
+    """Send a signal: SIGKILL to all processes of the run at once, SIGTERM to
+    the first of them only, as a batch system does."""
+    pids = descendants(process.pid) if number == signal.SIGKILL else [process.pid]
+    for pid in pids:
+        try:
+            os.kill(pid, number)
+        except ProcessLookupError:
+            pass
+    process.wait()
+
+
+def wait_for_checkpoint(process, directory):
+    """Until the folder of the next checkpoint has appeared."""
+    while process.poll() is None and not (directory / "checkpoint.new").exists():
+        time.sleep(0.0005)
+
+
+def differences(reference, directory, allowed):
+    """What differs between the tables of two runs by more than allowed."""
+    for table in TABLES:
+        if not (directory / table).exists():
+            yield f"{table} is missing"
+            continue
+        expected = read_table(reference / table)
+        found = read_table(directory / table)
+        if len(expected) != len(found):
+            yield f"{table}: {len(found)} rows instead of {len(expected)}"
+            continue
+        for number, (row, other) in enumerate(zip(expected, found), 1):
+            for column in row.keys() - NOT_COMPARED:
+                a, b = float(row[column]), float(other[column])
+                if abs(a - b) > allowed * max(abs(a), abs(b), 1e-9):
+                    yield f"{table}, row {number}, {column}: {b} instead of {a}"
+    for file in reference.glob("*.pvd"):
+        if file.read_text() != (directory / file.name).read_text():
+            yield f"{file.name} differs"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", default=str(
+        ROOT / "build/release/elasto_plastic_contact"))
+    parser.add_argument("--kills", type=int, default=50)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    chance = random.Random(options.seed)
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    os.environ.setdefault("OMPI_MCA_ess_singleton_isolated", "1")
+
+    with tempfile.TemporaryDirectory() as folder:
+        reference = pathlib.Path(folder) / "reference"
+        begin = time.time()
+        subprocess.run(command(options.program, 2, reference, "--overwrite"),
+                       check=True)
+        duration = time.time() - begin
+        n_steps = len(read_table(reference / "history.csv"))
+        print(f"uninterrupted: {n_steps} steps, {duration:.1f} s", flush=True)
+
+        counts = dict.fromkeys(("any moment", "checkpoint", "SIGTERM"), 0)
+        failures, n_runs = [], 0
+        while sum(counts.values()) < options.kills:
+            directory = pathlib.Path(folder) / f"run_{n_runs}"
+            failures += [f"run {n_runs}: {text}" for text in interrupted_run(
+                options, chance, directory, duration, counts)]
+            failures += [f"run {n_runs}: {text}" for text in differences(
+                reference, directory, 1e-10)]
+            n_runs += 1
+        print(f"{n_runs} runs, killed " + ", ".join(
+            f"{n} times ({what})" for what, n in counts.items()))
+    for text in failures[:20]:
+        print("FAILED:", text)
+    print(f"{len(failures)} failures")
+    return 1 if failures else 0
+
+
+def completed_steps(directory):
+    """The complete rows of history.csv so far."""
+    try:
+        lines = (directory / "history.csv").read_text().splitlines(True)
+    except FileNotFoundError:
+        return 0
+    return sum(line.endswith("\n") for line in lines[1:])
+
+
+def interrupted_run(options, chance, directory, duration, counts):
+    """Run the case, killed again and again, until it gets to its end; yield
+    what goes wrong. A step is safe when the next one has begun."""
+    most_steps = 0
+    while True:
+        resumable = any(directory.glob("checkpoint*/index")) or most_steps > 1
+        process = subprocess.Popen(command(
+            options.program, chance.choice((1, 2)), directory,
+            "--resume" if resumable else "--overwrite"))
+        way = chance.choice(list(counts))
+        number = signal.SIGTERM if way == "SIGTERM" else signal.SIGKILL
+        time.sleep(chance.uniform(0, 0.7 * duration))
+        if way == "checkpoint":
+            wait_for_checkpoint(process, directory)
+            time.sleep(chance.uniform(0, 0.01))
+        if process.poll() is None:
+            end(process, number)
+            counts[way] += 1
+        if process.returncode == 0:
+            return
+        if process.returncode not in (-number, TERMINATED):
+            yield (f"exit status {process.returncode} after {number.name} on "
+                   f"{process.args}")
+            return
+        steps = completed_steps(directory)
+        if steps < most_steps - 1:
+            yield f"{steps} steps left of {most_steps}"
+        most_steps = max(steps, most_steps)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

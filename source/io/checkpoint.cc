@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <boost/archive/text_iarchive.hpp>
+#include <boost/archive/text_oarchive.hpp>
+#include <boost/crc.hpp>
+#include <boost/serialization/map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <vector>
+
+#include "base/exceptions.h"
+#include "base/throw_together.h"
+#include "io/checked_write.h"
+#include "io/checkpoint.h"
+#include "version.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    /// The first line of the index. What a checkpoint means is only known to
+    /// the version that has written it.
+    const std::string signature =
+      std::string("ElastoPlasticContact ") + ELASTO_PLASTIC_CONTACT_VERSION;
+
+    /// Sections whose entries may change when a run is resumed.
+    const std::array<std::string, 3> free_sections = {
+      {"Linear solver/", "Nonlinear solver/", "Output/"}};
+
+
+
+    /// A line of the index: name, size and checksum of @p file.
+    std::string
+    description(const fs::path &file)
+    {
+      std::ifstream           stream(file, std::ios::binary);
+      boost::crc_32_type      checksum;
+      std::array<char, 65536> buffer;
+      do
+        {
+          stream.read(buffer.data(), buffer.size());
+          checksum.process_bytes(buffer.data(), stream.gcount());
+      } while (stream);
+      return file.filename().string() + " " +
+             std::to_string(fs::file_size(file)) + " " +
+             std::to_string(checksum.checksum());
+    }
+
+
+
+    std::set<std::string>
+    describe_files(const fs::path &folder)
+    {
+      std::set<std::string> descriptions;
+      for (const auto &entry : fs::directory_iterator(folder))
+        if (entry.path().filename() != "index")
+          descriptions.insert(description(entry.path()));
+      return descriptions;
+    }
+
+
+
+    void
+    write_index(const fs::path &folder, std::ostream &index)
+    {
+      index << signature << '\n';
+      for (const std::string &file : describe_files(folder))
+        index << file << '\n';
+    }
+
+
+
+    /// @throws InputError if the files in @p folder are not those of its index.
+    void
+    check_index(const fs::path &folder)
+    {
+      const std::string remedy =
+        " Begin anew with the option --overwrite instead of --resume.";
+      std::ifstream index(folder / "index");
+      std::string   line;
+      std::getline(index, line);
+      if (line != signature)
+        throw InputError("The checkpoint '" + folder.string() +
+                         "' has been written by another version of the program "
+                         "('" +
+                         line + "'; this is '" + signature + "')." + remedy);
+      std::set<std::string> listed;
+      while (std::getline(index, line))
+        listed.insert(line);
+
+      std::vector<std::string> differences;
+      const auto               present = describe_files(folder);
+      std::set_symmetric_difference(listed.begin(),
+                                    listed.end(),
+                                    present.begin(),
+                                    present.end(),
+                                    std::back_inserter(differences));
+      if (!differences.empty())
+        throw InputError("The checkpoint '" + folder.string() +
+                         "' is damaged: the file '" +
+                         differences[0].substr(0, differences[0].find(' ')) +
+                         "' is not what has been written." + remedy);
+    }
+
+
+
+    /// The folder with the last complete checkpoint; empty if there is none.
+    /// A new one is complete when it has its index, before it is renamed.
+    fs::path
+    last_checkpoint(const fs::path &place)
+    {
+      const fs::path next = place.string() + ".new";
+      if (fs::exists(place))
+        return place;
+      return fs::exists(next / "index") ? next : fs::path();
+    }
+
+
+
+    /// Renames the complete new checkpoint into its place.
+    void
+    put_into_place(const fs::path &place)
+    {
+      const fs::path old = place.string() + ".old";
+      fs::remove_all(old);
+      if (fs::exists(place))
+        fs::rename(place, old);
+      fs::rename(place.string() + ".new", place);
+      fs::remove_all(old);
+    }
+  } // namespace
+
+
+
+  Checkpoint::Checkpoint(const MPI_Comm     communicator,
+                         const std::string &output_directory,
+                         const Entries     &entries)
+    : communicator(communicator)
+    , directory(output_directory + "/checkpoint")
+    , entries(entries)
+  {}
+
+
+
+  void
+  Checkpoint::save(
+    const std::string                              &state,
+    const std::function<void(const std::string &)> &save_mesh) const
+  {
+    const bool first_rank = Utilities::MPI::this_mpi_process(communicator) == 0;
+    const std::string folder        = directory + ".new";
+    const auto        on_first_rank = [&](const std::function<void()> &task) {
+      bool success = true;
+      if (first_rank)
+        try
+          {
+            task();
+          }
+        catch (const fs::filesystem_error &)
+          {
+            success = false;
+          }
+      check_written(communicator, folder, success);
+    };
+
+    on_first_rank([&]() {
+      if (last_checkpoint(directory) == folder)
+        put_into_place(directory);
+      fs::remove_all(folder);
+      fs::create_directory(folder);
+    });
+    save_mesh(folder + "/mesh");
+    checked_write(communicator,
+                  first_rank ? folder + "/state" : "",
+                  [&](std::ostream &file) {
+                    boost::archive::text_oarchive archive(file);
+                    archive << entries << state;
+                  });
+    checked_write(communicator,
+                  first_rank ? folder + "/index" : "",
+                  [&](std::ostream &file) { write_index(folder, file); });
+    on_first_rank([&]() { put_into_place(directory); });
+  }
+
+
+
+  Checkpoint::Contents
+  Checkpoint::load() const
+  {
+    Contents    contents;
+    std::string folder;
+    throw_together(communicator, [&]() {
+      if (Utilities::MPI::this_mpi_process(communicator) != 0)
+        return;
+      folder = last_checkpoint(directory).string();
+      if (folder.empty())
+        throw InputError("There is nothing to resume: '" + directory +
+                         "' does not exist. Start the run without --resume; "
+                         "load histories write a checkpoint after every "
+                         "'Output/Steps between checkpoints' steps.");
+      check_index(folder);
+      std::ifstream                 file(fs::path(folder) / "state");
+      boost::archive::text_iarchive archive(file);
+      Entries                       saved;
+      archive >> saved >> contents.state;
+      check_entries(saved);
+    });
+    contents.state = Utilities::MPI::broadcast(communicator, contents.state);
+    contents.mesh_file =
+      Utilities::MPI::broadcast(communicator, folder) + "/mesh";
+    return contents;
+  }
+
+
+
+  void
+  Checkpoint::check_entries(const Entries &saved) const
+  {
+    for (const auto &[path, value] : entries)
+      {
+        bool is_free = false;
+        for (const std::string &section : free_sections)
+          is_free = is_free || path.compare(0, section.size(), section) == 0;
+        const auto before = saved.find(path);
+        if (!is_free && (before == saved.end() || before->second != value))
+          throw InputError(
+            path,
+            value,
+            "the checkpoint in '" + directory + "' is of a run with '" +
+              (before == saved.end() ? "" : before->second) +
+              "'. A run can only be resumed with the parameters it has been "
+              "started with (those of the sections Output, Linear solver and "
+              "Nonlinear solver may change).");
+      }
+  }
+} // namespace ElastoPlastic

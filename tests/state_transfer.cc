@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// States at the points of a mesh of which some cells are divided and others
+// put together: polynomials that the points of a cell determine are
+// reproduced, the integral of anything else is kept. Saved with the mesh and
+// loaded, they are the same.
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/grid_generator.h>
+
+#include "mechanics/state_transfer.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  template <int dim>
+  using Mesh = parallel::distributed::Triangulation<dim>;
+
+
+
+  /// Calls body(cell, points and weights) for all cells of this rank.
+  template <int dim, typename Body>
+  void
+  for_each_cell(const Mesh<dim>   &mesh,
+                const unsigned int degree,
+                const Body        &body)
+  {
+    FEValues<dim> points(FE_Nothing<dim>(),
+                         QGauss<dim>(degree + 1),
+                         update_quadrature_points | update_JxW_values);
+    for (const auto &cell : mesh.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          points.reinit(cell);
+          body(cell, points);
+        }
+  }
+
+
+
+  /// Two numbers at a point: a product of polynomials of the given degree in
+  /// each coordinate, and something that is no polynomial.
+  template <int dim>
+  std::array<double, 2>
+  sample_values(const Point<dim> &x, const unsigned int degree)
+  {
+    double product = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      product *= 0.3 + d + std::pow(x[d], degree) - 0.7 * x[d];
+    return {{product, x[0] > 0.3 ? std::sin(7 * x[1]) : 0.}};
+  }
+
+
+
+  template <int dim>
+  CellStates
+  sample_states(const Mesh<dim> &mesh, const unsigned int degree)
+  {
+    CellStates states(mesh.n_active_cells());
+    for_each_cell(mesh, degree, [&](const auto &cell, const auto &points) {
+      for (const auto &x : points.get_quadrature_points())
+        for (const double value : sample_values(x, degree))
+          states[cell->active_cell_index()].push_back(value);
+    });
+    return states;
+  }
+
+
+
+  /// The integrals of both numbers.
+  template <int dim>
+  std::array<double, 2>
+  integrals(const Mesh<dim>   &mesh,
+            const unsigned int degree,
+            const CellStates  &states)
+  {
+    std::array<double, 2> sums = {{0, 0}};
+    for_each_cell(mesh, degree, [&](const auto &cell, const auto &points) {
+      for (const unsigned int q : points.quadrature_point_indices())
+        for (unsigned int i = 0; i < 2; ++i)
+          sums[i] +=
+            states[cell->active_cell_index()][2 * q + i] * points.JxW(q);
+    });
+    Utilities::MPI::sum(sums, mesh.get_communicator(), sums);
+    return sums;
+  }
+
+
+
+  template <int dim>
+  double
+  largest_error(const Mesh<dim>   &mesh,
+                const unsigned int degree,
+                const CellStates  &states)
+  {
+    double error = 0;
+    for_each_cell(mesh, degree, [&](const auto &cell, const auto &points) {
+      for (const unsigned int q : points.quadrature_point_indices())
+        error = std::max(error,
+                         std::abs(states[cell->active_cell_index()][2 * q] -
+                                  sample_values(points.quadrature_point(q),
+                                                degree)[0]));
+    });
+    return Utilities::MPI::max(error, mesh.get_communicator());
+  }
+
+
+
+  /// Divides the cells around the origin, and puts those far from it together.
+  template <int dim>
+  void
+  change(Mesh<dim>          &mesh,
+         StateTransfer<dim> &transfer,
+         const CellStates   &states)
+  {
+    for (const auto &cell : mesh.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          if (cell->center().norm() < 0.4)
+            cell->set_refine_flag();
+          else if (cell->center().norm() > 0.7)
+            cell->set_coarsen_flag();
+        }
+    mesh.prepare_coarsening_and_refinement();
+    transfer.prepare(states);
+    mesh.execute_coarsening_and_refinement();
+  }
+
+
+
+  template <int dim>
+  void
+  test(const unsigned int degree)
+  {
+    output() << dim << "D, degree " << degree << std::endl;
+    Mesh<dim> mesh(MPI_COMM_WORLD);
+    GridGenerator::hyper_cube(mesh);
+    mesh.refine_global(3);
+
+    const CellStates   old_states    = sample_states(mesh, degree);
+    const auto         old_integrals = integrals(mesh, degree, old_states);
+    const unsigned int old_n_cells   = mesh.n_global_active_cells();
+    StateTransfer<dim> transfer(mesh, degree);
+    change(mesh, transfer, old_states);
+    const CellStates states = transfer.take();
+
+    const auto new_integrals = integrals(mesh, degree, states);
+    verify("other cells than before",
+           mesh.n_global_active_cells() != old_n_cells &&
+             mesh.n_global_levels() == 5);
+    verify("polynomials are reproduced",
+           largest_error(mesh, degree, states) < 1e-12);
+    verify("integrals are kept",
+           std::abs(new_integrals[0] - old_integrals[0]) < 1e-12 &&
+             std::abs(new_integrals[1] - old_integrals[1]) < 1e-12 &&
+             std::abs(old_integrals[1]) > 1e-3);
+
+    StateTransfer<dim> saving(mesh, degree);
+    saving.prepare(states);
+    mesh.save("mesh");
+    Mesh<dim> loaded_mesh(MPI_COMM_WORLD);
+    GridGenerator::hyper_cube(loaded_mesh);
+    loaded_mesh.load("mesh");
+    verify("the same after loading",
+           StateTransfer<dim>(loaded_mesh, degree).load() == states);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  for (const unsigned int degree : {1, 2})
+    {
+      test<2>(degree);
+      test<3>(degree);
+    }
+}
