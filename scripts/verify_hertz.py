@@ -70,14 +70,14 @@ def largest(stress):
 
 
 def stress_under_sphere(z):
-    """Von Mises stress on the axis over p0, z in contact radii (Johnson, Contact mechanics, 3.45)."""
+    """Von Mises stress on the axis over p0, z in contact radii (Johnson 1985, (3.45))."""
     vertical = -1 / (1 + z**2)
     horizontal = -(1 + NU) * (1 - z * math.atan(1 / z)) + 0.5 / (1 + z**2)
     return abs(vertical - horizontal)
 
 
 def stress_under_cylinder(z):
-    """Von Mises stress on the axis over p0, z in half-widths (Johnson, Contact mechanics, 4.46)."""
+    """Von Mises stress on the axis over p0, z in half-widths (Johnson 1985, (4.45))."""
     root = math.sqrt(1 + z**2)
     x, y = -((1 + 2 * z**2) / root - 2 * z), -1 / root
     along = NU * (x + y)

@@ -45,11 +45,11 @@ def proportional_loading(runner):
     """Thick sphere: pressure 300, back, and suction 300. Each point is loaded in one direction."""
     pressure = "300*if(t <= 1, t, 2 - t)"
     traction = f"inner: {pressure}*x/sqrt(x^2 + y^2); {pressure}*y/sqrt(x^2 + y^2)"
-    ends = [[at_time(steps, time) for time in (1, 3)] for n_steps in (1, 10)
+    ends = [[at_time(steps, time) for time in (1, 3)] for n_steps in (1, 5)
             for steps in of_both_laws(
                 runner, "verification/thick_sphere_axisymmetric.prm", "Geometry/Initial refinements=0",
                 f"Boundary conditions/Traction={traction}", f"Loading/Number of steps={3 * n_steps}")]
-    for (loaded, _), name in zip(ends[1:], ("kinematic, 1 step", "isotropic, 10 steps", "kinematic, 10 steps")):
+    for (loaded, _), name in zip(ends[1:], ("kinematic, 1 step", "isotropic, 5 steps", "kinematic, 5 steps")):
         for quantity in ("elastic_energy", "hardening_energy"):
             runner.compare(f"thick sphere, {quantity}, {name} against isotropic, 1 step",
                            loaded[quantity], ends[0][0][quantity], 1e-6)
@@ -94,13 +94,13 @@ def johnson_limit(runner):
     """Johnson's mu to 0: hardening tends to perfect plasticity, with an error of order mu."""
     meshes = "Refinement/Number of cycles=3"
     limit = runner.run("johnson/perfect.prm", meshes)[-1]["depth"]
+    depths = [runner.run(f"johnson/{name}.prm", meshes)[-1]["depth"] for name in LAWS]
+    runner.compare("depth at mu = 0.1, kinematic and isotropic", *reversed(depths), 1e-12)
     missing = []
-    for mu in (1, 0.1, 0.01, 0.001, 0.0001):
-        depths = [runner.run(f"johnson/{name}.prm", meshes,
-                             f"Material/{name.capitalize()} hardening modulus={1.5 * mu}")[-1]["depth"]
-                  for name in LAWS]
-        runner.compare(f"depth at mu = {mu}, isotropic and kinematic", *depths, 1e-12)
-        missing.append(1 - depths[0] / limit)
+    for mu in (1, 0.01, 0.001, 0.0001):
+        depth = runner.run("johnson/isotropic.prm", meshes,
+                           f"Material/Isotropic hardening modulus={1.5 * mu}")[-1]["depth"]
+        missing.append(1 - depth / limit)
     runner.verify("the depth grows as mu falls", all(a > b > 0 for a, b in zip(missing, missing[1:])))
     runner.compare("depth missing at mu = 0.001 over that at 0.0001", missing[-2] / missing[-1], 10, 0.2)
     runner.compare("depth at mu = 0.0001, of that at 0", missing[-1], 0, 2e-3, absolute=True)
