@@ -42,9 +42,11 @@ def first_yield(runner):
                                     ("cylinder", stress_under_cylinder, 1.79)):
         runner.compare(f"{name}, p0 / Y at first yield", 1 / largest(stress), published, 5e-3)
     for case, peak_under, stress in (
-        (("verification/hertz_sphere.prm", "Refinement/Number of cycles=5"), lambda force: sphere_peak(4 * force, 10), stress_under_sphere),
+        (("verification/hertz_sphere.prm", "Refinement/Number of cycles=5"),
+         lambda force: sphere_peak(4 * force, 10), stress_under_sphere),
         (AXISYMMETRIC, lambda force: sphere_peak(force, 1), stress_under_sphere),
-        (("verification/hertz_cylinder.prm",), lambda force: cylinder_peak(2 * force, 10), stress_under_cylinder),
+        (("verification/hertz_cylinder.prm",),
+         lambda force: cylinder_peak(2 * force, 10), stress_under_cylinder),
     ):
         peak = peak_under(runner.run(*case, "Material/Law=linear elastic")[-1]["force"])
         for load, yields in ((0.97, False), (1.03, True)):
