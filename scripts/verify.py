@@ -10,81 +10,14 @@ Exit status 1 if a deviation is too large. Without CASE, all of them run.
 """
 
 import argparse
-import csv
 import math
-import os
-import pathlib
-import subprocess
 import sys
-import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-CASES = ROOT / "parameter_files"
-E, NU = 200000.0, 0.3
-E_STAR = E / (1 - NU**2)
-
-
-class Runner:
-    """Runs the program and collects what is compared."""
-
-    def __init__(self, program, ranks):
-        self.program = program
-        self.ranks = ranks
-        self.failed = False
-
-    def run(self, case, *entries):
-        """Rows of statistics.csv, the last one extended by that of history.csv."""
-        rows, steps = self.run_program(case, entries)
-        rows[-1].update(steps[-1])
-        return rows
-
-    def history(self, case, *entries):
-        """Rows of history.csv."""
-        return self.run_program(case, entries)[1]
-
-    def run_program(self, case, entries):
-        """Rows of statistics.csv and of history.csv."""
-        with tempfile.TemporaryDirectory() as folder:
-            command = ["mpirun", "-np", str(self.ranks)] if self.ranks > 1 else []
-            command += [self.program, CASES / case, "--quiet", "--output-directory", folder]
-            command += ["--overwrite", "--set", "Output/Fields=never"]
-            for entry in entries:
-                command += ["--set", entry]
-            environment = dict(
-                os.environ,
-                OMP_NUM_THREADS="1",
-                OMPI_ALLOW_RUN_AS_ROOT="1",
-                OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                OMPI_MCA_rmaps_base_oversubscribe="1",
-                OMPI_MCA_ess_singleton_isolated="1",
-            )
-            subprocess.run(list(map(str, command)), check=True, env=environment)
-            rows = read_table(pathlib.Path(folder) / "statistics.csv")
-            steps = read_table(pathlib.Path(folder) / "history.csv")
-        for name in ("force_balance_error", "complementarity_error"):
-            self.compare(f"largest {name}", max(row[name] for row in rows), 0, 1e-8, absolute=True)
-        dissipation = [0] + [step["dissipation"] for step in steps]
-        self.verify("dissipation never negative",
-                    all(b >= a for a, b in zip(dissipation, dissipation[1:])))
-        return rows, steps
-
-    def compare(self, name, value, reference, allowed, absolute=False):
-        """Reports a value whose relative (or absolute) deviation is limited."""
-        deviation = value - reference if absolute else value / reference - 1
-        self.verify(f"{name}: {value:.9g}, reference {reference:.9g}, "
-                    f"deviation {deviation:.1e}, allowed {allowed:.1e}",
-                    abs(deviation) <= allowed)
-
-    def verify(self, text, holds):
-        """Reports a property."""
-        print(f"  {text}: {'ok' if holds else 'FAILED'}", flush=True)
-        self.failed = self.failed or not holds
-
-
-def read_table(name):
-    """The rows of a CSV file as dictionaries of numbers."""
-    with open(name, encoding="ascii") as file:
-        return [{k: float(v) for k, v in row.items()} for row in csv.DictReader(file)]
+from verification_runner import E, E_STAR, NU, ROOT, Runner
+from verify_hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
+from verify_indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
+                                johnson_limit, load_cycles)
+from verify_thick_sphere import thick_sphere, thick_sphere_axisymmetric
 
 
 def step42(runner):
@@ -223,39 +156,6 @@ def sphere_indentation(runner):
                    0.02)
 
 
-def hertz_axisymmetric(runner):
-    """Hertz' paraboloid as a body of revolution (exact)."""
-    row = runner.run("indentation/sphere_axisymmetric.prm", "Loading/History=", "Loading/Depth=0.004",
-                     "Geometry/Initial refinements=5", "Loading/Number of steps=1", "Material/Law=linear elastic",
-                     "Indenter/Type=paraboloid", "Discretization/Volumetric treatment=standard")[-1]
-    force = row["force"]
-    runner.compare("peak pressure", row["max_pressure"],
-                   (6 * force * E_STAR**2 / math.pi**3) ** (1 / 3), 0.01)
-    runner.compare("contact area", row["contact_area"],
-                   math.pi * (3 * force / (4 * E_STAR)) ** (2 / 3), 0.01)
-
-
-def hertz(runner):
-    """Hertz' paraboloid: force against contact radius and peak pressure (exact)."""
-    row = runner.run("verification/hertz_sphere.prm")[-1]
-    force, radius = 4 * row["force"], 10.0
-    peak = (6 * force * E_STAR**2 / (math.pi**3 * radius**2)) ** (1 / 3)
-    contact_radius = (3 * force * radius / (4 * E_STAR)) ** (1 / 3)
-    runner.compare("peak pressure", row["max_pressure"], peak, 0.02)
-    runner.compare("contact radius", math.sqrt(4 * row["contact_area"] / math.pi),
-                   contact_radius, 0.02)
-    first_yield(runner, peak)
-
-
-def first_yield(runner, peak):
-    """The body first yields at p0 = 1.612797 Y (exact)."""
-    for factor, yields in ((0.97, False), (1.03, True)):
-        row = runner.run("verification/hertz_sphere.prm", "Material/Law=perfectly plastic",
-                         f"Material/Yield stress={peak / 1.612797 / factor}")[-1]
-        runner.verify(f"plastic volume at {factor} of the load of first yield: "
-                      f"{row['plastic_volume']:.2e}", (row["plastic_volume"] > 0) == yields)
-
-
 def strip_punch(runner):
     """Prandtl's limit load (exact) with elements that do not lock."""
     limit = (2 + math.pi) / math.sqrt(3)
@@ -280,7 +180,9 @@ def strip_punch_locks(runner):
 ALL = {
     function.__name__: function
     for function in (step42, step42_fine, confined_block, confined_history, uniaxial,
-                     uniaxial_history, force_control, hertz, hertz_axisymmetric,
+                     uniaxial_history, force_control, hertz, hertz_axisymmetric, hertz_cylinder,
+                     first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
+                     johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space,
                      sphere_indentation, strip_punch, strip_punch_locks)
 }
 

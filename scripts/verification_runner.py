@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs the program and compares what it computes; see verify.py."""
+
+import contextlib
+import csv
+import os
+import pathlib
+import subprocess
+import tempfile
+
+from vtu_fields import read_fields
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+CASES = ROOT / "parameter_files"
+
+# The steel of most cases (MPa) and its modulus under a rigid indenter.
+E, NU = 200000.0, 0.3
+E_STAR = E / (1 - NU**2)
+
+
+class Runner:
+    """Runs the program and collects what is compared."""
+
+    def __init__(self, program, ranks):
+        self.program = program
+        self.ranks = ranks
+        self.failed = False
+
+    def run(self, case, *entries):
+        """Rows of statistics.csv, the last one extended by that of history.csv."""
+        with self.results(case, entries) as folder:
+            rows, steps = read_tables(folder)
+        rows[-1].update(steps[-1])
+        return rows
+
+    def history(self, case, *entries):
+        """Rows of history.csv."""
+        with self.results(case, entries) as folder:
+            return read_tables(folder)[1]
+
+    def history_with_fields(self, case, kind, *entries):
+        """Rows of history.csv, and for each the fields of the kind 'solution' or 'surface'."""
+        with self.results(case, (*entries, "Output/Fields=every cycle")) as folder:
+            return read_tables(folder)[1], list(read_fields(folder, kind))
+
+    @contextlib.contextmanager
+    def results(self, case, entries):
+        """The folder with the results of a run, for as long as they are needed."""
+        with tempfile.TemporaryDirectory() as folder:
+            command = ["mpirun", "-np", str(self.ranks)] if self.ranks > 1 else []
+            command += [self.program, CASES / case, "--quiet", "--output-directory", folder]
+            command += ["--overwrite", "--set", "Output/Fields=never"]
+            for entry in entries:
+                command += ["--set", entry]
+            environment = dict(
+                os.environ,
+                OMP_NUM_THREADS="1",
+                OMPI_ALLOW_RUN_AS_ROOT="1",
+                OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                OMPI_MCA_rmaps_base_oversubscribe="1",
+                OMPI_MCA_ess_singleton_isolated="1",
+            )
+            subprocess.run(list(map(str, command)), check=True, env=environment)
+            self.check_balances(*read_tables(folder))
+            yield folder
+
+    def check_balances(self, rows, steps):
+        """What must hold after every solve."""
+        for name in ("force_balance_error", "complementarity_error"):
+            self.compare(f"largest {name}", max(row[name] for row in rows), 0, 1e-8, absolute=True)
+        dissipation = [0] + [step["dissipation"] for step in steps]
+        self.verify("dissipation never negative",
+                    all(b >= a for a, b in zip(dissipation, dissipation[1:])))
+
+    def compare(self, name, value, reference, allowed, absolute=False):
+        """Reports a value whose relative (or absolute) deviation is limited."""
+        deviation = value - reference if absolute else value / reference - 1
+        self.verify(f"{name}: {value:.9g}, reference {reference:.9g}, "
+                    f"deviation {deviation:.1e}, allowed {allowed:.1e}",
+                    abs(deviation) <= allowed)
+
+    def verify(self, text, holds):
+        """Reports a property."""
+        print(f"  {text}: {'ok' if holds else 'FAILED'}", flush=True)
+        self.failed = self.failed or not holds
+
+
+def read_tables(folder):
+    """The rows of statistics.csv and of history.csv."""
+    return [read_table(pathlib.Path(folder) / name) for name in ("statistics.csv", "history.csv")]
+
+
+def read_table(name):
+    """The rows of a CSV file as dictionaries of numbers."""
+    with open(name, encoding="ascii") as file:
+        return [{k: float(v) for k, v in row.items()} for row in csv.DictReader(file)]

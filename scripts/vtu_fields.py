@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reads the fields that the program writes, with Python's own modules only.
+
+Numbers are stored in single precision: six to seven digits.
+"""
+
+import base64
+import pathlib
+import struct
+import xml.etree.ElementTree as ElementTree
+import zlib
+
+LETTERS = {"Float32": "f", "Float64": "d", "Int32": "i", "UInt8": "B"}
+
+
+def read_fields(folder, kind):
+    """The fields of each entry of solution.pvd or surface.pvd, all ranks together.
+
+    A dictionary: 'points' (x, y, z), 'cells' (numbers of points), and the data of the
+    points by name, a number or a tuple for each point.
+    """
+    folder = pathlib.Path(folder)
+    for record in files_named_in(folder / f"{kind}.pvd", "DataSet", "file"):
+        fields = {"points": [], "cells": []}
+        for piece in files_named_in(folder / record, "Piece", "Source"):
+            add_piece(fields, ElementTree.parse(folder / piece).find(".//Piece"))
+        yield fields
+
+
+def files_named_in(path, tag, attribute):
+    return [element.get(attribute) for element in ElementTree.parse(path).iter(tag)]
+
+
+def add_piece(fields, piece):
+    first_point = len(fields["points"])
+    fields["points"] += read_array(piece.find("Points/DataArray"))
+    cells = {array.get("Name"): read_array(array) for array in piece.findall("Cells/DataArray")}
+    begin = 0
+    for end in cells["offsets"]:
+        fields["cells"].append([first_point + point for point in cells["connectivity"][begin:end]])
+        begin = end
+    for array in piece.findall("PointData/DataArray"):
+        fields.setdefault(array.get("Name"), []).extend(read_array(array))
+
+
+def read_array(array):
+    """The numbers of a compressed array, as tuples if it has several components.
+
+    In base64: the number of blocks, two sizes of blocks and the compressed size of each
+    block, then the blocks (VTK's format of XML files, vtkZLibDataCompressor).
+    """
+    text = array.text.strip()
+    n_blocks = struct.unpack("<I", base64.b64decode(text[:8])[:4])[0]
+    header_bytes = 4 * (3 + n_blocks)
+    header_length = 4 * ((header_bytes + 2) // 3)
+    sizes = struct.unpack(f"<{3 + n_blocks}I", base64.b64decode(text[:header_length])[:header_bytes])
+    blocks = base64.b64decode(text[header_length:])
+    data = b""
+    for size in sizes[3:]:
+        data += zlib.decompress(blocks[:size])
+        blocks = blocks[size:]
+    numbers = struct.unpack(f"<{len(data) // struct.calcsize(LETTERS[array.get('type')])}"
+                            f"{LETTERS[array.get('type')]}", data)
+    n_components = int(array.get("NumberOfComponents", 1))
+    return list(zip(*[iter(numbers)] * n_components)) if n_components > 1 else list(numbers)
