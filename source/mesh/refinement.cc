@@ -111,11 +111,34 @@ namespace ElastoPlastic
 
 
 
-    /// Adds and removes flags so that neighbours differ by one level at most.
-    /// What deal.II does for the cells of a rank depends on the flags beyond
-    /// its border, and the next mesh must not depend on where that is. (Flags
-    /// for refinement are only added and those for coarsening only removed, so
-    /// this ends.)
+    /// Keeps cells from being put together where a finer one touches them, even
+    /// if that is to go, too: what the others want is known for the nearest
+    /// cells of other ranks only.
+    template <int dim>
+    void
+    keep_beside_finer_cells(Triangulation<dim> &triangulation)
+    {
+      std::vector<int> finest_level(triangulation.n_vertices(), 0);
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (!cell->is_artificial())
+          for (const unsigned int v : cell->vertex_indices())
+            {
+              int &level = finest_level[cell->vertex_index(v)];
+              level =
+                std::max(level, cell->level() + (flag_of(cell) == 1 ? 1 : 0));
+            }
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (!cell->is_artificial())
+          for (const unsigned int v : cell->vertex_indices())
+            if (finest_level[cell->vertex_index(v)] > cell->level())
+              cell->clear_coarsen_flag();
+    }
+
+
+
+    /// Adds and removes flags so that neighbours differ by one level at most,
+    /// in the same way on any number of ranks. (Flags for refinement are only
+    /// added and those for coarsening only removed, so this ends.)
     template <int dim>
     void
     smooth_flags(parallel::distributed::Triangulation<dim> &triangulation)
@@ -132,10 +155,42 @@ namespace ElastoPlastic
         {
           flags.swap(next_flags);
           share_flags(triangulation);
+          keep_beside_finer_cells(triangulation);
           triangulation.prepare_coarsening_and_refinement();
           next_flags = own_flags();
       } while (Utilities::MPI::logical_or(next_flags != flags,
                                           triangulation.get_communicator()));
+    }
+
+
+
+    template <int dim>
+    void
+    clear_flags(parallel::distributed::Triangulation<dim> &triangulation)
+    {
+      for (const auto &cell : triangulation.active_cell_iterators())
+        {
+          cell->clear_refine_flag();
+          cell->clear_coarsen_flag();
+        }
+    }
+
+
+
+    template <int dim>
+    void
+    set_flags(const RefinementParameters                &parameters,
+              const Vector<float>                       &error_indicators,
+              parallel::distributed::Triangulation<dim> &triangulation)
+    {
+      if (parameters.strategy == "global")
+        triangulation.set_all_refine_flags();
+      else
+        parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
+          triangulation,
+          error_indicators,
+          parameters.refinement_fraction,
+          parameters.coarsening_fraction);
     }
   } // namespace
 
@@ -147,15 +202,8 @@ namespace ElastoPlastic
              const Vector<float>                       &error_indicators,
              parallel::distributed::Triangulation<dim> &triangulation)
   {
-    if (parameters.strategy == "global")
-      triangulation.set_all_refine_flags();
-    else
-      parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
-        triangulation,
-        error_indicators,
-        parameters.refinement_fraction,
-        parameters.coarsening_fraction);
-    smooth_flags(triangulation);
+    set_flags(parameters, error_indicators, triangulation);
+    triangulation.prepare_coarsening_and_refinement();
   }
 
 
@@ -171,9 +219,11 @@ namespace ElastoPlastic
     for (; parameters.refinement_fraction >= one_cell;
          parameters.refinement_fraction *= 0.5)
       {
-        flag_cells(parameters, error_indicators, triangulation);
+        set_flags(parameters, error_indicators, triangulation);
+        smooth_flags(triangulation);
         if (n_cells_after_refinement(triangulation) <= max_cells)
           return true;
+        clear_flags(triangulation);
       }
     return false;
   }
