@@ -164,7 +164,9 @@ def draw_body(arguments, body, contact, times, size):
 def around(surface, contact):
     """Those cells of the surface that are near the contact."""
     width = 2.6 * contact.radius
-    near = pv.Clip(Input=surface, ClipType="Box", Crinkleclip=1, Invert=1)
+    # (Without joining the cells first, ParaView 5.11 crashes now and then.)
+    joined = pv.CleantoGrid(Input=surface)
+    near = pv.Clip(Input=joined, ClipType="Box", Crinkleclip=1, Invert=1)
     near.ClipType.Position = [c - 0.5 * width for c in contact.centre]
     near.ClipType.Length = [width] * 3
     return near
