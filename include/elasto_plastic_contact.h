@@ -10,16 +10,19 @@
 #include <deal.II/fe/fe_system.h>
 
 #include <memory>
+#include <optional>
 
 #include "base/exceptions.h"
 #include "contact/contact_set.h"
 #include "contact/gap_function.h"
+#include "evaluation/indentation_test.h"
 #include "io/field_output.h"
 #include "io/parameters.h"
 #include "io/screen.h"
 #include "io/statistics.h"
 #include "loading/load_program.h"
 #include "loading/time_steps.h"
+#include "mechanics/reactions.h"
 #include "mechanics/solid_operator.h"
 #include "mechanics/supports.h"
 #include "mesh/boundary_conditions.h"
@@ -112,6 +115,12 @@ namespace ElastoPlastic
     void
     refine_mesh();
 
+    // What a test in a laboratory would measure (evaluation.cc).
+    std::vector<double>
+    support_forces() const;
+    std::optional<IndentationTest>
+    make_indentation_test() const;
+
     // Results (core.cc).
     void
     output_results(const bool last_cycle);
@@ -147,6 +156,7 @@ namespace ElastoPlastic
     DoFHandler<dim>                     dof_handler;
     Supports<dim>                       supports;
     std::unique_ptr<SolidOperator<dim>> solid;
+    const Reactions<dim>                reactions;
     ContactSet<dim>                     contact;
 
     // Linear algebra. The residual is the force that the supports and the

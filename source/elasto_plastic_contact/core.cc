@@ -63,6 +63,11 @@ namespace ElastoPlastic
     , solid(make_solid_operator<dim>(parameters.discretization.degree,
                                      parameters.discretization.strain_model(),
                                      parameters.material.materials()))
+    , reactions(dof_handler,
+                boundary_names,
+                boundary_conditions,
+                supports,
+                parameters.discretization.strain_model().kinematics)
     , contact([this](const Point<dim> &x) { return gap_function.value(x); },
               parameters.discretization.strain_model().kinematics)
   {
@@ -103,7 +108,10 @@ namespace ElastoPlastic
                     file << parameters.effective_input;
                   });
 
-    Statistics statistics(communicator, parameters.output.directory);
+    Statistics statistics(communicator,
+                          parameters.output.directory,
+                          reactions.names(),
+                          make_indentation_test());
     run_load_history(statistics);
 
     timer.print_summary();
@@ -127,8 +135,9 @@ namespace ElastoPlastic
             if (!cut)
               predict();
             SolveResult result = solve_on_mesh_sequence(statistics);
+            const auto  forces = support_forces();
             commit_step(result);
-            statistics.add_step(result);
+            statistics.add_step(result, forces);
           }
         catch (const ConvergenceError &error)
           {
@@ -144,6 +153,7 @@ namespace ElastoPlastic
         time_steps.advance();
         cut = false;
       }
+    statistics.finish();
   }
 
 

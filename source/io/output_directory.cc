@@ -24,7 +24,7 @@ namespace ElastoPlastic
     results_in(const fs::path &directory)
     {
       const std::regex result_names(
-        "parameters\\.prm|(history|statistics)\\.csv|"
+        "parameters\\.prm|(history|statistics|reactions|indentation)\\.csv|"
         "(solution|surface)(\\.pvd|-.*\\.p?vtu)");
       std::vector<fs::path> results;
       for (const auto &entry : fs::directory_iterator(directory))

@@ -5,9 +5,26 @@
 
 namespace ElastoPlastic
 {
-  Statistics::Statistics(const MPI_Comm     communicator,
-                         const std::string &directory)
-    : statistics(communicator,
+  namespace
+  {
+    std::vector<std::string>
+    reaction_columns(const std::vector<std::string> &names)
+    {
+      std::vector<std::string> columns = {"step", "time"};
+      columns.insert(columns.end(), names.begin(), names.end());
+      return columns;
+    }
+  } // namespace
+
+
+
+  Statistics::Statistics(const MPI_Comm                        communicator,
+                         const std::string                    &directory,
+                         const std::vector<std::string>       &reaction_names,
+                         const std::optional<IndentationTest> &indentation_test)
+    : communicator(communicator)
+    , directory(directory)
+    , statistics(communicator,
                  directory + "/statistics.csv",
                  {"step",
                   "cycle",
@@ -52,6 +69,10 @@ namespace ElastoPlastic
                "plastic_work",
                "dissipation",
                "external_work"})
+    , reactions(communicator,
+                directory + "/reactions.csv",
+                reaction_columns(reaction_names))
+    , indentation_test(indentation_test)
   {}
 
 
@@ -85,7 +106,8 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::add_step(const SolveResult &r)
+  Statistics::add_step(const SolveResult         &r,
+                       const std::vector<double> &reaction_forces)
   {
     history.add_row({static_cast<double>(r.step),
                      r.time,
@@ -107,5 +129,66 @@ namespace ElastoPlastic
                      r.plastic_work,
                      r.dissipation,
                      r.external_work});
+
+    std::vector<double> row = {static_cast<double>(r.step), r.time};
+    row.insert(row.end(), reaction_forces.begin(), reaction_forces.end());
+    reactions.add_row(row);
+
+    if (indentation_test)
+      add_unloading(indentation_test->add(
+        {r.step, r.time, r.depth, r.force, r.contact_area}));
+  }
+
+
+
+  void
+  Statistics::finish()
+  {
+    if (indentation_test)
+      add_unloading(indentation_test->finish());
+  }
+
+
+
+  void
+  Statistics::add_unloading(const std::optional<UnloadingResult> &result)
+  {
+    if (!result)
+      return;
+    if (!indentation)
+      indentation.emplace(communicator,
+                          directory + "/indentation.csv",
+                          std::vector<std::string>{"step",
+                                                   "time",
+                                                   "max_depth",
+                                                   "max_force",
+                                                   "contact_area",
+                                                   "modelled_part",
+                                                   "stiffness",
+                                                   "exponent",
+                                                   "final_depth",
+                                                   "hardness",
+                                                   "reduced_modulus",
+                                                   "contact_depth",
+                                                   "tip_area",
+                                                   "tip_hardness",
+                                                   "tip_reduced_modulus"});
+    const UnloadingResult &r    = *result;
+    const double           area = r.maximum.contact_area;
+    indentation->add_row({static_cast<double>(r.maximum.step),
+                          r.maximum.time,
+                          r.maximum.depth,
+                          r.maximum.force,
+                          area,
+                          r.modelled_part,
+                          r.stiffness,
+                          r.law.exponent,
+                          r.law.final_depth,
+                          r.hardness(area),
+                          r.reduced_modulus(area),
+                          r.contact_depth,
+                          r.tip_area,
+                          r.hardness(r.tip_area),
+                          r.reduced_modulus(r.tip_area)});
   }
 } // namespace ElastoPlastic
