@@ -43,12 +43,13 @@ def cross_section(run, lower, upper, axis):
 def stress_strain(run):
     """Strain and stress, beginning with zero, of the end of a box that is displaced
     along its axis; None if this is another kind of test."""
-    lower, upper = run.numbers("Geometry/Lower corner"), run.numbers("Geometry/Upper corner")
+    dim = int(run.number("Dimension"))
+    lower = run.numbers("Geometry/Lower corner") or dim * [0.]
+    upper = run.numbers("Geometry/Upper corner") or dim * [1.]
     if run.parameters.get("Geometry/Type") != "box" or not run.has("reactions.csv"):
         return None
     table = run.table("reactions.csv")
-    last = len(lower) - 1
-    ends = {**ENDS, "bottom": (last, -1.), "top": (last, 1.)}
+    ends = {**ENDS, "bottom": (dim - 1, -1.), "top": (dim - 1, 1.)}
     for name, components in displaced_ends(run):
         axis, sign = ends[name]
         column = f"{name}_{'xyz'[axis]}"

@@ -62,8 +62,12 @@ class Runner:
             subprocess.run(list(map(str, command)), check=True, env=environment)
             tables = {file.stem: read_table(file) for file in pathlib.Path(folder).glob("*.csv")}
         rows = tables["statistics"]
-        for name in ("force_balance_error", "complementarity_error"):
-            self.compare(f"largest {name}", max(row[name] for row in rows), 0, 1e-8, absolute=True)
+        # complementarity is relative to the force, of which nothing is left after unloading
+        rounding = 1e-12 * max(abs(row["force"]) for row in rows)
+        pressed = [row for row in rows if abs(row["force"]) > rounding]
+        for name, checked in (("force_balance_error", rows), ("complementarity_error", pressed)):
+            largest = max((row[name] for row in checked), default=0)
+            self.compare(f"largest {name}", largest, 0, 1e-8, absolute=True)
         dissipation = [0] + [step["dissipation"] for step in tables["history"]]
         self.verify("dissipation never negative",
                     all(b >= a for a, b in zip(dissipation, dissipation[1:])))
