@@ -86,11 +86,11 @@ def uniaxial_history(runner):
         for (stress, _, _), value in zip(exact, published):
             runner.compare(f"closed form, {law}", stress, value, 1e-7)  # its digits
         strain = "0.02*if(t <= 1, t, if(t <= 2, 3 - 2*t, t - 3))"
-        for body, volume in (
-            (("Boundary conditions/Prescribed displacement=top: free; free; " + strain,), 1),
+        for body, volume, reaction in (
+            (("Boundary conditions/Prescribed displacement=top: free; free; " + strain,), 1, "top_z"),
             (("Dimension=2", "Kinematics=axisymmetric", "Boundary conditions/Roller=left, bottom",
               "Boundary conditions/Free=right",
-              "Boundary conditions/Prescribed displacement=top: free; " + strain), math.pi),
+              "Boundary conditions/Prescribed displacement=top: free; " + strain), math.pi, "top_y"),
         ):
             steps = runner.history(
                 "verification/uniaxial_stress.prm", f"Material/Law={law}",
@@ -98,9 +98,9 @@ def uniaxial_history(runner):
                 f"Material/Kinematic hardening modulus={moduli[1]}",
                 "Loading/Final time=3", "Loading/Number of steps=3", *body)
             for step, (stress, work, stored) in zip(steps, exact):
-                # the elastic energy is stress^2 / (2 E) per volume
-                runner.compare(f"|stress|, {law}", math.sqrt(2 * E * step["elastic_energy"] / volume),
-                               abs(stress), 1e-9)
+                runner.compare(f"stress, {law}", step[reaction] / volume, stress, 1e-9)
+                runner.compare("elastic energy", step["elastic_energy"] / volume,
+                               stress**2 / (2 * E), 1e-9)
                 runner.compare("plastic work", step["plastic_work"] / volume, work, 1e-9)
                 runner.compare("stored by hardening", step["hardening_energy"] / volume, stored,
                                1e-9 * work, absolute=True)
@@ -137,7 +137,8 @@ def sphere_indentation(runner):
     yield_stress, radius = 400, 1.0
     first_depth = 6.417988 * radius * yield_stress**2 / E_STAR**2
     first_force = 21.678895 * radius**2 * yield_stress**3 / E_STAR**2
-    steps = runner.history("indentation/sphere_axisymmetric.prm")
+    tables = runner.tables("indentation/sphere_axisymmetric.prm")
+    steps = tables["history"]
     for step in steps:
         w = step["depth"] / first_depth
         if step["time"] <= 1 and w >= 6:
@@ -154,6 +155,22 @@ def sphere_indentation(runner):
     runner.compare("work of the sphere against energies and heat", steps[-1]["external_work"],
                    sum(steps[-1][name] for name in ("elastic_energy", "hardening_energy", "dissipation")),
                    0.02)
+    oliver_pharr(runner, tables)
+
+
+def cone_indentation(runner):
+    """An elastic-plastic cone: the modulus from the unloading (exact for a half-space)."""
+    oliver_pharr(runner, runner.tables("indentation/cone_axisymmetric.prm"))
+
+
+def oliver_pharr(runner, tables):
+    """The only unloading gives back the modulus of the body."""
+    unloading, = tables["indentation"]
+    maximum = next(step for step in tables["history"] if step["time"] == 1)
+    for here, there in (("max_depth", "depth"), ("max_force", "force"), ("contact_area", "contact_area")):
+        runner.compare(here, unloading[here], maximum[there], 1e-14)
+    runner.compare("reduced modulus from the contact area", unloading["reduced_modulus"], E_STAR, 0.03)
+    runner.compare("hardness", unloading["hardness"], maximum["force"] / maximum["contact_area"], 1e-14)
 
 
 def strip_punch(runner):
@@ -183,7 +200,7 @@ ALL = {
                      uniaxial_history, force_control, hertz, hertz_axisymmetric, hertz_cylinder,
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space,
-                     sphere_indentation, strip_punch, strip_punch_locks)
+                     sphere_indentation, cone_indentation, strip_punch, strip_punch_locks)
 }
 
 
