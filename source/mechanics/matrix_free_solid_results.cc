@@ -14,13 +14,18 @@ namespace ElastoPlastic
   {
     double local_energy = 0;
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
-      const Material<Number> material = material_of(batch);
+      const Material<Number> &material = material_of(batch);
       const auto volumetric = volumetric_strain<dim, degree>(phi, strain_model);
       Number     sum        = 0.;
       for (unsigned int q = 0; q < n_points; ++q)
-        sum += (0.5 * material.bulk_modulus * volumetric[q] * volumetric[q] +
-                radial_return(phi, q, material).energy()) *
-               volume_at(phi, q);
+        {
+          const RadialReturn<Number> point = radial_return(phi, q, material);
+          sum += (0.5 * material.bulk_modulus * volumetric[q] * volumetric[q] +
+                  (has_energy() ?
+                     point.energy() :
+                     point.distortion_energy() + point.plastic_work())) *
+                 volume_at(phi, q);
+        }
       for (unsigned int lane = 0;
            lane < matrix_free.n_active_entries_per_cell_batch(batch);
            ++lane)
@@ -41,8 +46,8 @@ namespace ElastoPlastic
       u,
       w,
       [&](CellEvaluation &phi, CellEvaluation &test, const unsigned int batch) {
-        const Material<Number> material = material_of(batch);
-        const auto             volumetric =
+        const Material<Number> &material = material_of(batch);
+        const auto              volumetric =
           volumetric_strain<dim, degree>(phi, strain_model);
         const auto virtual_volumetric =
           volumetric_strain<dim, degree>(test, strain_model);
@@ -79,8 +84,10 @@ namespace ElastoPlastic
           auto            &sum  = mean.deviatoric;
           for (unsigned int q = 0; q < n_points; ++q)
             {
-              const auto   tangent = stored_tangent(n_points * batch + q);
-              const double weight  = 1. / n_points;
+              auto tangent = stored_tangent(n_points * batch + q);
+              if (!predicts_flow)
+                tangent = tangent.definite_part();
+              const double weight = 1. / n_points;
               sum.shear += weight * tangent.shear[lane];
               for (unsigned int i = 0; i < CellTangent<dim>::n_symmetric; ++i)
                 {
@@ -108,7 +115,7 @@ namespace ElastoPlastic
     std::array<std::vector<PointResult>, Number::size()> results;
     results.fill(std::vector<PointResult>(n_points));
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
-      const Material<Number> material = material_of(batch);
+      const Material<Number> &material = material_of(batch);
       const auto volumetric = volumetric_strain<dim, degree>(phi, strain_model);
       const unsigned int n_cells =
         matrix_free.n_active_entries_per_cell_batch(batch);
