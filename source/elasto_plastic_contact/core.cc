@@ -201,23 +201,23 @@ namespace ElastoPlastic
 
 
 
-  // A perfectly plastic body has a limit load. Steps that fail, however short,
-  // when the force is to grow tell that it has been reached.
+  // A body of materials that stop hardening has a limit load. Steps that fail,
+  // however short, when the force is to grow tell that it has been reached.
   template <int dim>
   void
   ElastoPlasticContact<dim>::give_up(const ConvergenceError &error) const
   {
-    const auto &laws = parameters.material.laws;
+    const auto materials = parameters.material.materials();
     if (contact.force() <= last_step.force ||
-        std::count(laws.begin(), laws.end(), "perfectly plastic") == 0)
+        std::none_of(materials.begin(), materials.end(), has_limit))
       throw error;
 
     std::ostringstream message;
     message.precision(10);
     message << "No equilibrium has been found for the force " << contact.force()
             << " (t = " << time_steps.next_time()
-            << "): it seems to be beyond the limit load of the perfectly "
-               "plastic body. The largest force reached is "
+            << "): it seems to be beyond the limit load of the body, whose "
+               "material stops hardening. The largest force reached is "
             << last_step.force << ", at the depth " << last_step.depth
             << ". Prescribe the depth, or a smaller force; several load steps "
                "come closer to the limit.";

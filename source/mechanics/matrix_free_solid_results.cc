@@ -15,13 +15,18 @@ namespace ElastoPlastic
   {
     double local_energy = 0;
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
-      const Material<Number> material = material_of(batch);
+      const Material<Number> &material = material_of(batch);
       const auto volumetric = volumetric_strain<dim, degree>(phi, strain_model);
       Number     sum        = 0.;
       for (unsigned int q = 0; q < n_points; ++q)
-        sum += (0.5 * material.bulk_modulus * volumetric[q] * volumetric[q] +
-                radial_return(phi, q, material).energy()) *
-               volume_at(phi, q);
+        {
+          const RadialReturn<Number> point = radial_return(phi, q, material);
+          sum += (0.5 * material.bulk_modulus * volumetric[q] * volumetric[q] +
+                  (has_energy() ?
+                     point.energy() :
+                     point.distortion_energy() + point.plastic_work())) *
+                 volume_at(phi, q);
+        }
       for (unsigned int lane = 0;
            lane < matrix_free.n_active_entries_per_cell_batch(batch);
            ++lane)
@@ -42,8 +47,8 @@ namespace ElastoPlastic
       u,
       w,
       [&](CellEvaluation &phi, CellEvaluation &test, const unsigned int batch) {
-        const Material<Number> material = material_of(batch);
-        const auto             volumetric =
+        const Material<Number> &material = material_of(batch);
+        const auto              volumetric =
           volumetric_strain<dim, degree>(phi, strain_model);
         const auto virtual_volumetric =
           volumetric_strain<dim, degree>(test, strain_model);
@@ -80,8 +85,10 @@ namespace ElastoPlastic
           auto            &sum  = mean.deviatoric;
           for (unsigned int q = 0; q < n_points; ++q)
             {
-              const auto   tangent = stored_tangent(n_points * batch + q);
-              const double weight  = 1. / n_points;
+              auto tangent = stored_tangent(n_points * batch + q);
+              if (!predicts_flow)
+                tangent = tangent.definite_part();
+              const double weight = 1. / n_points;
               sum.shear += weight * tangent.shear[lane];
               for (unsigned int i = 0; i < CellTangent<dim>::n_symmetric; ++i)
                 {
@@ -109,7 +116,7 @@ namespace ElastoPlastic
     std::array<std::vector<PointResult>, Number::size()> results;
     results.fill(std::vector<PointResult>(n_points));
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
-      const Material<Number> material = material_of(batch);
+      const Material<Number> &material = material_of(batch);
       const auto volumetric = volumetric_strain<dim, degree>(phi, strain_model);
       const unsigned int n_cells =
         matrix_free.n_active_entries_per_cell_batch(batch);
@@ -159,7 +166,8 @@ namespace ElastoPlastic
   CellStates
   MatrixFreeSolid<dim, degree>::states() const
   {
-    CellStates result(
+    const unsigned int n_cell_values = n_state_values * n_points;
+    CellStates         result(
       matrix_free.get_dof_handler().get_triangulation().n_active_cells());
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       for (unsigned int lane = 0;
@@ -168,13 +176,10 @@ namespace ElastoPlastic
         {
           auto &values = result[matrix_free.get_cell_iterator(batch, lane)
                                   ->active_cell_index()];
-          for (unsigned int q = 0; q < n_points; ++q)
-            {
-              auto state =
-                history.empty() ? virgin_state : history[n_points * batch + q];
-              for (const Number *number : state.numbers())
-                values.push_back((*number)[lane]);
-            }
+          values.assign(n_cell_values, 0.);
+          if (!history.empty())
+            for (unsigned int i = 0; i < n_cell_values; ++i)
+              values[i] = history[n_cell_values * batch + i][lane];
         }
     return result;
   }
@@ -185,25 +190,27 @@ namespace ElastoPlastic
   void
   MatrixFreeSolid<dim, degree>::set_states(const CellStates &states)
   {
-    history.resize(n_points * matrix_free.n_cell_batches(), virgin_state);
+    const unsigned int n_cell_values = n_state_values * n_points;
+    history.resize(n_cell_values * matrix_free.n_cell_batches(), Number(0.));
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       for (unsigned int lane = 0;
            lane < matrix_free.n_active_entries_per_cell_batch(batch);
            ++lane)
         {
-          const double *value =
-            states[matrix_free.get_cell_iterator(batch, lane)
-                     ->active_cell_index()]
-              .data();
-          for (unsigned int q = 0; q < n_points; ++q)
-            {
-              auto &state = history[n_points * batch + q];
-              for (Number *number : state.numbers())
-                (*number)[lane] = *value++;
-              state.equivalent_plastic_strain[lane] =
-                std::max(state.equivalent_plastic_strain[lane], 0.);
-            }
+          const auto &values = states[matrix_free.get_cell_iterator(batch, lane)
+                                        ->active_cell_index()];
+          for (unsigned int i = 0; i < n_cell_values; ++i)
+            history[n_cell_values * batch + i][lane] = values[i];
         }
+    for (unsigned int point = 0;
+         point < n_points * matrix_free.n_cell_batches();
+         ++point)
+      {
+        MaterialState<Number> state = old_state(point);
+        state.equivalent_plastic_strain =
+          std::max(state.equivalent_plastic_strain, Number(0.));
+        state.pack(&history[n_state_values * point]);
+      }
   }
 
 
