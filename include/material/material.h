@@ -119,6 +119,26 @@ namespace ElastoPlastic
       }
     return result;
   }
+
+
+
+  /// The material of one lane.
+  template <typename Number>
+  Material<double>
+  lane_of(const Material<Number> &material, const unsigned int lane)
+  {
+    Material<double> result;
+    result.bulk_modulus      = lane_of(material.bulk_modulus, lane);
+    result.shear_modulus     = lane_of(material.shear_modulus, lane);
+    result.yield_radius      = lane_of(material.yield_radius, lane);
+    result.isotropic_modulus = lane_of(material.isotropic_modulus, lane);
+    for (const auto &[modulus, recovery] : material.back_stresses)
+      result.back_stresses.push_back(
+        {lane_of(modulus, lane), lane_of(recovery, lane)});
+    result.curves[0] = material.curves[lane];
+    result.is_linear = material.is_linear;
+    return result;
+  }
 } // namespace ElastoPlastic
 
 #endif

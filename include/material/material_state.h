@@ -74,6 +74,35 @@ namespace ElastoPlastic
       return values;
     }
   };
+
+
+
+  /// The strain (or another tensor) of one lane.
+  template <typename Number>
+  SymmetricTensor<2, 3>
+  lane_of(const SymmetricTensor<2, 3, Number> &tensor, const unsigned int lane)
+  {
+    SymmetricTensor<2, 3> result;
+    for (unsigned int i = 0; i < 6; ++i)
+      result.access_raw_entry(i) = lane_of(tensor.access_raw_entry(i), lane);
+    return result;
+  }
+
+
+
+  /// The state of one lane.
+  template <typename Number>
+  MaterialState<double>
+  lane_of(const MaterialState<Number> &state, const unsigned int lane)
+  {
+    MaterialState<double> result(state.back_stresses.size());
+    result.plastic_strain = lane_of(state.plastic_strain, lane);
+    result.equivalent_plastic_strain =
+      lane_of(state.equivalent_plastic_strain, lane);
+    for (unsigned int k = 0; k < state.back_stresses.size(); ++k)
+      result.back_stresses[k] = lane_of(state.back_stresses[k], lane);
+    return result;
+  }
 } // namespace ElastoPlastic
 
 #endif

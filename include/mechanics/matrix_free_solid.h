@@ -120,11 +120,9 @@ namespace ElastoPlastic
 
     /// The deviator of the strain at a point of the current cell.
     Strain
-    deviator_at(const CellEvaluation &phi, const unsigned int point) const
-    {
-      return strain_deviator(
-        strain_at<dim, degree>(phi, point, strain_model.kinematics));
-    }
+    deviator_at(const CellEvaluation   &phi,
+                const unsigned int      point,
+                const Material<Number> &material) const;
 
     /// The volume of a point of the current cell.
     Number

@@ -36,8 +36,8 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::make_indentation_test() const
   {
     const bool is_plane =
-      dim == 2 && parameters.discretization.strain_model().kinematics ==
-                    Kinematics::cartesian;
+      dim == 2 && parameters.discretization.strain_model().kinematics !=
+                    Kinematics::axisymmetric;
     if (!gap_function.has_indenter() || is_plane)
       return {};
     const double part =

@@ -9,6 +9,7 @@
 #include "base/exceptions.h"
 #include "base/tensors.h"
 #include "base/throw_together.h"
+#include "material/plane_stress.h"
 #include "mechanics/cell_matrices.h"
 #include "mechanics/matrix_free_solid.h"
 
@@ -151,6 +152,25 @@ namespace ElastoPlastic
 
 
   template <int dim, int degree>
+  SymmetricTensor<2, 3, Simd<double>>
+  MatrixFreeSolid<dim, degree>::deviator_at(
+    const CellEvaluation   &phi,
+    const unsigned int      point,
+    const Material<Number> &material) const
+  {
+    Strain strain = strain_at<dim, degree>(phi, point, strain_model.kinematics);
+    if (strain_model.kinematics == Kinematics::plane_stress)
+      strain[2][2] =
+        out_of_plane_strain(material,
+                            strain,
+                            old_state(n_points * phi.get_current_cell_index() +
+                                      point));
+    return strain_deviator(strain);
+  }
+
+
+
+  template <int dim, int degree>
   RadialReturn<Simd<double>>
   MatrixFreeSolid<dim, degree>::radial_return(
     const CellEvaluation   &phi,
@@ -159,7 +179,7 @@ namespace ElastoPlastic
   {
     return RadialReturn<Number>(
       material,
-      deviator_at(phi, point),
+      deviator_at(phi, point, material),
       old_state(n_points * phi.get_current_cell_index() + point));
   }
 
@@ -187,14 +207,21 @@ namespace ElastoPlastic
   MatrixFreeSolid<dim, degree>::integrate_tangent(CellEvaluation &phi) const
   {
     const unsigned int first_point = n_points * phi.get_current_cell_index();
+    const Number       bulk_modulus =
+      material_of(phi.get_current_cell_index()).bulk_modulus;
     integrate_stress<dim, degree>(
       phi,
-      material_of(phi.get_current_cell_index()).bulk_modulus,
+      bulk_modulus,
       strain_model,
       [&](const unsigned int q, const Strain &strain) {
         const auto tangent = stored_tangent(first_point + q);
-        return has_energy() ? tangent * strain :
-                              tangent.unsymmetric_product(strain);
+        return linear_deviatoric_stress(
+          [&](const Strain &e) {
+            return has_energy() ? tangent * e : tangent.unsymmetric_product(e);
+          },
+          bulk_modulus,
+          strain,
+          strain_model.kinematics);
       });
   }
 
@@ -312,23 +339,24 @@ namespace ElastoPlastic
   {
     if (!predicts_flow)
       return;
-    for_each_cell_batch(old_u,
-                        new_u,
-                        [&](CellEvaluation    &old_phi,
-                            CellEvaluation    &new_phi,
-                            const unsigned int batch) {
-                          const Material<Number> &material = material_of(batch);
-                          for (unsigned int q = 0; q < n_points; ++q)
-                            {
-                              const unsigned int point = n_points * batch + q;
-                              flow_directions.set(
-                                point,
-                                radial_return(old_phi, q, material)
-                                  .predicted_flow(flow_directions[point],
-                                                  deviator_at(new_phi, q) -
-                                                    deviator_at(old_phi, q)));
-                            }
-                        });
+    for_each_cell_batch(
+      old_u,
+      new_u,
+      [&](CellEvaluation    &old_phi,
+          CellEvaluation    &new_phi,
+          const unsigned int batch) {
+        const Material<Number> &material = material_of(batch);
+        for (unsigned int q = 0; q < n_points; ++q)
+          {
+            const unsigned int point = n_points * batch + q;
+            flow_directions.set(
+              point,
+              radial_return(old_phi, q, material)
+                .predicted_flow(flow_directions[point],
+                                deviator_at(new_phi, q, material) -
+                                  deviator_at(old_phi, q, material)));
+          }
+      });
   }
 
 

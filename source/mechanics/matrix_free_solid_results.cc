@@ -21,7 +21,11 @@ namespace ElastoPlastic
       for (unsigned int q = 0; q < n_points; ++q)
         {
           const RadialReturn<Number> point = radial_return(phi, q, material);
-          sum += (0.5 * material.bulk_modulus * volumetric[q] * volumetric[q] +
+          const Number               pressure =
+            mean_stress(material.bulk_modulus * volumetric[q],
+                        point.deviatoric_stress(),
+                        strain_model.kinematics);
+          sum += (0.5 * pressure * pressure / material.bulk_modulus +
                   (has_energy() ?
                      point.energy() :
                      point.distortion_energy() + point.plastic_work())) *
@@ -54,11 +58,19 @@ namespace ElastoPlastic
           volumetric_strain<dim, degree>(test, strain_model);
         Number sum = 0.;
         for (unsigned int q = 0; q < n_points; ++q)
-          sum +=
-            (material.bulk_modulus * volumetric[q] * virtual_volumetric[q] +
-             radial_return(phi, q, material).deviatoric_stress() *
-               deviator_at(test, q)) *
-            volume_at(phi, q);
+          {
+            const Strain stress =
+              radial_return(phi, q, material).deviatoric_stress();
+            const Number pressure =
+              mean_stress(material.bulk_modulus * volumetric[q],
+                          stress,
+                          strain_model.kinematics);
+            const Strain virtual_strain =
+              strain_at<dim, degree>(test, q, strain_model.kinematics);
+            sum += (pressure * virtual_volumetric[q] +
+                    stress * strain_deviator(virtual_strain)) *
+                   volume_at(phi, q);
+          }
         for (unsigned int lane = 0;
              lane < matrix_free.n_active_entries_per_cell_batch(batch);
              ++lane)
@@ -125,12 +137,16 @@ namespace ElastoPlastic
           const RadialReturn<Number> point  = radial_return(phi, q, material);
           const auto                 state  = point.state();
           auto                       stress = point.deviatoric_stress();
+          const Number               pressure =
+            mean_stress(material.bulk_modulus * volumetric[q],
+                        stress,
+                        strain_model.kinematics);
           for (unsigned int d = 0; d < 3; ++d)
-            stress[d][d] += material.bulk_modulus * volumetric[q];
+            stress[d][d] += pressure;
           const Number volume = volume_at(phi, q);
           const Number elastic_energy =
             point.distortion_energy() +
-            0.5 * material.bulk_modulus * volumetric[q] * volumetric[q];
+            0.5 * pressure * pressure / material.bulk_modulus;
           const Number hardening_energy = point.hardening_energy();
           const Number plastic_work     = point.plastic_work();
           const Number dissipation      = point.dissipation();
@@ -197,8 +213,9 @@ namespace ElastoPlastic
            lane < matrix_free.n_active_entries_per_cell_batch(batch);
            ++lane)
         {
-          const auto &values = states[matrix_free.get_cell_iterator(batch, lane)
-                                        ->active_cell_index()];
+          const auto &values =
+            states[matrix_free.get_cell_iterator(batch, lane)
+                     ->active_cell_index()];
           for (unsigned int i = 0; i < n_cell_values; ++i)
             history[n_cell_values * batch + i][lane] = values[i];
         }
