@@ -45,6 +45,9 @@ namespace ElastoPlastic
     void
     initialize_vector(Vector &vector) const override;
 
+    bool
+    has_energy() const override;
+
     double
     energy(const Vector &u) const override;
 

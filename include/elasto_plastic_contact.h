@@ -10,10 +10,12 @@
 #include <deal.II/fe/fe_system.h>
 
 #include <memory>
+#include <optional>
 
 #include "base/exceptions.h"
 #include "contact/contact_set.h"
 #include "contact/gap_function.h"
+#include "evaluation/indentation_test.h"
 #include "io/checkpoint.h"
 #include "io/field_output.h"
 #include "io/parameters.h"
@@ -21,6 +23,7 @@
 #include "io/statistics.h"
 #include "loading/load_program.h"
 #include "loading/time_steps.h"
+#include "mechanics/reactions.h"
 #include "mechanics/solid_operator.h"
 #include "mechanics/supports.h"
 #include "mesh/boundary_conditions.h"
@@ -69,7 +72,7 @@ namespace ElastoPlastic
   private:
     // The outline, in the order of run() (core.cc):
     void
-    run_load_history(const Statistics::Sizes &rows_so_far);
+    run_load_history(const Statistics::Progress &progress);
     void
     take_load_steps(Statistics &statistics);
     SolveResult
@@ -130,18 +133,24 @@ namespace ElastoPlastic
     bool
     mark_adapted_mesh();
 
+    // What a test in a laboratory would measure (evaluation.cc).
+    std::vector<double>
+    support_forces() const;
+    std::optional<IndentationTest>
+    make_indentation_test() const;
+
     // Results (core.cc) and checkpoints (checkpoint.cc).
     void
     output_results(const bool last_cycle);
     void
-    save_checkpoint(Statistics::Sizes sizes);
-    Statistics::Sizes
+    save_checkpoint(Statistics::Progress progress);
+    Statistics::Progress
     load_checkpoint();
     void
     stop_if_requested() const;
     template <typename Archive>
     void
-    serialize_progress(Archive &archive, Statistics::Sizes &sizes);
+    serialize_progress(Archive &archive, Statistics::Progress &progress);
 
     /// Gap of the undeformed body, for the contact surface as it is.
     GapFunction<dim>
@@ -174,6 +183,7 @@ namespace ElastoPlastic
     DoFHandler<dim>                     dof_handler;
     Supports<dim>                       supports;
     std::unique_ptr<SolidOperator<dim>> solid;
+    const Reactions<dim>                reactions;
     ContactSet<dim>                     contact;
 
     // Linear algebra. The residual is the force that the supports and the

@@ -26,7 +26,7 @@ ENTRIES = ["Geometry/Initial refinements=3", "Geometry/Local refinements=5",
            "Refinement/Coarsening fraction=0.3",
            "Refinement/Steps between adaptations=4",
            "Refinement/Maximum number of unknowns=1200"]
-TABLES = ["history.csv", "statistics.csv", "mesh_changes.csv"]
+TABLES = ["history.csv", "statistics.csv", "mesh_changes.csv", "reactions.csv", "indentation.csv"]
 # What a clock says, or what depends on how the process has lived.
 NOT_COMPARED = {"wall_seconds", "memory_mb"}
 TERMINATED = 143

@@ -45,7 +45,7 @@ scripts/render.py "$results" --output "$results/picture.png"
 
 cat <<END
 
-Results:  $PWD/$results (history.csv, statistics.csv; solution.pvd and surface.pvd for ParaView)
-Plots:    $PWD/$results/pressure.png, $PWD/$results/convergence.png
+Results:  $PWD/$results (tables: *.csv; solution.pvd and surface.pvd for ParaView)
+Plots:    $PWD/$results/*.png
 Picture:  $PWD/$results/picture.png
 END

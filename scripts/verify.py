@@ -13,6 +13,7 @@ import argparse
 import math
 import sys
 
+import uniaxial as exact_uniaxial
 from verification_runner import E, E_STAR, NU, ROOT, Runner
 from verify_hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from verify_indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
@@ -86,11 +87,11 @@ def uniaxial_history(runner):
         for (stress, _, _), value in zip(exact, published):
             runner.compare(f"closed form, {law}", stress, value, 1e-7)  # its digits
         strain = "0.02*if(t <= 1, t, if(t <= 2, 3 - 2*t, t - 3))"
-        for body, volume in (
-            (("Boundary conditions/Prescribed displacement=top: free; free; " + strain,), 1),
+        for body, volume, reaction in (
+            (("Boundary conditions/Prescribed displacement=top: free; free; " + strain,), 1, "top_z"),
             (("Dimension=2", "Kinematics=axisymmetric", "Boundary conditions/Roller=left, bottom",
               "Boundary conditions/Free=right",
-              "Boundary conditions/Prescribed displacement=top: free; " + strain), math.pi),
+              "Boundary conditions/Prescribed displacement=top: free; " + strain), math.pi, "top_y"),
         ):
             steps = runner.history(
                 "verification/uniaxial_stress.prm", f"Material/Law={law}",
@@ -98,12 +99,71 @@ def uniaxial_history(runner):
                 f"Material/Kinematic hardening modulus={moduli[1]}",
                 "Loading/Final time=3", "Loading/Number of steps=3", *body)
             for step, (stress, work, stored) in zip(steps, exact):
-                # the elastic energy is stress^2 / (2 E) per volume
-                runner.compare(f"|stress|, {law}", math.sqrt(2 * E * step["elastic_energy"] / volume),
-                               abs(stress), 1e-9)
+                runner.compare(f"stress, {law}", step[reaction] / volume, stress, 1e-9)
+                runner.compare("elastic energy", step["elastic_energy"] / volume,
+                               stress**2 / (2 * E), 1e-9)
                 runner.compare("plastic work", step["plastic_work"] / volume, work, 1e-9)
                 runner.compare("stored by hardening", step["hardening_energy"] / volume, stored,
                                1e-9 * work, absolute=True)
+
+
+NONLINEAR_LAWS = {
+    "Voce": exact_uniaxial.Law(E, 400, voce=(200, 15)),
+    "power law": exact_uniaxial.Law(E, 400, power=(0.2, 0.002)),
+    "table": exact_uniaxial.Law(E, 400, isotropic=500, table=((0.005, 400), (0.03, 520), (0.05, 520))),
+    "Armstrong-Frederick": exact_uniaxial.Law(E, 400, back=((30000, 150),)),
+    "Chaboche": exact_uniaxial.Law(E, 300, back=((60000, 1000), (10000, 100), (1000, 0))),
+    "everything": exact_uniaxial.Law(E, 300, 500, (100, 20), (0.1, 0.01), ((0.01, 320),),
+                                     ((60000, 1000), (10000, 100), (1000, 0))),
+}
+
+
+def nonlinear_history(runner):
+    """Uniaxial stress with nonlinear hardening, strain 0, 0.02, -0.02, 0 in twelve steps (exact)."""
+    strain = "0.02*if(t <= 1, t, if(t <= 2, 3 - 2*t, t - 3))"
+    strains = [0.005 * i for i in (1, 2, 3, 4, 2, 0, -2, -4, -3, -2, -1, 0)]
+    for name, law in NONLINEAR_LAWS.items():
+        steps = runner.history(
+            "verification/uniaxial_stress.prm", *law.entries(), "Loading/Final time=3",
+            "Loading/Number of steps=12",
+            "Boundary conditions/Prescribed displacement=top: free; free; " + strain)
+        for step, (stress, work, stored) in zip(steps, exact_uniaxial.steps(law, strains)):
+            runner.compare(f"|stress|, {name}", math.sqrt(2 * E * step["elastic_energy"]),
+                           abs(stress), 1e-8)
+            runner.compare("plastic work", step["plastic_work"], work, 1e-8)
+            runner.compare("stored by hardening", step["hardening_energy"], stored, 1e-8)
+
+
+def recovery_converges(runner):
+    """Armstrong-Frederick in tension: first order in the size of the steps (closed form)."""
+    modulus, rate = 30000, 150
+    law = exact_uniaxial.Law(E, 400, back=((modulus, rate),))
+    errors = []
+    for n_steps in (20, 40, 80):
+        step = runner.history("verification/uniaxial_stress.prm", *law.entries(),
+                              f"Loading/Number of steps={n_steps}")[-1]
+        back_stress = modulus / rate * (1 - math.exp(-rate * step["max_equivalent_plastic_strain"]))
+        errors.append(math.sqrt(2 * E * step["elastic_energy"]) / (400 + back_stress) - 1)
+        print(f"  {n_steps} steps: deviation of the stress {errors[-1]:.2e}")
+    runner.compare("order, 20 to 40 steps", math.log2(errors[0] / errors[1]), 1, 0.1)
+    runner.compare("order, 40 to 80 steps", math.log2(errors[1] / errors[2]), 1, 0.05)
+    runner.compare("stress with 80 steps", errors[-1], 0, 4e-3, absolute=True)
+
+
+def chaboche_contact(runner):
+    """A sphere on a material with recovering back stresses: the forces lead back to the depths."""
+    entries = NONLINEAR_LAWS["Chaboche"].entries()
+    entries += ["Geometry/Local refinements=3", "Loading/Number of steps=6"]
+    case = "indentation/sphere_axisymmetric.prm"
+    by_depth = runner.history(case, *entries, "Loading/History=1: depth 0.02 | 2: depth 0.018")
+    table = " | ".join(f"{step['time']:.15g}: force {step['force']:.15g}" for step in by_depth)
+    by_force = runner.history(case, *entries, "Loading/History=" + table, "Loading/Number of steps=1")
+    for step, other in zip(by_depth, by_force):
+        for name in ("depth", "max_pressure", "plastic_volume", "plastic_work", "dissipation"):
+            runner.compare(f"t = {step['time']:g}, {name}", other[name], step[name], 1e-7)
+    for name in ("newton_iterations", "linear_iterations"):
+        print(f"  {name} by depth {[int(step[name]) for step in by_depth]},"
+              f" by force {[int(step[name]) for step in by_force]}")
 
 
 def confined_history(runner):
@@ -137,7 +197,8 @@ def sphere_indentation(runner):
     yield_stress, radius = 400, 1.0
     first_depth = 6.417988 * radius * yield_stress**2 / E_STAR**2
     first_force = 21.678895 * radius**2 * yield_stress**3 / E_STAR**2
-    steps = runner.history("indentation/sphere_axisymmetric.prm")
+    tables = runner.tables("indentation/sphere_axisymmetric.prm")
+    steps = tables["history"]
     for step in steps:
         w = step["depth"] / first_depth
         if step["time"] <= 1 and w >= 6:
@@ -154,6 +215,22 @@ def sphere_indentation(runner):
     runner.compare("work of the sphere against energies and heat", steps[-1]["external_work"],
                    sum(steps[-1][name] for name in ("elastic_energy", "hardening_energy", "dissipation")),
                    0.02)
+    oliver_pharr(runner, tables)
+
+
+def cone_indentation(runner):
+    """An elastic-plastic cone: the modulus from the unloading (exact for a half-space)."""
+    oliver_pharr(runner, runner.tables("indentation/cone_axisymmetric.prm"))
+
+
+def oliver_pharr(runner, tables):
+    """The only unloading gives back the modulus of the body."""
+    unloading, = tables["indentation"]
+    maximum = next(step for step in tables["history"] if step["time"] == 1)
+    for here, there in (("max_depth", "depth"), ("max_force", "force"), ("contact_area", "contact_area")):
+        runner.compare(here, unloading[here], maximum[there], 1e-14)
+    runner.compare("reduced modulus from the contact area", unloading["reduced_modulus"], E_STAR, 0.03)
+    runner.compare("hardness", unloading["hardness"], maximum["force"] / maximum["contact_area"], 1e-14)
 
 
 def strip_punch(runner):
@@ -180,10 +257,11 @@ def strip_punch_locks(runner):
 ALL = {
     function.__name__: function
     for function in (step42, step42_fine, confined_block, confined_history, uniaxial,
-                     uniaxial_history, force_control, hertz, hertz_axisymmetric, hertz_cylinder,
+                     uniaxial_history, nonlinear_history, recovery_converges, chaboche_contact,
+                     force_control, hertz, hertz_axisymmetric, hertz_cylinder,
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space,
-                     sphere_indentation, strip_punch, strip_punch_locks)
+                     sphere_indentation, cone_indentation, strip_punch, strip_punch_locks)
 }
 
 

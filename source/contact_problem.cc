@@ -54,6 +54,15 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  bool
+  ContactProblem<dim>::has_energy() const
+  {
+    return solid.has_energy();
+  }
+
+
+
+  template <int dim>
   double
   ContactProblem<dim>::energy(const Vector &u) const
   {

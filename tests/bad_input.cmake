@@ -70,6 +70,23 @@ add_entry_test(incompressible "'Material/Poisson's ratio' is '0.5', but it must 
 add_entry_test(zero_yield_stress "'Material/Yield stress' is '0', but it must be greater than 0" "Material/Yield stress=0")
 add_entry_test(isotropic_softening "'Material/Isotropic hardening modulus' is '-1', but it must not be negative" "Material/Isotropic hardening modulus=-1")
 add_entry_test(kinematic_softening "'Material/Kinematic hardening modulus' is '-1', but it must not be negative" "Material/Kinematic hardening modulus=-1")
+add_entry_test(voce_stress "'Material/Voce stress' is '-1', but it must not be negative: softening" "Material/Voce stress=-1")
+add_entry_test(voce_rate "'Material/Voce rate' is '-1', but it must not be negative" "Material/Voce rate=-1")
+add_entry_test(voce_without_rate "'Material/Voce rate' is '0', but 'Material/Voce stress' is not 0: then the rate must be greater" "Material/Voce stress=1")
+add_entry_test(power_law_exponent "'Material/Power law exponent' is '1.1', but it must lie between 0 .* and 1" "Material/Power law exponent=1.1")
+add_entry_test(power_law_strain "'Material/Power law reference strain' is '0', but it must be greater than 0" "Material/Power law reference strain=0")
+add_entry_test(table_format "'Material/Hardening table' is '0.1 500', but it must be 'none', or pairs" "Material/Hardening table=0.1 500")
+add_entry_test(table_empty "'Material/Hardening table' is '. 0.1: 500', but it must be 'none', or pairs" "Material/Hardening table=| 0.1: 500")
+add_entry_test(table_infinite "'Material/Hardening table' is '0.1: inf', but it must be 'none', or pairs" "Material/Hardening table=0.1: inf")
+add_entry_test(table_origin "'Material/Hardening table' is '0: 400', but its strains must increase, and the first must be greater than 0" "Material/Hardening table=0: 400")
+add_entry_test(table_strains "'Material/Hardening table' is '0.1: 500 . 0.1: 600', but its strains must increase" "Material/Hardening table=0.1: 500 | 0.1: 600")
+add_entry_test(table_stresses "'Material/Hardening table' is '0.1: 500 . 0.2: 499', but its stresses must not decrease" "Material/Hardening table=0.1: 500 | 0.2: 499")
+add_entry_test(table_start "'Material/Hardening table' is '0.1: 300', but its stresses must not decrease, nor begin below 'Material/Yield stress'" "Material/Hardening table=0.1: 300")
+add_entry_test(back_stress_number "'Material/Back stress moduli' is '1000 . x', but it must be 'none', or numbers" "Material/Back stress moduli=1000 | x")
+add_entry_test(back_stress_negative "'Material/Back stress moduli' is '-1', but it must be 'none', or numbers that are finite and not negative" "Material/Back stress moduli=-1" "Material/Recovery rates=0")
+add_entry_test(back_stress_count "'Material/Back stress moduli' is '1 . 2 . 3 . 4 . 5', but a material can have at most 4 back stresses" "Material/Back stress moduli=1 | 2 | 3 | 4 | 5")
+add_entry_test(recovery_negative "'Material/Recovery rates' is '-1', but it must be 'none', or numbers" "Material/Back stress moduli=1" "Material/Recovery rates=-1")
+add_entry_test(recovery_count "'Material/Recovery rates' is 'none', but 'Material/Back stress moduli' is '1 . 2': give one rate for each" "Material/Back stress moduli=1 | 2")
 add_entry_test(material_lists "'Material/Young's modulus' has 2 values, but another entry of this section has 3" "Material/Young's modulus=1,2" "Material/Yield stress=1,2,3")
 add_entry_test(material_id_without_material "has the material id 2, but the entries of 'Material' describe 2 materials: 0 to 1" "Geometry/Material id=if(y < 0.2, 2, 0)" "Material/Yield stress=1,2")
 add_entry_test(negative_material_id "'Geometry/Material id' is '-1', but at the centre .* is no number of a material" "Geometry/Material id=-1")
@@ -171,7 +188,7 @@ add_message_test(first_mesh_too_fine 2 "'Refinement/Maximum number of unknowns' 
 add_message_test(no_convergence 3 "has not converged in 1 iterations" ${_base} --output-directory no_convergence --overwrite --set "Nonlinear solver/Maximum number of iterations=1" --set Loading/Depth=0.1)
 add_message_test(overflow 3 "forces are no longer finite numbers" ${_base} --output-directory overflow --overwrite --set Loading/Depth=1e300)
 
-add_message_test(beyond_limit_load 4 "No equilibrium has been found for the force 4 .t = 1.: it seems to be beyond the limit load of the perfectly plastic body. The largest force reached is 0"
+add_message_test(beyond_limit_load 4 "No equilibrium has been found for the force 4 .t = 1.: it seems to be beyond the limit load of the body, whose material stops hardening. The largest force reached is 0"
   ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --output-directory beyond_limit_load --overwrite --quiet
   --set "Loading/Control=force" --set "Loading/Force=4" --set "Refinement/Number of cycles=1")
 # Steps that are taken back and cut come closer to the limit load, which is

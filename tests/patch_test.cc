@@ -31,7 +31,7 @@ namespace
     const double norm = std::sqrt(2. / 3.) * strain; // of the strain deviator
     const double multiplier =
       (2 * m.shear_modulus * norm - m.yield_radius) /
-      (2 * m.shear_modulus + m.isotropic_modulus + m.kinematic_modulus);
+      (2 * m.shear_modulus + m.isotropic_modulus);
     const double deviator = 2 * m.shear_modulus * (norm - multiplier);
     return {-m.bulk_modulus * strain - std::sqrt(2. / 3.) * deviator,
             -m.bulk_modulus * strain + std::sqrt(1. / 6.) * deviator};

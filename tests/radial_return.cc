@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The law at a point: load histories with a closed form (uniaxial strain and
-// uniaxial stress with reversal), and the properties that define it.
+// uniaxial stress with reversal), and the properties that define it. Nonlinear
+// laws: nonlinear_return.cc.
 
 #include <deal.II/base/mpi.h>
 
@@ -73,6 +74,7 @@ namespace
 
     explicit Specimen(const Material<double> &material)
       : material(material)
+      , state(material.back_stresses.size())
     {}
 
     Stress
@@ -195,6 +197,25 @@ namespace
 
 
 
+  /// Prager's rule.
+  double
+  back_stress_error(const Material<double>      &material,
+                    const SymmetricTensor<2, 3> &plastic_strain_increment,
+                    const MaterialState<double> &old_state,
+                    const MaterialState<double> &state)
+  {
+    double error = 0;
+    for (unsigned int k = 0; k < state.back_stresses.size(); ++k)
+      error =
+        std::max(error,
+                 (state.back_stresses[k] - old_state.back_stresses[k] -
+                  material.back_stresses[k].modulus * plastic_strain_increment)
+                   .norm());
+    return error;
+  }
+
+
+
   /// Whether a step that yields ends on the yield surface, and a state obeys
   /// its definition: deviatoric, flow along s - beta, Prager's rule, alpha.
   double
@@ -205,7 +226,9 @@ namespace
     const RadialReturn<double> point(material, strain, old_state);
     const auto                 state    = point.state();
     const auto                 stress   = point.deviatoric_stress();
-    const auto                 relative = stress - state.back_stress;
+    auto                       relative = stress;
+    for (const auto &back_stress : state.back_stresses)
+      relative -= back_stress;
     const auto   increment = state.plastic_strain - old_state.plastic_strain;
     const double radius =
       material.yield_radius + material.isotropic_modulus * std::sqrt(1.5) *
@@ -218,10 +241,7 @@ namespace
          stress.norm(),
        (increment - increment.norm() / relative.norm() * relative).norm() /
          increment.norm(),
-       (state.back_stress - old_state.back_stress -
-        material.kinematic_modulus * increment)
-           .norm() /
-         radius,
+       back_stress_error(material, increment, old_state, state) / radius,
        std::abs(state.equivalent_plastic_strain -
                 old_state.equivalent_plastic_strain -
                 std::sqrt(2. / 3.) * increment.norm()) /
@@ -238,7 +258,7 @@ namespace
     const auto             large    = deviator(sample_tensor<3>(5, 0.02));
     const bool             yields   = (law != "linear elastic");
 
-    const MaterialState<double> virgin;
+    const MaterialState<double> virgin(material.back_stresses.size());
     const MaterialState<double> loaded = sample_state(material);
     for (const auto &old_state : {virgin, loaded})
       {
@@ -250,7 +270,7 @@ namespace
         verify("    an elastic step changes nothing",
                elastic.plastic(1.) == 0. &&
                  elastic.state().plastic_strain == old_state.plastic_strain &&
-                 elastic.state().back_stress == old_state.back_stress &&
+                 elastic.state().back_stresses == old_state.back_stresses &&
                  elastic.state().equivalent_plastic_strain ==
                    old_state.equivalent_plastic_strain);
         verify("    stress is the derivative of energy, elastic",
@@ -273,11 +293,11 @@ namespace
   void
   virgin_step()
   {
-    const MaterialState<double> virgin;
-    const auto                  strain = deviator(sample_tensor<3>(5, 0.02));
-    const auto                  stress = [&](const std::string &law) {
-      return RadialReturn<double>(sample_material(law), strain, virgin)
-        .deviatoric_stress();
+    const auto strain = deviator(sample_tensor<3>(5, 0.02));
+    const auto stress = [&](const std::string &law) {
+      const auto                  material = sample_material(law);
+      const MaterialState<double> virgin(material.back_stresses.size());
+      return RadialReturn<double>(material, strain, virgin).deviatoric_stress();
     };
     const auto isotropic = stress("isotropic hardening");
     verify("isotropic = kinematic hardening in one virgin step",
@@ -293,40 +313,39 @@ namespace
   /// Each lane of a batch has its own material and strain; a lane without any
   /// strain and an elastic one must not disturb the others.
   void
-  lanes()
+  lanes(const std::vector<std::string> &laws)
   {
     using Batch          = Simd<double>;
     const auto strain_of = [](const unsigned int lane) {
       return deviator(sample_tensor<3>(lane, 0.005 * lane));
     };
 
-    Material<Batch>              materials;
-    MaterialState<Batch>         virgin;
+    std::vector<Material<double>>                       materials;
+    std::array<const Material<double> *, Batch::size()> of_lane;
+    for (const std::string &law : laws)
+      materials.push_back(sample_material(law));
+    for (unsigned int lane = 0; lane < Batch::size(); ++lane)
+      of_lane[lane] = &materials[lane % materials.size()];
+    const auto material = join_lanes<Batch>(of_lane, max_back_stresses);
+    const MaterialState<Batch>   virgin(max_back_stresses);
     SymmetricTensor<2, 3, Batch> strain;
     for (unsigned int lane = 0; lane < Batch::size(); ++lane)
-      {
-        const auto material = sample_material(all_laws[lane % all_laws.size()]);
-        materials.bulk_modulus[lane]      = material.bulk_modulus;
-        materials.shear_modulus[lane]     = material.shear_modulus;
-        materials.yield_radius[lane]      = material.yield_radius;
-        materials.isotropic_modulus[lane] = material.isotropic_modulus;
-        materials.kinematic_modulus[lane] = material.kinematic_modulus;
-        for (unsigned int i = 0; i < 6; ++i)
-          strain.access_raw_entry(i)[lane] =
-            strain_of(lane).access_raw_entry(i);
-      }
+      for (unsigned int i = 0; i < 6; ++i)
+        strain.access_raw_entry(i)[lane] = strain_of(lane).access_raw_entry(i);
 
-    const RadialReturn<Batch> batch(materials, strain, virgin);
+    const RadialReturn<Batch> batch(material, strain, virgin);
     const auto                stress    = batch.deviatoric_stress();
     const auto                direction = batch.flow_direction();
     double                    error     = 0;
     for (unsigned int lane = 0; lane < Batch::size(); ++lane)
       {
-        const auto material = sample_material(all_laws[lane % all_laws.size()]);
-        const MaterialState<double> old_state;
-        const RadialReturn<double>  point(material, strain_of(lane), old_state);
-        const auto                  expected = point.deviatoric_stress();
-        const auto                  expected_direction = point.flow_direction();
+        const MaterialState<double> old_state(
+          of_lane[lane]->back_stresses.size());
+        const RadialReturn<double> point(*of_lane[lane],
+                                         strain_of(lane),
+                                         old_state);
+        const auto                 expected = point.deviatoric_stress();
+        const auto                 expected_direction = point.flow_direction();
         for (unsigned int i = 0; i < 6; ++i)
           error = std::max({error,
                             std::abs(stress.access_raw_entry(i)[lane] -
@@ -353,5 +372,6 @@ main(int argc, char *argv[])
       defining_properties(law);
     }
   virgin_step();
-  lanes();
+  lanes(all_laws);
+  lanes({"Chaboche", "linear elastic", "everything", "isotropic hardening"});
 }

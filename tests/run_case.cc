@@ -7,6 +7,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -105,6 +106,35 @@ namespace
             row);
     require(row["complementarity_error"] <= 1e-8, "complementarity", row);
   }
+
+
+
+  /// Without tractions, the forces of supports and indenter add up to zero, in
+  /// each direction; the vertical one is the last.
+  void
+  check_reactions(const std::vector<Row> &history,
+                  const std::vector<Row> &reactions)
+  {
+    if (history.size() != reactions.size())
+      std::cout << "FAILED: reactions.csv has " << reactions.size() << " steps"
+                << std::endl;
+    for (unsigned int i = 0; i < reactions.size(); ++i)
+      {
+        std::map<char, double> sums;
+        double                 scale = history.at(i).at("force");
+        for (const auto &[column, value] : reactions[i])
+          if (column[column.size() - 2] == '_')
+            {
+              sums[column.back()] += value;
+              scale = std::max(scale, std::abs(value));
+            }
+        sums.rbegin()->second -= history[i].at("force");
+        for (const auto &[axis, sum] : sums)
+          if (std::abs(sum) > 1e-10 * scale)
+            std::cout << "FAILED in step " << i + 1 << ": reactions along "
+                      << axis << " leave " << sum / scale << std::endl;
+      }
+  }
 } // namespace
 
 
@@ -122,6 +152,8 @@ main(int argc, char *argv[])
       const auto rows = read_table("results/statistics.csv");
       for (const Row &row : rows)
         check_solve(row);
+      check_reactions(read_table("results/history.csv"),
+                      read_table("results/reactions.csv"));
       for (const auto &entry : std::filesystem::directory_iterator("results"))
         if (entry.path().extension() == ".vtu")
           check_fields(entry.path());

@@ -40,7 +40,9 @@ namespace
 
 
   NewtonReport
-  solve(SpringNetwork &problem, Vector &u, const unsigned int iterations = 100)
+  solve(ConstrainedMinimization &problem,
+        Vector                  &u,
+        const unsigned int       iterations = 100)
   {
     NewtonParameters parameters;
     parameters.tolerance          = 1e-12;
@@ -101,17 +103,26 @@ namespace
 
 
 
-  /// One softening spring, far from equilibrium.
-  void
-  check_line_search()
+  /// One softening spring.
+  SpringNetwork
+  softening_spring()
   {
     FullMatrix<double> spring(1, 1);
     spring(0, 0) = 1.;
-    SpringNetwork problem(spring,
-                          softening,
-                          {0.1},
-                          {std::numeric_limits<double>::infinity()},
-                          {false});
+    return SpringNetwork(spring,
+                         softening,
+                         {0.1},
+                         {std::numeric_limits<double>::infinity()},
+                         {false});
+  }
+
+
+
+  /// Far from equilibrium.
+  void
+  check_line_search()
+  {
+    SpringNetwork problem = softening_spring();
     Vector        u(1);
     u[0]                 = 3.;
     const auto report    = solve(problem, u);
@@ -165,6 +176,50 @@ namespace
 
 
 
+  /// The norm of the residual in place of the energy.
+  void
+  check_without_energy()
+  {
+    output() << "without an energy" << std::endl;
+    for (const SpringLaw &law : {linear, stiffening, softening})
+      {
+        SpringNetworkWithoutEnergy problem(chain(20, law));
+        Vector                     u(20);
+        const auto                 report = solve(problem, u);
+        verify("  optimality", problem.optimality_error(u), 1e-11);
+        verify("  at most 15 iterations", report.n_iterations() <= 15);
+      }
+
+    SpringNetworkWithoutEnergy spring(softening_spring());
+    Vector                     u(1);
+    u[0]              = 3.;
+    const auto report = solve(spring, u);
+    bool       falls  = true;
+    for (unsigned int k = 1; k < report.steps.size(); ++k)
+      falls = falls && report.steps[k].step_length > 0. &&
+              report.steps[k].step_length <= 1.;
+    verify("  a spring where full steps diverge",
+           spring.optimality_error(u),
+           1e-11);
+    verify("  steps were shortened", falls && report.steps[1].step_length < 1.);
+
+    SpringNetworkWithoutEnergy cycling(cycling_problem());
+    Vector                     v(3);
+    try
+      {
+        solve(cycling, v);
+        verify("  an active set that cycles is an error", false);
+      }
+    catch (const ConvergenceError &error)
+      {
+        verify("  an active set that cycles is an error that says why",
+               std::string(error.what()).find("makes no progress") !=
+                 std::string::npos);
+      }
+  }
+
+
+
   void
   check_limit()
   {
@@ -197,5 +252,6 @@ main(int argc, char *argv[])
   check_quadratic_convergence();
   check_line_search();
   check_cycling();
+  check_without_energy();
   check_limit();
 }

@@ -71,6 +71,12 @@ public:
     vector.reinit(load.size());
   }
 
+  bool
+  has_energy() const override
+  {
+    return true;
+  }
+
   double
   energy(const Vector &u) const override
   {
@@ -242,6 +248,27 @@ private:
   const std::vector<double>        load, bound;
   std::vector<bool>                active;
   dealii::FullMatrix<double>       tangent;
+};
+
+/// The same, with an energy that nobody knows.
+class SpringNetworkWithoutEnergy : public SpringNetwork
+{
+public:
+  explicit SpringNetworkWithoutEnergy(const SpringNetwork &network)
+    : SpringNetwork(network)
+  {}
+
+  bool
+  has_energy() const override
+  {
+    return false;
+  }
+
+  double
+  energy(const Vector &) const override
+  {
+    return 0.;
+  }
 };
 
 #endif

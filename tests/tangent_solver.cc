@@ -4,7 +4,8 @@
 // The solver for tangents: a method that fails, because its result is not
 // finite or its iterations are used up, is replaced by the next for good, with
 // one warning; and tied unknowns move together, at little more than the cost of
-// held ones once the body's response is known.
+// held ones once the body's response is known; all this also with an
+// unsymmetric tangent.
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -57,19 +58,31 @@ namespace
 
 
 
-  /// An elastic block whose bottom is held.
+  MaterialParameters
+  recovering_material()
+  {
+    MaterialParameters parameters;
+    parameters.laws               = {"nonlinear hardening"};
+    parameters.back_stress_moduli = {"60000 | 10000"};
+    parameters.recovery_rates     = {"600 | 50"};
+    return parameters;
+  }
+
+
+
+  /// A block whose bottom is held. It is elastic until it is made to flow().
   class Block
   {
   public:
     using Method = TangentSolver<dim>::Method;
 
-    Block()
+    explicit Block(const MaterialParameters &material)
       : mesh(MPI_COMM_WORLD)
       , fe(FE_Q<dim>(1), dim)
       , dof_handler(mesh)
       , solid(make_solid_operator<dim>(1,
                                        VolumetricTreatment::standard,
-                                       MaterialParameters().materials()))
+                                       material.materials()))
     {
       GridGenerator::subdivided_hyper_cube(mesh, 12, 0., 1., true);
       dof_handler.distribute_dofs(fe);
@@ -83,6 +96,17 @@ namespace
       held = boundary_entries(2, ComponentMask());
       top  = boundary_entries(3, ComponentMask(std::vector<bool>{false, true}));
       VectorTools::interpolate(dof_handler, SampleField<dim>(0, 1.), rhs);
+    }
+
+    /// Plastic flow, first in one direction, then in another.
+    void
+    flow()
+    {
+      VectorType u = rhs;
+      u *= 0.02;
+      solid->commit(u);
+      VectorTools::interpolate(dof_handler, SampleField<dim>(1, 0.02), u);
+      solid->linearize(u);
     }
 
     void
@@ -101,9 +125,9 @@ namespace
     }
 
     void
-    check_ties()
+    check_ties(const std::string &title)
     {
-      output() << "Tied unknowns" << std::endl;
+      output() << title << std::endl;
       const Method       amg = {"AMG", [&]() { return make_amg(); }, 1000};
       TangentSolver<dim> solver({amg}, [](const std::string &) {});
 
@@ -186,7 +210,7 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  Block block;
+  Block block((MaterialParameters()));
   block.check_fallback("No failure",
                        {Block::scaling("First", 1., 1000),
                         Block::scaling("Second", 1., 1000)});
@@ -196,5 +220,12 @@ main(int argc, char *argv[])
   block.check_fallback("Values that are not finite",
                        {Block::scaling("First", 0., 1000),
                         Block::scaling("Second", 1., 1000)});
-  block.check_ties();
+  block.check_ties("Tied unknowns");
+
+  Block recovering(recovering_material());
+  recovering.flow();
+  recovering.check_fallback("Unsymmetric, too many iterations",
+                            {Block::scaling("First", 1e-5, 10),
+                             Block::scaling("Second", 1e-5, 10000)});
+  recovering.check_ties("Unsymmetric, tied unknowns");
 }

@@ -14,8 +14,10 @@ namespace ElastoPlastic
   /// What the coordinates of a mesh mean.
   enum class Kinematics
   {
-    cartesian,   ///< a body in space; in two dimensions, its section in plane
-                 ///< strain, of unit thickness
+    cartesian,    ///< a body in space; in two dimensions, its section in plane
+                  ///< strain, of unit thickness
+    plane_stress, ///< in two dimensions, a sheet of unit thickness that bears
+                  ///< no stress across
     axisymmetric ///< in two dimensions, the half section x = r >= 0 of a body
                  ///< of revolution about the axis x = 0
   };

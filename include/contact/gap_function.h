@@ -27,6 +27,10 @@ namespace ElastoPlastic
     bool
     has_indenter() const;
 
+    /// The horizontal position of the indenter.
+    const Point<dim - 1> &
+    position() const;
+
     /// The vertical distance from the point @p p of the undeformed body up to
     /// the undisplaced indenter; +infinity outside Gamma_0, where the indenter
     /// does not reach.
@@ -35,7 +39,7 @@ namespace ElastoPlastic
 
   private:
     const std::unique_ptr<const Indenter<dim>> indenter;
-    const Point<dim - 1>                       position;
+    const Point<dim - 1>                       indenter_position;
     const double                               reach;
     const double                               tip_height;
   };

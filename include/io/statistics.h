@@ -4,45 +4,62 @@
 #ifndef io_statistics_h
 #define io_statistics_h
 
+#include <optional>
+
+#include "evaluation/indentation_test.h"
 #include "io/csv_file.h"
 #include "io/screen.h"
 
 namespace ElastoPlastic
 {
-  /// The tables statistics.csv (a row per nonlinear solve), history.csv (a row
-  /// per converged load step) and mesh_changes.csv (a row per change of the
-  /// mesh between two load steps).
+  /// The tables statistics.csv (a row per nonlinear solve), history.csv and
+  /// reactions.csv (a row per converged load step), mesh_changes.csv (a row per
+  /// change of the mesh between two load steps), and indentation.csv (a row per
+  /// unloading that can be evaluated; without one there is no file).
   class Statistics
   {
   public:
-    /// The number of rows of each table.
-    struct Sizes
+    /// How many rows each table has, and what has been noted of an unloading
+    /// that is not over.
+    struct Progress
     {
-      unsigned int statistics = 0, history = 0, mesh_changes = 0;
+      unsigned int statistics = 0, history = 0, reactions = 0;
+      unsigned int mesh_changes = 0, indentation = 0;
+
+      IndentationTest::Progress unloading;
 
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int /* version */)
       {
-        archive &statistics &history &mesh_changes;
+        archive &statistics &history       &reactions;
+        archive &mesh_changes &indentation &unloading;
       }
     };
 
-    /// Creates the files in @p directory, or goes on after the first @p sizes
-    /// rows of those that are there. @throws FileError
-    Statistics(const MPI_Comm     communicator,
-               const std::string &directory,
-               const Sizes       &sizes);
+    /// Creates the files in @p directory, or goes on after the first rows, as
+    /// many as @p progress says, of those that are there; reactions.csv has a
+    /// column for each of @p reaction_names. @throws FileError
+    Statistics(const MPI_Comm                        communicator,
+               const std::string                    &directory,
+               const std::vector<std::string>       &reaction_names,
+               const std::optional<IndentationTest> &indentation_test,
+               const Progress                       &progress);
 
-    Sizes
-    sizes() const;
+    Progress
+    progress() const;
 
     void
     add_solve(const SolveResult &result);
 
-    /// @p result is that of the last solve of the step.
+    /// @p result is that of the last solve of the step, @p reactions in the
+    /// order of their names.
     void
-    add_step(const SolveResult &result);
+    add_step(const SolveResult &result, const std::vector<double> &reactions);
+
+    /// After the last step.
+    void
+    finish();
 
     /// @p before and @p after are the equilibria on the old and the new mesh
     /// under the same load; plastic work and dissipation of @p after are those
@@ -51,9 +68,22 @@ namespace ElastoPlastic
     add_mesh_change(const SolveResult &before, const SolveResult &after);
 
   private:
-    CsvFile statistics;
-    CsvFile history;
-    CsvFile mesh_changes;
+    void
+    open_indentation(const unsigned int n_rows);
+
+    void
+    add_unloading(const std::optional<UnloadingResult> &result);
+
+    const MPI_Comm    communicator;
+    const std::string directory;
+
+    CsvFile                statistics;
+    CsvFile                history;
+    CsvFile                reactions;
+    CsvFile                mesh_changes;
+    std::optional<CsvFile> indentation;
+
+    std::optional<IndentationTest> indentation_test;
   };
 } // namespace ElastoPlastic
 

@@ -4,12 +4,41 @@
 #ifndef material_material_h
 #define material_material_h
 
+#include <boost/container/static_vector.hpp>
+
+#include <array>
+#include <limits>
+#include <memory>
+
+#include "base/lanes.h"
+#include "material/hardening_curve.h"
+
 namespace ElastoPlastic
 {
-  /// The constants of an isotropic elasto-plastic material with linear
-  /// hardening, in the form the radial return needs them: all of them are
-  /// stresses. @p Number is double, or a VectorizedArray when the cells of a
-  /// batch consist of different materials.
+  /// So many back stresses may a material have.
+  constexpr unsigned int max_back_stresses = 4;
+
+
+
+  /// The evolution of a back stress, with the plastic strain e_p and the
+  /// plastic multiplier gamma: beta' = modulus e_p' - recovery beta gamma'
+  /// @cite armstrong_frederick_1966.
+  template <typename Number>
+  struct BackStressLaw
+  {
+    /// c = 2/3 C, unit: stress. It is positive where recovery is.
+    Number modulus;
+    /// g = sqrt(2/3) gamma; without it, this is Prager's rule.
+    Number recovery;
+  };
+
+
+
+  /// The constants of an isotropic elasto-plastic material, in the form the
+  /// radial return needs them. Its yield stress is sigma_0 + H alpha +
+  /// h(alpha), alpha being the equivalent plastic strain; its back stress is
+  /// the sum of several. @p Number is double, or a VectorizedArray when the
+  /// cells of a batch consist of different materials.
   template <typename Number>
   struct Material
   {
@@ -22,9 +51,94 @@ namespace ElastoPlastic
     Number yield_radius;
     /// 2/3 H: what the radius gains per unit of the plastic multiplier.
     Number isotropic_modulus;
-    /// 2/3 H_k: Prager's modulus of the back stress.
-    Number kinematic_modulus;
+
+    boost::container::static_vector<BackStressLaw<Number>, max_back_stresses>
+      back_stresses;
+
+    /// h, of each lane; none if it is zero.
+    std::array<std::shared_ptr<const HardeningCurve>, n_lanes<Number>> curves;
+
+    /// Whether there is neither h nor recovery: the return to the yield
+    /// surface then is a formula.
+    bool is_linear = true;
   };
+
+
+
+  inline bool
+  has_recovery(const Material<double> &material)
+  {
+    for (const auto &law : material.back_stresses)
+      if (law.recovery > 0)
+        return true;
+    return false;
+  }
+
+
+
+  /// Whether the material cannot carry more than a certain shear stress: a body
+  /// of it has a limit load.
+  inline bool
+  has_limit(const Material<double> &material)
+  {
+    for (const auto &law : material.back_stresses)
+      if (law.modulus > 0 && law.recovery == 0)
+        return false;
+    return material.yield_radius < std::numeric_limits<double>::infinity() &&
+           material.isotropic_modulus == 0 &&
+           (!material.curves[0] || material.curves[0]->is_bounded());
+  }
+
+
+
+  /// Puts the materials @p of_lane together, with @p n_back_stresses back
+  /// stresses, as many as the richest of them has, or more.
+  template <typename Number>
+  Material<Number>
+  join_lanes(
+    const std::array<const Material<double> *, n_lanes<Number>> &of_lane,
+    const unsigned int n_back_stresses)
+  {
+    Material<Number> result;
+    result.back_stresses.resize(n_back_stresses, {Number(0.), Number(0.)});
+    for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+      {
+        const Material<double> &material        = *of_lane[lane];
+        lane_of(result.bulk_modulus, lane)      = material.bulk_modulus;
+        lane_of(result.shear_modulus, lane)     = material.shear_modulus;
+        lane_of(result.yield_radius, lane)      = material.yield_radius;
+        lane_of(result.isotropic_modulus, lane) = material.isotropic_modulus;
+        for (unsigned int k = 0; k < material.back_stresses.size(); ++k)
+          {
+            const auto &[modulus, recovery] = material.back_stresses[k];
+            lane_of(result.back_stresses[k].modulus, lane)  = modulus;
+            lane_of(result.back_stresses[k].recovery, lane) = recovery;
+          }
+        result.curves[lane] = material.curves[0];
+        result.is_linear    = result.is_linear && material.is_linear;
+      }
+    return result;
+  }
+
+
+
+  /// The material of one lane.
+  template <typename Number>
+  Material<double>
+  lane_of(const Material<Number> &material, const unsigned int lane)
+  {
+    Material<double> result;
+    result.bulk_modulus      = lane_of(material.bulk_modulus, lane);
+    result.shear_modulus     = lane_of(material.shear_modulus, lane);
+    result.yield_radius      = lane_of(material.yield_radius, lane);
+    result.isotropic_modulus = lane_of(material.isotropic_modulus, lane);
+    for (const auto &[modulus, recovery] : material.back_stresses)
+      result.back_stresses.push_back(
+        {lane_of(modulus, lane), lane_of(recovery, lane)});
+    result.curves[0] = material.curves[lane];
+    result.is_linear = material.is_linear;
+    return result;
+  }
 } // namespace ElastoPlastic
 
 #endif

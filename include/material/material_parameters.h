@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "material/material.h"
+#include "material/hardening_input.h"
 
 namespace ElastoPlastic
 {
@@ -26,6 +26,15 @@ namespace ElastoPlastic
     std::vector<double>      isotropic_moduli = {2000.};
     std::vector<double>      kinematic_moduli = {0.};
 
+    // nonlinear hardening; the texts are read by hardening_input.h
+    std::vector<double>      voce_stresses               = {0.};
+    std::vector<double>      voce_rates                  = {0.};
+    std::vector<double>      power_law_exponents         = {0.};
+    std::vector<double>      power_law_reference_strains = {0.01};
+    std::vector<std::string> hardening_tables            = {"none"};
+    std::vector<std::string> back_stress_moduli          = {"none"};
+    std::vector<std::string> recovery_rates              = {"none"};
+
     void
     add_parameters(ParameterHandler &prm);
 
@@ -38,6 +47,32 @@ namespace ElastoPlastic
     /// for every id.
     std::vector<Material<double>>
     materials() const;
+
+  private:
+    void
+    add_nonlinear_hardening(ParameterHandler &prm);
+
+    void
+    check_nonlinear_hardening() const;
+
+    /// The number of values of each entry.
+    std::vector<std::pair<std::string, unsigned int>>
+    list_lengths() const;
+
+    /// The longest list.
+    unsigned int
+    n_materials() const;
+
+    /// What the material @p id has beyond linear isotropic hardening if its law
+    /// is nonlinear hardening.
+    HardeningCurve
+    hardening_curve(const unsigned int id) const;
+
+    std::vector<BackStressLaw<double>>
+    nonlinear_back_stresses(const unsigned int id) const;
+
+    std::vector<BackStressLaw<double>>
+    back_stresses(const unsigned int id) const;
   };
 } // namespace ElastoPlastic
 

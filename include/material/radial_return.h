@@ -4,82 +4,19 @@
 #ifndef material_radial_return_h
 #define material_radial_return_h
 
-#include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/base/vectorization.h>
-
-#include <array>
-
-#include "base/tensors.h"
-#include "material/material.h"
+#include "material/deviatoric_tangent.h"
+#include "material/material_state.h"
+#include "material/return_equation.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// What a material point remembers of its past. Tensors are deviatoric and
-  /// three-dimensional, also in plane problems.
-  template <typename Number>
-  struct MaterialState
-  {
-    SymmetricTensor<2, 3, Number> plastic_strain;
-    SymmetricTensor<2, 3, Number> back_stress;
-    /// alpha, with the rate sqrt(2/3) |plastic strain rate|.
-    Number equivalent_plastic_strain = Number(0.);
-
-    /// All numbers that a state consists of, for storage.
-    static constexpr unsigned int n_numbers = 13;
-
-    std::array<Number *, n_numbers>
-    numbers()
-    {
-      std::array<Number *, n_numbers> result;
-      for (unsigned int i = 0; i < 6; ++i)
-        {
-          result[i]     = &plastic_strain.access_raw_entry(i);
-          result[6 + i] = &back_stress.access_raw_entry(i);
-        }
-      result[12] = &equivalent_plastic_strain;
-      return result;
-    }
-  };
-
-
-
-  /// The deviatoric part of a tangent, de -> a de - (m (l : de) + l (m : de))/2
-  /// with a = 2 G theta, where m and l are the normal of the yield surface and
-  /// the flow direction, both times sqrt(2 G theta_bar); for the consistent
-  /// tangent they are the same (doc/theory.md, "Material"). Since both are
-  /// deviatoric, their in-plane parts (dim = 2) say all about them.
-  template <int dim, typename Number>
-  struct DeviatoricTangent
-  {
-    Number                          shear = Number(0.);
-    SymmetricTensor<2, dim, Number> normal;
-    SymmetricTensor<2, dim, Number> flow;
-
-    /// The deviatoric stress increment that belongs to the increment @p strain.
-    DEAL_II_ALWAYS_INLINE SymmetricTensor<2, 3, Number>
-    operator*(const SymmetricTensor<2, 3, Number> &strain) const
-    {
-      const auto m = in_space<dim>(normal, Number(-trace(normal)));
-      const auto l = in_space<dim>(flow, Number(-trace(flow)));
-
-      const Number                  mean   = shear * trace(strain) * (1. / 3.);
-      SymmetricTensor<2, 3, Number> stress = shear * strain;
-      stress -= (0.5 * (l * strain)) * m;
-      stress -= (0.5 * (m * strain)) * l;
-      for (unsigned int d = 0; d < 3; ++d)
-        stress[d][d] -= mean;
-      return stress;
-    }
-  };
-
-
-
-  /// One backward Euler step of J2 plasticity with linear isotropic and
-  /// kinematic hardening: the closed-form radial return
-  /// @cite simo_hughes_1998 (box 3.1). Works on all lanes of a
-  /// VectorizedArray at once, with masks in place of branches.
+  /// One backward Euler step of J2 plasticity with isotropic and kinematic
+  /// hardening. If both are linear, it is the closed-form radial return
+  /// @cite simo_hughes_1998 (box 3.1), on all lanes of a VectorizedArray at
+  /// once, with masks in place of branches. If not, a scalar equation is solved
+  /// lane by lane (ReturnEquation).
   ///
   /// Everything is deviatoric; the pressure K tr(strain) is the caller's.
   template <typename Number>
@@ -89,31 +26,38 @@ namespace ElastoPlastic
     using Tensor3 = SymmetricTensor<2, 3, Number>;
 
     /// @p strain is the deviator of the total strain at the end of the step,
-    /// @p old_state the state at its beginning.
+    /// @p old_state the state at its beginning, with as many back stresses as
+    /// the material. @p material must outlive this object.
     RadialReturn(const Material<Number>      &material,
                  const Tensor3               &strain,
                  const MaterialState<Number> &old_state)
       : material(material)
       , old_state(old_state)
-      , modulus(2. * material.shear_modulus + material.isotropic_modulus +
-                material.kinematic_modulus)
       , elastic_trial_strain(strain - old_state.plastic_strain)
     {
+      AssertDimension(material.back_stresses.size(),
+                      old_state.back_stresses.size());
+
       // Step 1: trial stress relative to the centre of the yield surface
-      const Tensor3 relative_stress =
-        2. * material.shear_modulus * elastic_trial_strain -
-        old_state.back_stress;
+      Tensor3 relative_stress =
+        2. * material.shear_modulus * elastic_trial_strain;
+      for (const Tensor3 &back_stress : old_state.back_stresses)
+        relative_stress -= back_stress;
       // (a norm of zero is replaced: the direction then is zero as well)
-      trial_norm = std::max(relative_stress.norm(), Number(1e-100));
-      direction  = relative_stress / trial_norm;
+      norm      = std::max(relative_stress.norm(), Number(1e-100));
+      direction = relative_stress / norm;
 
       // Step 2: the radius; sqrt(2/3) H alpha = 2/3 H sqrt(3/2) alpha
-      radius = material.yield_radius + material.isotropic_modulus *
-                                         std::sqrt(1.5) *
-                                         old_state.equivalent_plastic_strain;
+      const Number alpha = old_state.equivalent_plastic_strain;
+      radius             = material.yield_radius +
+               material.isotropic_modulus * std::sqrt(1.5) * alpha +
+               std::sqrt(2. / 3.) * from_curves(&HardeningCurve::value, alpha);
 
       // Step 3: return to the yield surface along the direction
-      multiplier = std::max(trial_norm - radius, Number(0.)) / modulus;
+      modulus    = linear_modulus();
+      multiplier = std::max(norm - radius, Number(0.)) / modulus;
+      if (!material.is_linear)
+        return_with_nonlinear_law(relative_stress);
     }
 
     /// s = 2 G (e - e_p) at the end of the step.
@@ -125,13 +69,19 @@ namespace ElastoPlastic
     }
 
     /// The incremental potential whose derivative with respect to the strain
-    /// is deviatoric_stress(): G |e - e_p,n|^2 - (multiplier)^2 modulus / 2.
+    /// is deviatoric_stress() (doc/theory.md, "Material"). With recovery there
+    /// is none, and this is of no use.
     Number
     energy() const
     {
+      const Number end   = end_of_step_alpha();
+      const Number begin = old_state.equivalent_plastic_strain;
       return material.shear_modulus *
                (elastic_trial_strain * elastic_trial_strain) -
-             0.5 * modulus * multiplier * multiplier;
+             0.5 * linear_modulus() * multiplier * multiplier -
+             (from_curves(&HardeningCurve::value, end) * (end - begin) -
+              from_curves(&HardeningCurve::integral, end) +
+              from_curves(&HardeningCurve::integral, begin));
     }
 
     /// The flow direction at the end of the step: the relative stress divided
@@ -139,21 +89,37 @@ namespace ElastoPlastic
     Tensor3
     flow_direction() const
     {
-      return (trial_norm / std::max(trial_norm, radius)) * direction;
+      return (norm / std::max(norm, radius)) * direction;
     }
 
     /// The derivative of deviatoric_stress() with respect to the strain, where
     /// @p flow, not longer than 1, stands for the flow direction; symmetrised.
     /// With flow_direction() it is the consistent tangent
-    /// @cite rudi_shih_stadler_2020.
+    /// @cite rudi_shih_stadler_2020. For laws without recovery whose hardening
+    /// never becomes steeper.
     DeviatoricTangent<3, Number>
     tangent(const Tensor3 &flow) const
     {
-      const Number two_g     = 2. * material.shear_modulus;
-      const Number softening = two_g * multiplier / trial_norm; // 1 - theta
-      const Number theta_bar = two_g / modulus - softening;
-      const Number scale     = std::sqrt(plastic(two_g * theta_bar));
-      return {two_g * (1. - softening), scale * direction, scale * flow};
+      const Number scale = std::sqrt(plastic(softness()));
+      return {shear_stiffness(), scale * direction, scale * flow};
+    }
+
+    /// The consistent tangent of any law. Its product is the unsymmetric one;
+    /// without recovery, the symmetric product is the same.
+    DeviatoricTangent<3, Number>
+    exact_tangent() const
+    {
+      const Number  two_g = 2. * material.shear_modulus;
+      const Tensor3 turn  = recovery_of_norm();
+      const Number  omega = two_g * two_g * multiplier / (norm * modulus);
+      const Tensor3 left  = plastic(softness()) * direction +
+                           omega * (turn - (direction * turn) * direction);
+      // (a softness of zero would leave nothing to multiply left with)
+      const Number scale = std::sqrt(
+        plastic(std::max(std::abs(softness()), Number(1e-12 * two_g))));
+      return {shear_stiffness(),
+              scale * direction,
+              left / std::max(scale, Number(1e-100))};
     }
 
     /// The flow direction that Newton's method predicts for a strain that is
@@ -165,9 +131,9 @@ namespace ElastoPlastic
     {
       const Tensor3 stress_increment = 2. * material.shear_modulus * increment;
       const Tensor3 prediction =
-        (trial_norm * direction + stress_increment -
+        (norm * direction + stress_increment -
          plastic(direction * stress_increment) * flow) /
-        std::max(trial_norm, radius);
+        std::max(norm, radius);
       return prediction / std::max(prediction.norm(), Number(1.));
     }
 
@@ -188,8 +154,8 @@ namespace ElastoPlastic
       return material.shear_modulus * (elastic_strain * elastic_strain);
     }
 
-    /// What hardening has stored at the end of the step,
-    /// H alpha^2 / 2 + |beta|^2 / (2 (2/3 H_k)).
+    /// What hardening has stored at the end of the step:
+    /// int_0^alpha (sigma_Y - sigma_0) + sum_k |beta_k|^2 / (2 c_k).
     Number
     hardening_energy() const
     {
@@ -197,7 +163,7 @@ namespace ElastoPlastic
     }
 
     /// The part of the plastic work that has become heat: what hardening has
-    /// not stored. Not negative.
+    /// not stored. Not negative (doc/theory.md, "Load histories").
     Number
     dissipation() const
     {
@@ -209,11 +175,17 @@ namespace ElastoPlastic
     MaterialState<Number>
     state() const
     {
-      return {old_state.plastic_strain + multiplier * direction,
-              old_state.back_stress +
-                material.kinematic_modulus * multiplier * direction,
-              old_state.equivalent_plastic_strain +
-                std::sqrt(2. / 3.) * multiplier};
+      MaterialState<Number> result = old_state;
+      result.plastic_strain += multiplier * direction;
+      result.equivalent_plastic_strain = end_of_step_alpha();
+      for (unsigned int k = 0; k < result.back_stresses.size(); ++k)
+        {
+          Tensor3 &back_stress = result.back_stresses[k];
+          back_stress +=
+            material.back_stresses[k].modulus * multiplier * direction;
+          back_stress *= theta(k);
+        }
+      return result;
     }
 
     /// @p value on the lanes that yield, zero on the others.
@@ -227,28 +199,166 @@ namespace ElastoPlastic
     }
 
   private:
+    /// 2 G + 2/3 H + sum_k c_k
+    Number
+    linear_modulus() const
+    {
+      Number sum = 2. * material.shear_modulus + material.isotropic_modulus;
+      for (const auto &law : material.back_stresses)
+        sum += law.modulus;
+      return sum;
+    }
+
+    Number
+    end_of_step_alpha() const
+    {
+      return old_state.equivalent_plastic_strain +
+             std::sqrt(2. / 3.) * multiplier;
+    }
+
+    /// What the recovery in the step leaves of a back stress.
+    Number
+    theta(const unsigned int k) const
+    {
+      return 1. / (1. + material.back_stresses[k].recovery * multiplier);
+    }
+
+    /// 2 G theta: the stiffness against shear across the flow direction.
+    Number
+    shear_stiffness() const
+    {
+      const Number two_g = 2. * material.shear_modulus;
+      return two_g * (1. - two_g * multiplier / norm);
+    }
+
+    /// 2 G theta_bar, on lanes that yield: by how much the stiffness along the
+    /// flow direction is smaller.
+    Number
+    softness() const
+    {
+      const Number two_g = 2. * material.shear_modulus;
+      return two_g * (two_g / modulus - two_g * multiplier / norm);
+    }
+
+    /// dz/d(multiplier) = sum_k theta_k^2 g_k beta_k,n
+    Tensor3
+    recovery_of_norm() const
+    {
+      Tensor3 sum;
+      for (unsigned int k = 0; k < old_state.back_stresses.size(); ++k)
+        sum += (theta(k) * theta(k) * material.back_stresses[k].recovery) *
+               old_state.back_stresses[k];
+      return sum;
+    }
+
+    /// A function of alpha of the lanes' hardening curves; zero without them.
+    Number
+    from_curves(double (HardeningCurve::*function)(const double) const,
+                const Number &alpha) const
+    {
+      Number result = Number(0.);
+      if (!material.is_linear)
+        for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+          if (material.curves[lane])
+            lane_of(result, lane) =
+              ((*material.curves[lane]).*function)(lane_of(alpha, lane));
+      return result;
+    }
+
+    /// Step 3 for the general law: the multiplier, and what depends on it.
+    void
+    return_with_nonlinear_law(const Tensor3 &trial)
+    {
+      solve_return_equations(trial);
+
+      Tensor3 relative_stress = trial;
+      for (unsigned int k = 0; k < old_state.back_stresses.size(); ++k)
+        relative_stress += (1. - theta(k)) * old_state.back_stresses[k];
+      norm      = std::max(relative_stress.norm(), Number(1e-100));
+      direction = relative_stress / norm;
+
+      modulus =
+        2. * material.shear_modulus + material.isotropic_modulus -
+        direction * recovery_of_norm() +
+        2. / 3. * from_curves(&HardeningCurve::slope, end_of_step_alpha());
+      for (unsigned int k = 0; k < old_state.back_stresses.size(); ++k)
+        modulus += theta(k) * theta(k) * material.back_stresses[k].modulus;
+    }
+
+    void
+    solve_return_equations(const Tensor3 &trial);
+
     Number
     stored_by_hardening(const MaterialState<Number> &state) const
     {
       const Number alpha = state.equivalent_plastic_strain;
-      // (without kinematic hardening there is no back stress)
-      return 0.75 * material.isotropic_modulus * alpha * alpha +
-             0.5 * (state.back_stress * state.back_stress) /
-               std::max(material.kinematic_modulus, Number(1e-100));
+      Number       sum   = 0.75 * material.isotropic_modulus * alpha * alpha +
+                   from_curves(&HardeningCurve::integral, alpha);
+      // (where the modulus is zero, there is no back stress)
+      for (unsigned int k = 0; k < state.back_stresses.size(); ++k)
+        sum += 0.5 * (state.back_stresses[k] * state.back_stresses[k]) /
+               std::max(material.back_stresses[k].modulus, Number(1e-100));
+      return sum;
     }
 
-    const Material<Number>       material;
-    const MaterialState<Number> &old_state;
+    const Material<Number>     &material;
+    const MaterialState<Number> old_state;
 
-    /// 2 G + 2/3 (H + H_k)
-    const Number  modulus;
     const Tensor3 elastic_trial_strain;
-    Number        trial_norm;
-    Tensor3       direction;
-    Number        radius;
+    /// The relative stress z, from which the return is radial: xi, the trial
+    /// stress less the old back stresses, plus what these lose in the step by
+    /// recovery.
+    Number  norm;
+    Tensor3 direction;
+    /// At the beginning of the step.
+    Number radius;
+    /// What the excess of the stress over the yield surface falls by per unit
+    /// of the multiplier.
+    Number modulus;
     /// Delta gamma, the length of the plastic strain increment.
     Number multiplier;
   };
+
+
+
+  template <typename Number>
+  void
+  RadialReturn<Number>::solve_return_equations(const Tensor3 &trial)
+  {
+    const unsigned int n_back_stresses = old_state.back_stresses.size();
+
+    std::array<std::array<Number, max_back_stresses + 1>, max_back_stresses + 1>
+      products;
+    for (unsigned int i = 0; i <= n_back_stresses; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        products[i][j] = products[j][i] =
+          (i == 0 ? trial : old_state.back_stresses[i - 1]) *
+          (j == 0 ? trial : old_state.back_stresses[j - 1]);
+
+    ReturnEquation equation;
+    equation.back_stresses.resize(n_back_stresses);
+    for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+      if (lane_of(multiplier, lane) > 0)
+        {
+          const double alpha =
+            lane_of(old_state.equivalent_plastic_strain, lane);
+          equation.elastic_modulus = 2. * lane_of(material.shear_modulus, lane);
+          equation.isotropic_modulus =
+            lane_of(material.isotropic_modulus, lane);
+          equation.radius = lane_of(material.yield_radius, lane) +
+                            equation.isotropic_modulus * std::sqrt(1.5) * alpha;
+          equation.equivalent_plastic_strain = alpha;
+          equation.curve                     = material.curves[lane].get();
+          for (unsigned int k = 0; k < n_back_stresses; ++k)
+            equation.back_stresses[k] = {
+              lane_of(material.back_stresses[k].modulus, lane),
+              lane_of(material.back_stresses[k].recovery, lane)};
+          for (unsigned int i = 0; i <= n_back_stresses; ++i)
+            for (unsigned int j = 0; j <= n_back_stresses; ++j)
+              equation.products[i][j] = lane_of(products[i][j], lane);
+          lane_of(multiplier, lane) = equation.solve();
+        }
+  }
 } // namespace ElastoPlastic
 
 #endif

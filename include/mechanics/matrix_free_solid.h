@@ -31,6 +31,9 @@ namespace ElastoPlastic
     MatrixFreeSolid(const StrainModel                   &strain_model,
                     const std::vector<Material<double>> &materials);
 
+    bool
+    has_energy() const override;
+
     void
     reinit(const DoFHandler<dim>           &dof_handler,
            const AffineConstraints<double> &constraints) override;
@@ -93,9 +96,20 @@ namespace ElastoPlastic
 
     static constexpr unsigned int n_points = Utilities::pow(degree + 1, dim);
 
+    /// Finds the materials of all cell batches.
+    void
+    collect_materials(const MPI_Comm communicator);
+
     /// The materials of the cells of a batch.
-    Material<Number>
-    material_of(const unsigned int cell_batch) const;
+    const Material<Number> &
+    material_of(const unsigned int cell_batch) const
+    {
+      return batch_materials[materials.size() == 1 ? 0 : cell_batch];
+    }
+
+    /// The state before the step at a point, counted over all batches.
+    MaterialState<Number>
+    old_state(const unsigned int point) const;
 
     /// The radial return at a point of the current cell, from the state before
     /// the step.
@@ -106,11 +120,9 @@ namespace ElastoPlastic
 
     /// The deviator of the strain at a point of the current cell.
     Strain
-    deviator_at(const CellEvaluation &phi, const unsigned int point) const
-    {
-      return strain_deviator(
-        strain_at<dim, degree>(phi, point, strain_model.kinematics));
-    }
+    deviator_at(const CellEvaluation   &phi,
+                const unsigned int      point,
+                const Material<Number> &material) const;
 
     /// The volume of a point of the current cell.
     Number
@@ -148,12 +160,18 @@ namespace ElastoPlastic
 
     const StrainModel                   strain_model;
     const std::vector<Material<double>> materials;
+    /// The largest number of back stresses that a material has.
+    const unsigned int n_back_stresses;
+    /// Whether a back stress recovers.
+    const bool recovers;
+    /// Whether linearize() uses predicted flow directions: not if the tangent
+    /// is unsymmetric, or a hardening curve becomes steeper.
+    const bool predicts_flow;
 
     MatrixFree<dim, double, Number> matrix_free;
 
-    /// For each cell batch and lane an index into materials; empty if there is
-    /// only one material.
-    std::vector<std::array<unsigned int, Number::size()>> material_indices;
+    /// One for each cell batch, or only one if there is only one material.
+    std::vector<Material<Number>> batch_materials;
 
     /// What describes the tangent at a point, but for the flow direction: its
     /// flow is flow_length times that.
@@ -165,14 +183,15 @@ namespace ElastoPlastic
     };
 
     /// Of all points, n_points per cell batch: the tangents and the predicted
-    /// flow directions.
+    /// flow directions. If these are not predicted, their place is taken by the
+    /// second tensor of the tangents, and flow_length is 1.
     SinglePrecisionStorage<PointTangent>                  tangents;
     SinglePrecisionStorage<SymmetricTensor<2, 3, Number>> flow_directions;
 
-    /// The states of all points before the step; none as long as all points
-    /// are virgin.
-    AlignedVector<MaterialState<Number>> history;
-    const MaterialState<Number>          virgin_state;
+    /// The states of all points before the step, packed, n_state_values
+    /// numbers each; none as long as all points are virgin.
+    AlignedVector<Number> history;
+    const unsigned int    n_state_values;
   };
 
 

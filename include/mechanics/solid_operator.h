@@ -117,6 +117,11 @@ namespace ElastoPlastic
   public:
     virtual ~SolidOperator() = default;
 
+    /// Whether the forces are the derivative of energy(). If not, because back
+    /// stresses recover, then tangents are unsymmetric.
+    virtual bool
+    has_energy() const = 0;
+
     /// Prepares everything that depends on the mesh; all points are virgin.
     /// @p dof_handler and @p constraints must outlive this object or the next
     /// call.
@@ -142,6 +147,8 @@ namespace ElastoPlastic
     initialize_vector(VectorType &vector) const = 0;
 
     /// int W(strain(u)) dx, the incremental energy (doc/theory.md, "Material").
+    /// If there is none: the elastic energy and the plastic work of the step,
+    /// to look at.
     virtual double
     energy(const VectorType &u) const = 0;
 
@@ -156,7 +163,7 @@ namespace ElastoPlastic
 
     /// Computes and stores a tangent at u, for vmult(), diagonal() and
     /// add_matrix(): the consistent one, but with the predicted flow directions
-    /// (doc/theory.md, "Newton's method for plasticity").
+    /// (doc/theory.md, "Newton's method for plasticity") where those exist.
     virtual void
     linearize(const VectorType &u) = 0;
 
@@ -181,7 +188,8 @@ namespace ElastoPlastic
                const AffineConstraints<double> &all_constraints) const = 0;
 
     /// Calls @p receive for all locally owned cells with the mean of the stored
-    /// tangent. (The means of the two factors of the soft direction make the
+    /// tangent, or of its definite part if there are no predicted flow
+    /// directions. (The means of the two factors of the soft direction make the
     /// mean stiffer than the tangent, and so positive definite.)
     virtual void
     for_each_cell_tangent(

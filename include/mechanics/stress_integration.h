@@ -60,8 +60,8 @@ namespace ElastoPlastic
 
 
 
-  /// The strain at a quadrature point. Out of plane it is zero in plane strain,
-  /// and u_r / r for a body of revolution.
+  /// The strain at a quadrature point. Out of plane it is u_r / r for a body of
+  /// revolution, and else zero: in plane stress, the material says what it is.
   template <int dim, int degree, typename Number>
   DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, 3, Simd<Number>>
   strain_at(const DisplacementEvaluation<dim, degree, Number> &phi,
@@ -149,8 +149,47 @@ namespace ElastoPlastic
 
 
 
+  /// The mean stress: what belongs to the volumetric strain, or in plane
+  /// stress, where that is not known, what together with the @p
+  /// deviatoric_stress leaves no stress out of plane.
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE inline Number
+  mean_stress(const Number                        &volumetric_stress,
+              const SymmetricTensor<2, 3, Number> &deviatoric_stress,
+              const Kinematics                     kinematics)
+  {
+    return kinematics == Kinematics::plane_stress ? -deviatoric_stress[2][2] :
+                                                    volumetric_stress;
+  }
+
+
+
+  /// The deviatoric stress @p law(strain) of a linear law. In plane stress, the
+  /// out-of-plane component of @p strain is replaced by the one for which this
+  /// and @p bulk_modulus times the trace leave no stress out of plane.
+  template <typename Number, typename LinearLaw>
+  DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
+  linear_deviatoric_stress(const LinearLaw                     &law,
+                           const Number                        &bulk_modulus,
+                           const SymmetricTensor<2, 3, Number> &strain,
+                           const Kinematics                     kinematics)
+  {
+    SymmetricTensor<2, 3, Number> stress = law(strain);
+    if (kinematics != Kinematics::plane_stress)
+      return stress;
+    SymmetricTensor<2, 3, Number> across;
+    across[2][2]                                  = Number(1.);
+    const SymmetricTensor<2, 3, Number> of_across = law(across);
+    return stress - ((bulk_modulus * trace(strain) + stress[2][2]) /
+                     (bulk_modulus + of_across[2][2])) *
+                      of_across;
+  }
+
+
+
   /// The cell kernel: turns the dof values of @p phi into nodal forces.
-  /// @p deviatoric_stress(point, strain) is the point law. The weak form is,
+  /// @p deviatoric_stress(point, strain) is the point law; in plane stress, it
+  /// ignores the out-of-plane component of @p strain. The weak form is,
   /// with the volumetric strain tr of volumetric_strain(),
   ///   int s(strain(u)) : strain(v) + K tr(u) tr(v) dx.
   /// For B-bar, the mean of tr(v) may be replaced by the trace of strain(v)
@@ -170,7 +209,8 @@ namespace ElastoPlastic
       {
         auto stress =
           deviatoric_stress(q, strain_at<dim, degree>(phi, q, kinematics));
-        const Simd<Number> pressure = bulk_modulus * volumetric[q];
+        const Simd<Number> pressure =
+          mean_stress(bulk_modulus * volumetric[q], stress, kinematics);
         for (unsigned int d = 0; d < 3; ++d)
           stress[d][d] += pressure;
         submit_stress<dim, degree>(phi, stress, q, kinematics);

@@ -5,6 +5,7 @@
 #define mechanics_supports_h
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/component_mask.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -68,6 +69,12 @@ namespace ElastoPlastic
     /// that feel a support: fixed ones, and those on skew rollers.
     const IndexSet &
     vertical_supports() const;
+
+    /// The components of the displacement that @p boundary holds, alone or (on
+    /// skew rollers) together.
+    ComponentMask
+    held_components(const BoundaryConditions<dim> &boundary_conditions,
+                    const types::boundary_id       boundary) const;
 
     /// Sets the fixed entries that this rank owns to their values.
     void

@@ -4,41 +4,14 @@
 #ifndef solver_conjugate_gradients_h
 #define solver_conjugate_gradients_h
 
-#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/solver_cg.h>
 
-#include "base/exceptions.h"
+#include "solver/krylov_method.h"
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
-  [[noreturn]] inline void
-  throw_singular()
-  {
-    throw ConvergenceError(
-      "The linear solver has produced values that are not finite: the "
-      "system is singular. Is the body supported against all rigid body "
-      "motions, and is the load below the limit load?");
-  }
-
-
-
-  /// What a linear solver owes its caller.
-  /// @throws ConvergenceError if @p norm is not finite.
-  inline void
-  check_finite(const double norm)
-  {
-    if (!std::isfinite(norm))
-      throw_singular();
-  }
-
-
-
-  /// Solves matrix * solution = rhs by preconditioned conjugate gradients, from
-  /// zero, until the residual has fallen by the factor @p reduction or the
-  /// iterations are used up. @return the number of iterations.
-  /// @throws ConvergenceError if the result is not finite.
+  /// krylov_method() for a symmetric positive definite matrix and
+  /// preconditioner: conjugate gradients.
   template <typename Matrix, typename Preconditioner>
   unsigned int
   conjugate_gradients(const Matrix                               &matrix,
@@ -48,21 +21,9 @@ namespace ElastoPlastic
                       const double          reduction,
                       const unsigned int    maximum_iterations)
   {
-    IterationNumberControl control(maximum_iterations,
-                                   reduction * rhs.l2_norm());
-    solution = 0.;
-    try
-      {
-        SolverCG<LinearAlgebra::distributed::Vector<double>>(control).solve(
-          matrix, solution, rhs, preconditioner);
-      }
-    catch (const SolverControl::NoConvergence &failure)
-      {
-        check_finite(failure.last_residual);
-        throw;
-      }
-    check_finite(solution.l2_norm());
-    return control.last_step();
+    using Solver = SolverCG<LinearAlgebra::distributed::Vector<double>>;
+    return krylov_method<Solver>(
+      matrix, solution, rhs, preconditioner, reduction, maximum_iterations);
   }
 } // namespace ElastoPlastic
 

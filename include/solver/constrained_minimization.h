@@ -16,6 +16,10 @@ namespace ElastoPlastic
   /// candidates). The derivative of Pi is called -residual, so that the
   /// residual at a held unknown is the force its support takes from the body.
   ///
+  /// If the forces have no energy, the problem is the system of equations and
+  /// inequalities that a minimum would satisfy: the same, but for energy(),
+  /// and with a second derivative that is not symmetric.
+  ///
   /// The place of the bounds may be an unknown itself, with a given force that
   /// pushes them: then the active unknowns are not held, but tied together, and
   /// one of them stands for all in reduced vectors; see ReducedUnknowns.
@@ -29,7 +33,11 @@ namespace ElastoPlastic
     virtual void
     initialize_vector(Vector &vector) const = 0;
 
-    /// Pi(u).
+    /// Whether Pi exists.
+    virtual bool
+    has_energy() const = 0;
+
+    /// Pi(u), or a number to look at if it does not exist.
     virtual double
     energy(const Vector &u) const = 0;
 
@@ -37,9 +45,9 @@ namespace ElastoPlastic
     virtual void
     compute_residual(Vector &residual, const Vector &u) const = 0;
 
-    /// Stores the second derivative of Pi at u, or a positive definite
-    /// approximation that tends to it when the iteration converges, for
-    /// apply_tangent(), solve_tangent() and tangent_diagonal().
+    /// Stores the second derivative of Pi at u, or (if Pi exists) a positive
+    /// definite approximation that tends to it when the iteration converges,
+    /// for apply_tangent(), solve_tangent() and tangent_diagonal().
     virtual void
     linearize(const Vector &u) = 0;
 

@@ -50,12 +50,17 @@ namespace ElastoPlastic
     void
     update_active_set();
 
+    /// The norm of the forces on the free unknowns.
+    double
+    compute_free_norm();
+
     /// Whether the set just reached has been there too often.
     bool
     set_cycles();
 
     /// Projects u onto the admissible set and hands over to the feasible
-    /// method.
+    /// method. @throws ConvergenceError if there is no energy that this method
+    /// could decrease.
     void
     become_feasible();
 
@@ -82,6 +87,11 @@ namespace ElastoPlastic
     line_search(const Vector &base,
                 const Vector &direction,
                 const double  slope);
+
+    /// The same if there is no energy: the norm of the forces on the free
+    /// unknowns must fall.
+    double
+    residual_line_search(const Vector &base, const Vector &direction);
 
     /// The derivative of the energy at u, whose residual has been computed,
     /// along an expanded @p direction.

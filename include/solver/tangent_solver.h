@@ -14,7 +14,8 @@
 namespace ElastoPlastic
 {
   /// Solves linear systems with the stored tangent of a body, without a matrix,
-  /// by preconditioned conjugate gradients.
+  /// by preconditioned conjugate gradients, or GMRES if the body has no energy
+  /// and so its tangent is unsymmetric.
   ///
   /// If some unknowns are tied, all of them count as held in the
   /// preconditioner, and their common motion is treated by deflation
@@ -50,7 +51,7 @@ namespace ElastoPlastic
     /// vectors are reduced, and zero at constrained unknowns. @return the
     /// number of iterations. If those of the last method are used up before,
     /// the last iterate is the answer: what has been found by then is still a
-    /// direction of descent for the energy.
+    /// direction of descent for the energy or the residual.
     /// @throws ConvergenceError if the result is not finite.
     unsigned int
     solve(VectorType &solution, const VectorType &rhs, const double reduction);

@@ -31,7 +31,7 @@ namespace ElastoPlastic
   GapFunction<dim>::GapFunction(const IndenterParameters &parameters,
                                 const double              surface_height)
     : indenter(make_indenter<dim>(parameters))
-    , position(to_point<dim - 1>(parameters.position))
+    , indenter_position(to_point<dim - 1>(parameters.position))
     , reach(parameters.reach > 0 ? parameters.reach : infinity)
     , tip_height(surface_height + parameters.initial_gap)
   {}
@@ -48,12 +48,21 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  const Point<dim - 1> &
+  GapFunction<dim>::position() const
+  {
+    return indenter_position;
+  }
+
+
+
+  template <int dim>
   double
   GapFunction<dim>::value(const Point<dim> &p) const
   {
     Point<dim - 1> offset;
     for (unsigned int d = 0; d < dim - 1; ++d)
-      offset[d] = p[d] - position[d];
+      offset[d] = p[d] - indenter_position[d];
 
     if (!has_indenter() || !within(offset.norm(), reach))
       return infinity;

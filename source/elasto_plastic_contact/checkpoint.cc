@@ -22,11 +22,11 @@ namespace ElastoPlastic
   template <int dim>
   template <typename Archive>
   void
-  ElastoPlasticContact<dim>::serialize_progress(Archive           &archive,
-                                                Statistics::Sizes &sizes)
+  ElastoPlasticContact<dim>::serialize_progress(Archive              &archive,
+                                                Statistics::Progress &progress)
   {
     archive &time_steps &load_program &field_output &cycle &last_step
-      &depth_rate &sizes;
+      &depth_rate &progress;
   }
 
 
@@ -35,13 +35,13 @@ namespace ElastoPlastic
   // are attached, and where the history is.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::save_checkpoint(Statistics::Sizes sizes)
+  ElastoPlasticContact<dim>::save_checkpoint(Statistics::Progress progress)
   {
     TimerOutput::Scope scope(timer, "Checkpoint");
 
     std::ostringstream            state;
     boost::archive::text_oarchive archive(state);
-    serialize_progress(archive, sizes);
+    serialize_progress(archive, progress);
 
     VectorType response = tangent_solver->known_response();
     if (response.size() == 0)
@@ -66,7 +66,7 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  Statistics::Sizes
+  Statistics::Progress
   ElastoPlasticContact<dim>::load_checkpoint()
   {
     TimerOutput::Scope scope(timer, "Checkpoint");
@@ -74,8 +74,8 @@ namespace ElastoPlastic
     const Checkpoint::Contents    contents = checkpoint.load();
     std::istringstream            state(contents.state);
     boost::archive::text_iarchive archive(state);
-    Statistics::Sizes             sizes;
-    serialize_progress(archive, sizes);
+    Statistics::Progress          progress;
+    serialize_progress(archive, progress);
 
     coarsen_to_coarse_mesh(triangulation);
     triangulation.load(contents.mesh_file);
@@ -100,7 +100,7 @@ namespace ElastoPlastic
     screen.remark(
       "Resumed at t = " + Patterns::Tools::to_string(time_steps.time()) +
       ", before step " + std::to_string(time_steps.number()) + ".");
-    return sizes;
+    return progress;
   }
 
 

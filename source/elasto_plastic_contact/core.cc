@@ -64,6 +64,11 @@ namespace ElastoPlastic
     , solid(make_solid_operator<dim>(parameters.discretization.degree,
                                      parameters.discretization.strain_model(),
                                      parameters.material.materials()))
+    , reactions(dof_handler,
+                boundary_names,
+                boundary_conditions,
+                supports,
+                parameters.discretization.strain_model().kinematics)
     , contact([this](const Point<dim> &x) { return gap_function.value(x); },
               parameters.discretization.strain_model().kinematics)
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
@@ -105,7 +110,7 @@ namespace ElastoPlastic
                     file << parameters.effective_input;
                   });
 
-    run_load_history(Statistics::Sizes());
+    run_load_history(Statistics::Progress());
   }
 
 
@@ -124,11 +129,13 @@ namespace ElastoPlastic
   template <int dim>
   void
   ElastoPlasticContact<dim>::run_load_history(
-    const Statistics::Sizes &rows_so_far)
+    const Statistics::Progress &progress)
   {
     Statistics statistics(communicator,
                           parameters.output.directory,
-                          rows_so_far);
+                          reactions.names(),
+                          make_indentation_test(),
+                          progress);
     note_termination_requests();
     try
       {
@@ -139,7 +146,7 @@ namespace ElastoPlastic
         if (time_steps.number() > 1)
           {
             take_back_step();
-            save_checkpoint(statistics.sizes());
+            save_checkpoint(statistics.progress());
           }
         throw;
       }
@@ -166,8 +173,9 @@ namespace ElastoPlastic
             if (!cut)
               predict();
             SolveResult result = solve_on_mesh_sequence(statistics);
+            const auto  forces = support_forces();
             commit_step(result);
-            statistics.add_step(result);
+            statistics.add_step(result, forces);
             step_is_under_way = false;
           }
         catch (const ConvergenceError &error)
@@ -186,29 +194,30 @@ namespace ElastoPlastic
         cut = false;
         if (interval > 0 && (time_steps.number() - 1) % interval == 0 &&
             !time_steps.finished())
-          save_checkpoint(statistics.sizes());
+          save_checkpoint(statistics.progress());
       }
+    statistics.finish();
   }
 
 
 
-  // A perfectly plastic body has a limit load. Steps that fail, however short,
-  // when the force is to grow tell that it has been reached.
+  // A body of materials that stop hardening has a limit load. Steps that fail,
+  // however short, when the force is to grow tell that it has been reached.
   template <int dim>
   void
   ElastoPlasticContact<dim>::give_up(const ConvergenceError &error) const
   {
-    const auto &laws = parameters.material.laws;
+    const auto materials = parameters.material.materials();
     if (contact.force() <= last_step.force ||
-        std::count(laws.begin(), laws.end(), "perfectly plastic") == 0)
+        std::none_of(materials.begin(), materials.end(), has_limit))
       throw error;
 
     std::ostringstream message;
     message.precision(10);
     message << "No equilibrium has been found for the force " << contact.force()
             << " (t = " << time_steps.next_time()
-            << "): it seems to be beyond the limit load of the perfectly "
-               "plastic body. The largest force reached is "
+            << "): it seems to be beyond the limit load of the body, whose "
+               "material stops hardening. The largest force reached is "
             << last_step.force << ", at the depth " << last_step.depth
             << ". Prescribe the depth, or a smaller force; several load steps "
                "come closer to the limit.";

@@ -24,7 +24,8 @@ namespace ElastoPlastic
     results_in(const fs::path &directory)
     {
       const std::regex result_names(
-        "parameters\\.prm|(history|statistics|mesh_changes)\\.csv(\\.new)?|"
+        "parameters\\.prm|"
+        "(history|statistics|mesh_changes|reactions|indentation)\\.csv(\\.new)?|"
         "checkpoint(\\.new|\\.old)?|"
         "(solution|surface)(\\.pvd|-.*\\.p?vtu)");
       std::vector<fs::path> results;

@@ -19,8 +19,7 @@ namespace ElastoPlastic
       fields,
       "When solution-*.vtu and surface-*.vtu are written: after "
       "every cycle (in a load history: after every step), after the last one "
-      "only, or never. The tables statistics.csv and history.csv are always "
-      "written.",
+      "only, or never. The tables (.csv) are always written.",
       Patterns::Selection("every cycle|last cycle|never"));
     prm.add_parameter(
       "Steps between checkpoints",

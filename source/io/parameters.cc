@@ -138,11 +138,17 @@ namespace ElastoPlastic
   Parameters::check() const
   {
     geometry.check(dimension);
-    if (dimension == 3 && discretization.kinematics == "axisymmetric")
+    if (dimension == 3 && discretization.kinematics != "plane strain")
       throw InputError("Kinematics",
                        discretization.kinematics,
                        "that is for two dimensions. Set 'Dimension = 2' for a "
-                       "body of revolution.");
+                       "body of revolution or a sheet.");
+    if (discretization.kinematics == "plane stress" &&
+        discretization.volumetric_treatment != "standard")
+      throw InputError("Discretization/Volumetric treatment",
+                       discretization.volumetric_treatment,
+                       "in plane stress the volume can change freely, and "
+                       "there is nothing that locks. Choose 'standard'.");
     material.check();
     indenter.check(dimension);
     refinement.check();

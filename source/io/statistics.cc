@@ -5,10 +5,27 @@
 
 namespace ElastoPlastic
 {
-  Statistics::Statistics(const MPI_Comm     communicator,
-                         const std::string &directory,
-                         const Sizes       &sizes)
-    : statistics(communicator,
+  namespace
+  {
+    std::vector<std::string>
+    reaction_columns(const std::vector<std::string> &names)
+    {
+      std::vector<std::string> columns = {"step", "time"};
+      columns.insert(columns.end(), names.begin(), names.end());
+      return columns;
+    }
+  } // namespace
+
+
+
+  Statistics::Statistics(const MPI_Comm                        communicator,
+                         const std::string                    &directory,
+                         const std::vector<std::string>       &reaction_names,
+                         const std::optional<IndentationTest> &indentation_test,
+                         const Progress                       &progress)
+    : communicator(communicator)
+    , directory(directory)
+    , statistics(communicator,
                  directory + "/statistics.csv",
                  {"step",
                   "cycle",
@@ -31,7 +48,7 @@ namespace ElastoPlastic
                   "contact_area",
                   "max_pressure",
                   "energy"},
-                 sizes.statistics)
+                 progress.statistics)
     , history(communicator,
               directory + "/history.csv",
               {"step",
@@ -54,7 +71,11 @@ namespace ElastoPlastic
                "plastic_work",
                "dissipation",
                "external_work"},
-              sizes.history)
+              progress.history)
+    , reactions(communicator,
+                directory + "/reactions.csv",
+                reaction_columns(reaction_names),
+                progress.reactions)
     , mesh_changes(communicator,
                    directory + "/mesh_changes.csv",
                    {"step",
@@ -76,15 +97,28 @@ namespace ElastoPlastic
                     "max_equivalent_plastic_strain",
                     "plastic_work",
                     "dissipation"},
-                   sizes.mesh_changes)
-  {}
-
-
-
-  Statistics::Sizes
-  Statistics::sizes() const
+                   progress.mesh_changes)
+    , indentation_test(indentation_test)
   {
-    return {statistics.n_rows(), history.n_rows(), mesh_changes.n_rows()};
+    if (!this->indentation_test)
+      return;
+    this->indentation_test->resume(progress.unloading);
+    if (progress.indentation > 0)
+      open_indentation(progress.indentation);
+  }
+
+
+
+  Statistics::Progress
+  Statistics::progress() const
+  {
+    return {statistics.n_rows(),
+            history.n_rows(),
+            reactions.n_rows(),
+            mesh_changes.n_rows(),
+            indentation ? indentation->n_rows() : 0,
+            indentation_test ? indentation_test->progress() :
+                               IndentationTest::Progress()};
   }
 
 
@@ -118,7 +152,8 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::add_step(const SolveResult &r)
+  Statistics::add_step(const SolveResult         &r,
+                       const std::vector<double> &reaction_forces)
   {
     history.add_row({static_cast<double>(r.step),
                      r.time,
@@ -140,6 +175,76 @@ namespace ElastoPlastic
                      r.plastic_work,
                      r.dissipation,
                      r.external_work});
+
+    std::vector<double> row = {static_cast<double>(r.step), r.time};
+    row.insert(row.end(), reaction_forces.begin(), reaction_forces.end());
+    reactions.add_row(row);
+
+    if (indentation_test)
+      add_unloading(indentation_test->add(
+        {r.step, r.time, r.depth, r.force, r.contact_area}));
+  }
+
+
+
+  void
+  Statistics::finish()
+  {
+    if (indentation_test)
+      add_unloading(indentation_test->finish());
+  }
+
+
+
+  void
+  Statistics::open_indentation(const unsigned int n_rows)
+  {
+    indentation.emplace(communicator,
+                        directory + "/indentation.csv",
+                        std::vector<std::string>{"step",
+                                                 "time",
+                                                 "max_depth",
+                                                 "max_force",
+                                                 "contact_area",
+                                                 "modelled_part",
+                                                 "stiffness",
+                                                 "exponent",
+                                                 "final_depth",
+                                                 "hardness",
+                                                 "reduced_modulus",
+                                                 "contact_depth",
+                                                 "tip_area",
+                                                 "tip_hardness",
+                                                 "tip_reduced_modulus"},
+                        n_rows);
+  }
+
+
+
+  void
+  Statistics::add_unloading(const std::optional<UnloadingResult> &result)
+  {
+    if (!result)
+      return;
+    if (!indentation)
+      open_indentation(0);
+    const UnloadingResult &r    = *result;
+    const double           area = r.maximum.contact_area;
+    indentation->add_row({static_cast<double>(r.maximum.step),
+                          r.maximum.time,
+                          r.maximum.depth,
+                          r.maximum.force,
+                          area,
+                          r.modelled_part,
+                          r.stiffness,
+                          r.law.exponent,
+                          r.law.final_depth,
+                          r.hardness(area),
+                          r.reduced_modulus(area),
+                          r.contact_depth,
+                          r.tip_area,
+                          r.hardness(r.tip_area),
+                          r.reduced_modulus(r.tip_area)});
   }
 
 

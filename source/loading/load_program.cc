@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <regex>
 
+#include "base/as_number.h"
 #include "base/exceptions.h"
 #include "loading/load_program.h"
 
@@ -13,24 +13,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// The number that @p text is, if it is one.
-    std::optional<double>
-    as_number(const std::string &text)
-    {
-      try
-        {
-          std::size_t  end   = 0;
-          const double value = std::stod(text, &end);
-          if (Utilities::trim(text.substr(end)).empty())
-            return value;
-        }
-      catch (const std::exception &)
-        {}
-      return {};
-    }
-
-
-
     void
     check_force(const std::string &path,
                 const std::string &text,

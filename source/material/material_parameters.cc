@@ -16,7 +16,7 @@ namespace ElastoPlastic
   {
     const std::string laws_to_choose_from =
       "linear elastic|perfectly plastic|isotropic hardening|"
-      "kinematic hardening|combined hardening";
+      "kinematic hardening|combined hardening|nonlinear hardening";
 
     /// The value for the material @p id of a list that may hold one for all.
     template <typename T>
@@ -43,25 +43,14 @@ namespace ElastoPlastic
     bool
     uses_isotropic_modulus(const std::string &law)
     {
-      return law == "isotropic hardening" || law == "combined hardening";
+      return law == "isotropic hardening" || law == "combined hardening" ||
+             law == "nonlinear hardening";
     }
 
     bool
     uses_kinematic_modulus(const std::string &law)
     {
       return law == "kinematic hardening" || law == "combined hardening";
-    }
-
-    /// The number of materials: the length of the longest list.
-    unsigned int
-    n_materials(const MaterialParameters &p)
-    {
-      return std::max({p.laws.size(),
-                       p.young_moduli.size(),
-                       p.poisson_ratios.size(),
-                       p.yield_stresses.size(),
-                       p.isotropic_moduli.size(),
-                       p.kinematic_moduli.size()});
     }
   } // namespace
 
@@ -97,7 +86,8 @@ namespace ElastoPlastic
                       isotropic_moduli,
                       "H >= 0 in sigma_Y = sigma_0 + H alpha, alpha being the "
                       "equivalent plastic strain. Used by 'isotropic "
-                      "hardening' and 'combined hardening'. Unit: stress.",
+                      "hardening', 'combined hardening' and 'nonlinear "
+                      "hardening'. Unit: stress.",
                       Patterns::List(Patterns::Double(), 1));
     prm.add_parameter("Kinematic hardening modulus",
                       kinematic_moduli,
@@ -105,7 +95,57 @@ namespace ElastoPlastic
                       "H_k times the plastic strain. Used by 'kinematic "
                       "hardening' and 'combined hardening'. Unit: stress.",
                       Patterns::List(Patterns::Double(), 1));
+    add_nonlinear_hardening(prm);
     prm.leave_subsection();
+  }
+
+
+
+  // What 'nonlinear hardening' reads, and no other law.
+  void
+  MaterialParameters::add_nonlinear_hardening(ParameterHandler &prm)
+  {
+    prm.add_parameter("Voce stress",
+                      voce_stresses,
+                      "Q >= 0: 'nonlinear hardening' adds Q (1 - exp(-b "
+                      "alpha)) to the yield stress. Unit: stress.",
+                      Patterns::List(Patterns::Double(), 1));
+    prm.add_parameter("Voce rate",
+                      voce_rates,
+                      "b, greater than 0 where Q is. No unit.",
+                      Patterns::List(Patterns::Double(), 1));
+    prm.add_parameter("Power law exponent",
+                      power_law_exponents,
+                      "n, from 0 to 1: 'nonlinear hardening' adds sigma_0 ((1 "
+                      "+ alpha/eps_0)^n - 1) to the yield stress (Swift). No "
+                      "unit.",
+                      Patterns::List(Patterns::Double(), 1));
+    prm.add_parameter("Power law reference strain",
+                      power_law_reference_strains,
+                      "eps_0 > 0. No unit.",
+                      Patterns::List(Patterns::Double(), 1));
+    prm.add_parameter(
+      "Hardening table",
+      hardening_tables,
+      "'none', or pairs of equivalent plastic strain and yield stress, such as "
+      "'0.01: 450 | 0.05: 500': 'nonlinear hardening' adds what this table "
+      "has beyond sigma_0. It begins with sigma_0 at 0, is linear between its "
+      "points and constant beyond the last one. Unit: stress.",
+      Patterns::List(Patterns::Anything(), 1));
+    prm.add_parameter(
+      "Back stress moduli",
+      back_stress_moduli,
+      "'none', or the moduli C of up to four back stresses of 'nonlinear "
+      "hardening', such as '20000 | 5000'. In uniaxial tension a back stress X "
+      "grows by C - gamma X per unit of plastic strain "
+      "(Armstrong-Frederick, Chaboche). Unit: stress.",
+      Patterns::List(Patterns::Anything(), 1));
+    prm.add_parameter("Recovery rates",
+                      recovery_rates,
+                      "'none', or the rate gamma >= 0 of each back stress, "
+                      "such as '400 | 0'; 0 is Prager's linear hardening. No "
+                      "unit.",
+                      Patterns::List(Patterns::Anything(), 1));
   }
 
 
@@ -142,22 +182,121 @@ namespace ElastoPlastic
       [](const double H) { return H >= 0; },
       "it must not be negative: softening is not part of this model.");
 
-    const unsigned int n = n_materials(*this);
-    for (const auto &[entry, size] :
-         {std::make_pair("Law", laws.size()),
-          std::make_pair("Young's modulus", young_moduli.size()),
-          std::make_pair("Poisson's ratio", poisson_ratios.size()),
-          std::make_pair("Yield stress", yield_stresses.size()),
-          std::make_pair("Isotropic hardening modulus",
-                         isotropic_moduli.size()),
-          std::make_pair("Kinematic hardening modulus",
-                         kinematic_moduli.size())})
+    const unsigned int n = n_materials();
+    for (const auto &[entry, size] : list_lengths())
       if (size != 1 && size != n)
-        throw InputError("The entry 'Material/" + std::string(entry) +
-                         "' has " + std::to_string(size) +
+        throw InputError("The entry 'Material/" + entry + "' has " +
+                         std::to_string(size) +
                          " values, but another entry of this section has " +
                          std::to_string(n) +
                          ". Give one value for all materials or one for each.");
+    check_nonlinear_hardening();
+  }
+
+
+
+  void
+  MaterialParameters::check_nonlinear_hardening() const
+  {
+    require(
+      "Voce stress",
+      voce_stresses,
+      [](const double Q) { return Q >= 0; },
+      "it must not be negative: softening is not part of this model.");
+    require(
+      "Voce rate",
+      voce_rates,
+      [](const double b) { return b >= 0; },
+      "it must not be negative.");
+    require(
+      "Power law exponent",
+      power_law_exponents,
+      [](const double n) { return n >= 0 && n <= 1; },
+      "it must lie between 0 (no such hardening) and 1 (linear).");
+    require(
+      "Power law reference strain",
+      power_law_reference_strains,
+      [](const double eps_0) { return eps_0 > 0; },
+      "it must be greater than 0.");
+    for (unsigned int id = 0; id < n_materials(); ++id)
+      {
+        if (of_material(voce_stresses, id) > 0 &&
+            of_material(voce_rates, id) == 0)
+          throw InputError("Material/Voce rate",
+                           Patterns::Tools::to_string(voce_rates),
+                           "'Material/Voce stress' is not 0: then the rate "
+                           "must be greater than 0.");
+        hardening_curve(id);
+        nonlinear_back_stresses(id);
+      }
+  }
+
+
+
+  std::vector<std::pair<std::string, unsigned int>>
+  MaterialParameters::list_lengths() const
+  {
+    return {{"Law", laws.size()},
+            {"Young's modulus", young_moduli.size()},
+            {"Poisson's ratio", poisson_ratios.size()},
+            {"Yield stress", yield_stresses.size()},
+            {"Isotropic hardening modulus", isotropic_moduli.size()},
+            {"Kinematic hardening modulus", kinematic_moduli.size()},
+            {"Voce stress", voce_stresses.size()},
+            {"Voce rate", voce_rates.size()},
+            {"Power law exponent", power_law_exponents.size()},
+            {"Power law reference strain", power_law_reference_strains.size()},
+            {"Hardening table", hardening_tables.size()},
+            {"Back stress moduli", back_stress_moduli.size()},
+            {"Recovery rates", recovery_rates.size()}};
+  }
+
+
+
+  unsigned int
+  MaterialParameters::n_materials() const
+  {
+    unsigned int n = 0;
+    for (const auto &[entry, size] : list_lengths())
+      n = std::max(n, size);
+    return n;
+  }
+
+
+
+  HardeningCurve
+  MaterialParameters::hardening_curve(const unsigned int id) const
+  {
+    const double sigma_0 = of_material(yield_stresses, id);
+    return HardeningCurve(
+      {of_material(voce_stresses, id), of_material(voce_rates, id)},
+      {sigma_0,
+       of_material(power_law_exponents, id),
+       of_material(power_law_reference_strains, id)},
+      read_hardening_table(of_material(hardening_tables, id), sigma_0));
+  }
+
+
+
+  std::vector<BackStressLaw<double>>
+  MaterialParameters::nonlinear_back_stresses(const unsigned int id) const
+  {
+    return read_back_stresses(of_material(back_stress_moduli, id),
+                              of_material(recovery_rates, id));
+  }
+
+
+
+  std::vector<BackStressLaw<double>>
+  MaterialParameters::back_stresses(const unsigned int id) const
+  {
+    const std::string &law = of_material(laws, id);
+    const double       H_k = of_material(kinematic_moduli, id);
+    if (law == "nonlinear hardening")
+      return nonlinear_back_stresses(id);
+    if (uses_kinematic_modulus(law) && H_k > 0)
+      return {{2. / 3. * H_k, 0.}};
+    return {};
   }
 
 
@@ -166,7 +305,7 @@ namespace ElastoPlastic
   MaterialParameters::materials() const
   {
     std::vector<Material<double>> result;
-    for (unsigned int id = 0; id < n_materials(*this); ++id)
+    for (unsigned int id = 0; id < n_materials(); ++id)
       {
         const std::string &law     = of_material(laws, id);
         const double       E       = of_material(young_moduli, id);
@@ -176,14 +315,21 @@ namespace ElastoPlastic
                                        of_material(yield_stresses, id);
         const double       H =
           uses_isotropic_modulus(law) ? of_material(isotropic_moduli, id) : 0.;
-        const double H_k =
-          uses_kinematic_modulus(law) ? of_material(kinematic_moduli, id) : 0.;
 
-        result.push_back({E / (3 * (1 - 2 * nu)),
-                          E / (2 * (1 + nu)),
-                          std::sqrt(2. / 3.) * sigma_0,
-                          2. / 3. * H,
-                          2. / 3. * H_k});
+        Material<double> material;
+        material.bulk_modulus      = E / (3 * (1 - 2 * nu));
+        material.shear_modulus     = E / (2 * (1 + nu));
+        material.yield_radius      = std::sqrt(2. / 3.) * sigma_0;
+        material.isotropic_modulus = 2. / 3. * H;
+        for (const auto &back_stress : back_stresses(id))
+          material.back_stresses.push_back(back_stress);
+        if (law == "nonlinear hardening")
+          {
+            material.curves[0] =
+              std::make_shared<HardeningCurve>(hardening_curve(id));
+            material.is_linear = false;
+          }
+        result.push_back(material);
       }
     return result;
   }

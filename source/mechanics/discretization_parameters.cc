@@ -8,14 +8,17 @@ namespace ElastoPlastic
   void
   DiscretizationParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Kinematics",
-                      kinematics,
-                      "What a body in two dimensions is. plane strain: the "
-                      "section of a long body; forces are per unit of "
-                      "thickness. axisymmetric: the half section x >= 0 of a "
-                      "body of revolution, y is its axis; forces and areas are "
-                      "those of the whole body.",
-                      Patterns::Selection("plane strain|axisymmetric"));
+    prm.add_parameter(
+      "Kinematics",
+      kinematics,
+      "What a body in two dimensions is. plane strain: the "
+      "section of a long body; forces are per unit of "
+      "thickness. plane stress: a thin sheet of unit "
+      "thickness that bears no stress across; with 'Volumetric "
+      "treatment = standard', it does not lock. axisymmetric: the half section x >= 0 of a "
+      "body of revolution, y is its axis; forces and areas are "
+      "those of the whole body.",
+      Patterns::Selection("plane strain|plane stress|axisymmetric"));
     prm.enter_subsection("Discretization");
     prm.add_parameter("Polynomial degree",
                       degree,
@@ -41,6 +44,7 @@ namespace ElastoPlastic
     return {volumetric_treatment == "B-bar" ? VolumetricTreatment::b_bar :
                                               VolumetricTreatment::standard,
             kinematics == "axisymmetric" ? Kinematics::axisymmetric :
+            kinematics == "plane stress" ? Kinematics::plane_stress :
                                            Kinematics::cartesian};
   }
 } // namespace ElastoPlastic

@@ -3,11 +3,13 @@
 
 #include <deal.II/matrix_free/tools.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "base/exceptions.h"
 #include "base/tensors.h"
 #include "base/throw_together.h"
+#include "material/plane_stress.h"
 #include "mechanics/cell_matrices.h"
 #include "mechanics/matrix_free_solid.h"
 
@@ -30,6 +32,25 @@ namespace ElastoPlastic
                  "'Geometry/Material id'.";
       throw InputError(message.str());
     }
+
+
+
+    unsigned int
+    most_back_stresses(const std::vector<Material<double>> &materials)
+    {
+      unsigned int n = 0;
+      for (const Material<double> &material : materials)
+        n = std::max<unsigned int>(n, material.back_stresses.size());
+      return n;
+    }
+
+
+
+    bool
+    becomes_steeper(const Material<double> &material)
+    {
+      return material.curves[0] && !material.curves[0]->is_concave();
+    }
   } // namespace
 
 
@@ -40,7 +61,22 @@ namespace ElastoPlastic
     const std::vector<Material<double>> &materials)
     : strain_model(strain_model)
     , materials(materials)
+    , n_back_stresses(most_back_stresses(materials))
+    , recovers(std::any_of(materials.begin(), materials.end(), has_recovery))
+    , predicts_flow(
+        !recovers &&
+        std::none_of(materials.begin(), materials.end(), becomes_steeper))
+    , n_state_values(MaterialState<Number>::n_values(n_back_stresses))
   {}
+
+
+
+  template <int dim, int degree>
+  bool
+  MatrixFreeSolid<dim, degree>::has_energy() const
+  {
+    return !recovers;
+  }
 
 
 
@@ -58,22 +94,37 @@ namespace ElastoPlastic
     tangents.reinit(n_points * matrix_free.n_cell_batches());
     flow_directions.reinit(n_points * matrix_free.n_cell_batches());
     history.clear();
+    collect_materials(dof_handler.get_communicator());
+  }
 
-    material_indices.clear();
+
+
+  // Lanes without a cell get any material.
+  template <int dim, int degree>
+  void
+  MatrixFreeSolid<dim, degree>::collect_materials(const MPI_Comm communicator)
+  {
+    std::array<const Material<double> *, Number::size()> of_lane;
+    of_lane.fill(&materials.front());
+    batch_materials.assign(materials.size() == 1 ? 1 :
+                                                   matrix_free.n_cell_batches(),
+                           join_lanes<Number>(of_lane, n_back_stresses));
     if (materials.size() == 1)
       return;
-    material_indices.resize(matrix_free.n_cell_batches());
-    throw_together(dof_handler.get_communicator(), [&]() {
+    throw_together(communicator, [&]() {
       for (unsigned int batch = 0; batch < matrix_free.n_cell_batches();
            ++batch)
-        for (unsigned int lane = 0;
-             lane < matrix_free.n_active_entries_per_cell_batch(batch);
-             ++lane)
-          {
-            const auto cell = matrix_free.get_cell_iterator(batch, lane);
-            check_material_id(*cell, materials.size());
-            material_indices[batch][lane] = cell->material_id();
-          }
+        {
+          for (unsigned int lane = 0;
+               lane < matrix_free.n_active_entries_per_cell_batch(batch);
+               ++lane)
+            {
+              const auto cell = matrix_free.get_cell_iterator(batch, lane);
+              check_material_id(*cell, materials.size());
+              of_lane[lane] = &materials[cell->material_id()];
+            }
+          batch_materials[batch] = join_lanes<Number>(of_lane, n_back_stresses);
+        }
     });
   }
 
@@ -89,23 +140,32 @@ namespace ElastoPlastic
 
 
   template <int dim, int degree>
-  Material<Simd<double>>
-  MatrixFreeSolid<dim, degree>::material_of(const unsigned int cell_batch) const
+  MaterialState<Simd<double>>
+  MatrixFreeSolid<dim, degree>::old_state(const unsigned int point) const
   {
-    Material<Number> result;
-    for (unsigned int lane = 0; lane < Number::size(); ++lane)
-      {
-        const Material<double> &material =
-          materials[material_indices.empty() ?
-                      0 :
-                      material_indices[cell_batch][lane]];
-        result.bulk_modulus[lane]      = material.bulk_modulus;
-        result.shear_modulus[lane]     = material.shear_modulus;
-        result.yield_radius[lane]      = material.yield_radius;
-        result.isotropic_modulus[lane] = material.isotropic_modulus;
-        result.kinematic_modulus[lane] = material.kinematic_modulus;
-      }
-    return result;
+    MaterialState<Number> state(n_back_stresses);
+    if (!history.empty())
+      state.unpack(&history[n_state_values * point]);
+    return state;
+  }
+
+
+
+  template <int dim, int degree>
+  SymmetricTensor<2, 3, Simd<double>>
+  MatrixFreeSolid<dim, degree>::deviator_at(
+    const CellEvaluation   &phi,
+    const unsigned int      point,
+    const Material<Number> &material) const
+  {
+    Strain strain = strain_at<dim, degree>(phi, point, strain_model.kinematics);
+    if (strain_model.kinematics == Kinematics::plane_stress)
+      strain[2][2] =
+        out_of_plane_strain(material,
+                            strain,
+                            old_state(n_points * phi.get_current_cell_index() +
+                                      point));
+    return strain_deviator(strain);
   }
 
 
@@ -119,10 +179,8 @@ namespace ElastoPlastic
   {
     return RadialReturn<Number>(
       material,
-      deviator_at(phi, point),
-      history.empty() ?
-        virgin_state :
-        history[n_points * phi.get_current_cell_index() + point]);
+      deviator_at(phi, point, material),
+      old_state(n_points * phi.get_current_cell_index() + point));
   }
 
 
@@ -132,11 +190,13 @@ namespace ElastoPlastic
   MatrixFreeSolid<dim, degree>::commit(const VectorType &u)
   {
     if (history.empty())
-      history.resize(n_points * matrix_free.n_cell_batches(), virgin_state);
+      history.resize(n_state_values * n_points * matrix_free.n_cell_batches(),
+                     Number(0.));
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
-      const Material<Number> material = material_of(batch);
       for (unsigned int q = 0; q < n_points; ++q)
-        history[n_points * batch + q] = radial_return(phi, q, material).state();
+        radial_return(phi, q, material_of(batch))
+          .state()
+          .pack(&history[n_state_values * (n_points * batch + q)]);
     });
   }
 
@@ -147,12 +207,21 @@ namespace ElastoPlastic
   MatrixFreeSolid<dim, degree>::integrate_tangent(CellEvaluation &phi) const
   {
     const unsigned int first_point = n_points * phi.get_current_cell_index();
+    const Number       bulk_modulus =
+      material_of(phi.get_current_cell_index()).bulk_modulus;
     integrate_stress<dim, degree>(
       phi,
-      material_of(phi.get_current_cell_index()).bulk_modulus,
+      bulk_modulus,
       strain_model,
       [&](const unsigned int q, const Strain &strain) {
-        return stored_tangent(first_point + q) * strain;
+        const auto tangent = stored_tangent(first_point + q);
+        return linear_deviatoric_stress(
+          [&](const Strain &e) {
+            return has_energy() ? tangent * e : tangent.unsymmetric_product(e);
+          },
+          bulk_modulus,
+          strain,
+          strain_model.kinematics);
       });
   }
 
@@ -170,7 +239,7 @@ namespace ElastoPlastic
           {
             phi.reinit(batch);
             phi.read_dof_values_plain(src);
-            const Material<Number> material = material_of(batch);
+            const Material<Number> &material = material_of(batch);
             integrate_stress<dim, degree>(
               phi,
               material.bulk_modulus,
@@ -244,15 +313,19 @@ namespace ElastoPlastic
   MatrixFreeSolid<dim, degree>::linearize(const VectorType &u)
   {
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
-      const Material<Number> material = material_of(batch);
       for (unsigned int q = n_points * batch; q < n_points * (batch + 1); ++q)
         {
-          const auto tangent = radial_return(phi, q % n_points, material)
-                                 .tangent(flow_directions[q]);
+          const auto point =
+            radial_return(phi, q % n_points, material_of(batch));
+          const auto tangent = predicts_flow ?
+                                 point.tangent(flow_directions[q]) :
+                                 point.exact_tangent();
+          if (!predicts_flow)
+            flow_directions.set(q, tangent.flow);
           tangents.set(q,
                        {tangent.shear,
                         in_plane<dim>(tangent.normal),
-                        tangent.normal.norm()});
+                        predicts_flow ? tangent.normal.norm() : Number(1.)});
         }
     });
   }
@@ -264,23 +337,26 @@ namespace ElastoPlastic
   MatrixFreeSolid<dim, degree>::predict_flow(const VectorType &old_u,
                                              const VectorType &new_u)
   {
-    for_each_cell_batch(old_u,
-                        new_u,
-                        [&](CellEvaluation    &old_phi,
-                            CellEvaluation    &new_phi,
-                            const unsigned int batch) {
-                          const Material<Number> material = material_of(batch);
-                          for (unsigned int q = 0; q < n_points; ++q)
-                            {
-                              const unsigned int point = n_points * batch + q;
-                              flow_directions.set(
-                                point,
-                                radial_return(old_phi, q, material)
-                                  .predicted_flow(flow_directions[point],
-                                                  deviator_at(new_phi, q) -
-                                                    deviator_at(old_phi, q)));
-                            }
-                        });
+    if (!predicts_flow)
+      return;
+    for_each_cell_batch(
+      old_u,
+      new_u,
+      [&](CellEvaluation    &old_phi,
+          CellEvaluation    &new_phi,
+          const unsigned int batch) {
+        const Material<Number> &material = material_of(batch);
+        for (unsigned int q = 0; q < n_points; ++q)
+          {
+            const unsigned int point = n_points * batch + q;
+            flow_directions.set(
+              point,
+              radial_return(old_phi, q, material)
+                .predicted_flow(flow_directions[point],
+                                deviator_at(new_phi, q, material) -
+                                  deviator_at(old_phi, q, material)));
+          }
+      });
   }
 
 

@@ -15,13 +15,22 @@ namespace ElastoPlastic
   {
     double local_energy = 0;
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
-      const Material<Number> material = material_of(batch);
+      const Material<Number> &material = material_of(batch);
       const auto volumetric = volumetric_strain<dim, degree>(phi, strain_model);
       Number     sum        = 0.;
       for (unsigned int q = 0; q < n_points; ++q)
-        sum += (0.5 * material.bulk_modulus * volumetric[q] * volumetric[q] +
-                radial_return(phi, q, material).energy()) *
-               volume_at(phi, q);
+        {
+          const RadialReturn<Number> point = radial_return(phi, q, material);
+          const Number               pressure =
+            mean_stress(material.bulk_modulus * volumetric[q],
+                        point.deviatoric_stress(),
+                        strain_model.kinematics);
+          sum += (0.5 * pressure * pressure / material.bulk_modulus +
+                  (has_energy() ?
+                     point.energy() :
+                     point.distortion_energy() + point.plastic_work())) *
+                 volume_at(phi, q);
+        }
       for (unsigned int lane = 0;
            lane < matrix_free.n_active_entries_per_cell_batch(batch);
            ++lane)
@@ -42,18 +51,26 @@ namespace ElastoPlastic
       u,
       w,
       [&](CellEvaluation &phi, CellEvaluation &test, const unsigned int batch) {
-        const Material<Number> material = material_of(batch);
-        const auto             volumetric =
+        const Material<Number> &material = material_of(batch);
+        const auto              volumetric =
           volumetric_strain<dim, degree>(phi, strain_model);
         const auto virtual_volumetric =
           volumetric_strain<dim, degree>(test, strain_model);
         Number sum = 0.;
         for (unsigned int q = 0; q < n_points; ++q)
-          sum +=
-            (material.bulk_modulus * volumetric[q] * virtual_volumetric[q] +
-             radial_return(phi, q, material).deviatoric_stress() *
-               deviator_at(test, q)) *
-            volume_at(phi, q);
+          {
+            const Strain stress =
+              radial_return(phi, q, material).deviatoric_stress();
+            const Number pressure =
+              mean_stress(material.bulk_modulus * volumetric[q],
+                          stress,
+                          strain_model.kinematics);
+            const Strain virtual_strain =
+              strain_at<dim, degree>(test, q, strain_model.kinematics);
+            sum += (pressure * virtual_volumetric[q] +
+                    stress * strain_deviator(virtual_strain)) *
+                   volume_at(phi, q);
+          }
         for (unsigned int lane = 0;
              lane < matrix_free.n_active_entries_per_cell_batch(batch);
              ++lane)
@@ -80,8 +97,10 @@ namespace ElastoPlastic
           auto            &sum  = mean.deviatoric;
           for (unsigned int q = 0; q < n_points; ++q)
             {
-              const auto   tangent = stored_tangent(n_points * batch + q);
-              const double weight  = 1. / n_points;
+              auto tangent = stored_tangent(n_points * batch + q);
+              if (!predicts_flow)
+                tangent = tangent.definite_part();
+              const double weight = 1. / n_points;
               sum.shear += weight * tangent.shear[lane];
               for (unsigned int i = 0; i < CellTangent<dim>::n_symmetric; ++i)
                 {
@@ -109,7 +128,7 @@ namespace ElastoPlastic
     std::array<std::vector<PointResult>, Number::size()> results;
     results.fill(std::vector<PointResult>(n_points));
     for_each_cell_batch(u, [&](CellEvaluation &phi, const unsigned int batch) {
-      const Material<Number> material = material_of(batch);
+      const Material<Number> &material = material_of(batch);
       const auto volumetric = volumetric_strain<dim, degree>(phi, strain_model);
       const unsigned int n_cells =
         matrix_free.n_active_entries_per_cell_batch(batch);
@@ -118,12 +137,16 @@ namespace ElastoPlastic
           const RadialReturn<Number> point  = radial_return(phi, q, material);
           const auto                 state  = point.state();
           auto                       stress = point.deviatoric_stress();
+          const Number               pressure =
+            mean_stress(material.bulk_modulus * volumetric[q],
+                        stress,
+                        strain_model.kinematics);
           for (unsigned int d = 0; d < 3; ++d)
-            stress[d][d] += material.bulk_modulus * volumetric[q];
+            stress[d][d] += pressure;
           const Number volume = volume_at(phi, q);
           const Number elastic_energy =
             point.distortion_energy() +
-            0.5 * material.bulk_modulus * volumetric[q] * volumetric[q];
+            0.5 * pressure * pressure / material.bulk_modulus;
           const Number hardening_energy = point.hardening_energy();
           const Number plastic_work     = point.plastic_work();
           const Number dissipation      = point.dissipation();
@@ -159,7 +182,8 @@ namespace ElastoPlastic
   CellStates
   MatrixFreeSolid<dim, degree>::states() const
   {
-    CellStates result(
+    const unsigned int n_cell_values = n_state_values * n_points;
+    CellStates         result(
       matrix_free.get_dof_handler().get_triangulation().n_active_cells());
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       for (unsigned int lane = 0;
@@ -168,13 +192,10 @@ namespace ElastoPlastic
         {
           auto &values = result[matrix_free.get_cell_iterator(batch, lane)
                                   ->active_cell_index()];
-          for (unsigned int q = 0; q < n_points; ++q)
-            {
-              auto state =
-                history.empty() ? virgin_state : history[n_points * batch + q];
-              for (const Number *number : state.numbers())
-                values.push_back((*number)[lane]);
-            }
+          values.assign(n_cell_values, 0.);
+          if (!history.empty())
+            for (unsigned int i = 0; i < n_cell_values; ++i)
+              values[i] = history[n_cell_values * batch + i][lane];
         }
     return result;
   }
@@ -185,25 +206,28 @@ namespace ElastoPlastic
   void
   MatrixFreeSolid<dim, degree>::set_states(const CellStates &states)
   {
-    history.resize(n_points * matrix_free.n_cell_batches(), virgin_state);
+    const unsigned int n_cell_values = n_state_values * n_points;
+    history.resize(n_cell_values * matrix_free.n_cell_batches(), Number(0.));
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       for (unsigned int lane = 0;
            lane < matrix_free.n_active_entries_per_cell_batch(batch);
            ++lane)
         {
-          const double *value =
+          const auto &values =
             states[matrix_free.get_cell_iterator(batch, lane)
-                     ->active_cell_index()]
-              .data();
-          for (unsigned int q = 0; q < n_points; ++q)
-            {
-              auto &state = history[n_points * batch + q];
-              for (Number *number : state.numbers())
-                (*number)[lane] = *value++;
-              state.equivalent_plastic_strain[lane] =
-                std::max(state.equivalent_plastic_strain[lane], 0.);
-            }
+                     ->active_cell_index()];
+          for (unsigned int i = 0; i < n_cell_values; ++i)
+            history[n_cell_values * batch + i][lane] = values[i];
         }
+    for (unsigned int point = 0;
+         point < n_points * matrix_free.n_cell_batches();
+         ++point)
+      {
+        MaterialState<Number> state = old_state(point);
+        state.equivalent_plastic_strain =
+          std::max(state.equivalent_plastic_strain, Number(0.));
+        state.pack(&history[n_state_values * point]);
+      }
   }
 
 

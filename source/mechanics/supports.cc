@@ -327,6 +327,37 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  ComponentMask
+  Supports<dim>::held_components(
+    const BoundaryConditions<dim> &boundary_conditions,
+    const types::boundary_id       boundary) const
+  {
+    using Type            = BoundaryConditionType;
+    const auto is_of_type = [&](const Type type) {
+      return boundary_conditions.ids(type).count(boundary) > 0;
+    };
+    if (is_of_type(Type::fixed))
+      return ComponentMask(dim, true);
+    if (is_of_type(Type::roller))
+      {
+        const auto level_roller = level_rollers.find(boundary);
+        return level_roller != level_rollers.end() ?
+                 mask_of_component<dim>(level_roller->second) :
+                 ComponentMask(dim, true);
+      }
+    ComponentMask held(dim, false);
+    if (is_of_type(Type::prescribed_displacement))
+      for (unsigned int d = 0; d < dim; ++d)
+        held.set(d,
+                 boundary_conditions.prescribed_displacements()
+                   .at(boundary)[d]
+                   .has_value());
+    return held;
+  }
+
+
+
+  template <int dim>
   void
   Supports<dim>::move_fixed(Vector &u) const
   {

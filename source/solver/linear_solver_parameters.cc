@@ -12,14 +12,15 @@ namespace ElastoPlastic
     prm.add_parameter(
       "Type",
       type,
-      "What preconditions the conjugate gradients. multigrid: geometric "
+      "What preconditions the conjugate gradients (GMRES if back stresses "
+      "recover). multigrid: geometric "
       "multigrid, without a matrix. AMG: algebraic multigrid for an assembled "
       "matrix, which knows the rigid body motions. direct: a sparse "
       "factorisation of the matrix, for small problems.",
       Patterns::Selection("multigrid|AMG|direct"));
     prm.add_parameter("Maximum number of iterations",
                       maximum_iterations,
-                      "The conjugate gradient steps allowed per linear system. "
+                      "The steps allowed per linear system. "
                       "When they are used up, Newton's method goes on with "
                       "what has been found.",
                       Patterns::Integer(1));

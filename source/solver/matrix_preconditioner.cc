@@ -7,7 +7,7 @@
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
 
-#include "solver/conjugate_gradients.h"
+#include "solver/krylov_method.h"
 #include "solver/matrix_preconditioner.h"
 
 namespace ElastoPlastic

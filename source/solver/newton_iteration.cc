@@ -64,6 +64,14 @@ namespace ElastoPlastic
   void
   NewtonIteration::become_feasible()
   {
+    if (!problem.has_energy())
+      throw ConvergenceError(
+        "The nonlinear solver makes no progress after " +
+        std::to_string(step.iteration) +
+        " iterations, and a material with recovering back stresses has no "
+        "energy by which another method could find the solution. Shorter "
+        "load steps ('Loading/Number of steps') or a finer mesh at the "
+        "contact help.");
     feasible = true;
     problem.move_held(u);
     problem.project(u);
@@ -92,10 +100,8 @@ namespace ElastoPlastic
     held_unknowns_at_place =
       lift.linfty_norm() <= 1e-12 * std::max(u.linfty_norm(), 1e-300);
 
-    free_residual = residual;
-    problem.reduce(free_residual);
     previous_free_norm = free_norm;
-    free_norm          = free_residual.l2_norm();
+    free_norm          = compute_free_norm();
     force_norm         = std::max(residual.l2_norm(), free_norm);
     if (!std::isfinite(force_norm))
       throw ConvergenceError(
@@ -107,6 +113,16 @@ namespace ElastoPlastic
     step.energy   = current_energy;
     step.residual = (force_norm > 0 ? free_norm / force_norm : 0.);
     step.feasible = feasible;
+  }
+
+
+
+  double
+  NewtonIteration::compute_free_norm()
+  {
+    free_residual = residual;
+    problem.reduce(free_residual);
+    return free_residual.l2_norm();
   }
 
 
@@ -179,10 +195,15 @@ namespace ElastoPlastic
         u += lift;
         evaluate();
       }
-    const double slope = slope_along(increment);
-    work               = u;
-    step.step_length   = slope < 0 ? line_search(work, increment, slope) : 0.;
-    stuck              = (step.step_length == 0. && held_unknowns_at_place);
+    work = u;
+    if (problem.has_energy())
+      {
+        const double slope = slope_along(increment);
+        step.step_length = slope < 0 ? line_search(work, increment, slope) : 0.;
+      }
+    else
+      step.step_length = residual_line_search(work, increment);
+    stuck = (step.step_length == 0. && held_unknowns_at_place);
   }
 
 
@@ -204,6 +225,33 @@ namespace ElastoPlastic
              slope_has_shrunk(direction, slope)))
           {
             problem.compute_residual(residual, u);
+            return fraction;
+          }
+      }
+    u = base;
+    evaluate();
+    return 0.;
+  }
+
+
+
+  // The linear system has been solved well enough for the norm to fall along
+  // the direction. (What is below the tolerance may be rounding.)
+  double
+  NewtonIteration::residual_line_search(const Vector &base,
+                                        const Vector &direction)
+  {
+    const double start_norm = compute_free_norm();
+    const double negligible = parameters.tolerance * force_norm;
+    for (double fraction = 1.; fraction > smallest_step_length; fraction *= 0.5)
+      {
+        u = base;
+        u.add(fraction, direction);
+        problem.compute_residual(residual, u);
+        if (compute_free_norm() <=
+            std::max((1. - 1e-4 * fraction) * start_norm, negligible))
+          {
+            current_energy = problem.energy(u);
             return fraction;
           }
       }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "solver/conjugate_gradients.h"
+#include "solver/minimal_residuals.h"
 #include "solver/tangent_solver.h"
 
 namespace ElastoPlastic
@@ -40,7 +41,8 @@ namespace ElastoPlastic
 
 
   /// Q + (1 - Q A) M (1 - A Q), where M is the given preconditioner and Q = d
-  /// d^T / (d^T A d) solves exactly along the response d.
+  /// d^T / (d^T A d) solves exactly along the response d. (If A is unsymmetric,
+  /// (A d)^T stands for d^T A.)
   template <int dim>
   class TangentSolver<dim>::DeflatedPreconditioner
   {
@@ -159,8 +161,10 @@ namespace ElastoPlastic
           {}
         const std::string failed = method->name;
         ++method;
-        warn("Conjugate gradients with " + failed + " do not converge here: " +
-             method->name + " takes over on this mesh.");
+        warn(
+          (solid->has_energy() ? "Conjugate gradients with " + failed + " do" :
+                                 "GMRES with " + failed + " does") +
+          " not converge here: " + method->name + " takes over on this mesh.");
         preconditioner = method->make();
         prepare_preconditioner();
       }
@@ -175,12 +179,14 @@ namespace ElastoPlastic
                                    const VectorType &rhs,
                                    const double      reduction)
   {
-    const unsigned int n = conjugate_gradients(ReducedTangent(*solid, unknowns),
-                                               solution,
-                                               rhs,
-                                               DeflatedPreconditioner(*this),
-                                               reduction,
-                                               method->maximum_iterations);
+    const ReducedTangent         tangent(*solid, unknowns);
+    const DeflatedPreconditioner deflated(*this);
+    const unsigned int           max_n = method->maximum_iterations;
+    const unsigned int           n =
+      solid->has_energy() ?
+                  conjugate_gradients(
+          tangent, solution, rhs, deflated, reduction, max_n) :
+                  minimal_residuals(tangent, solution, rhs, deflated, reduction, max_n);
     if (unknowns.has_ties())
       learn_response(solution, rhs);
     return n;
@@ -188,7 +194,8 @@ namespace ElastoPlastic
 
 
 
-  // CG is a Galerkin method: solution^T A solution = solution^T rhs.
+  // CG is a Galerkin method: solution^T A solution = solution^T rhs. (With
+  // GMRES, both sides agree as far as the residual has fallen.)
   template <int dim>
   void
   TangentSolver<dim>::learn_response(const VectorType &solution,

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_modelled_part_h
+#define contact_modelled_part_h
+
+#include <deal.II/distributed/tria.h>
+
+#include <set>
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// How much of the surroundings of the horizontal @p position belongs to the
+  /// boundaries @p contact_boundaries, seen from above, between 0 and 1: 1/4 if
+  /// a quarter of a body is modelled that has two planes of symmetry through
+  /// the indenter's axis. In two dimensions, where an indenter on the axis of
+  /// revolution presses on whole rings, it is 1. Collective.
+  template <int dim>
+  double
+  modelled_part(const parallel::distributed::Triangulation<dim> &triangulation,
+                const std::set<types::boundary_id> &contact_boundaries,
+                const Point<dim - 1>               &position);
+} // namespace ElastoPlastic
+
+#endif

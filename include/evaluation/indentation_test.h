@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef evaluation_indentation_test_h
+#define evaluation_indentation_test_h
+
+#include <optional>
+#include <vector>
+
+#include "contact/tip_shape.h"
+#include "evaluation/power_law.h"
+
+namespace ElastoPlastic
+{
+  /// The end of a load step: the columns of history.csv of the same names.
+  struct IndentationPoint
+  {
+    unsigned int step = 0;
+    double       time = 0, depth = 0, force = 0, contact_area = 0;
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /* version */)
+    {
+      archive &step &time &depth &force &contact_area;
+    }
+  };
+
+
+
+  /// What an unloading says about the material, by the method of
+  /// @cite oliver_pharr_1992. Forces, areas and the stiffness are those of the
+  /// part of the body that is modelled; hardness and modulus do not depend on
+  /// it.
+  struct UnloadingResult
+  {
+    /// Where it begins.
+    IndentationPoint maximum;
+    PowerLaw         law;
+    /// Of the law, at the maximum.
+    double stiffness = 0;
+    /// How deep the indenter touches, from the first contact (equation (4)).
+    double contact_depth = 0;
+    /// The indenter's section at this depth; 0 if it has none.
+    double tip_area = 0;
+    /// The part of the indenter that presses on the modelled part.
+    double modelled_part = 1;
+
+    /// The mean pressure force / @p area at the maximum; 0 without area.
+    double
+    hardness(const double area) const;
+
+    /// sqrt(pi) stiffness / (2 sqrt(area)) of the whole contact, equation (2);
+    /// 0 without area. The indenter is rigid: this is E / (1 - nu^2).
+    double
+    reduced_modulus(const double area) const;
+  };
+
+
+
+  /// Watches an indentation test, step by step, and evaluates every unloading.
+  /// An unloading begins at the last step before depth and force decrease, and
+  /// ends at the first step at which they do not. The law is fitted to its
+  /// steps between the two shares of the largest force below; with fewer than
+  /// three such steps there is no result.
+  ///
+  class IndentationTest
+  {
+  public:
+    static constexpr double lowest_share  = 0.40;
+    static constexpr double highest_share = 0.95;
+
+    /// @param tip of the indenter.
+    /// @param initial_gap between tip and body at the depth zero.
+    /// @param modelled_part of the indenter's surroundings, such as 1/4 in a
+    /// quarter model; see modelled_part().
+    IndentationTest(const TipShape &tip,
+                    const double    initial_gap,
+                    const double    modelled_part);
+
+    /// Adds the end of the next step. @return the result of an unloading as
+    /// soon as all steps for its fit are there: when the force has fallen below
+    /// the lowest share, or else when the unloading has ended.
+    std::optional<UnloadingResult>
+    add(const IndentationPoint &point);
+
+    /// The test is over. @return the result of an unloading that goes on until
+    /// then and has not been returned yet.
+    std::optional<UnloadingResult>
+    finish();
+
+    /// What this object remembers.
+    struct Progress
+    {
+      /// The last maximum and the steps of the unloading from there.
+      std::vector<IndentationPoint> unloading;
+      bool                          evaluated = false;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int /* version */)
+      {
+        archive &unloading &evaluated;
+      }
+    };
+
+    /// For checkpoints.
+    const Progress &
+    progress() const
+    {
+      return memory;
+    }
+
+    void
+    resume(const Progress &progress)
+    {
+      memory = progress;
+    }
+
+  private:
+    std::optional<UnloadingResult>
+    evaluate();
+
+    TipShape tip;
+    double   initial_gap;
+    double   modelled_part;
+
+    Progress memory;
+  };
+} // namespace ElastoPlastic
+
+#endif

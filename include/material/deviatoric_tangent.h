@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef material_deviatoric_tangent_h
+#define material_deviatoric_tangent_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/vectorization.h>
+
+#include "base/tensors.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The deviatoric part of a tangent, de -> a de - (m (l : de) + l (m : de))/2
+  /// with a = 2 G theta, where m and l are the normal of the yield surface and
+  /// the flow direction, both times sqrt(2 G theta_bar); for the consistent
+  /// tangent they are the same (doc/theory.md, "Material"). Back stresses that
+  /// recover make the tangent unsymmetric: de -> a de - l (m : de). Since both
+  /// tensors are deviatoric, their in-plane parts (dim = 2) say all about them.
+  template <int dim, typename Number>
+  struct DeviatoricTangent
+  {
+    Number                          shear = Number(0.);
+    SymmetricTensor<2, dim, Number> normal;
+    SymmetricTensor<2, dim, Number> flow;
+
+    /// The deviatoric stress increment that belongs to the increment @p strain.
+    DEAL_II_ALWAYS_INLINE SymmetricTensor<2, 3, Number>
+    operator*(const SymmetricTensor<2, 3, Number> &strain) const
+    {
+      const auto m      = normal_in_space();
+      const auto l      = flow_in_space();
+      auto       stress = elastic_product(strain);
+      stress -= (0.5 * (l * strain)) * m;
+      stress -= (0.5 * (m * strain)) * l;
+      return stress;
+    }
+
+    /// The same if the tangent is unsymmetric.
+    DEAL_II_ALWAYS_INLINE SymmetricTensor<2, 3, Number>
+    unsymmetric_product(const SymmetricTensor<2, 3, Number> &strain) const
+    {
+      auto stress = elastic_product(strain);
+      stress -= (normal_in_space() * strain) * flow_in_space();
+      return stress;
+    }
+
+    /// A symmetric, positive definite approximation if m and l are any tensors:
+    /// a de - m (m : de), without the second term if it would be a stiff
+    /// direction instead of a soft one.
+    DeviatoricTangent<dim, Number>
+    definite_part() const
+    {
+      const Number is_soft =
+        compare_and_apply_mask<SIMDComparison::greater_than>(
+          Number(normal_in_space() * flow_in_space()),
+          Number(0.),
+          Number(1.),
+          Number(0.));
+      return {shear, is_soft * normal, is_soft * normal};
+    }
+
+  private:
+    SymmetricTensor<2, 3, Number>
+    normal_in_space() const
+    {
+      return in_space<dim>(normal, Number(-trace(normal)));
+    }
+
+    SymmetricTensor<2, 3, Number>
+    flow_in_space() const
+    {
+      return in_space<dim>(flow, Number(-trace(flow)));
+    }
+
+    DEAL_II_ALWAYS_INLINE SymmetricTensor<2, 3, Number>
+    elastic_product(const SymmetricTensor<2, 3, Number> &strain) const
+    {
+      const Number                  mean   = shear * trace(strain) * (1. / 3.);
+      SymmetricTensor<2, 3, Number> stress = shear * strain;
+      for (unsigned int d = 0; d < 3; ++d)
+        stress[d][d] -= mean;
+      return stress;
+    }
+  };
+} // namespace ElastoPlastic
+
+#endif

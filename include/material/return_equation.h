@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef material_return_equation_h
+#define material_return_equation_h
+
+#include <array>
+
+#include "material/material.h"
+
+namespace ElastoPlastic
+{
+  /// The scalar equation that a backward Euler step of a nonlinear law leads
+  /// to, at one point: find the plastic multiplier x > 0 for which the relative
+  /// stress lies on the yield surface (doc/theory.md, "Material"),
+  ///
+  ///   |z(x)| - x (2 G + sum_k theta_k c_k)
+  ///     - sqrt(2/3) sigma_Y(alpha_n + sqrt(2/3) x) = 0,
+  ///   theta_k = 1 / (1 + g_k x),   z(x) = xi + sum_k (1 - theta_k) beta_k,
+  ///
+  /// where xi is the trial stress relative to the old back stresses beta_k.
+  /// Its left side decreases, by 2 G per unit of x or faster, as long as no
+  /// |beta_k| exceeds c_k / g_k.
+  struct ReturnEquation
+  {
+    /// 2 G
+    double elastic_modulus;
+    /// 2/3 H
+    double isotropic_modulus;
+    /// sqrt(2/3) (sigma_0 + H alpha_n)
+    double radius;
+    /// alpha_n
+    double equivalent_plastic_strain;
+    /// What sigma_Y has beyond sigma_0 + H alpha; may be a null pointer.
+    const HardeningCurve *curve;
+
+    boost::container::static_vector<BackStressLaw<double>, max_back_stresses>
+      back_stresses;
+
+    /// The scalar products of the tensors xi, beta_1, beta_2, ...
+    std::array<std::array<double, max_back_stresses + 1>, max_back_stresses + 1>
+      products;
+
+    struct Value
+    {
+      double excess; ///< the left side
+      double slope;  ///< its derivative
+      double norm;   ///< |z|
+    };
+
+    Value
+    evaluate(const double multiplier) const;
+
+    /// The solution, up to rounding; 0 if the trial stress lies inside the
+    /// yield surface. Newton's method between bounds that enclose the solution,
+    /// with bisection where a step leaves them or does not halve the excess:
+    /// this always converges. Not a number if the data are not.
+    /// @throws ConvergenceError if the left side is not monotone, as it is for
+    /// states that no history can have led to.
+    double
+    solve() const;
+  };
+} // namespace ElastoPlastic
+
+#endif

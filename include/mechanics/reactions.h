@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_reactions_h
+#define mechanics_reactions_h
+
+#include <string>
+#include <vector>
+
+#include "mechanics/solid_operator.h"
+#include "mechanics/supports.h"
+#include "mesh/boundary_names.h"
+
+namespace ElastoPlastic
+{
+  /// The forces of the supports on the body, boundary by boundary: the virtual
+  /// work on a displacement field that is one at the nodes of a boundary and
+  /// zero at all other nodes, in each direction that the boundary holds. An
+  /// unknown that several boundaries hold is shared equally between them, so
+  /// that the forces of all boundaries add up to what the body needs for its
+  /// equilibrium (doc/theory.md, "Reactions").
+  ///
+  /// In a body of revolution there is the axial direction only, of whole rings.
+  template <int dim>
+  class Reactions
+  {
+  public:
+    /// All arguments must outlive this object. They may change: mesh, unknowns
+    /// and supports are those at the time of a call.
+    Reactions(const DoFHandler<dim>         &dof_handler,
+              const BoundaryNames           &names,
+              const BoundaryConditions<dim> &boundary_conditions,
+              const Supports<dim>           &supports,
+              const Kinematics               kinematics);
+
+    /// "top_x", "top_y": boundary and direction of each force.
+    std::vector<std::string>
+    names() const;
+
+    /// The forces, in the order of names(). @p loads are the nodal forces of
+    /// everything but supports on the body, condensed with the hanging nodes
+    /// only. Collective.
+    std::vector<double>
+    compute(const SolidOperator<dim> &solid,
+            const VectorType         &displacement,
+            const VectorType         &loads) const;
+
+  private:
+    struct Component
+    {
+      std::string        name;
+      types::boundary_id boundary;
+      unsigned int       direction;
+    };
+
+    std::vector<Component>
+    components() const;
+
+    /// The unknowns of this rank that a component is about.
+    IndexSet
+    unknowns(const Component &component) const;
+
+    const DoFHandler<dim>         &dof_handler;
+    const BoundaryNames           &boundary_names;
+    const BoundaryConditions<dim> &boundary_conditions;
+    const Supports<dim>           &supports;
+    const unsigned int             first_direction;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef solver_krylov_method_h
+#define solver_krylov_method_h
+
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/solver_control.h>
+
+#include "base/exceptions.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  [[noreturn]] inline void
+  throw_singular()
+  {
+    throw ConvergenceError(
+      "The linear solver has produced values that are not finite: the "
+      "system is singular. Is the body supported against all rigid body "
+      "motions, and is the load below the limit load?");
+  }
+
+
+
+  /// What a linear solver owes its caller.
+  /// @throws ConvergenceError if @p norm is not finite.
+  inline void
+  check_finite(const double norm)
+  {
+    if (!std::isfinite(norm))
+      throw_singular();
+  }
+
+
+
+  /// Solves matrix * solution = rhs by deal.II's Krylov method @p Solver, with
+  /// a preconditioner, from zero, until the residual has fallen by the factor
+  /// @p reduction or the iterations are used up. @return the number of
+  /// iterations.
+  /// @throws ConvergenceError if the result is not finite.
+  template <typename Solver, typename Matrix, typename Preconditioner>
+  unsigned int
+  krylov_method(const Matrix                                     &matrix,
+                LinearAlgebra::distributed::Vector<double>       &solution,
+                const LinearAlgebra::distributed::Vector<double> &rhs,
+                const Preconditioner                  &preconditioner,
+                const double                           reduction,
+                const unsigned int                     maximum_iterations,
+                const typename Solver::AdditionalData &settings = {})
+  {
+    IterationNumberControl control(maximum_iterations,
+                                   reduction * rhs.l2_norm());
+    solution = 0.;
+    try
+      {
+        Solver(control, settings).solve(matrix, solution, rhs, preconditioner);
+      }
+    catch (const SolverControl::NoConvergence &failure)
+      {
+        check_finite(failure.last_residual);
+        throw;
+      }
+    check_finite(solution.l2_norm());
+    return control.last_step();
+  }
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <array>
+#include <cmath>
+
+#include "contact/modelled_part.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// The angle under which a quadrilateral is seen from the origin: 2 pi from
+    /// within, 0 from outside, pi from an edge, the corner's angle from there.
+    double
+    angle_of_view(const std::array<Tensor<1, 2>, 4> &corners)
+    {
+      double angle = 0;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          const auto  &a     = corners[i];
+          const auto  &b     = corners[(i + 1) % 4];
+          const double cross = a[0] * b[1] - a[1] * b[0];
+          if (std::abs(cross) > 1e-10 * (b - a).norm_square())
+            angle += std::atan2(cross, a * b);
+        }
+      return std::abs(angle);
+    }
+  } // namespace
+
+
+
+  template <>
+  double
+  modelled_part(const parallel::distributed::Triangulation<2> &,
+                const std::set<types::boundary_id> &,
+                const Point<1> &)
+  {
+    return 1.;
+  }
+
+
+
+  template <>
+  double
+  modelled_part(const parallel::distributed::Triangulation<3> &triangulation,
+                const std::set<types::boundary_id> &contact_boundaries,
+                const Point<2>                     &position)
+  {
+    double angle = 0;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() &&
+              contact_boundaries.count(face->boundary_id()) > 0)
+            {
+              std::array<Tensor<1, 2>, 4> corners;
+              for (const unsigned int v : face->vertex_indices())
+                corners[v] =
+                  Point<2>(face->vertex(v)[0], face->vertex(v)[1]) - position;
+              std::swap(corners[2], corners[3]); // around the face
+              angle += angle_of_view(corners);
+            }
+    return Utilities::MPI::sum(angle, triangulation.get_communicator()) /
+           (2 * numbers::PI);
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "contact/modelled_part.h"
+#include "elasto_plastic_contact.h"
+#include "mechanics/external_forces.h"
+
+namespace ElastoPlastic
+{
+  // The forces of the supports at the end of the load step under way, in the
+  // order of reactions.names(). The loads must not be condensed with skew
+  // rollers, which are supports.
+  template <int dim>
+  std::vector<double>
+  ElastoPlasticContact<dim>::support_forces() const
+  {
+    VectorType loads;
+    solid->initialize_vector(loads);
+    compute_external_forces(loads,
+                            dof_handler,
+                            supports.hanging_nodes(),
+                            boundary_conditions,
+                            parameters.discretization.strain_model().kinematics,
+                            time_steps.next_time());
+    for (const unsigned int i : contact.active_entries())
+      loads.local_element(i) -= residual.local_element(i);
+    return reactions.compute(*solid, displacement, loads);
+  }
+
+
+
+  // In plane strain a depth depends on the size of the body, and so would the
+  // evaluation.
+  template <int dim>
+  std::optional<IndentationTest>
+  ElastoPlasticContact<dim>::make_indentation_test() const
+  {
+    const bool is_plane =
+      dim == 2 && parameters.discretization.strain_model().kinematics !=
+                    Kinematics::axisymmetric;
+    if (!gap_function.has_indenter() || is_plane)
+      return {};
+    const double part =
+      modelled_part(triangulation,
+                    boundary_conditions.ids(BoundaryConditionType::contact),
+                    gap_function.position());
+    if (part == 0.)
+      return {}; // the indenter's axis does not meet the body
+    return IndentationTest(make_tip_shape<dim>(parameters.indenter),
+                           parameters.indenter.initial_gap,
+                           part);
+  }
+
+
+
+  template class ElastoPlasticContact<2>;
+  template class ElastoPlasticContact<3>;
+} // namespace ElastoPlastic

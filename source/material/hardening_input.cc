@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/utilities.h>
+
+#include <cmath>
+
+#include "base/as_number.h"
+#include "base/exceptions.h"
+#include "material/hardening_input.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// The numbers in @p text, none of them negative.
+    std::vector<double>
+    read_numbers(const std::string &path, const std::string &text)
+    {
+      std::vector<double> numbers;
+      if (text != "none")
+        for (const auto &part : dealii::Utilities::split_string_list(text, '|'))
+          {
+            const auto number = as_number(part);
+            if (!number || !std::isfinite(*number) || *number < 0)
+              throw InputError(path,
+                               text,
+                               "it must be 'none', or numbers that are finite "
+                               "and not negative, one for each back stress, "
+                               "separated by '|'.");
+            numbers.push_back(*number);
+          }
+      return numbers;
+    }
+  } // namespace
+
+
+
+  std::vector<HardeningCurve::Point>
+  read_hardening_table(const std::string &text, const double yield_stress)
+  {
+    static const std::string path = "Material/Hardening table";
+
+    std::vector<HardeningCurve::Point> table;
+    if (text == "none")
+      return table;
+    HardeningCurve::Point last = {0., 0.};
+    for (const auto &row : dealii::Utilities::split_string_list(text, '|'))
+      {
+        const auto parts  = dealii::Utilities::split_string_list(row, ':');
+        const auto strain = as_number(parts.empty() ? "" : parts.front());
+        const auto stress = as_number(parts.empty() ? "" : parts.back());
+        if (parts.size() != 2 || !strain || !stress ||
+            !std::isfinite(*strain) || !std::isfinite(*stress))
+          throw InputError(path,
+                           text,
+                           "it must be 'none', or pairs of equivalent plastic "
+                           "strain and yield stress, such as '0.01: 450 | "
+                           "0.05: 500'.");
+        if (*strain <= last.strain)
+          throw InputError(path,
+                           text,
+                           "its strains must increase, and the first must be "
+                           "greater than 0: there, the yield stress is "
+                           "'Material/Yield stress'.");
+        const double rise = *stress - yield_stress;
+        if (rise < last.rise)
+          throw InputError(path,
+                           text,
+                           "its stresses must not decrease, nor begin below "
+                           "'Material/Yield stress': softening is not part of "
+                           "this model.");
+        last = {*strain, rise};
+        table.push_back(last);
+      }
+    return table;
+  }
+
+
+
+  std::vector<BackStressLaw<double>>
+  read_back_stresses(const std::string &moduli, const std::string &rates)
+  {
+    const auto C     = read_numbers("Material/Back stress moduli", moduli);
+    const auto gamma = read_numbers("Material/Recovery rates", rates);
+    if (C.size() > max_back_stresses)
+      throw InputError("Material/Back stress moduli",
+                       moduli,
+                       "a material can have at most " +
+                         std::to_string(max_back_stresses) + " back stresses.");
+    if (gamma.size() != C.size())
+      throw InputError("Material/Recovery rates",
+                       rates,
+                       "'Material/Back stress moduli' is '" + moduli +
+                         "': give one rate for each modulus, 0 where nothing "
+                         "recovers.");
+
+    std::vector<BackStressLaw<double>> laws;
+    for (unsigned int k = 0; k < C.size(); ++k)
+      if (C[k] > 0) // without it, there is nothing that could recover
+        laws.push_back({2. / 3. * C[k], std::sqrt(2. / 3.) * gamma[k]});
+    return laws;
+  }
+} // namespace ElastoPlastic

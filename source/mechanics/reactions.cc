@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include "mechanics/reactions.h"
+
+namespace ElastoPlastic
+{
+  template <int dim>
+  Reactions<dim>::Reactions(const DoFHandler<dim>         &dof_handler,
+                            const BoundaryNames           &names,
+                            const BoundaryConditions<dim> &boundary_conditions,
+                            const Supports<dim>           &supports,
+                            const Kinematics               kinematics)
+    : dof_handler(dof_handler)
+    , boundary_names(names)
+    , boundary_conditions(boundary_conditions)
+    , supports(supports)
+    , first_direction(kinematics == Kinematics::axisymmetric ? 1 : 0)
+  {}
+
+
+
+  template <int dim>
+  std::vector<typename Reactions<dim>::Component>
+  Reactions<dim>::components() const
+  {
+    const std::string      axes = "xyz";
+    std::vector<Component> result;
+    for (const auto &[name, id] : boundary_names)
+      {
+        const ComponentMask held =
+          supports.held_components(boundary_conditions, id);
+        for (unsigned int d = first_direction; d < dim; ++d)
+          if (held[d])
+            result.push_back({name + "_" + axes[d], id, d});
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  Reactions<dim>::names() const
+  {
+    std::vector<std::string> result;
+    for (const Component &component : components())
+      result.push_back(component.name);
+    return result;
+  }
+
+
+
+  template <int dim>
+  IndexSet
+  Reactions<dim>::unknowns(const Component &component) const
+  {
+    ComponentMask mask(dim, false);
+    mask.set(component.direction, true);
+    return DoFTools::extract_boundary_dofs(dof_handler,
+                                           mask,
+                                           {component.boundary}) &
+           dof_handler.locally_owned_dofs();
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  Reactions<dim>::compute(const SolidOperator<dim> &solid,
+                          const VectorType         &displacement,
+                          const VectorType         &loads) const
+  {
+    const auto all_components = components();
+    VectorType n_boundaries;
+    solid.initialize_vector(n_boundaries);
+    for (const Component &component : all_components)
+      for (const auto dof : unknowns(component))
+        n_boundaries(dof) += 1.;
+
+    std::vector<double> forces;
+    VectorType          translation;
+    for (const Component &component : all_components)
+      {
+        solid.initialize_vector(translation);
+        for (const auto dof : unknowns(component))
+          translation(dof) = 1. / n_boundaries(dof);
+        supports.hanging_nodes().distribute(translation);
+        forces.push_back(solid.virtual_work(displacement, translation) -
+                         loads * translation);
+      }
+    return forces;
+  }
+
+
+
+  template class Reactions<2>;
+  template class Reactions<3>;
+} // namespace ElastoPlastic
