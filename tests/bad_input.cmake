@@ -161,6 +161,8 @@ add_entry_test(too_short "'Loading/Depth' is '0.001', but the indenter can never
 add_entry_test(local_radius "'Geometry/Local radius' is '0', but it must be greater than 0" "Geometry/Local radius=0")
 add_entry_test(local_centre "'Geometry/Local centre' is '0', but it must be empty or hold one coordinate for each of the" "Geometry/Local centre=0")
 add_entry_test(axisymmetric_3d "'Kinematics' is 'axisymmetric', but that is for two dimensions" "Dimension=3" "Kinematics=axisymmetric")
+add_entry_test(plane_stress_3d "'Kinematics' is 'plane stress', but that is for two dimensions" "Dimension=3" "Kinematics=plane stress")
+add_entry_test(plane_stress_b_bar "'Discretization/Volumetric treatment' is 'B-bar', but in plane stress" "Kinematics=plane stress" "Discretization/Volumetric treatment=B-bar")
 add_message_test(across_the_axis 2 "'Kinematics' is 'axisymmetric', but the body reaches to negative x"
   ${CMAKE_SOURCE_DIR}/parameter_files/indentation/sphere_axisymmetric.prm --validate --set "Geometry/Lower corner=-1, -4")
 
@@ -184,6 +186,9 @@ add_entry_test(cycles_without_strategy "'Refinement/Number of cycles' is '2', bu
 add_entry_test(fractions "'Refinement/Coarsening fraction' is '0.6', but together with" "Refinement/Refinement fraction=0.6" "Refinement/Coarsening fraction=0.6")
 add_entry_test(tolerance "'Nonlinear solver/Tolerance' is '1', but it must lie between 1e-14 and 1e-2" "Nonlinear solver/Tolerance=1")
 add_entry_test(loosest_linear_reduction "'Nonlinear solver/Loosest linear reduction' is '1', but it must lie between 1e-12 and 0.5" "Nonlinear solver/Loosest linear reduction=1")
+add_entry_test(adaptation_global "'Refinement/Steps between adaptations' is '2', but only 'Refinement/Strategy = Kelly' can" Refinement/Strategy=global "Refinement/Steps between adaptations=2")
+add_message_test(resume_and_overwrite 2 "--overwrite begins anew, --resume goes on" ${_base} --resume --overwrite)
+add_message_test(nothing_to_resume 2 "base.prm: There is nothing to resume: 'nothing_to_resume/checkpoint' does not exist" ${_base} --output-directory nothing_to_resume --resume)
 add_message_test(first_mesh_too_fine 2 "'Refinement/Maximum number of unknowns' is '10', but the first mesh has 50" ${_base} --output-directory first_mesh_too_fine --overwrite --set "Refinement/Maximum number of unknowns=10")
 add_message_test(no_convergence 3 "has not converged in 1 iterations" ${_base} --output-directory no_convergence --overwrite --set "Nonlinear solver/Maximum number of iterations=1" --set Loading/Depth=0.1)
 add_message_test(overflow 3 "forces are no longer finite numbers" ${_base} --output-directory overflow --overwrite --set Loading/Depth=1e300)

@@ -217,6 +217,8 @@ namespace
                    "")
              << (strain_model.kinematics == Kinematics::axisymmetric ?
                    ", axisymmetric" :
+                 strain_model.kinematics == Kinematics::plane_stress ?
+                   ", plane stress" :
                    "")
              << std::endl;
     Block<dim>(degree, strain_model, false, 1).check_finest_level();
@@ -238,11 +240,15 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const unsigned int degree : {1, 2})
-    for (const auto treatment :
-         {VolumetricTreatment::standard, VolumetricTreatment::b_bar})
-      {
-        check<2>(degree, treatment);
-        check<2>(degree, {treatment, Kinematics::axisymmetric});
-        check<3>(degree, treatment);
-      }
+    {
+      for (const auto treatment :
+           {VolumetricTreatment::standard, VolumetricTreatment::b_bar})
+        {
+          check<2>(degree, treatment);
+          check<2>(degree, {treatment, Kinematics::axisymmetric});
+          check<3>(degree, treatment);
+        }
+      check<2>(degree,
+               {VolumetricTreatment::standard, Kinematics::plane_stress});
+    }
 }

@@ -327,10 +327,15 @@ namespace
       for (const auto treatment :
            {VolumetricTreatment::standard, VolumetricTreatment::b_bar})
         {
+          if (kinematics == Kinematics::plane_stress &&
+              treatment == VolumetricTreatment::b_bar)
+            continue;
           output()
             << dim << "D, p = " << degree << ", "
             << (treatment == VolumetricTreatment::b_bar ? "B-bar" : "standard")
-            << (kinematics == Kinematics::axisymmetric ? ", axisymmetric" : "")
+            << (kinematics == Kinematics::axisymmetric ? ", axisymmetric" :
+                kinematics == Kinematics::plane_stress ? ", plane stress" :
+                                                         "")
             << std::endl;
           Body<dim> body(degree, {treatment, kinematics}, materials);
           body.check();
@@ -355,6 +360,7 @@ main(int argc, char *argv[])
       output() << name << std::endl;
       check_bodies<2>(Kinematics::cartesian, materials);
       check_bodies<2>(Kinematics::axisymmetric, materials);
+      check_bodies<2>(Kinematics::plane_stress, materials);
       check_bodies<3>(Kinematics::cartesian, materials);
     }
 }
