@@ -151,8 +151,22 @@ namespace ElastoPlastic
   }
 
 
-  template class MatrixFreeLevel<2, 1>;
-  template class MatrixFreeLevel<2, 2>;
-  template class MatrixFreeLevel<3, 1>;
-  template class MatrixFreeLevel<3, 2>;
+
+  template <int dim>
+  std::unique_ptr<LevelOperator<dim>>
+  make_level_operator(const unsigned int degree,
+                      const StrainModel &strain_model)
+  {
+    if (degree == 1)
+      return std::make_unique<MatrixFreeLevel<dim, 1>>(strain_model);
+    AssertDimension(degree, 2);
+    return std::make_unique<MatrixFreeLevel<dim, 2>>(strain_model);
+  }
+
+
+
+  template std::unique_ptr<LevelOperator<2>>
+  make_level_operator(const unsigned int, const StrainModel &);
+  template std::unique_ptr<LevelOperator<3>>
+  make_level_operator(const unsigned int, const StrainModel &);
 } // namespace ElastoPlastic
