@@ -125,7 +125,7 @@ namespace
     }
 
     void
-    check_ties(const std::string &title)
+    check_ties(const std::string &title, const unsigned int allowed_surplus)
     {
       output() << title << std::endl;
       const Method       amg = {"AMG", [&]() { return make_amg(); }, 1000};
@@ -143,7 +143,7 @@ namespace
              check_solve(solver, ties, 1e-9) <= n_without + 5);
       solver.prepare(*solid, ties);
       verify("  as good as held ones, the response known",
-             check_solve(solver, ties, 1e-9) <= n_without + 1);
+             check_solve(solver, ties, 1e-9) <= n_without + allowed_surplus);
     }
 
     static Method
@@ -220,12 +220,12 @@ main(int argc, char *argv[])
   block.check_fallback("Values that are not finite",
                        {Block::scaling("First", 0., 1000),
                         Block::scaling("Second", 1., 1000)});
-  block.check_ties("Tied unknowns");
+  block.check_ties("Tied unknowns", 1);
 
   Block recovering(recovering_material());
   recovering.flow();
   recovering.check_fallback("Unsymmetric, too many iterations",
                             {Block::scaling("First", 1e-5, 10),
                              Block::scaling("Second", 1e-5, 10000)});
-  recovering.check_ties("Unsymmetric, tied unknowns");
+  recovering.check_ties("Unsymmetric, tied unknowns", 5);
 }

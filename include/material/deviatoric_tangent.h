@@ -47,21 +47,6 @@ namespace ElastoPlastic
       return stress;
     }
 
-    /// A symmetric, positive definite approximation if m and l are any tensors:
-    /// a de - m (m : de), without the second term if it would be a stiff
-    /// direction instead of a soft one.
-    DeviatoricTangent<dim, Number>
-    definite_part() const
-    {
-      const Number is_soft =
-        compare_and_apply_mask<SIMDComparison::greater_than>(
-          Number(normal_in_space() * flow_in_space()),
-          Number(0.),
-          Number(1.),
-          Number(0.));
-      return {shear, is_soft * normal, is_soft * normal};
-    }
-
   private:
     SymmetricTensor<2, 3, Number>
     normal_in_space() const
@@ -83,6 +68,31 @@ namespace ElastoPlastic
       for (unsigned int d = 0; d < 3; ++d)
         stress[d][d] -= mean;
       return stress;
+    }
+  };
+
+
+
+  /// A tangent whose flow direction q, not longer than 1, is still open: the
+  /// flow of the DeviatoricTangent will be flow_length q + recovery. If q is
+  /// the direction of the flow at this strain, it is the consistent tangent.
+  template <typename Number>
+  struct OpenTangent
+  {
+    using Tensor3 = SymmetricTensor<2, 3, Number>;
+
+    Number  shear;
+    Tensor3 normal;
+    /// sqrt(2 G theta_bar), or minus sqrt(-2 G theta_bar) where hardening has
+    /// become so much steeper that the flow direction is stiff.
+    Number flow_length;
+    /// omega z'_perp / flow_length, zero without recovery.
+    Tensor3 recovery;
+
+    DeviatoricTangent<3, Number>
+    with_flow(const Tensor3 &direction) const
+    {
+      return {shear, normal, flow_length * direction + recovery};
     }
   };
 } // namespace ElastoPlastic

@@ -92,44 +92,42 @@ namespace ElastoPlastic
       return (norm / std::max(norm, radius)) * direction;
     }
 
-    /// The derivative of deviatoric_stress() with respect to the strain, where
-    /// @p flow, not longer than 1, stands for the flow direction; symmetrised.
-    /// With flow_direction() it is the consistent tangent
-    /// @cite rudi_shih_stadler_2020. For laws without recovery whose hardening
-    /// never becomes steeper.
-    DeviatoricTangent<3, Number>
-    tangent(const Tensor3 &flow) const
+    /// The derivative of deviatoric_stress() with respect to the strain, with
+    /// the flow direction left open @cite rudi_shih_stadler_2020.
+    OpenTangent<Number>
+    tangent() const
     {
-      const Number scale = std::sqrt(plastic(softness()));
-      return {shear_stiffness(), scale * direction, scale * flow};
-    }
-
-    /// The consistent tangent of any law. Its product is the unsymmetric one;
-    /// without recovery, the symmetric product is the same.
-    DeviatoricTangent<3, Number>
-    exact_tangent() const
-    {
-      const Number  two_g = 2. * material.shear_modulus;
+      const Number two_g = 2. * material.shear_modulus;
+      const Number soft  = plastic(softness());
+      if (material.is_linear)
+        {
+          const Number scale = std::sqrt(soft);
+          return {shear_stiffness(), scale * direction, scale, Tensor3()};
+        }
       const Tensor3 turn  = recovery_of_norm();
       const Number  omega = two_g * two_g * multiplier / (norm * modulus);
-      const Tensor3 left  = plastic(softness()) * direction +
-                           omega * (turn - (direction * turn) * direction);
-      // (a softness of zero would leave nothing to multiply left with)
-      const Number scale = std::sqrt(
-        plastic(std::max(std::abs(softness()), Number(1e-12 * two_g))));
+      // (a softness of zero would leave nothing to multiply the rest with)
+      const Number scale =
+        std::sqrt(plastic(std::max(std::abs(soft), Number(1e-12 * two_g))));
+      const Number reciprocal = 1. / std::max(scale, Number(1e-100));
       return {shear_stiffness(),
               scale * direction,
-              left / std::max(scale, Number(1e-100))};
+              soft * reciprocal,
+              (omega * reciprocal) * (turn - (direction * turn) * direction)};
     }
 
     /// The flow direction that Newton's method predicts for a strain that is
     /// larger by @p increment, if it takes strain and flow direction as
     /// independent unknowns, and @p flow as the present value of the latter:
-    /// from the derivative of norm(xi) flow = xi, and shortened to 1.
+    /// from the derivative of norm(z) flow = z, and shortened to 1.
     Tensor3
     predicted_flow(const Tensor3 &flow, const Tensor3 &increment) const
     {
-      const Tensor3 stress_increment = 2. * material.shear_modulus * increment;
+      const Number two_g            = 2. * material.shear_modulus;
+      Tensor3      stress_increment = two_g * increment;
+      if (!material.is_linear)
+        stress_increment += plastic(two_g * (direction * increment) / modulus) *
+                            recovery_of_norm();
       const Tensor3 prediction =
         (norm * direction + stress_increment -
          plastic(direction * stress_increment) * flow) /

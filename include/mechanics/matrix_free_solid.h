@@ -135,11 +135,25 @@ namespace ElastoPlastic
     DeviatoricTangent<dim, Number>
     stored_tangent(const unsigned int point) const
     {
+      auto tangent = symmetric_tangent(point);
+      if (recovers)
+        tangent.flow += recoveries[point];
+      return tangent;
+    }
+
+    /// The same without recovery of back stresses.
+    DeviatoricTangent<dim, Number>
+    symmetric_tangent(const unsigned int point) const
+    {
       const PointTangent tangent = tangents[point];
       return {tangent.shear,
               tangent.normal,
               tangent.flow_length * in_plane<dim>(flow_directions[point])};
     }
+
+    /// A positive definite approximation of it.
+    DeviatoricTangent<dim, Number>
+    definite_tangent(const unsigned int point) const;
 
     /// The kernel with the stored tangent as point law.
     void
@@ -164,9 +178,10 @@ namespace ElastoPlastic
     const unsigned int n_back_stresses;
     /// Whether a back stress recovers.
     const bool recovers;
-    /// Whether linearize() uses predicted flow directions: not if the tangent
-    /// is unsymmetric, or a hardening curve becomes steeper.
-    const bool predicts_flow;
+    /// Whether a hardening curve becomes steeper. Then a point can be stiff in
+    /// the flow direction, and only the exact one makes the tangent positive
+    /// definite: it is not predicted.
+    const bool becomes_steeper;
 
     MatrixFree<dim, double, Number> matrix_free;
 
@@ -183,10 +198,11 @@ namespace ElastoPlastic
     };
 
     /// Of all points, n_points per cell batch: the tangents and the predicted
-    /// flow directions. If these are not predicted, their place is taken by the
-    /// second tensor of the tangents, and flow_length is 1.
-    SinglePrecisionStorage<PointTangent>                  tangents;
-    SinglePrecisionStorage<SymmetricTensor<2, 3, Number>> flow_directions;
+    /// flow directions; with recovering back stresses, what these add to the
+    /// flow of the tangents.
+    SinglePrecisionStorage<PointTangent>                    tangents;
+    SinglePrecisionStorage<SymmetricTensor<2, 3, Number>>   flow_directions;
+    SinglePrecisionStorage<SymmetricTensor<2, dim, Number>> recoveries;
 
     /// The states of all points before the step, packed, n_state_values
     /// numbers each; none as long as all points are virgin.

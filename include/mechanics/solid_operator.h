@@ -188,9 +188,9 @@ namespace ElastoPlastic
                const AffineConstraints<double> &all_constraints) const = 0;
 
     /// Calls @p receive for all locally owned cells with the mean of the stored
-    /// tangent, or of its definite part if there are no predicted flow
-    /// directions. (The means of the two factors of the soft direction make the
-    /// mean stiffer than the tangent, and so positive definite.)
+    /// tangent, or of a definite approximation. (The means of the two factors
+    /// of the soft direction make the mean stiffer than the tangent, and so
+    /// positive definite.)
     virtual void
     for_each_cell_tangent(
       const std::function<

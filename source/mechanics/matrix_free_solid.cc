@@ -47,7 +47,7 @@ namespace ElastoPlastic
 
 
     bool
-    becomes_steeper(const Material<double> &material)
+    has_steeper_curve(const Material<double> &material)
     {
       return material.curves[0] && !material.curves[0]->is_concave();
     }
@@ -63,9 +63,8 @@ namespace ElastoPlastic
     , materials(materials)
     , n_back_stresses(most_back_stresses(materials))
     , recovers(std::any_of(materials.begin(), materials.end(), has_recovery))
-    , predicts_flow(
-        !recovers &&
-        std::none_of(materials.begin(), materials.end(), becomes_steeper))
+    , becomes_steeper(
+        std::any_of(materials.begin(), materials.end(), has_steeper_curve))
     , n_state_values(MaterialState<Number>::n_values(n_back_stresses))
   {}
 
@@ -93,6 +92,8 @@ namespace ElastoPlastic
 
     tangents.reinit(n_points * matrix_free.n_cell_batches());
     flow_directions.reinit(n_points * matrix_free.n_cell_batches());
+    if (recovers)
+      recoveries.reinit(n_points * matrix_free.n_cell_batches());
     history.clear();
     collect_materials(dof_handler.get_communicator());
   }
@@ -317,15 +318,15 @@ namespace ElastoPlastic
         {
           const auto point =
             radial_return(phi, q % n_points, material_of(batch));
-          const auto tangent = predicts_flow ?
-                                 point.tangent(flow_directions[q]) :
-                                 point.exact_tangent();
-          if (!predicts_flow)
-            flow_directions.set(q, tangent.flow);
+          const auto tangent = point.tangent();
           tangents.set(q,
                        {tangent.shear,
                         in_plane<dim>(tangent.normal),
-                        predicts_flow ? tangent.normal.norm() : Number(1.)});
+                        tangent.flow_length});
+          if (recovers)
+            recoveries.set(q, in_plane<dim>(tangent.recovery));
+          if (becomes_steeper)
+            flow_directions.set(q, point.flow_direction());
         }
     });
   }
@@ -337,8 +338,6 @@ namespace ElastoPlastic
   MatrixFreeSolid<dim, degree>::predict_flow(const VectorType &old_u,
                                              const VectorType &new_u)
   {
-    if (!predicts_flow)
-      return;
     for_each_cell_batch(
       old_u,
       new_u,

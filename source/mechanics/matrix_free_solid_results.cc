@@ -81,6 +81,25 @@ namespace ElastoPlastic
 
 
 
+  // Where the flow direction is stiff, the tangent without it is definite.
+  template <int dim, int degree>
+  DeviatoricTangent<dim, Simd<double>>
+  MatrixFreeSolid<dim, degree>::definite_tangent(const unsigned int point) const
+  {
+    auto tangent = symmetric_tangent(point);
+    if (becomes_steeper)
+      {
+        const Number is_soft =
+          compare_and_apply_mask<SIMDComparison::greater_than>(
+            tangents[point].flow_length, Number(0.), Number(1.), Number(0.));
+        tangent.normal *= is_soft;
+        tangent.flow *= is_soft;
+      }
+    return tangent;
+  }
+
+
+
   template <int dim, int degree>
   void
   MatrixFreeSolid<dim, degree>::for_each_cell_tangent(
@@ -97,10 +116,8 @@ namespace ElastoPlastic
           auto            &sum  = mean.deviatoric;
           for (unsigned int q = 0; q < n_points; ++q)
             {
-              auto tangent = stored_tangent(n_points * batch + q);
-              if (!predicts_flow)
-                tangent = tangent.definite_part();
-              const double weight = 1. / n_points;
+              const auto   tangent = definite_tangent(n_points * batch + q);
+              const double weight  = 1. / n_points;
               sum.shear += weight * tangent.shear[lane];
               for (unsigned int i = 0; i < CellTangent<dim>::n_symmetric; ++i)
                 {
