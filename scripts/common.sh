@@ -22,7 +22,7 @@ export OMP_NUM_THREADS=1
 
 # Open MPI refuses to start as root, which is who one is in a container.
 if [ "$(id -u)" -eq 0 ]; then
-  export OMPI_MCA_ess_singleton_isolated=1
+  export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_sharedfp=^sm
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 fi
 

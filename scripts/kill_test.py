@@ -110,7 +110,7 @@ def main():
     os.environ.update(OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
                       OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                       OMPI_MCA_rmaps_base_oversubscribe="1",
-                      OMPI_MCA_ess_singleton_isolated="1")
+                      OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_sharedfp="^sm")
 
     with tempfile.TemporaryDirectory() as folder:
         reference = pathlib.Path(folder) / "reference"

@@ -64,6 +64,7 @@ class Runner:
                 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                 OMPI_MCA_rmaps_base_oversubscribe="1",
                 OMPI_MCA_ess_singleton_isolated="1",
+                OMPI_MCA_sharedfp="^sm",
             )
             subprocess.run(list(map(str, command)), check=True, env=environment)
             self.check_balances(read_tables(folder))
