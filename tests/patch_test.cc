@@ -29,9 +29,8 @@ namespace
   exact_stress(const Material<double> &m)
   {
     const double norm = std::sqrt(2. / 3.) * strain; // of the strain deviator
-    const double multiplier =
-      (2 * m.shear_modulus * norm - m.yield_radius) /
-      (2 * m.shear_modulus + m.isotropic_modulus);
+    const double multiplier = (2 * m.shear_modulus * norm - m.yield_radius) /
+                              (2 * m.shear_modulus + m.isotropic_modulus);
     const double deviator = 2 * m.shear_modulus * (norm - multiplier);
     return {-m.bulk_modulus * strain - std::sqrt(2. / 3.) * deviator,
             -m.bulk_modulus * strain + std::sqrt(1. / 6.) * deviator};
