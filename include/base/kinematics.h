@@ -18,8 +18,8 @@ namespace ElastoPlastic
                   ///< strain, of unit thickness
     plane_stress, ///< in two dimensions, a sheet of unit thickness that bears
                   ///< no stress across
-    axisymmetric ///< in two dimensions, the half section x = r >= 0 of a body
-                 ///< of revolution about the axis x = 0
+    axisymmetric  ///< in two dimensions, the half section x = r >= 0 of a body
+                  ///< of revolution about the axis x = 0
   };
 
 
