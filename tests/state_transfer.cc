@@ -30,7 +30,8 @@ namespace
                 const unsigned int degree,
                 const Body        &body)
   {
-    FEValues<dim> points(FE_Nothing<dim>(),
+    const FE_Nothing<dim> no_fields;
+    FEValues<dim>         points(no_fields,
                          QGauss<dim>(degree + 1),
                          update_quadrature_points | update_JxW_values);
     for (const auto &cell : mesh.active_cell_iterators())
@@ -74,12 +75,12 @@ namespace
 
   /// The integrals of both numbers.
   template <int dim>
-  std::array<double, 2>
+  std::vector<double>
   integrals(const Mesh<dim>   &mesh,
             const unsigned int degree,
             const CellStates  &states)
   {
-    std::array<double, 2> sums = {{0, 0}};
+    std::vector<double> sums(2, 0.);
     for_each_cell(mesh, degree, [&](const auto &cell, const auto &points) {
       for (const unsigned int q : points.quadrature_point_indices())
         for (unsigned int i = 0; i < 2; ++i)
@@ -144,14 +145,13 @@ namespace
 
     const CellStates   old_states    = sample_states(mesh, degree);
     const auto         old_integrals = integrals(mesh, degree, old_states);
-    const unsigned int old_n_cells   = mesh.n_global_active_cells();
     StateTransfer<dim> transfer(mesh, degree);
     change(mesh, transfer, old_states);
     const CellStates states = transfer.take();
 
     const auto new_integrals = integrals(mesh, degree, states);
-    verify("other cells than before",
-           mesh.n_global_active_cells() != old_n_cells &&
+    verify("some cells are larger, others smaller",
+           Utilities::MPI::sum(mesh.n_active_cells(2), MPI_COMM_WORLD) > 0 &&
              mesh.n_global_levels() == 5);
     verify("polynomials are reproduced",
            largest_error(mesh, degree, states) < 1e-12);
