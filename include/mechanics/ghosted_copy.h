@@ -40,6 +40,8 @@ namespace ElastoPlastic
     GhostedCopies(const std::vector<VectorType *> &vectors,
                   const DoFHandler<dim>           &dof_handler)
     {
+      // (a copy of a copy does not know the values of other ranks)
+      copies.reserve(vectors.size());
       for (const VectorType *vector : vectors)
         copies.push_back(ghosted_copy(*vector, dof_handler));
     }
