@@ -18,6 +18,8 @@ namespace ElastoPlastic
     std::string
     first_rows(const std::string &name, const unsigned int n_rows)
     {
+      if (n_rows == 0)
+        return "";
       std::ifstream file(name);
       std::string   line, rows;
       std::getline(file, line);
