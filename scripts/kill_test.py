@@ -6,7 +6,6 @@ resume it with another number of ranks, and compare the final results with those
 of an uninterrupted run."""
 
 import argparse
-import csv
 import os
 import pathlib
 import random
@@ -16,8 +15,9 @@ import sys
 import tempfile
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-CASE = ROOT / "parameter_files/indentation/sphere_axisymmetric.prm"
+from verification_runner import CASES, MPI_ENVIRONMENT, ROOT, read_table
+
+CASE = CASES / "indentation/sphere_axisymmetric.prm"
 # Small, with a mesh that follows the contact, so that checkpoints take a good
 # part of the time.
 ENTRIES = ["Geometry/Initial refinements=3", "Geometry/Local refinements=5",
@@ -44,11 +44,6 @@ def command(program, ranks, directory, option):
     entries = [part for entry in ENTRIES for part in ("--set", entry)]
     return [*launcher, program, str(CASE), *entries, "--quiet",
             "--output-directory", str(directory), option]
-
-
-def read_table(name):
-    with open(name, newline="") as table:
-        return list(csv.DictReader(table))
 
 
 def descendants(pid):
@@ -96,7 +91,7 @@ def differences(reference, directory, allowed):
             yield f"{name}: {len(found)} rows instead of {len(expected)}"
             continue
         for column in expected[0].keys() - NOT_COMPARED if expected else ():
-            pairs = [(float(row[column]), float(other[column]))
+            pairs = [(row[column], other[column])
                      for row, other in zip(expected, found)]
             largest = max(abs(a) for a, _ in pairs)
             tolerance = 1e-6 if column in SINGLE_PRECISION else allowed
@@ -104,9 +99,13 @@ def differences(reference, directory, allowed):
                 if abs(a - b) > tolerance * largest:
                     yield f"{name}, row {number}, {column}: {b} instead of {a}"
     for file in reference.glob("*.pvd"):
-        # (the third line says when it has been written)
-        if file.read_text().split()[20:] != (directory / file.name).read_text().split()[20:]:
+        if entries_of_collection(file) != entries_of_collection(directory / file.name):
             yield f"{file.name} differs"
+
+
+def entries_of_collection(file):
+    """All lines of a .pvd file but the comment that says when it has been written."""
+    return [line for line in file.read_text().splitlines() if not line.startswith("#")]
 
 
 def main():
@@ -117,10 +116,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     chance = random.Random(options.seed)
-    os.environ.update(OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
-                      OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                      OMPI_MCA_rmaps_base_oversubscribe="1",
-                      OMPI_MCA_ess_singleton_isolated="1", OMPI_MCA_sharedfp="^sm")
+    os.environ.update(MPI_ENVIRONMENT)
 
     with tempfile.TemporaryDirectory() as folder:
         reference = pathlib.Path(folder) / "reference"
@@ -172,12 +168,13 @@ def interrupted_run(options, chance, directory, duration, counts):
         if way == "checkpoint":
             wait_for_checkpoint(process, directory)
             time.sleep(chance.uniform(0, 0.01))
-        if process.poll() is None:
+        killed = process.poll() is None
+        if killed:
             end(process, number)
             counts[way] += 1
         if process.returncode == 0:
             return
-        if process.returncode not in (-number, TERMINATED, MPIRUN_TERMINATED):
+        if not killed or process.returncode not in (-number, TERMINATED, MPIRUN_TERMINATED):
             yield (f"exit status {process.returncode} after {number.name} on "
                    f"{process.args}")
             return

@@ -14,6 +14,16 @@ from vtu_fields import read_fields
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CASES = ROOT / "parameter_files"
 
+# One thread a rank, also as root, on fewer cores than ranks, and in a container.
+MPI_ENVIRONMENT = {
+    "OMP_NUM_THREADS": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_rmaps_base_oversubscribe": "1",
+    "OMPI_MCA_ess_singleton_isolated": "1",
+    "OMPI_MCA_sharedfp": "^sm",
+}
+
 # The steel of most cases (MPa) and its modulus under a rigid indenter.
 E, NU = 200000.0, 0.3
 E_STAR = E / (1 - NU**2)
@@ -57,16 +67,7 @@ class Runner:
             command += ["--overwrite", "--set", "Output/Fields=never"]
             for entry in entries:
                 command += ["--set", entry]
-            environment = dict(
-                os.environ,
-                OMP_NUM_THREADS="1",
-                OMPI_ALLOW_RUN_AS_ROOT="1",
-                OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                OMPI_MCA_rmaps_base_oversubscribe="1",
-                OMPI_MCA_ess_singleton_isolated="1",
-                OMPI_MCA_sharedfp="^sm",
-            )
-            subprocess.run(list(map(str, command)), check=True, env=environment)
+            subprocess.run(list(map(str, command)), check=True, env=os.environ | MPI_ENVIRONMENT)
             self.check_balances(read_tables(folder))
             yield folder
 

@@ -9,6 +9,7 @@
 #include "elasto_plastic_contact.h"
 #include "io/command_line.h"
 #include "io/parameters.h"
+#include "limit_load_analysis.h"
 #include "program.h"
 #include "version.h"
 
@@ -32,15 +33,27 @@ namespace
 
 
 
+  void
+  find_limit_load(const CommandLine &command_line, const Parameters &parameters)
+  {
+    LimitLoadAnalysis analysis(parameters, MPI_COMM_WORLD);
+    if (command_line.task == CommandLine::Task::run)
+      analysis.run(command_line.overwrite);
+  }
+
+
+
   /// @throws InputError that names the parameter file.
   void
-  solve_contact_problem(const CommandLine &command_line)
+  analyze(const CommandLine &command_line)
   {
     const Parameters parameters = Parameters::read(command_line);
     try
       {
         parameters.check();
-        if (parameters.dimension == 2)
+        if (parameters.analysis == "limit load")
+          find_limit_load(command_line, parameters);
+        else if (parameters.dimension == 2)
           solve_contact_problem<2>(command_line, parameters);
         else
           solve_contact_problem<3>(command_line, parameters);
@@ -70,7 +83,7 @@ namespace
           break;
         case CommandLine::Task::validate:
         case CommandLine::Task::run:
-          solve_contact_problem(command_line);
+          analyze(command_line);
           break;
       }
   }

@@ -66,6 +66,9 @@ namespace ElastoPlastic
   private:
     void
     add_parameters(ParameterHandler &prm);
+
+    void
+    check_limit_load() const;
   };
 } // namespace ElastoPlastic
 

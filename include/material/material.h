@@ -91,6 +91,16 @@ namespace ElastoPlastic
 
 
 
+  /// Whether the material does not harden at all.
+  inline bool
+  is_perfect(const Material<double> &material)
+  {
+    return material.isotropic_modulus == 0 && material.back_stresses.empty() &&
+           !material.curves[0];
+  }
+
+
+
   /// Puts the materials @p of_lane together, with @p n_back_stresses back
   /// stresses, as many as the richest of them has, or more.
   template <typename Number>

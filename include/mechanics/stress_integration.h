@@ -149,40 +149,28 @@ namespace ElastoPlastic
 
 
 
+  /// Whether the body is a thin sheet; the compiler knows it of bodies in
+  /// space.
+  template <int dim>
+  constexpr bool
+  in_plane_stress(const Kinematics kinematics)
+  {
+    return dim == 2 && kinematics == Kinematics::plane_stress;
+  }
+
+
+
   /// The mean stress: what belongs to the volumetric strain, or in plane
   /// stress, where that is not known, what together with the @p
   /// deviatoric_stress leaves no stress out of plane.
-  template <typename Number>
+  template <int dim, typename Number>
   DEAL_II_ALWAYS_INLINE inline Number
   mean_stress(const Number                        &volumetric_stress,
               const SymmetricTensor<2, 3, Number> &deviatoric_stress,
               const Kinematics                     kinematics)
   {
-    return kinematics == Kinematics::plane_stress ? -deviatoric_stress[2][2] :
-                                                    volumetric_stress;
-  }
-
-
-
-  /// The deviatoric stress @p law(strain) of a linear law. In plane stress, the
-  /// out-of-plane component of @p strain is replaced by the one for which this
-  /// and @p bulk_modulus times the trace leave no stress out of plane.
-  template <typename Number, typename LinearLaw>
-  DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
-  linear_deviatoric_stress(const LinearLaw                     &law,
-                           const Number                        &bulk_modulus,
-                           const SymmetricTensor<2, 3, Number> &strain,
-                           const Kinematics                     kinematics)
-  {
-    SymmetricTensor<2, 3, Number> stress = law(strain);
-    if (kinematics != Kinematics::plane_stress)
-      return stress;
-    SymmetricTensor<2, 3, Number> across;
-    across[2][2]                                  = Number(1.);
-    const SymmetricTensor<2, 3, Number> of_across = law(across);
-    return stress - ((bulk_modulus * trace(strain) + stress[2][2]) /
-                     (bulk_modulus + of_across[2][2])) *
-                      of_across;
+    return in_plane_stress<dim>(kinematics) ? -deviatoric_stress[2][2] :
+                                              volumetric_stress;
   }
 
 
@@ -210,12 +198,46 @@ namespace ElastoPlastic
         auto stress =
           deviatoric_stress(q, strain_at<dim, degree>(phi, q, kinematics));
         const Simd<Number> pressure =
-          mean_stress(bulk_modulus * volumetric[q], stress, kinematics);
+          mean_stress<dim>(bulk_modulus * volumetric[q], stress, kinematics);
         for (unsigned int d = 0; d < 3; ++d)
           stress[d][d] += pressure;
         submit_stress<dim, degree>(phi, stress, q, kinematics);
       }
     phi.integrate(flags);
+  }
+
+
+
+  /// The same for a linear law. In plane stress, the out-of-plane component of
+  /// the strain is replaced by the one for which @p deviatoric_stress and
+  /// @p bulk_modulus times the trace leave no stress out of plane.
+  template <int dim, int degree, typename Number, typename PointLaw>
+  void
+  integrate_linear_stress(DisplacementEvaluation<dim, degree, Number> &phi,
+                          const Simd<Number> &bulk_modulus,
+                          const StrainModel  &strain_model,
+                          const PointLaw     &deviatoric_stress)
+  {
+    using Strain = SymmetricTensor<2, 3, Simd<Number>>;
+    if (!in_plane_stress<dim>(strain_model.kinematics))
+      return integrate_stress<dim, degree>(phi,
+                                           bulk_modulus,
+                                           strain_model,
+                                           deviatoric_stress);
+
+    Strain across;
+    across[2][2] = Simd<Number>(1.);
+    integrate_stress<dim, degree>(
+      phi,
+      bulk_modulus,
+      strain_model,
+      [&](const unsigned int q, const Strain &strain) {
+        const Strain stress    = deviatoric_stress(q, strain);
+        const Strain of_across = deviatoric_stress(q, across);
+        return stress - ((bulk_modulus * trace(strain) + stress[2][2]) /
+                         (bulk_modulus + of_across[2][2])) *
+                          of_across;
+      });
   }
 } // namespace ElastoPlastic
 

@@ -4,9 +4,12 @@
 #ifndef mesh_body_size_h
 #define mesh_body_size_h
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
 
 #include <algorithm>
+#include <limits>
+#include <set>
 
 namespace ElastoPlastic
 {
@@ -28,6 +31,25 @@ namespace ElastoPlastic
     for (unsigned int d = 0; d < dim; ++d)
       size = std::max(size, upper[d] - lower[d]);
     return size;
+  }
+
+
+
+  /// The highest point of the given @p boundaries, on all ranks: where the
+  /// indenter touches first if its tip is there.
+  template <int dim>
+  double
+  highest_point(const parallel::distributed::Triangulation<dim> &triangulation,
+                const std::set<types::boundary_id>              &boundaries)
+  {
+    double height = std::numeric_limits<double>::lowest();
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && boundaries.count(face->boundary_id()) > 0)
+            for (const unsigned int v : face->vertex_indices())
+              height = std::max(height, face->vertex(v)[dim - 1]);
+    return Utilities::MPI::max(height, triangulation.get_communicator());
   }
 } // namespace ElastoPlastic
 

@@ -6,7 +6,10 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <sstream>
 #include <string>
+
+#include "base/exceptions.h"
 
 namespace ElastoPlastic
 {
@@ -26,6 +29,26 @@ namespace ElastoPlastic
                    const std::string  &text,
                    const int           level,
                    Triangulation<dim> &triangulation);
+
+
+
+  /// @throws InputError, on this rank, if @p cell is of a material that there
+  /// is not.
+  template <typename CellAccessor>
+  void
+  check_material_id(const CellAccessor &cell, const unsigned int n_materials)
+  {
+    if (cell.material_id() < n_materials)
+      return;
+    std::ostringstream message;
+    message << "The cell with the centre (" << cell.center()
+            << ") has the material id " << cell.material_id()
+            << ", but the entries of 'Material' describe " << n_materials
+            << " materials: 0 to " << n_materials - 1
+            << ". Give one value for each material there, or change "
+               "'Geometry/Material id'.";
+    throw InputError(message.str());
+  }
 } // namespace ElastoPlastic
 
 #endif

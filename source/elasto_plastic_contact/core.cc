@@ -9,33 +9,10 @@
 #include "elasto_plastic_contact.h"
 #include "io/checked_write.h"
 #include "io/output_directory.h"
+#include "mesh/body_size.h"
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    /// The highest point of the given boundaries: where the indenter touches
-    /// first if its tip is there.
-    template <int dim>
-    double
-    highest_point(
-      const parallel::distributed::Triangulation<dim> &triangulation,
-      const std::set<types::boundary_id>              &boundaries)
-    {
-      double height = std::numeric_limits<double>::lowest();
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() &&
-                boundaries.count(face->boundary_id()) > 0)
-              for (const unsigned int v : face->vertex_indices())
-                height = std::max(height, face->vertex(v)[dim - 1]);
-      return Utilities::MPI::max(height, triangulation.get_communicator());
-    }
-  } // namespace
-
-
-
   // The members are constructed in the order in which the problem is
   // described: first the body, then what holds it, then what presses on it.
   // Whatever is wrong with the input shows up here, before the first result is

@@ -25,9 +25,9 @@ namespace ElastoPlastic
     {
       const std::regex result_names(
         "parameters\\.prm|"
-        "(history|statistics|mesh_changes|reactions|indentation)\\.csv(\\.new)?|"
+        "(history|statistics|mesh_changes|reactions|indentation|limit_load)\\.csv(\\.new)?|"
         "checkpoint(\\.new|\\.old)?|"
-        "(solution|surface)(\\.pvd|-.*\\.p?vtu)");
+        "(solution|surface|limit_load)(\\.pvd|-.*\\.p?vtu)");
       std::vector<fs::path> results;
       for (const auto &entry : fs::directory_iterator(directory))
         if (std::regex_match(entry.path().filename().string(), result_names))

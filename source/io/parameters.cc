@@ -88,8 +88,11 @@ namespace ElastoPlastic
     prm.add_parameter("Analysis",
                       analysis,
                       "contact: an indenter pressed into an elasto-plastic "
-                      "body, or a body loaded by its boundary conditions.",
-                      Patterns::Selection("contact"));
+                      "body, or a body loaded by its boundary conditions. "
+                      "limit load: the largest force that the indenter can "
+                      "exert on a perfectly plastic body in plane strain or "
+                      "plane stress, between two rigorous bounds.",
+                      Patterns::Selection("contact|limit load"));
     geometry.add_parameters(prm);
     boundary_conditions.add_parameters(prm);
     material.add_parameters(prm);
@@ -149,6 +152,8 @@ namespace ElastoPlastic
                        discretization.volumetric_treatment,
                        "in plane stress the volume can change freely, and "
                        "there is nothing that locks. Choose 'standard'.");
+    if (analysis == "limit load")
+      check_limit_load();
     material.check();
     indenter.check(dimension);
     refinement.check();
@@ -165,6 +170,29 @@ namespace ElastoPlastic
         "There is an indenter ('Indenter/Type = " + indenter.type +
         "'), but 'Boundary conditions/Contact' is empty. Name "
         "the boundary that it presses on, for example top.");
+  }
+
+
+
+  // What the equilibrium method cannot do.
+  void
+  Parameters::check_limit_load() const
+  {
+    if (dimension == 3)
+      throw InputError("Dimension",
+                       "3",
+                       "'Analysis = limit load' is for two dimensions.");
+    if (discretization.kinematics == "axisymmetric")
+      throw InputError("Kinematics",
+                       discretization.kinematics,
+                       "'Analysis = limit load' is for plane strain and plane "
+                       "stress.");
+    if (indenter.type == "none")
+      throw InputError("Indenter/Type",
+                       "none",
+                       "'Analysis = limit load' looks for the largest force of "
+                       "an indenter. Choose one, for example rectangular "
+                       "punch.");
   }
 
 

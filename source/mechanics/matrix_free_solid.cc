@@ -12,29 +12,12 @@
 #include "material/plane_stress.h"
 #include "mechanics/cell_matrices.h"
 #include "mechanics/matrix_free_solid.h"
+#include "mesh/material_ids.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    template <typename CellAccessor>
-    void
-    check_material_id(const CellAccessor &cell, const unsigned int n_materials)
-    {
-      if (cell.material_id() < n_materials)
-        return;
-      std::ostringstream message;
-      message << "The cell with the centre (" << cell.center()
-              << ") has the material id " << cell.material_id()
-              << ", but the entries of 'Material' describe " << n_materials
-              << " materials: 0 to " << n_materials - 1
-              << ". Give one value for each material there, or change "
-                 "'Geometry/Material id'.";
-      throw InputError(message.str());
-    }
-
-
-
     unsigned int
     most_back_stresses(const std::vector<Material<double>> &materials)
     {
@@ -210,19 +193,14 @@ namespace ElastoPlastic
     const unsigned int first_point = n_points * phi.get_current_cell_index();
     const Number       bulk_modulus =
       material_of(phi.get_current_cell_index()).bulk_modulus;
-    integrate_stress<dim, degree>(
+    integrate_linear_stress<dim, degree>(
       phi,
       bulk_modulus,
       strain_model,
       [&](const unsigned int q, const Strain &strain) {
         const auto tangent = stored_tangent(first_point + q);
-        return linear_deviatoric_stress(
-          [&](const Strain &e) {
-            return has_energy() ? tangent * e : tangent.unsymmetric_product(e);
-          },
-          bulk_modulus,
-          strain,
-          strain_model.kinematics);
+        return has_energy() ? tangent * strain :
+                              tangent.unsymmetric_product(strain);
       });
   }
 

@@ -22,9 +22,9 @@ namespace ElastoPlastic
         {
           const RadialReturn<Number> point = radial_return(phi, q, material);
           const Number               pressure =
-            mean_stress(material.bulk_modulus * volumetric[q],
-                        point.deviatoric_stress(),
-                        strain_model.kinematics);
+            mean_stress<dim>(material.bulk_modulus * volumetric[q],
+                             point.deviatoric_stress(),
+                             strain_model.kinematics);
           sum += (0.5 * pressure * pressure / material.bulk_modulus +
                   (has_energy() ?
                      point.energy() :
@@ -62,9 +62,9 @@ namespace ElastoPlastic
             const Strain stress =
               radial_return(phi, q, material).deviatoric_stress();
             const Number pressure =
-              mean_stress(material.bulk_modulus * volumetric[q],
-                          stress,
-                          strain_model.kinematics);
+              mean_stress<dim>(material.bulk_modulus * volumetric[q],
+                               stress,
+                               strain_model.kinematics);
             const Strain virtual_strain =
               strain_at<dim, degree>(test, q, strain_model.kinematics);
             sum += (pressure * virtual_volumetric[q] +
@@ -155,9 +155,9 @@ namespace ElastoPlastic
           const auto                 state  = point.state();
           auto                       stress = point.deviatoric_stress();
           const Number               pressure =
-            mean_stress(material.bulk_modulus * volumetric[q],
-                        stress,
-                        strain_model.kinematics);
+            mean_stress<dim>(material.bulk_modulus * volumetric[q],
+                             stress,
+                             strain_model.kinematics);
           for (unsigned int d = 0; d < 3; ++d)
             stress[d][d] += pressure;
           const Number volume = volume_at(phi, q);

@@ -266,6 +266,8 @@ namespace ElastoPlastic
     std::copy(upper.begin(), upper.end(), upper_point.begin_raw());
     GridGenerator::subdivided_hyper_rectangle(
       triangulation, steps, lower_point, upper_point, /* colorize = */ true);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      cell->set_material_id(0); // colours cells, too
     return boundary_names<dim>();
   }
 

@@ -85,17 +85,13 @@ namespace ElastoPlastic
   MatrixFreeLevel<dim, degree>::integrate_tangent(CellEvaluation &phi) const
   {
     const Tangent &tangent = tangents[phi.get_current_cell_index()];
-    integrate_stress<dim, degree>(
-      phi,
-      tangent.bulk_modulus,
-      strain_model,
-      [&](const unsigned int, const Strain &strain) {
-        return linear_deviatoric_stress(
-          [&](const Strain &e) { return tangent.deviatoric * e; },
-          tangent.bulk_modulus,
-          strain,
-          strain_model.kinematics);
-      });
+    integrate_linear_stress<dim, degree>(phi,
+                                         tangent.bulk_modulus,
+                                         strain_model,
+                                         [&](const unsigned int,
+                                             const Strain &strain) {
+                                           return tangent.deviatoric * strain;
+                                         });
   }
 
 

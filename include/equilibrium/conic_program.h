@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_conic_program_h
+#define equilibrium_conic_program_h
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <vector>
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// What a convex optimisation problem says of some of its unknowns x, for
+  /// instance the stresses on a triangle: their cost
+  ///   1/2 x^T P x + c^T x,
+  /// the second-order cones they must stay in,
+  ///   h - G x in K,
+  /// and what they contribute, A x, to the equations that couple the blocks.
+  struct ConicBlock
+  {
+    FullMatrix<double> quadratic_cost; ///< P: n x n, symmetric, not negative
+    Vector<double>     linear_cost;    ///< c: n
+    FullMatrix<double> cone_matrix;    ///< G: m x n
+    Vector<double>     cone_offset;    ///< h: m
+    /// K: sizes of cones, from 1 to SecondOrderCone::max_size, with the sum m
+    std::vector<unsigned int> cone_sizes;
+    FullMatrix<double>        coupling; ///< A: k x n
+    std::vector<unsigned int> rows; ///< the k equations that A contributes to
+
+    /// A block of @p n unknowns without cost, cones and couplings.
+    explicit ConicBlock(const unsigned int n);
+
+    /// Adds a row to A.
+    void
+    add_to_equation(const unsigned int equation, const Vector<double> &row);
+
+    /// Adds the condition row x <= 0 to the cones.
+    void
+    add_inequality(const Vector<double> &row);
+  };
+
+
+
+  /// Minimises the sum of the costs of all blocks so that their contributions
+  /// to each equation sum up to the right-hand side b.
+  ///
+  /// Many programs are of this kind: the unknowns of a block are the stresses
+  /// on a triangle, and the equations are equilibrium at sides or nodes. The
+  /// Lagrange multipliers y of the equations then are displacements.
+  struct ConicProgram
+  {
+    std::vector<ConicBlock> blocks;
+    Vector<double>          right_hand_side;
+    /// The last equations, to which many blocks contribute (the force balance
+    /// of an indenter). They are kept out of the sparse factorisation.
+    unsigned int n_dense_rows = 0;
+  };
+
+
+
+  /// Where the unknowns and the cones of the blocks are when those of all
+  /// blocks are stored one after the other.
+  struct ConicLayout
+  {
+    explicit ConicLayout(const ConicProgram &program);
+
+    /// A cone: its first entry, and how many there are.
+    struct Cone
+    {
+      unsigned int begin;
+      unsigned int size;
+    };
+
+    /// Of each block: its first unknown, its first row of cones, its first
+    /// cone; and of the block after the last.
+    std::vector<unsigned int> unknowns;
+    std::vector<unsigned int> rows;
+    std::vector<unsigned int> first_cones;
+    std::vector<Cone>         cones;
+  };
+
+
+
+  /// The solution of a ConicProgram: its unknowns x, what is left to the
+  /// boundary of the cones, s, and the Lagrange multipliers y and z. They
+  /// satisfy
+  ///   P x + c + A^T y + G^T z = 0, A x = b, G x + s = h, s^T z = 0
+  /// with s and z in the cones.
+  struct ConicSolution
+  {
+    Vector<double> x; ///< see ConicLayout::unknowns
+    Vector<double> s; ///< see ConicLayout::rows
+    Vector<double> z; ///< see ConicLayout::rows
+    Vector<double> y; ///< by equations
+
+    double       cost         = 0; ///< 1/2 x^T P x + c^T x
+    double       relative_gap = 0; ///< s^T z, relative to the cost
+    double       primal_error = 0; ///< of A x = b and G x + s = h
+    double       dual_error   = 0; ///< of the first equation, relative
+    unsigned int n_iterations = 0;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_interior_point_h
+#define equilibrium_interior_point_h
+
+#include "equilibrium/conic_program.h"
+
+namespace ElastoPlastic
+{
+  /// Solves a ConicProgram by a primal-dual interior point method: Nesterov
+  /// and Todd's scaling, Mehrotra's predictor and corrector
+  /// @cite vandenberghe_2010. The data should be of the order 1.
+  /// @param tolerance for the gap, relative to the cost, and for all residuals.
+  /// @throws ConvergenceError if the tolerance cannot be reached, in particular
+  /// if the program has no solution.
+  ConicSolution
+  minimize(const ConicProgram &program, const double tolerance);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_kkt_system_h
+#define equilibrium_kkt_system_h
+
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/sparsity_pattern.h>
+
+#include <memory>
+#include <vector>
+
+#include "equilibrium/conic_program.h"
+#include "equilibrium/second_order_cone.h"
+#include "equilibrium/sparse_cholesky.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The unknowns of the optimality conditions of a ConicProgram without the
+  /// slack variables, or the residuals of these conditions.
+  struct KktVector
+  {
+    Vector<double> x; ///< see ConicLayout::unknowns
+    Vector<double> z; ///< see ConicLayout::rows
+    Vector<double> y; ///< by equations
+  };
+
+
+
+  /// The linear system of an interior point step,
+  ///   P x + A^T y + G^T z   = r_x
+  ///   A x                   = r_y
+  ///   G x         - W^2 z   = r_z,
+  /// W being the scalings of the cones. The blocks eliminate z and x, one by
+  /// one: with the local matrices H = P + G^T W^-2 G, the sum of all A H^-1 A^T
+  /// remains. It is sparse and positive definite, like the stiffness matrix of
+  /// a displacement method with the unknowns y.
+  class KktSystem
+  {
+  public:
+    /// By cones.
+    using Scalings = std::vector<SecondOrderCone::Scaling>;
+
+    /// Both must live as long as this object.
+    KktSystem(const ConicProgram &program, const ConicLayout &layout);
+
+    /// Eliminates and factorises; @p scalings must live as long as solve() is
+    /// called. To each H, a small multiple of the identity is added, because
+    /// some are singular: a rigid-plastic body has no compliance, and no yield
+    /// condition bounds the mean stress.
+    /// @return false if rounding has made the matrix indefinite.
+    bool
+    factorize(const Scalings &scalings);
+
+    /// Solves the system, and repeats that with what is left: this removes what
+    /// has been added, and most of the rounding errors.
+    void
+    solve(KktVector &solution, const KktVector &right_hand_side) const;
+
+    /// residual = right_hand_side - (matrix of P, A and G) solution: without
+    /// the scalings. Either may have entries z or not.
+    void
+    subtract_product(KktVector &residual, const KktVector &solution) const;
+
+  private:
+    bool
+    eliminate(const unsigned int block);
+
+    void
+    add_to_matrix(const std::vector<unsigned int> &rows,
+                  const FullMatrix<double>        &contribution);
+
+    void
+    solve_once(KktVector &solution, const KktVector &right_hand_side) const;
+
+    void
+    solve_sparse_and_dense(Vector<double> &y) const;
+
+    /// z := W^-2 z for the cones of a block
+    void
+    divide_by_square(Vector<double> &z, const unsigned int block) const;
+
+    const ConicProgram &program;
+    const ConicLayout  &layout;
+    const unsigned int  n_sparse_rows;
+    const Scalings     *scalings = nullptr;
+
+    /// Of each block: L with H = L L^T, and A L^-T.
+    std::vector<FullMatrix<double>> local_factors;
+    std::vector<FullMatrix<double>> local_couplings;
+
+    SparsityPattern                 sparsity_pattern;
+    SparseMatrix<double>            matrix;
+    std::unique_ptr<SparseCholesky> sparse_factor;
+
+    /// The dense rows of the matrix, solved with the sparse part; and the
+    /// inverse of what is left of their own square.
+    std::vector<Vector<double>> dense_rows;
+    std::vector<Vector<double>> dense_solutions;
+    FullMatrix<double>          dense_inverse;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_limit_load_h
+#define equilibrium_limit_load_h
+
+#include <vector>
+
+#include "equilibrium/stress_program.h"
+#include "equilibrium/velocity_program.h"
+
+namespace ElastoPlastic
+{
+  /// Two bounds of the largest force that a body of perfectly plastic materials
+  /// can bear: any force below that of the stresses is safe, J (1.14) in
+  /// @cite johnson_1978, any force above that of the mechanism is not.
+  struct LimitLoad
+  {
+    StressField   stress;
+    VelocityField velocity;
+
+    /// By triangles: plastic work of the mechanism less the power of the
+    /// stresses, int sqrt(2/3) sigma_0 |e(v)| - tau : e(v) dx. It is never
+    /// negative, and zero where the two fields belong together; all together
+    /// are the difference of the bounds at most.
+    std::vector<double> gaps;
+  };
+
+
+
+  /// @throws ConvergenceError
+  LimitLoad
+  bound_limit_load(const PlaneBody &body);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_plane_body_h
+#define equilibrium_plane_body_h
+
+#include <functional>
+#include <vector>
+
+#include "base/kinematics.h"
+#include "equilibrium/split_mesh.h"
+#include "material/material.h"
+#include "mesh/boundary_conditions.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// What holds for one component of displacement and traction on a side.
+  enum class SideConditionType
+  {
+    continuous,   ///< between two triangles
+    traction,     ///< the traction is given, maybe zero
+    displacement, ///< the displacement is given, maybe zero
+    contact       ///< the indenter presses, if it touches
+  };
+
+
+
+  /// The condition of a side: for each of two directions at right angles.
+  struct SideCondition
+  {
+    /// A given traction or displacement as a function of the position.
+    using Value = std::function<double(const Point<2> &)>;
+
+    struct Component
+    {
+      Tensor<1, 2>      direction;
+      SideConditionType type;
+      Value             value;
+    };
+
+    std::array<Component, 2> components;
+  };
+
+
+
+  /// The problem of a plane section in plane strain or of a sheet, as the
+  /// equilibrium method needs it: the mesh, the materials, what acts on the
+  /// sides, and the units in which it computes.
+  struct PlaneBody
+  {
+    SplitMesh                     mesh;
+    std::vector<SideCondition>    conditions; ///< by sides
+    std::vector<Material<double>> materials;  ///< by triangles
+    bool                          plane_stress;
+    /// The gap between indenter and body, where the indenter can touch.
+    std::function<double(const Point<2> &)> gap;
+
+    /// A typical stress: the smallest yield stress, or a modulus of elasticity.
+    double stress_unit;
+    /// A typical strain: this stress by Young's modulus.
+    double strain_unit;
+    double length_unit;
+  };
+
+
+
+  /// Puts a PlaneBody together. The loads are those at @p time; @p conditions
+  /// must live as long as it. The indenter can touch a side of the contact
+  /// boundary where @p gap is finite in all of it. If there is one material
+  /// only, all cells are of it.
+  PlaneBody
+  make_plane_body(SplitMesh                                      mesh,
+                  const BoundaryConditions<2>                   &conditions,
+                  const std::vector<Material<double>>           &materials,
+                  const Kinematics                               kinematics,
+                  const std::function<double(const Point<2> &)> &gap,
+                  const double                                   time);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_sparse_cholesky_h
+#define equilibrium_sparse_cholesky_h
+
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <vector>
+
+#include <suitesparse/cholmod.h>
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// Factorises a symmetric positive definite matrix on one process again and
+  /// again, always with the same sparsity pattern, by CHOLMOD
+  /// @cite chen_davis_hager_rajamanickam_2008. It takes about a third of the
+  /// time of UMFPACK, which deal.II offers.
+  class SparseCholesky
+  {
+  public:
+    /// Finds an ordering with little fill.
+    explicit SparseCholesky(const SparsityPattern &pattern);
+
+    /// @return false if the matrix is not positive definite. Only its lower
+    /// half is read.
+    bool
+    factorize(const SparseMatrix<double> &matrix);
+
+    /// With the last factors.
+    void
+    vmult(Vector<double>       &solution,
+          const Vector<double> &right_hand_side) const;
+
+  private:
+    /// CHOLMOD's settings and workspace, which all calls change.
+    struct Common : cholmod_common
+    {
+      Common();
+      ~Common();
+    };
+
+    struct FactorDeleter
+    {
+      Common *common;
+      void
+      operator()(cholmod_factor *factor) const;
+    };
+
+    /// The lower half, row by row: for CHOLMOD, the upper half by columns.
+    cholmod_sparse
+    view();
+
+    mutable Common                                 common;
+    std::vector<int>                               row_begins;
+    std::vector<int>                               columns;
+    std::vector<double>                            values;
+    std::unique_ptr<cholmod_factor, FactorDeleter> factor;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_stress_check_h
+#define equilibrium_stress_check_h
+
+#include "equilibrium/plane_body.h"
+#include "equilibrium/stress_program.h"
+
+namespace ElastoPlastic
+{
+  /// How well a stress field satisfies what it promises, relative to the unit
+  /// of stress of the body: all should be zero but for rounding.
+  struct StressErrors
+  {
+    double divergence    = 0; ///< times the size of the triangle
+    double traction_jump = 0; ///< between thirds and between triangles
+    double boundary_force =
+      0;                     ///< given tractions, and shear under the indenter
+    double tension      = 0; ///< under the indenter
+    double yield_excess = 0; ///< |dev tau| - sqrt(2/3) sigma_0
+    double force_difference =
+      0; ///< of the field's force and int p ds, relative
+
+    double
+    largest() const;
+  };
+
+
+
+  /// Looks at every third and every side of the mesh, using nothing but the
+  /// stresses themselves.
+  StressErrors
+  check_stress(const PlaneBody &body, const StressField &field);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_stress_problem_h
+#define equilibrium_stress_problem_h
+
+#include "equilibrium/stress_program.h"
+
+namespace ElastoPlastic
+{
+  /// The stresses of least complementary energy
+  ///   J(tau) = int_Omega W*(tau) dx + int_Gamma_0 g p ds
+  /// among all Johnson-Mercier stresses in equilibrium with a given @p force of
+  /// the indenter, J (4.1) in @cite johnson_1978: one Hencky step from
+  /// the virgin state.
+  /// @throws ConvergenceError, in particular beyond the limit load.
+  StressField
+  equilibrate_with_force(const PlaneBody &body, const double force);
+
+  /// The same with a given @p depth of the indenter: the stresses minimise
+  /// J - depth times force.
+  StressField
+  equilibrate_with_depth(const PlaneBody &body, const double depth);
+
+  /// The stresses with the largest force of the indenter that satisfy the yield
+  /// condition everywhere. The force is a lower bound of the limit load.
+  /// @throws ConvergenceError, in particular if there is no limit.
+  StressField
+  maximize_force(const PlaneBody &body);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_stress_program_h
+#define equilibrium_stress_program_h
+
+#include <array>
+#include <vector>
+
+#include "equilibrium/conic_program.h"
+#include "equilibrium/plane_body.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// Stresses in exact equilibrium, and what the Lagrange multipliers of this
+  /// say of the displacement.
+  struct StressField
+  {
+    /// By triangles: the components 11, 22, 12 at the corners of the thirds,
+    /// see JohnsonMercier::value_index().
+    std::vector<Vector<double>> in_plane;
+    /// By triangles: the component 33 at the corners of the thirds.
+    std::vector<std::array<double, 9>> out_of_plane;
+    /// By sides: the displacement at the two ends, between which it is linear.
+    /// It need not be continuous from side to side.
+    std::vector<std::array<Tensor<1, 2>, 2>> displacement;
+
+    /// Of the indenter. The depth is zero if neither it nor the force has been
+    /// prescribed.
+    double force = 0;
+    double depth = 0;
+    /// What has been minimised.
+    double cost = 0;
+    /// Between the cost and its lower bound in the space of these stresses.
+    double       relative_gap = 0;
+    unsigned int n_iterations = 0;
+  };
+
+
+
+  /// A minimisation over Johnson-Mercier stresses in equilibrium that satisfy
+  /// the yield condition everywhere, as a ConicProgram in the units of the
+  /// body.
+  ///
+  /// Each triangle is a block. Its unknowns are the coefficients of the
+  /// equilibrated basis; sigma_33 at the corners of the thirds, in plane
+  /// strain; and zeta there, the growth of the yield surface, if the material
+  /// hardens. The equations, two at each end of the sides, say that the
+  /// tractions of the two triangles add up to zero, or to what is prescribed.
+  /// Between the corners, the yield condition holds because stresses are linear
+  /// and the set of admissible ones is convex.
+  class StressProgram
+  {
+  public:
+    /// What is known of sigma_33: it is a field of its own, which need not be
+    /// continuous; or the mean of sigma_11 and sigma_22, with which the yield
+    /// condition of plane strain admits most; or zero.
+    enum class OutOfPlaneStress
+    {
+      unknown,
+      mean,
+      zero
+    };
+
+    /// @p body must live as long as this object. There is no cost yet.
+    StressProgram(const PlaneBody &body, const OutOfPlaneStress out_of_plane);
+
+    /// Add the energy int W*(tau) dx, with
+    ///   W* = 1/2 tau : C^-1 tau + zeta^2 / (2 h),
+    /// C being the elasticity and h = 2/3 (H + H_k), less the work
+    /// of the prescribed displacements.
+    void
+    add_energy();
+
+    /// Add int g p ds, with the gap g and the pressure p of the indenter.
+    void
+    add_gap();
+
+    /// Add @p factor int p ds.
+    void
+    add_force(const double factor);
+
+    /// Require int p ds = @p force. The depth will be the Lagrange multiplier.
+    void
+    prescribe_force(const double force);
+
+    /// @throws ConvergenceError
+    StressField
+    solve(const double tolerance) const;
+
+  private:
+    /// A number for each end of a side, and each component of its condition.
+    template <typename Number>
+    using ByEnds = std::array<std::array<Number, 2>, 2>;
+
+    /// A side as a triangle sees it: the forces of its outward tractions in
+    /// the directions of the condition, as linear functions of the unknowns.
+    struct SideOfTriangle
+    {
+      unsigned int           side;
+      ByEnds<Vector<double>> forces;
+      /// Under the indenter: the row of the condition p >= 0, and the cost of
+      /// p, at both ends.
+      std::array<unsigned int, 2> cone_rows     = {};
+      std::array<double, 2>       contact_costs = {};
+    };
+
+    void
+    number_equations();
+    void
+    add_block(const unsigned int triangle);
+    void
+    add_yield_conditions(const unsigned int triangle);
+    void
+    add_sides(const unsigned int triangle);
+
+    bool
+    can_touch(const unsigned int side) const;
+
+    /// @p cost(side, end) goes with the force at an end of a side.
+    template <typename Function>
+    void
+    add_contact_cost(const Function &cost);
+
+    /// int f phi ds for the two linear functions phi of a side, relative to
+    /// half of its length.
+    std::array<double, 2>
+    moments(const unsigned int                             side,
+            const std::function<double(const Point<2> &)> &f) const;
+
+    void
+    read_displacement(StressField         &field,
+                      const ConicSolution &solution,
+                      const ConicLayout   &layout) const;
+
+    const PlaneBody       &body;
+    const OutOfPlaneStress out_of_plane;
+    ConicProgram           program;
+
+    /// By sides; invalid where there is none.
+    std::vector<ByEnds<unsigned int>> equations;
+
+    /// By triangles: stress at the corners of the thirds, four components each
+    /// (36 x n); and their three sides.
+    std::vector<FullMatrix<double>>            point_stresses;
+    std::vector<std::array<SideOfTriangle, 3>> sides;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef limit_load_analysis_h
+#define limit_load_analysis_h
+
+#include <deal.II/distributed/tria.h>
+
+#include <memory>
+
+#include "contact/gap_function.h"
+#include "equilibrium/limit_load.h"
+#include "io/csv_file.h"
+#include "io/equilibrium_output.h"
+#include "io/parameters.h"
+#include "io/screen.h"
+#include "mesh/boundary_conditions.h"
+
+namespace ElastoPlastic
+{
+  /// The largest force that an indenter can exert on a plane body of perfectly
+  /// plastic materials, between two rigorous bounds: that of stresses in exact
+  /// equilibrium, which are safe, and that of a mechanism of collapse
+  /// (doc/theory.md, "Limit loads"). The mesh is refined where the two fields
+  /// disagree.
+  ///
+  /// The mesh is distributed; the conic programs are solved by the first rank.
+  class LimitLoadAnalysis
+  {
+  public:
+    /// Builds the mesh and checks what can be checked before anything is
+    /// computed. @throws InputError
+    LimitLoadAnalysis(const Parameters &parameters,
+                      const MPI_Comm    communicator);
+
+    /// Computes the bounds on all meshes, and writes limit_load.csv and the
+    /// fields to the output directory. @p overwrite allows to replace earlier
+    /// ones. @throws ConvergenceError, FileError
+    void
+    run(const bool overwrite);
+
+  private:
+    PlaneBody
+    make_body() const;
+
+    void
+    solve(CsvFile &table);
+
+    void
+    distribute_gaps(const PlaneBody &body, const LimitLoad &bounds);
+
+    bool
+    mark_next_mesh();
+
+    const Parameters parameters;
+    const MPI_Comm   communicator;
+    const bool       first_rank;
+
+    Screen            screen;
+    EquilibriumOutput output;
+    unsigned int      cycle = 0;
+
+    parallel::distributed::Triangulation<2> triangulation;
+    const BoundaryNames                     boundary_names;
+    const BoundaryConditions<2>             boundary_conditions;
+    const GapFunction<2>                    gap_function;
+
+    /// By active cells of this rank: the square roots of LimitLoad::gaps, like
+    /// other indicators.
+    Vector<float> error_indicators;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "equilibrium/conic_program.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    void
+    append_row(FullMatrix<double> &matrix, const Vector<double> &row)
+    {
+      FullMatrix<double> longer(matrix.m() + 1, row.size());
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        for (unsigned int j = 0; j < row.size(); ++j)
+          longer(i, j) = matrix(i, j);
+      for (unsigned int j = 0; j < row.size(); ++j)
+        longer(matrix.m(), j) = row[j];
+      matrix = longer;
+    }
+  } // namespace
+
+
+
+  ConicBlock::ConicBlock(const unsigned int n)
+    : quadratic_cost(n, n)
+    , linear_cost(n)
+    , cone_matrix(0, n)
+    , coupling(0, n)
+  {}
+
+
+
+  void
+  ConicBlock::add_to_equation(const unsigned int    equation,
+                              const Vector<double> &row)
+  {
+    append_row(coupling, row);
+    rows.push_back(equation);
+  }
+
+
+
+  void
+  ConicBlock::add_inequality(const Vector<double> &row)
+  {
+    append_row(cone_matrix, row);
+    cone_offset.grow_or_shrink(cone_offset.size() + 1);
+    cone_sizes.push_back(1);
+  }
+
+
+
+  ConicLayout::ConicLayout(const ConicProgram &program)
+    : unknowns(1, 0)
+    , rows(1, 0)
+    , first_cones(1, 0)
+  {
+    for (const ConicBlock &block : program.blocks)
+      {
+        unsigned int begin = rows.back();
+        for (const unsigned int size : block.cone_sizes)
+          {
+            cones.push_back({begin, size});
+            begin += size;
+          }
+        unknowns.push_back(unknowns.back() + block.linear_cost.size());
+        rows.push_back(begin);
+        first_cones.push_back(cones.size());
+      }
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "equilibrium/johnson_mercier.h"
+#include "equilibrium/limit_load.h"
+#include "equilibrium/stress_problem.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    using namespace JohnsonMercier;
+
+
+
+    /// int tau : e(v) over a triangle, the product of two linear functions on
+    /// each third.
+    double
+    power(const PlaneBody &body, const LimitLoad &bounds, const unsigned int t)
+    {
+      const auto rates = strain_rates(body, bounds.velocity, t);
+      const SymmetricTensor<2, 2> at_center =
+        (rates[0] + rates[1] + rates[2]) / 3.;
+      double sum = 0;
+      for (unsigned int third = 0; third < 3; ++third)
+        {
+          const std::array<SymmetricTensor<2, 2>, 3> rate = {
+            {rates[third], rates[(third + 1) % 3], at_center}};
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j < 3; ++j)
+              sum += (i == j ? 2. : 1.) *
+                     (stress_at(bounds.stress.in_plane[t], third, i) * rate[j]);
+        }
+      return area(body.mesh.corners(body.mesh.triangles[t])) / 36. * sum;
+    }
+  } // namespace
+
+
+
+  LimitLoad
+  bound_limit_load(const PlaneBody &body)
+  {
+    LimitLoad bounds;
+    bounds.stress   = maximize_force(body);
+    bounds.velocity = minimize_plastic_work(body);
+    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+      bounds.gaps.push_back(bounds.velocity.dissipation[t] -
+                            power(body, bounds, t));
+    return bounds;
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/exceptions.h"
+#include "equilibrium/plane_body.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    const SideCondition::Value zero = [](const Point<2> &) {
+      return 0.;
+    };
+
+
+
+    double
+    youngs_modulus(const Material<double> &material)
+    {
+      return 9. * material.bulk_modulus * material.shear_modulus /
+             (3. * material.bulk_modulus + material.shear_modulus);
+    }
+
+
+
+    /// Tells the conditions of sides from those of the boundaries.
+    class Conditions
+    {
+    public:
+      Conditions(const BoundaryConditions<2>                   &conditions,
+                 const std::function<double(const Point<2> &)> &gap,
+                 const double                                   time)
+        : contact(conditions.ids(BoundaryConditionType::contact))
+        , fixed(conditions.ids(BoundaryConditionType::fixed))
+        , rollers(conditions.ids(BoundaryConditionType::roller))
+        , displacements(conditions.prescribed_displacements())
+        , tractions(conditions.tractions())
+        , gap(gap)
+        , time(time)
+      {}
+
+      SideCondition
+      operator()(const SplitMesh &mesh, const SplitMesh::Side &side) const
+      {
+        const types::boundary_id id = side.boundary_id;
+        if (id == numbers::internal_face_boundary_id)
+          return along_axes(SideConditionType::continuous,
+                            SideConditionType::continuous);
+        if (fixed.count(id) > 0)
+          return along_axes(SideConditionType::displacement,
+                            SideConditionType::displacement);
+        if (contact.count(id) > 0 && within_reach(mesh, side))
+          return along_axes(SideConditionType::traction,
+                            SideConditionType::contact);
+
+        SideCondition condition =
+          along_axes(SideConditionType::traction, SideConditionType::traction);
+        if (rollers.count(id) > 0)
+          {
+            const Tensor<1, 2> normal = mesh.normal(side);
+            condition.components      = {
+                   {{normal, SideConditionType::displacement, zero},
+                    {cross_product_2d(normal), SideConditionType::traction, zero}}};
+          }
+        prescribe(condition,
+                  SideConditionType::displacement,
+                  displacements,
+                  id);
+        prescribe(condition, SideConditionType::traction, tractions, id);
+        return condition;
+      }
+
+    private:
+      using Values =
+        std::map<types::boundary_id, BoundaryConditions<2>::Components>;
+
+      static SideCondition
+      along_axes(const SideConditionType x, const SideConditionType y)
+      {
+        return {{{{Tensor<1, 2>({1., 0.}), x, zero},
+                  {Tensor<1, 2>({0., 1.}), y, zero}}}};
+      }
+
+      void
+      prescribe(SideCondition           &condition,
+                const SideConditionType  type,
+                const Values            &values,
+                const types::boundary_id id) const
+      {
+        const auto found = values.find(id);
+        if (found == values.end())
+          return;
+        for (unsigned int d = 0; d < 2; ++d)
+          if (found->second[d])
+            condition.components[d] = {Point<2>::unit_vector(d),
+                                       type,
+                                       [&expression = *found->second[d],
+                                        time        = time](const Point<2> &x) {
+                                         return expression.value(x, time);
+                                       }};
+      }
+
+      // Where the indenter reaches only a part of the side, its pressure is
+      // taken as zero: the stresses stay admissible.
+      bool
+      within_reach(const SplitMesh &mesh, const SplitMesh::Side &side) const
+      {
+        const Point<2> a = mesh.vertices[side.vertices[0]],
+                       b = mesh.vertices[side.vertices[1]];
+        for (const double t : {1e-6, 0.5, 1. - 1e-6})
+          if (!std::isfinite(gap(Point<2>(a + t * (b - a)))))
+            return false;
+        return true;
+      }
+
+      const std::set<types::boundary_id>             contact;
+      const std::set<types::boundary_id>             fixed;
+      const std::set<types::boundary_id>             rollers;
+      const Values                                  &displacements;
+      const Values                                  &tractions;
+      const std::function<double(const Point<2> &)> &gap;
+      const double                                   time;
+    };
+
+
+
+    void
+    choose_units(PlaneBody                           &body,
+                 const std::vector<Material<double>> &materials)
+    {
+      double modulus = 0, radius = std::numeric_limits<double>::infinity();
+      for (const Material<double> &material : materials)
+        {
+          modulus = std::max(modulus, youngs_modulus(material));
+          radius  = std::min(radius, material.yield_radius);
+        }
+      body.stress_unit = std::isfinite(radius) ? radius : 1e-3 * modulus;
+      body.strain_unit = body.stress_unit / modulus;
+
+      double square = 0;
+      for (const Point<2> &vertex : body.mesh.vertices)
+        square =
+          std::max(square, vertex.distance_square(body.mesh.vertices.front()));
+      body.length_unit = std::sqrt(square);
+    }
+  } // namespace
+
+
+
+  PlaneBody
+  make_plane_body(SplitMesh                                      mesh,
+                  const BoundaryConditions<2>                   &conditions,
+                  const std::vector<Material<double>>           &materials,
+                  const Kinematics                               kinematics,
+                  const std::function<double(const Point<2> &)> &gap,
+                  const double                                   time)
+  {
+    PlaneBody body;
+    body.mesh         = std::move(mesh);
+    body.plane_stress = kinematics == Kinematics::plane_stress;
+    body.gap          = gap;
+
+    const Conditions condition_of(conditions, gap, time);
+    for (const SplitMesh::Side &side : body.mesh.sides)
+      body.conditions.push_back(condition_of(body.mesh, side));
+    for (const SplitMesh::Triangle &triangle : body.mesh.triangles)
+      body.materials.push_back(
+        materials.size() == 1 ?
+          materials.front() :
+          materials[body.mesh.cells[triangle.cell].material_id]);
+    choose_units(body, materials);
+    return body;
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "equilibrium/stress_problem.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// Of the gap between cost and dual cost. Without compliance, the linear
+    /// systems are singular, and rounding errors larger.
+    constexpr double energy_tolerance = 1e-9;
+    constexpr double limit_tolerance  = 1e-6;
+
+    using OutOfPlaneStress = StressProgram::OutOfPlaneStress;
+
+
+
+    StressProgram
+    complementary_energy(const PlaneBody &body)
+    {
+      StressProgram program(body,
+                            body.plane_stress ? OutOfPlaneStress::zero :
+                                                OutOfPlaneStress::unknown);
+      program.add_energy();
+      program.add_gap();
+      return program;
+    }
+  } // namespace
+
+
+
+  StressField
+  equilibrate_with_force(const PlaneBody &body, const double force)
+  {
+    StressProgram program = complementary_energy(body);
+    program.prescribe_force(force);
+    return program.solve(energy_tolerance);
+  }
+
+
+
+  StressField
+  equilibrate_with_depth(const PlaneBody &body, const double depth)
+  {
+    StressProgram program = complementary_energy(body);
+    program.add_force(-depth);
+    StressField field = program.solve(energy_tolerance);
+    field.depth       = depth;
+    return field;
+  }
+
+
+
+  StressField
+  maximize_force(const PlaneBody &body)
+  {
+    StressProgram program(body,
+                          body.plane_stress ? OutOfPlaneStress::zero :
+                                              OutOfPlaneStress::mean);
+    program.add_force(-body.strain_unit * body.length_unit);
+    return program.solve(limit_tolerance);
+  }
+} // namespace ElastoPlastic

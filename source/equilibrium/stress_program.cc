@@ -1,0 +1,447 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "equilibrium/interior_point.h"
+#include "equilibrium/johnson_mercier.h"
+#include "equilibrium/local_algebra.h"
+#include "equilibrium/stress_program.h"
+#include "equilibrium/yield_conditions.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    using namespace JohnsonMercier;
+    using namespace LocalAlgebra;
+
+    constexpr unsigned int n_components = n_stress_components;
+
+    /// The corners of the thirds.
+    constexpr unsigned int n_points = 9;
+
+
+
+    double
+    hardening(const Material<double> &material)
+    {
+      double sum = material.isotropic_modulus;
+      for (const auto &law : material.back_stresses)
+        sum += law.modulus;
+      return sum;
+    }
+
+
+
+    bool
+    yields(const Material<double> &material)
+    {
+      return std::isfinite(material.yield_radius);
+    }
+
+
+
+    bool
+    hardens(const Material<double> &material)
+    {
+      return yields(material) && hardening(material) > 0;
+    }
+
+
+
+    /// C^-1 for the components 11, 22, 12, 33; the shear stress counts twice.
+    FullMatrix<double>
+    compliance(const Material<double> &material)
+    {
+      FullMatrix<double> c(n_components, n_components);
+      const double       shear = 1. / (2. * material.shear_modulus);
+      for (const unsigned int i : {0, 1, 3})
+        {
+          c(i, i) = shear;
+          for (const unsigned int j : {0, 1, 3})
+            c(i, j) += 1. / (9. * material.bulk_modulus) - shear / 3.;
+        }
+      c(2, 2) = 2. * shear;
+      return c;
+    }
+
+
+
+    /// int of the product of two linear functions, relative to the area.
+    double
+    mass(const unsigned int i, const unsigned int j)
+    {
+      return i == j ? 1. / 6. : 1. / 12.;
+    }
+  } // namespace
+
+
+
+  StressProgram::StressProgram(const PlaneBody       &body,
+                               const OutOfPlaneStress out_of_plane)
+    : body(body)
+    , out_of_plane(out_of_plane)
+  {
+    number_equations();
+    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+      {
+        add_block(t);
+        add_yield_conditions(t);
+        add_sides(t);
+      }
+  }
+
+
+
+  // The work of given tractions is on the right-hand side.
+  void
+  StressProgram::number_equations()
+  {
+    std::vector<double> values;
+    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      {
+        equations.emplace_back();
+        const auto &components = body.conditions[s].components;
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            const SideConditionType type = components[c].type;
+            const bool has_equation = type == SideConditionType::continuous ||
+                                      type == SideConditionType::traction;
+            const auto load = moments(s, components[c].value);
+            for (unsigned int end = 0; end < 2; ++end)
+              {
+                equations[s][end][c] =
+                  has_equation ? values.size() : numbers::invalid_unsigned_int;
+                // the traction that is linear and has the same moments
+                if (has_equation)
+                  values.push_back(0.5 * body.mesh.length(body.mesh.sides[s]) /
+                                   body.length_unit *
+                                   (2. * load[end] - load[1 - end]) /
+                                   body.stress_unit);
+              }
+          }
+      }
+    program.right_hand_side = Vector<double>(values.begin(), values.end());
+  }
+
+
+
+  void
+  StressProgram::add_block(const unsigned int t)
+  {
+    const bool         own_unknown = out_of_plane == OutOfPlaneStress::unknown;
+    const unsigned int n = n_equilibrated_dofs + (own_unknown ? n_points : 0) +
+                           (hardens(body.materials[t]) ? n_points : 0);
+    const FullMatrix<double> basis =
+      equilibrated_basis(body.mesh.corners(body.mesh.triangles[t]));
+
+    FullMatrix<double> &stress =
+      point_stresses.emplace_back(n_components * n_points, n);
+    for (unsigned int p = 0; p < n_points; ++p)
+      {
+        const unsigned int row = n_components * p;
+        for (unsigned int j = 0; j < n_equilibrated_dofs; ++j)
+          {
+            for (unsigned int c = 0; c < 3; ++c)
+              stress(row + c, j) = basis(3 * p + c, j);
+            if (out_of_plane == OutOfPlaneStress::mean)
+              stress(row + 3, j) =
+                0.5 * (basis(3 * p, j) + basis(3 * p + 1, j));
+          }
+        if (own_unknown)
+          stress(row + 3, n_equilibrated_dofs + p) = 1.;
+      }
+
+    program.blocks.emplace_back(n);
+  }
+
+
+
+  // |dev tau| <= R + zeta
+  void
+  StressProgram::add_yield_conditions(const unsigned int t)
+  {
+    const Material<double> &material = body.materials[t];
+    if (!yields(material))
+      return;
+    ConicBlock &block = program.blocks[t];
+    ElastoPlastic::add_yield_conditions(
+      block, point_stresses[t], material.yield_radius / body.stress_unit);
+    if (hardens(material))
+      for (unsigned int p = 0; p < n_points; ++p)
+        block.cone_matrix(4 * p, block.cone_matrix.n() - n_points + p) = -1.;
+  }
+
+
+
+  void
+  StressProgram::add_sides(const unsigned int t)
+  {
+    const SplitMesh::Triangle &triangle = body.mesh.triangles[t];
+    const auto                 corners  = body.mesh.corners(triangle);
+    ConicBlock                &block    = program.blocks[t];
+    const unsigned int         n        = block.linear_cost.size();
+
+    FullMatrix<double> tractions(n_tractions, n_equilibrated_dofs);
+    traction_matrix(corners).mmult(tractions, equilibrated_basis(corners));
+
+    sides.emplace_back();
+    for (unsigned int k = 0; k < 3; ++k)
+      {
+        SideOfTriangle &side = sides.back()[k];
+        side.side            = triangle.sides[k];
+        const auto  &global  = body.mesh.sides[side.side];
+        const double weight = 0.5 * body.mesh.length(global) / body.length_unit;
+        const bool same_direction = global.vertices[0] == triangle.vertices[k];
+
+        for (unsigned int end = 0; end < 2; ++end)
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              const auto &component = body.conditions[side.side].components[c];
+              const unsigned int local_end = same_direction ? end : 1 - end;
+              Vector<double>    &force     = side.forces[end][c];
+              force.reinit(n);
+              for (unsigned int d = 0; d < 2; ++d)
+                for (unsigned int j = 0; j < n_equilibrated_dofs; ++j)
+                  force[j] += weight * component.direction[d] *
+                              tractions(traction_index(k, local_end, d), j);
+
+              const unsigned int equation = equations[side.side][end][c];
+              if (equation != numbers::invalid_unsigned_int)
+                {
+                  block.add_to_equation(equation, force);
+                }
+              if (component.type == SideConditionType::contact)
+                {
+                  side.cone_rows[end] = block.cone_matrix.m();
+                  block.add_inequality(force);
+                }
+            }
+      }
+  }
+
+
+
+  void
+  StressProgram::add_energy()
+  {
+    for (unsigned int t = 0; t < program.blocks.size(); ++t)
+      {
+        const Material<double>  &material = body.materials[t];
+        const FullMatrix<double> c        = compliance(material);
+        FullMatrix<double>      &cost     = program.blocks[t].quadratic_cost;
+        const unsigned int       n        = cost.n();
+        const double weight = area(body.mesh.corners(body.mesh.triangles[t])) /
+                              (3. * body.length_unit * body.length_unit) *
+                              body.stress_unit / body.strain_unit;
+
+        FullMatrix<double> strain(n_components * n_points, n);
+        for (unsigned int p = 0; p < n_points; ++p)
+          for (unsigned int q = 3 * (p / 3); q < 3 * (p / 3) + 3; ++q)
+            {
+              const double factor = weight * mass(p % 3, q % 3);
+              for (unsigned int i = 0; i < n_components; ++i)
+                for (unsigned int k = 0; k < n_components; ++k)
+                  for (unsigned int j = 0; j < n; ++j)
+                    strain(n_components * p + i, j) +=
+                      factor * c(i, k) *
+                      point_stresses[t](n_components * q + k, j);
+              if (hardens(material))
+                cost(n - n_points + p, n - n_points + q) +=
+                  factor / hardening(material);
+            }
+        point_stresses[t].Tmmult(cost, strain, true);
+
+        for (const SideOfTriangle &side : sides[t])
+          for (unsigned int i = 0; i < 2; ++i)
+            {
+              const auto &component = body.conditions[side.side].components[i];
+              if (component.type != SideConditionType::displacement)
+                continue;
+              const auto given = moments(side.side, component.value);
+              for (unsigned int end = 0; end < 2; ++end)
+                program.blocks[t].linear_cost.add(
+                  -given[end] / (body.strain_unit * body.length_unit),
+                  side.forces[end][i]);
+            }
+      }
+  }
+
+
+
+  void
+  StressProgram::add_gap()
+  {
+    add_contact_cost([this](const unsigned int side, const unsigned int end) {
+      return moments(side, body.gap)[end];
+    });
+  }
+
+
+
+  void
+  StressProgram::add_force(const double factor)
+  {
+    add_contact_cost([factor](unsigned int, unsigned int) { return factor; });
+  }
+
+
+
+  // Tractions upwards are pressures with the opposite sign.
+  template <typename Function>
+  void
+  StressProgram::add_contact_cost(const Function &cost)
+  {
+    for (unsigned int t = 0; t < sides.size(); ++t)
+      for (SideOfTriangle &side : sides[t])
+        if (can_touch(side.side))
+          for (unsigned int end = 0; end < 2; ++end)
+            {
+              const double value =
+                cost(side.side, end) / (body.strain_unit * body.length_unit);
+              side.contact_costs[end] += value;
+              program.blocks[t].linear_cost.add(-value, side.forces[end][1]);
+            }
+  }
+
+
+
+  void
+  StressProgram::prescribe_force(const double force)
+  {
+    const unsigned int row = program.right_hand_side.size();
+    program.right_hand_side.grow_or_shrink(row + 1);
+    program.right_hand_side[row] =
+      force / (body.stress_unit * body.length_unit);
+    program.n_dense_rows = 1;
+    for (unsigned int t = 0; t < sides.size(); ++t)
+      for (const SideOfTriangle &side : sides[t])
+        if (can_touch(side.side))
+          {
+            Vector<double> pressure(program.blocks[t].linear_cost.size());
+            pressure.add(-1., side.forces[0][1], -1., side.forces[1][1]);
+            program.blocks[t].add_to_equation(row, pressure);
+          }
+  }
+
+
+
+  bool
+  StressProgram::can_touch(const unsigned int side) const
+  {
+    return body.conditions[side].components[1].type ==
+           SideConditionType::contact;
+  }
+
+
+
+  std::array<double, 2>
+  StressProgram::moments(const unsigned int                             side,
+                         const std::function<double(const Point<2> &)> &f) const
+  {
+    static const QGauss<1> quadrature(5);
+
+    const auto    &vertices      = body.mesh.sides[side].vertices;
+    const Point<2> a             = body.mesh.vertices[vertices[0]],
+                   b             = body.mesh.vertices[vertices[1]];
+    std::array<double, 2> result = {};
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+      {
+        const double t = quadrature.point(q)[0];
+        const double value =
+          2. * quadrature.weight(q) * f(Point<2>(a + t * (b - a)));
+        result[0] += (1. - t) * value;
+        result[1] += t * value;
+      }
+    return result;
+  }
+
+
+
+  StressField
+  StressProgram::solve(const double tolerance) const
+  {
+    const ConicSolution solution = minimize(program, tolerance);
+    const ConicLayout   layout(program);
+
+    StressField field;
+    for (unsigned int t = 0; t < point_stresses.size(); ++t)
+      {
+        Vector<double>      values(n_components * n_points);
+        const double *const x = solution.x.begin() + layout.unknowns[t];
+        add_product(values.begin(), point_stresses[t], x);
+        values *= body.stress_unit;
+        field.in_plane.emplace_back(n_values);
+        field.out_of_plane.emplace_back();
+        for (unsigned int p = 0; p < n_points; ++p)
+          {
+            for (unsigned int c = 0; c < 3; ++c)
+              field.in_plane[t][3 * p + c] = values[n_components * p + c];
+            field.out_of_plane[t][p] = values[n_components * p + 3];
+          }
+        for (const SideOfTriangle &side : sides[t])
+          if (can_touch(side.side))
+            for (unsigned int end = 0; end < 2; ++end)
+              field.force -= body.stress_unit * body.length_unit *
+                             std::inner_product(side.forces[end][1].begin(),
+                                                side.forces[end][1].end(),
+                                                x,
+                                                0.);
+      }
+    if (program.n_dense_rows > 0)
+      field.depth = -body.strain_unit * body.length_unit *
+                    solution.y[solution.y.size() - 1];
+    field.cost = solution.cost * body.stress_unit * body.strain_unit *
+                 body.length_unit * body.length_unit;
+    field.relative_gap = solution.relative_gap;
+    field.n_iterations = solution.n_iterations;
+    read_displacement(field, solution, layout);
+    return field;
+  }
+
+
+
+  // With each end of a side goes a linear function, and a moment of the
+  // displacement: the multiplier of an equation, with the opposite sign; or
+  // what is given; or, under the indenter, what its gap leaves, less the
+  // clearance.
+  void
+  StressProgram::read_displacement(StressField         &field,
+                                   const ConicSolution &solution,
+                                   const ConicLayout   &layout) const
+  {
+    const double unit = body.strain_unit * body.length_unit;
+    field.displacement.resize(body.mesh.sides.size());
+    for (unsigned int t = 0; t < sides.size(); ++t)
+      for (const SideOfTriangle &side : sides[t])
+        {
+          auto &displacement = field.displacement[side.side];
+          displacement       = {};
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              const auto &component = body.conditions[side.side].components[c];
+              std::array<double, 2> moment =
+                moments(side.side, component.value);
+              for (unsigned int end = 0; end < 2; ++end)
+                {
+                  const unsigned int equation = equations[side.side][end][c];
+                  if (component.type == SideConditionType::contact)
+                    moment[end] =
+                      unit *
+                        (side.contact_costs[end] -
+                         solution.z[layout.rows[t] + side.cone_rows[end]]) -
+                      field.depth;
+                  else if (equation != numbers::invalid_unsigned_int)
+                    moment[end] = -unit * solution.y[equation];
+                }
+              for (unsigned int end = 0; end < 2; ++end)
+                displacement[end] +=
+                  (2. * moment[end] - moment[1 - end]) * component.direction;
+            }
+        }
+  }
+} // namespace ElastoPlastic

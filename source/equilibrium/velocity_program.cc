@@ -1,0 +1,408 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "equilibrium/interior_point.h"
+#include "equilibrium/johnson_mercier.h"
+#include "equilibrium/velocity_program.h"
+#include "equilibrium/yield_conditions.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    constexpr double gap_tolerance = 1e-6;
+
+    /// Stresses at the corners of a triangle: 11, 22, 12.
+    constexpr unsigned int n_stresses = 9;
+
+    constexpr unsigned int invalid = numbers::invalid_unsigned_int;
+
+
+
+    /// The components of the velocity at a node, in two directions at right
+    /// angles: the numbers of their equations, if they are not zero.
+    struct Node
+    {
+      std::array<Tensor<1, 2>, 2> directions = {
+        {Tensor<1, 2>({1., 0.}), Tensor<1, 2>({0., 1.})}};
+      std::array<bool, 2>         fixed     = {};
+      std::array<unsigned int, 2> equations = {{invalid, invalid}};
+
+      /// No velocity in this direction.
+      void
+      fix(const Tensor<1, 2> &direction)
+      {
+        for (unsigned int c = 0; c < 2; ++c)
+          if (std::abs(std::abs(directions[c] * direction) - 1.) < 1e-10)
+            {
+              fixed[c] = true;
+              return;
+            }
+        if (fixed[0] || fixed[1])
+          fixed = {{true, true}};
+        else
+          {
+            directions = {{direction, cross_product_2d(direction)}};
+            fixed      = {{true, false}};
+          }
+      }
+    };
+
+
+
+    /// The dual of the minimisation, which reads: find stresses at the corners
+    /// of the triangles, and forces q >= 0 of the indenter, in equilibrium in
+    /// the sense of the principle of virtual power, with the largest sum of
+    /// all q. Its Lagrange multipliers are the velocities, with the opposite
+    /// sign.
+    class VelocityProgram
+    {
+    public:
+      explicit VelocityProgram(const PlaneBody &body);
+
+      VelocityField
+      solve() const;
+
+    private:
+      void
+      number_equations();
+      void
+      add_tractions();
+      void
+      add_block(const unsigned int triangle);
+
+      /// The nodes that a force of the indenter moves, with factors, downwards.
+      using ContactForce = std::vector<std::pair<unsigned int, double>>;
+
+      /// Those of the triangle's sides, each vertex being counted once.
+      std::vector<ContactForce>
+      contact_forces(const unsigned int triangle);
+      double
+      lowest_depth(const std::vector<Tensor<1, 2>> &velocities) const;
+      void
+      add_work(VelocityField &field) const;
+
+      const PlaneBody  &body;
+      std::vector<Node> nodes;
+      ConicProgram      program;
+      std::vector<bool> vertex_is_pressed;
+    };
+
+
+
+    /// Of a triangle: its corners, then the middles of its sides.
+    std::array<unsigned int, 6>
+    nodes_of(const SplitMesh &mesh, const unsigned int t)
+    {
+      const auto &[vertices, sides, cell] = mesh.triangles[t];
+      const unsigned int n                = mesh.vertices.size();
+      return {{vertices[0],
+               vertices[1],
+               vertices[2],
+               n + sides[0],
+               n + sides[1],
+               n + sides[2]}};
+    }
+
+
+
+    /// Gradients of the six quadratic shape functions at a corner of a
+    /// triangle.
+    std::array<Tensor<1, 2>, 6>
+    shape_gradients(const std::array<Point<2>, 3> &corners,
+                    const unsigned int             corner)
+    {
+      const auto                  linear = JohnsonMercier::gradients(corners);
+      std::array<Tensor<1, 2>, 6> result;
+      for (unsigned int i = 0; i < 3; ++i)
+        result[i] = (i == corner ? 3. : -1.) * linear[i];
+      result[3 + corner]           = 4. * linear[(corner + 1) % 3];
+      result[3 + (corner + 2) % 3] = 4. * linear[(corner + 2) % 3];
+      return result;
+    }
+
+
+
+    VelocityProgram::VelocityProgram(const PlaneBody &body)
+      : body(body)
+      , nodes(body.mesh.vertices.size() + body.mesh.sides.size())
+      , vertex_is_pressed(body.mesh.vertices.size(), false)
+    {
+      number_equations();
+      add_tractions();
+      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+        add_block(t);
+    }
+
+
+
+    void
+    VelocityProgram::number_equations()
+    {
+      const unsigned int n_vertices = body.mesh.vertices.size();
+      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+        for (const auto &component : body.conditions[s].components)
+          if (component.type == SideConditionType::displacement)
+            {
+              for (const unsigned int vertex : body.mesh.sides[s].vertices)
+                nodes[vertex].fix(component.direction);
+              nodes[n_vertices + s].fix(component.direction);
+            }
+
+      unsigned int n_equations = 0;
+      for (Node &node : nodes)
+        for (unsigned int c = 0; c < 2; ++c)
+          if (!node.fixed[c])
+            node.equations[c] = n_equations++;
+      program.right_hand_side.reinit(n_equations);
+    }
+
+
+
+    // The power of the given tractions, for each of the three quadratic
+    // functions of a side.
+    void
+    VelocityProgram::add_tractions()
+    {
+      const QGauss<1> quadrature(5);
+      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+        for (const auto &component : body.conditions[s].components)
+          {
+            if (component.type != SideConditionType::traction)
+              continue;
+            const auto    &vertices = body.mesh.sides[s].vertices;
+            const Point<2> a        = body.mesh.vertices[vertices[0]],
+                           b        = body.mesh.vertices[vertices[1]];
+            for (unsigned int q = 0; q < quadrature.size(); ++q)
+              {
+                const double t    = quadrature.point(q)[0];
+                const double load = quadrature.weight(q) * a.distance(b) *
+                                    component.value(Point<2>(a + t * (b - a))) /
+                                    (body.stress_unit * body.length_unit);
+                const std::array<std::pair<unsigned int, double>, 3> shapes = {
+                  {{vertices[0], (1. - t) * (1. - 2. * t)},
+                   {vertices[1], t * (2. * t - 1.)},
+                   {body.mesh.vertices.size() + s, 4. * t * (1. - t)}}};
+                for (const auto &[node, shape] : shapes)
+                  for (unsigned int c = 0; c < 2; ++c)
+                    if (!nodes[node].fixed[c])
+                      program.right_hand_side[nodes[node].equations[c]] +=
+                        load * shape *
+                        (component.direction * nodes[node].directions[c]);
+              }
+          }
+    }
+
+
+
+    // A quadratic function is 1 or more on a side if its three coefficients in
+    // Bernstein's basis are: the values at the ends, a and b, and 2 m - (a + b)
+    // / 2 with that in the middle, m. To each belongs a force.
+    std::vector<VelocityProgram::ContactForce>
+    VelocityProgram::contact_forces(const unsigned int t)
+    {
+      std::vector<ContactForce> forces;
+      for (const unsigned int s : body.mesh.triangles[t].sides)
+        {
+          if (body.conditions[s].components[1].type !=
+              SideConditionType::contact)
+            continue;
+          const auto        &vertices = body.mesh.sides[s].vertices;
+          const unsigned int middle   = body.mesh.vertices.size() + s;
+          forces.push_back(
+            {{middle, 2.}, {vertices[0], -0.5}, {vertices[1], -0.5}});
+          for (const unsigned int vertex : vertices)
+            if (!vertex_is_pressed[vertex])
+              {
+                vertex_is_pressed[vertex] = true;
+                forces.push_back({{vertex, 1.}});
+              }
+        }
+      return forces;
+    }
+
+
+
+    void
+    VelocityProgram::add_block(const unsigned int t)
+    {
+      const auto         forces = contact_forces(t);
+      const unsigned int n      = n_stresses + forces.size();
+      FullMatrix<double> stresses(3 * n_stress_components, n);
+      for (unsigned int corner = 0; corner < 3; ++corner)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            stresses(n_stress_components * corner + c, 3 * corner + c) = 1.;
+            if (!body.plane_stress && c < 2) // admits most, as in StressProgram
+              stresses(n_stress_components * corner + 3, 3 * corner + c) = 0.5;
+          }
+
+      ConicBlock &block = program.blocks.emplace_back(n);
+      add_yield_conditions(block,
+                           stresses,
+                           body.materials[t].yield_radius / body.stress_unit);
+      for (unsigned int f = 0; f < forces.size(); ++f)
+        {
+          block.linear_cost[n_stresses + f] = -1.;
+          Vector<double> row(n);
+          row[n_stresses + f] = -1.;
+          block.add_inequality(row);
+        }
+
+      const auto   corners = body.mesh.corners(body.mesh.triangles[t]);
+      const double weight  = area(corners) / (3. * body.length_unit);
+      std::array<std::array<Tensor<1, 2>, 6>, 3> gradients;
+      for (unsigned int corner = 0; corner < 3; ++corner)
+        gradients[corner] = shape_gradients(corners, corner);
+
+      unsigned int i = 0;
+      for (const unsigned int node : nodes_of(body.mesh, t))
+        {
+          for (unsigned int c = 0; c < 2; ++c)
+            if (!nodes[node].fixed[c])
+              {
+                const Tensor<1, 2> &d = nodes[node].directions[c];
+                Vector<double>      power(n);
+                for (unsigned int corner = 0; corner < 3; ++corner)
+                  {
+                    const Tensor<1, 2> g  = weight * gradients[corner][i];
+                    power[3 * corner]     = d[0] * g[0];
+                    power[3 * corner + 1] = d[1] * g[1];
+                    power[3 * corner + 2] = d[0] * g[1] + d[1] * g[0];
+                  }
+                for (unsigned int f = 0; f < forces.size(); ++f)
+                  for (const auto &[pressed, factor] : forces[f])
+                    if (pressed == node)
+                      power[n_stresses + f] += factor * d[1];
+                block.add_to_equation(nodes[node].equations[c], power);
+              }
+          ++i;
+        }
+    }
+
+
+
+    VelocityField
+    VelocityProgram::solve() const
+    {
+      const ConicSolution solution = minimize(program, gap_tolerance);
+
+      std::vector<Tensor<1, 2>> velocities(nodes.size());
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        for (unsigned int c = 0; c < 2; ++c)
+          if (!nodes[i].fixed[c])
+            velocities[i] -=
+              solution.y[nodes[i].equations[c]] * nodes[i].directions[c];
+
+      const double depth = lowest_depth(velocities);
+      for (Tensor<1, 2> &velocity : velocities)
+        velocity /= depth;
+
+      VelocityField      field;
+      const unsigned int n_vertices = body.mesh.vertices.size();
+      field.at_vertices.assign(velocities.begin(),
+                               velocities.begin() + n_vertices);
+      field.at_sides.assign(velocities.begin() + n_vertices, velocities.end());
+      field.n_iterations = solution.n_iterations;
+      add_work(field);
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        for (unsigned int c = 0; c < 2; ++c)
+          if (!nodes[i].fixed[c])
+            field.force -= body.stress_unit * body.length_unit *
+                           program.right_hand_side[nodes[i].equations[c]] *
+                           (velocities[i] * nodes[i].directions[c]);
+      return field;
+    }
+
+
+
+    // How far every point under the indenter goes down at least.
+    double
+    VelocityProgram::lowest_depth(
+      const std::vector<Tensor<1, 2>> &velocities) const
+    {
+      double depth = std::numeric_limits<double>::max();
+      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+        if (body.conditions[s].components[1].type == SideConditionType::contact)
+          {
+            const auto  &vertices = body.mesh.sides[s].vertices;
+            const double a        = -velocities[vertices[0]][1],
+                         b        = -velocities[vertices[1]][1],
+                         m = -velocities[body.mesh.vertices.size() + s][1];
+            depth          = std::min({depth, a, b, 2. * m - 0.5 * (a + b)});
+          }
+      return depth;
+    }
+
+
+
+    void
+    VelocityProgram::add_work(VelocityField &field) const
+    {
+      double largest_rate = 0;
+      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+        {
+          double sum = 0;
+          for (const auto &rate : strain_rates(body, field, t))
+            {
+              largest_rate     = std::max(largest_rate, rate.norm());
+              field.divergence = std::max(field.divergence, trace(rate));
+              sum += plastic_rate(body, rate);
+            }
+          field.dissipation.push_back(
+            body.materials[t].yield_radius *
+            area(body.mesh.corners(body.mesh.triangles[t])) / 3. * sum);
+          field.force += field.dissipation.back();
+        }
+      field.divergence =
+        body.plane_stress ? 0. : field.divergence / largest_rate;
+    }
+  } // namespace
+
+
+
+  double
+  plastic_rate(const PlaneBody &body, const SymmetricTensor<2, 2> &rate)
+  {
+    const double square = rate * rate;
+    return std::sqrt(square + (body.plane_stress ? 1. : -0.5) * trace(rate) *
+                                trace(rate));
+  }
+
+
+
+  std::array<SymmetricTensor<2, 2>, 3>
+  strain_rates(const PlaneBody     &body,
+               const VelocityField &field,
+               const unsigned int   t)
+  {
+    const auto                          &triangle = body.mesh.triangles[t];
+    const auto                           corners  = body.mesh.corners(triangle);
+    std::array<SymmetricTensor<2, 2>, 3> rates;
+    for (unsigned int corner = 0; corner < 3; ++corner)
+      {
+        const auto   gradients = shape_gradients(corners, corner);
+        Tensor<2, 2> gradient;
+        for (unsigned int i = 0; i < 3; ++i)
+          gradient +=
+            outer_product(field.at_vertices[triangle.vertices[i]],
+                          gradients[i]) +
+            outer_product(field.at_sides[triangle.sides[i]], gradients[3 + i]);
+        rates[corner] = symmetrize(gradient);
+      }
+    return rates;
+  }
+
+
+
+  VelocityField
+  minimize_plastic_work(const PlaneBody &body)
+  {
+    return VelocityProgram(body).solve();
+  }
+} // namespace ElastoPlastic

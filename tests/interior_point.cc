@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The interior point method on small programs with known solutions.
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+#include "equilibrium/interior_point.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  /// x in the ball of this @p radius; no cost, no equations.
+  ConicBlock
+  ball(const unsigned int n, const double radius)
+  {
+    ConicBlock block(n);
+    block.cone_sizes = {n + 1};
+    block.cone_matrix.reinit(n + 1, n);
+    block.cone_offset.reinit(n + 1);
+    block.cone_offset[0] = radius;
+    for (unsigned int i = 0; i < n; ++i)
+      block.cone_matrix(i + 1, i) = -1.;
+    return block;
+  }
+
+
+
+  // x_1 = 1.2 leaves a circle of radius 1.6 in the other two.
+  void
+  test_linear_cost()
+  {
+    ConicProgram program;
+    program.blocks                   = {ball(3, 2.)};
+    program.blocks[0].linear_cost[0] = 3.;
+    program.blocks[0].linear_cost[2] = 4.;
+    Vector<double> row(3);
+    row[1] = 1.;
+    program.blocks[0].add_to_equation(0, row);
+    program.right_hand_side.reinit(1);
+    program.right_hand_side[0] = 1.2;
+
+    const ConicSolution solution = minimize(program, 1e-13);
+    output() << "Linear cost" << std::endl;
+    verify("cost", std::abs(solution.cost + 8.), 1e-8);
+    verify("x_0", std::abs(solution.x[0] + 0.96), 1e-6);
+    verify("x_1", std::abs(solution.x[1] - 1.2), 1e-12);
+    verify("x_2", std::abs(solution.x[2] + 1.28), 1e-6);
+    // d cost / d b = -y: the radius r shrinks, d(-5 r) / db = 5 b / r
+    verify("multiplier", std::abs(solution.y[0] + 3.75), 1e-5);
+  }
+
+
+
+  // Minimise 1/2 |x|^2 + 1/2 |y|^2 with x_0 + y_0 = 2, x_1 + y_1 = 3 (a dense
+  // row), x in the ball of radius 1, and y_0 >= 2: x = (0, 1), y = (2, 2).
+  void
+  test_quadratic_cost()
+  {
+    ConicProgram program;
+    program.blocks = {ball(2, 1.), ConicBlock(2)};
+    Vector<double> row(2);
+    for (ConicBlock &block : program.blocks)
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          block.quadratic_cost(i, i) = 1.;
+          row                        = 0.;
+          row[i]                     = 1.;
+          block.add_to_equation(i, row);
+        }
+    row    = 0.;
+    row[0] = -1.;
+    program.blocks[1].add_inequality(row);
+    program.blocks[1].cone_offset[0] = -2.;
+    program.right_hand_side.reinit(2);
+    program.right_hand_side[0] = 2.;
+    program.right_hand_side[1] = 3.;
+    program.n_dense_rows       = 1;
+
+    const ConicSolution solution = minimize(program, 1e-10);
+    output() << "Quadratic cost" << std::endl;
+    verify("cost", std::abs(solution.cost - 4.5), 1e-10);
+    verify("x", std::abs(solution.x[0]) + std::abs(solution.x[1] - 1.), 1e-6);
+    verify("y",
+           std::abs(solution.x[2] - 2.) + std::abs(solution.x[3] - 2.),
+           1e-6);
+    verify("multiplier", std::abs(solution.y[1] + 2.), 1e-6);
+    verify("few iterations", solution.n_iterations < 20);
+  }
+
+
+
+  void
+  test_no_solution()
+  {
+    ConicProgram program;
+    program.blocks = {ball(2, 1.)};
+    Vector<double> row(2);
+    row[0] = 1.;
+    program.blocks[0].add_to_equation(0, row);
+    program.right_hand_side.reinit(1);
+    program.right_hand_side[0] = 1.1;
+    print_error("Outside the ball", [&]() { minimize(program, 1e-9); });
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_linear_cost();
+  test_quadratic_cost();
+  test_no_solution();
+}

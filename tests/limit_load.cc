@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Stresses in exact equilibrium and mechanisms of collapse under a flat strip
+// punch: admissible whatever the mesh, on both sides of the exact limit load
+// (2 + pi) k, and the same on any number of ranks.
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/grid/grid_generator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "equilibrium/limit_load.h"
+#include "equilibrium/stress_check.h"
+#include "equilibrium/stress_problem.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  const double exact = 2. + numbers::PI; // k = 1
+
+
+
+  Material<double>
+  material()
+  {
+    Material<double> material;
+    material.bulk_modulus      = 800.;
+    material.shear_modulus     = 400.;
+    material.yield_radius      = std::sqrt(2.);
+    material.isotropic_modulus = 0.;
+    return material;
+  }
+
+
+
+  /// The right half of a block of half-width 10, with smaller cells at the edge
+  /// of the punch.
+  void
+  make_mesh(parallel::distributed::Triangulation<2> &triangulation)
+  {
+    GridGenerator::subdivided_hyper_rectangle(triangulation,
+                                              {10, 10},
+                                              Point<2>(0, -10),
+                                              Point<2>(10, 0),
+                                              /* colorize = */ true);
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (cell->is_locally_owned() &&
+              cell->center().distance(Point<2>(1., 0.)) <
+                1.5 * cell->diameter())
+            cell->set_refine_flag();
+        triangulation.execute_coarsening_and_refinement();
+      }
+  }
+
+
+
+  BoundaryConditions<2>
+  boundary_conditions()
+  {
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"left"};
+    parameters.free    = {"right"};
+    parameters.fixed   = {"bottom"};
+    parameters.contact = {"top"};
+    return {parameters, {{"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}}};
+  }
+
+
+
+  void
+  test_mesh(const SplitMesh &mesh)
+  {
+    double       sum              = 0;
+    bool         all_positive     = true;
+    unsigned int n_boundary_sides = 0;
+    for (const auto &triangle : mesh.triangles)
+      {
+        const double size = area(mesh.corners(triangle));
+        all_positive      = all_positive && size > 0;
+        sum += size;
+      }
+    for (const auto &side : mesh.sides)
+      if (side.boundary_id != numbers::internal_face_boundary_id)
+        ++n_boundary_sides;
+    output() << "Mesh" << std::endl;
+    verify("area", std::abs(sum - 100.), 1e-10);
+    verify("orientation", all_positive);
+    // three sides of each triangle, two triangles at each side inside
+    verify("conforming",
+           3 * mesh.triangles.size() ==
+             2 * mesh.sides.size() - n_boundary_sides);
+  }
+
+
+
+  void
+  test_bounds(const PlaneBody &body)
+  {
+    const LimitLoad bounds = bound_limit_load(body);
+    const double    lower = bounds.stress.force, upper = bounds.velocity.force;
+    output() << (body.plane_stress ? "Plane stress" : "Plane strain")
+             << std::endl;
+    if (!body.plane_stress)
+      {
+        verify("lower bound", lower <= exact && lower > 0.96 * exact);
+        verify("upper bound", upper >= exact && upper < 1.07 * exact);
+        verify("no change of volume", bounds.velocity.divergence, 1e-9);
+      }
+    verify("order", lower <= upper);
+    verify("admissible stress",
+           check_stress(body, bounds.stress).largest(),
+           1e-10);
+    verify("gaps",
+           *std::min_element(bounds.gaps.begin(), bounds.gaps.end()) > -1e-9);
+    verify("sum of the gaps",
+           std::accumulate(bounds.gaps.begin(), bounds.gaps.end(), 0.) <
+             upper - lower + 1e-6);
+  }
+
+
+
+  // Force and depth control are two ways to the same stresses, elastic-plastic
+  // and hardening.
+  void
+  test_hencky(PlaneBody body, const double hardening)
+  {
+    for (Material<double> &of_triangle : body.materials)
+      of_triangle.isotropic_modulus = hardening;
+    const StressField by_force = equilibrate_with_force(body, 0.8 * exact);
+    const StressField by_depth = equilibrate_with_depth(body, by_force.depth);
+    output() << "Hencky, hardening " << hardening << std::endl;
+    verify("force", std::abs(by_force.force / (0.8 * exact) - 1.), 1e-9);
+    verify("the same depth",
+           std::abs(by_depth.force / by_force.force - 1.),
+           1e-5);
+    // J(F) - depth F is what depth control minimises
+    verify("the same energy",
+           std::abs((by_force.cost - by_force.depth * by_force.force) /
+                      by_depth.cost -
+                    1.),
+           1e-8);
+    StressErrors errors = check_stress(body, by_force);
+    if (hardening > 0)
+      errors.yield_excess = 0;
+    verify("admissible stress", errors.largest(), 1e-9);
+    verify("yields",
+           hardening == 0 || check_stress(body, by_force).yield_excess > 0.1);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize        mpi(argc, argv, 1);
+  parallel::distributed::Triangulation<2> triangulation(MPI_COMM_WORLD);
+  make_mesh(triangulation);
+  const auto conditions = boundary_conditions();
+  const auto gap        = [](const Point<2> &x) {
+    return x[0] <= 1. ? 0. : std::numeric_limits<double>::infinity();
+  };
+  const SplitMesh mesh = make_split_mesh(triangulation);
+  if (mesh.triangles.empty())
+    return 0; // not the first rank
+
+  test_mesh(mesh);
+  const auto body_with = [&](const Kinematics kinematics) {
+    return make_plane_body(mesh, conditions, {material()}, kinematics, gap, 0.);
+  };
+  test_bounds(body_with(Kinematics::cartesian));
+  test_bounds(body_with(Kinematics::plane_stress));
+  test_hencky(body_with(Kinematics::cartesian), 0.);
+  test_hencky(body_with(Kinematics::cartesian), 10.);
+  test_hencky(body_with(Kinematics::plane_stress), 10.);
+}
