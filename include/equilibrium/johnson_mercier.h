@@ -35,6 +35,9 @@ namespace ElastoPlastic::JohnsonMercier
 
   /// Numbers by which a stress is given: thirds times corners times components.
   constexpr unsigned int n_values = 27;
+  /// Corners of thirds, of each third its own: a stress has three components at
+  /// each.
+  constexpr unsigned int n_points = 9;
   constexpr unsigned int n_dofs   = 15;
   /// Of them, stresses without divergence have so many left.
   constexpr unsigned int n_equilibrated_dofs = 9;

@@ -4,38 +4,11 @@
 #ifndef equilibrium_velocity_program_h
 #define equilibrium_velocity_program_h
 
-#include <deal.II/base/symmetric_tensor.h>
-
-#include <array>
-#include <vector>
-
-#include "equilibrium/conic_program.h"
-#include "equilibrium/plane_body.h"
+#include "equilibrium/velocity_field.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
-
-  /// A mechanism of collapse, and the bound of the limit load that it gives.
-  struct VelocityField
-  {
-    /// At the vertices of the mesh, and at the middle of its sides: quadratic
-    /// on each triangle, continuous. The indenter moves down by 1.
-    std::vector<Tensor<1, 2>> at_vertices;
-    std::vector<Tensor<1, 2>> at_sides;
-
-    /// By triangles: an upper bound of the plastic work.
-    std::vector<double> dissipation;
-
-    /// Plastic work less that of the given tractions, per unit of depth.
-    double force = 0;
-    /// The largest divergence in plane strain, where there should be none,
-    /// relative to the largest rate of strain.
-    double       divergence   = 0;
-    unsigned int n_iterations = 0;
-  };
-
-
 
   /// The mechanism that takes least plastic work among all continuous piecewise
   /// quadratic velocities v that are zero at the supports, go down by 1 or
@@ -50,21 +23,6 @@ namespace ElastoPlastic
   /// @throws ConvergenceError, in particular if there is no mechanism.
   VelocityField
   minimize_plastic_work(const PlaneBody &body);
-
-
-
-  /// The norm |e| of a plastic strain rate whose in-plane components are
-  /// @p rate: out of plane it is zero, or, in plane stress, keeps the volume.
-  double
-  plastic_rate(const PlaneBody &body, const SymmetricTensor<2, 2> &rate);
-
-
-
-  /// The strain rate of @p field at the corners of a @p triangle.
-  std::array<SymmetricTensor<2, 2>, 3>
-  strain_rates(const PlaneBody     &body,
-               const VelocityField &field,
-               const unsigned int   triangle);
 } // namespace ElastoPlastic
 
 #endif

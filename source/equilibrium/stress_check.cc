@@ -64,7 +64,7 @@ namespace ElastoPlastic
                          .norm());
         }
 
-      for (unsigned int p = 0; p < 9; ++p)
+      for (unsigned int p = 0; p < n_points; ++p)
         {
           SymmetricTensor<2, 3> stress;
           stress[0][0] = values[3 * p];
