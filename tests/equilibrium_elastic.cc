@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The equilibrium method for elastic bodies against an exact solution, on
+// meshes with hanging nodes: order of convergence, exact equilibrium, and the
+// interpolation of the element.
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/tria.h>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "equilibrium/johnson_mercier.h"
+#include "equilibrium/stress_check.h"
+#include "equilibrium/stress_problem.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+using namespace ElastoPlastic::JohnsonMercier;
+
+namespace
+{
+  const double young = 200., poisson = 0.3;
+
+
+
+  /// A plane elastic state by the formulas of Kolosov and Muskhelishvili, with
+  /// the functions phi(z) = psi(z) = exp(z).
+  struct ExactSolution
+  {
+    bool plane_stress;
+
+    Tensor<1, 2>
+    displacement(const Point<2> &p) const
+    {
+      const std::complex<double> z(p[0], p[1]), f = std::exp(z);
+      const double               kappa =
+        plane_stress ? (3. - poisson) / (1. + poisson) : 3. - 4. * poisson;
+      const std::complex<double> u =
+        (kappa * f - z * std::conj(f) - std::conj(f)) * (1. + poisson) / young;
+      return Tensor<1, 2>({u.real(), u.imag()});
+    }
+
+    SymmetricTensor<2, 2>
+    stress(const Point<2> &p) const
+    {
+      const std::complex<double> z(p[0], p[1]), f = std::exp(z);
+      const double               sum        = 4. * f.real();
+      const std::complex<double> difference = 2. * (std::conj(z) * f + f);
+      SymmetricTensor<2, 2>      stress;
+      stress[0][0] = 0.5 * (sum - difference.real());
+      stress[1][1] = 0.5 * (sum + difference.real());
+      stress[0][1] = 0.5 * difference.imag();
+      return stress;
+    }
+  };
+
+
+
+  /// A square, refined around its centre, with given displacements on all sides
+  /// but the right one, where the tractions are given.
+  PlaneBody
+  make_body(const ExactSolution &exact, const unsigned int n_refinements)
+  {
+    Triangulation<2> triangulation;
+    GridGenerator::hyper_cube(triangulation, 0., 1., true);
+    triangulation.refine_global(1);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->center()[0] < 0.5 && cell->center()[1] < 0.5)
+        cell->set_refine_flag();
+    triangulation.execute_coarsening_and_refinement();
+    triangulation.refine_global(n_refinements);
+
+    PlaneBody body;
+    body.mesh         = make_split_mesh(triangulation);
+    body.plane_stress = exact.plane_stress;
+    body.gap          = [](const Point<2> &) {
+      return 0.;
+    };
+    body.stress_unit = 1.;
+    body.strain_unit = 1. / young;
+    body.length_unit = 1.;
+    for (const auto &side : body.mesh.sides)
+      {
+        SideCondition condition;
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            auto &component     = condition.components[d];
+            component.direction = Point<2>::unit_vector(d);
+            component.type      = SideConditionType::continuous;
+            component.value     = [](const Point<2> &) {
+              return 0.;
+            };
+            if (side.boundary_id == 1)
+              {
+                component.type  = SideConditionType::traction;
+                component.value = [exact, d](const Point<2> &p) {
+                  return exact.stress(p)[0][d];
+                };
+              }
+            else if (side.boundary_id != numbers::internal_face_boundary_id)
+              {
+                component.type  = SideConditionType::displacement;
+                component.value = [exact, d](const Point<2> &p) {
+                  return exact.displacement(p)[d];
+                };
+              }
+          }
+        body.conditions.push_back(condition);
+      }
+
+    Material<double> material;
+    material.bulk_modulus      = young / (3. * (1. - 2. * poisson));
+    material.shear_modulus     = young / (2. * (1. + poisson));
+    material.yield_radius      = std::numeric_limits<double>::infinity();
+    material.isotropic_modulus = 0.;
+    body.materials.assign(body.mesh.triangles.size(), material);
+    return body;
+  }
+
+
+
+  /// The L2 norms of the error of the in-plane stress, of that out of plane,
+  /// and of the error of the interpolation.
+  std::array<double, 3>
+  errors(const PlaneBody     &body,
+         const ExactSolution &exact,
+         const StressField   &field)
+  {
+    const QGaussSimplex<2> quadrature(3);
+    std::array<double, 3>  squares = {};
+    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+      {
+        const auto corners = body.mesh.corners(body.mesh.triangles[t]);
+        const auto stress  = [&](const Point<2> &p) {
+          return exact.stress(p);
+        };
+        Vector<double> interpolated(n_values);
+        shape_functions(corners).vmult(interpolated,
+                                       interpolate(corners, stress));
+        for (unsigned int k = 0; k < 3; ++k)
+          {
+            const auto third = third_of(corners, k);
+            for (unsigned int q = 0; q < quadrature.size(); ++q)
+              {
+                const auto                 &x     = quadrature.point(q);
+                const std::array<double, 3> shape = {
+                  {1. - x[0] - x[1], x[0], x[1]}};
+                Point<2>              p;
+                SymmetricTensor<2, 2> computed, interpolation;
+                double                across = 0;
+                for (unsigned int i = 0; i < 3; ++i)
+                  {
+                    p += shape[i] * third[i];
+                    computed += shape[i] * stress_at(field.in_plane[t], k, i);
+                    interpolation += shape[i] * stress_at(interpolated, k, i);
+                    across += shape[i] * field.out_of_plane[t][3 * k + i];
+                  }
+                const auto   s = exact.stress(p);
+                const double w = quadrature.weight(q) * 2. * area(third);
+                squares[0] += w * (computed - s).norm() * (computed - s).norm();
+                squares[1] +=
+                  w * std::pow(across -
+                                 (exact.plane_stress ? 0. : poisson * trace(s)),
+                               2);
+                squares[2] +=
+                  w * (interpolation - s).norm() * (interpolation - s).norm();
+              }
+          }
+      }
+    for (double &square : squares)
+      square = std::sqrt(square);
+    return squares;
+  }
+
+
+
+  void
+  test_convergence(const bool plane_stress)
+  {
+    output() << (plane_stress ? "Plane stress" : "Plane strain") << std::endl;
+    const ExactSolution   exact = {plane_stress};
+    std::array<double, 3> last  = {};
+    for (unsigned int k = 1; k <= 3; ++k)
+      {
+        const PlaneBody   body  = make_body(exact, k);
+        const StressField field = equilibrate_with_depth(body, 0.);
+        const auto        error = errors(body, exact, field);
+
+        // the tractions given on the right side are not linear
+        StressErrors check   = check_stress(body, field);
+        check.boundary_force = check.force_difference = 0;
+        verify("in equilibrium", check.largest(), 1e-11);
+        if (k > 1)
+          {
+            verify("order 2", std::log2(last[0] / error[0]) > 1.9);
+            verify("order 2 out of plane",
+                   plane_stress || std::log2(last[1] / error[1]) > 1.9);
+            verify("order 2 of the interpolation",
+                   std::log2(last[2] / error[2]) > 1.9);
+          }
+        last = error;
+      }
+    verify("small error", last[0], 2e-3);
+  }
+
+
+
+  // pi_h has no divergence where the stress has none; with one that is
+  // linear, the mean and the moments of the divergence are kept, J (4.5).
+  void
+  test_interpolation()
+  {
+    output() << "Interpolation" << std::endl;
+    const Triangle triangle = {{Point<2>(0.3, -0.2), {2.1, 0.4}, {1.2, 1.7}}};
+    const FullMatrix<double> shapes        = shape_functions(triangle);
+    const auto               divergence_of = [&](const auto &stress) {
+      Vector<double> values(n_values), divergence(6);
+      shapes.vmult(values, interpolate(triangle, stress));
+      divergence_matrix(triangle).vmult(divergence, values);
+      return divergence;
+    };
+
+    // Airy's function x^2 y^3
+    verify("no divergence",
+           divergence_of([](const Point<2> &p) {
+             SymmetricTensor<2, 2> stress;
+             stress[0][0] = 6. * p[0] * p[0] * p[1];
+             stress[1][1] = 2. * std::pow(p[1], 3);
+             stress[0][1] = -6. * p[0] * p[1] * p[1];
+             return stress;
+           }).linfty_norm(),
+           1e-11);
+
+    // stresses x^2, y^2, x y have the divergence (3 x, 3 y)
+    const Vector<double>   divergence = divergence_of([](const Point<2> &p) {
+      SymmetricTensor<2, 2> stress;
+      stress[0][0] = p[0] * p[0];
+      stress[1][1] = p[1] * p[1];
+      stress[0][1] = p[0] * p[1];
+      return stress;
+    });
+    double                 mean_error = 0, moment_error = 0;
+    const QGaussSimplex<2> quadrature(3);
+    for (unsigned int c = 0; c < 2; ++c)
+      {
+        Tensor<1, 2> moment;
+        double       mean = 0;
+        for (unsigned int k = 0; k < 3; ++k)
+          {
+            const auto third = third_of(triangle, k);
+            for (unsigned int q = 0; q < quadrature.size(); ++q)
+              {
+                const auto    &x = quadrature.point(q);
+                const Point<2> p = third[0] + x[0] * (third[1] - third[0]) +
+                                   x[1] * (third[2] - third[0]);
+                const double w = quadrature.weight(q) * 2. * area(third) *
+                                 (divergence[2 * k + c] - 3. * p[c]);
+                mean += w;
+                moment += w * Tensor<1, 2>(p);
+              }
+          }
+        mean_error   = std::max(mean_error, std::abs(mean));
+        moment_error = std::max(moment_error, moment.norm());
+      }
+    verify("mean of the divergence", mean_error, 1e-12);
+    verify("moments of the divergence", moment_error, 1e-12);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_convergence(false);
+  test_convergence(true);
+  test_interpolation();
+}
