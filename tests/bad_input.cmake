@@ -38,10 +38,10 @@ add_message_test(set_unknown_entry 2 "no entry 'Refinement/No such entry'.*--pri
 add_message_test(set_section 2 "no entry 'Geometry'" ${_base} --set "Geometry=box")
 
 # Limit load
-add_entry_test(limit_load_3d "'Dimension = 3'.*'Analysis = limit load' is for two dimensions" "Analysis=limit load" Dimension=3)
-add_entry_test(limit_load_axisymmetric "'Kinematics = axisymmetric'.*plane strain and plane stress" "Analysis=limit load" Kinematics=axisymmetric)
-add_entry_test(limit_load_hardening "'Analysis = limit load'.*perfectly plastic materials" "Analysis=limit load")
-add_message_test(limit_load_no_indenter 2 "'Indenter/Type = none'.*largest force of an indenter" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --validate --set "Indenter/Type=none")
+add_entry_test(limit_load_3d "entry 'Dimension' is '3', but 'Analysis = limit load' is for two dimensions" "Analysis=limit load" Dimension=3)
+add_entry_test(limit_load_axisymmetric "entry 'Kinematics' is 'axisymmetric', but .*plane strain and plane stress" "Analysis=limit load" Kinematics=axisymmetric)
+add_entry_test(limit_load_hardening "entry 'Analysis' is 'limit load', but only a body of perfectly plastic materials" "Analysis=limit load")
+add_message_test(limit_load_no_indenter 2 "entry 'Indenter/Type' is 'none', but .*largest force of an indenter" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --validate --set "Indenter/Type=none")
 
 # Parameter file
 add_message_test(file_missing 2 "'does_not_exist.prm' does not exist or cannot be read" does_not_exist.prm)

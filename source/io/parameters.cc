@@ -191,8 +191,7 @@ namespace ElastoPlastic
       throw InputError("Indenter/Type",
                        "none",
                        "'Analysis = limit load' looks for the largest force of "
-                       "an indenter. Choose one, for example rectangular "
-                       "punch.");
+                       "an indenter. Choose one, for example strip punch.");
   }
 
 
