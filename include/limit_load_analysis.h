@@ -6,8 +6,6 @@
 
 #include <deal.II/distributed/tria.h>
 
-#include <memory>
-
 #include "contact/gap_function.h"
 #include "equilibrium/limit_load.h"
 #include "io/csv_file.h"
@@ -48,6 +46,12 @@ namespace ElastoPlastic
 
     void
     distribute_gaps(const PlaneBody &body, const LimitLoad &bounds);
+
+    bool
+    is_last_cycle() const;
+
+    bool
+    writes_fields() const;
 
     bool
     mark_next_mesh();

@@ -11,7 +11,6 @@
 #include "base/exceptions.h"
 #include "base/throw_together.h"
 #include "equilibrium/stress_check.h"
-#include "io/checked_write.h"
 #include "io/output_directory.h"
 #include "limit_load_analysis.h"
 #include "mesh/body_size.h"
@@ -88,13 +87,8 @@ namespace ElastoPlastic
     screen.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     prepare_output_directory(communicator,
                              parameters.output.directory,
-                             overwrite);
-    checked_write(communicator,
-                  first_rank ? parameters.output.directory + "/parameters.prm" :
-                               "",
-                  [&](std::ostream &file) {
-                    file << parameters.effective_input;
-                  });
+                             overwrite,
+                             parameters.effective_input);
     CsvFile table(communicator,
                   parameters.output.directory + "/limit_load.csv",
                   columns);
@@ -133,10 +127,9 @@ namespace ElastoPlastic
     const PlaneBody body = make_body();
 
     std::vector<double> row(columns.size());
-    std::string         failure;
     LimitLoad           bounds;
-    if (first_rank)
-      try
+    throw_together(communicator, [&]() {
+      if (first_rank)
         {
           bounds                   = bound_limit_load(body);
           const StressErrors check = check_stress(body, bounds.stress);
@@ -155,15 +148,10 @@ namespace ElastoPlastic
                                 check.largest(),
                                 bounds.velocity.divergence,
                                 timer.wall_time()};
-          output.write(body, bounds, cycle);
+          if (writes_fields())
+            output.write(body, bounds, cycle);
         }
-      catch (const ConvergenceError &error)
-        {
-          failure = error.what();
-        }
-    failure = Utilities::MPI::broadcast(communicator, failure);
-    if (!failure.empty())
-      throw ConvergenceError(failure);
+    });
     row = Utilities::MPI::broadcast(communicator, row);
     table.add_row(row);
     distribute_gaps(body, bounds);
@@ -199,9 +187,26 @@ namespace ElastoPlastic
 
 
   bool
+  LimitLoadAnalysis::is_last_cycle() const
+  {
+    return cycle + 1 >= parameters.refinement.n_cycles;
+  }
+
+
+
+  bool
+  LimitLoadAnalysis::writes_fields() const
+  {
+    return parameters.output.fields == "every cycle" ||
+           (parameters.output.fields == "last cycle" && is_last_cycle());
+  }
+
+
+
+  bool
   LimitLoadAnalysis::mark_next_mesh()
   {
-    if (cycle + 1 >= parameters.refinement.n_cycles)
+    if (is_last_cycle())
       return false;
     flag_cells(parameters.refinement, error_indicators, triangulation);
     return true;

@@ -36,6 +36,11 @@ namespace
   void
   find_limit_load(const CommandLine &command_line, const Parameters &parameters)
   {
+    if (command_line.resume)
+      throw InputError(
+        "A limit load analysis has no load steps and keeps no "
+        "checkpoints: there is nothing to resume. Leave out "
+        "--resume.");
     LimitLoadAnalysis analysis(parameters, MPI_COMM_WORLD);
     if (command_line.task == CommandLine::Task::run)
       analysis.run(command_line.overwrite);

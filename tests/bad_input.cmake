@@ -42,6 +42,7 @@ add_entry_test(limit_load_3d "entry 'Dimension' is '3', but 'Analysis = limit lo
 add_entry_test(limit_load_axisymmetric "entry 'Kinematics' is 'axisymmetric', but .*plane strain and plane stress" "Analysis=limit load" Kinematics=axisymmetric)
 add_entry_test(limit_load_hardening "entry 'Analysis' is 'limit load', but only a body of perfectly plastic materials" "Analysis=limit load")
 add_message_test(limit_load_no_indenter 2 "entry 'Indenter/Type' is 'none', but .*largest force of an indenter" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --validate --set "Indenter/Type=none")
+add_message_test(limit_load_resume 2 "nothing to resume. Leave out --resume" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --resume)
 
 # Parameter file
 add_message_test(file_missing 2 "'does_not_exist.prm' does not exist or cannot be read" does_not_exist.prm)

@@ -12,8 +12,8 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// Runs @p body, which looks at the rank's own part of the mesh and may
-  /// therefore find wrong input on some ranks only. All ranks then throw what
+  /// Runs @p body, which does the rank's own part of something and may
+  /// therefore fail with an Error on some ranks only. All ranks then throw what
   /// the first of these has thrown; nobody waits for a rank that has given up.
   /// @p body must not communicate.
   void

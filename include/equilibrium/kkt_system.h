@@ -47,9 +47,9 @@ namespace ElastoPlastic
     KktSystem(const ConicProgram &program, const ConicLayout &layout);
 
     /// Eliminates and factorises; @p scalings must live as long as solve() is
-    /// called. To each H, a small multiple of the identity is added, because
-    /// some are singular: a rigid-plastic body has no compliance, and no yield
-    /// condition bounds the mean stress.
+    /// called. To the H of blocks without quadratic cost, a small multiple of
+    /// the identity is added, because they may be singular: a rigid-plastic
+    /// body has no compliance, and no yield condition bounds the mean stress.
     /// @return false if rounding has made the matrix indefinite.
     bool
     factorize(const Scalings &scalings);
@@ -59,8 +59,7 @@ namespace ElastoPlastic
     void
     solve(KktVector &solution, const KktVector &right_hand_side) const;
 
-    /// residual = right_hand_side - (matrix of P, A and G) solution: without
-    /// the scalings. Either may have entries z or not.
+    /// residual -= (the matrix above without W) solution
     void
     subtract_product(KktVector &residual, const KktVector &solution) const;
 

@@ -8,23 +8,50 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    [[noreturn]] void
+    throw_error(const ExitStatus status, const std::string &message)
+    {
+      switch (status)
+        {
+          case ExitStatus::wrong_input:
+            throw InputError(message);
+          case ExitStatus::no_convergence:
+            throw ConvergenceError(message);
+          case ExitStatus::io_failure:
+            throw FileError(message);
+          default:
+            throw Error(status, message);
+        }
+    }
+  } // namespace
+
+
+
   void
   throw_together(const MPI_Comm communicator, const std::function<void()> &body)
   {
     std::string error;
+    int         status = 0;
     try
       {
         body();
       }
-    catch (const InputError &exception)
+    catch (const Error &exception)
       {
-        error = exception.what();
+        error  = exception.what();
+        status = static_cast<int>(exception.status);
       }
     const unsigned int rank   = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int nobody = Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int first =
       Utilities::MPI::min(error.empty() ? nobody : rank, communicator);
     if (first != nobody)
-      throw InputError(Utilities::MPI::broadcast(communicator, error, first));
+      {
+        status = Utilities::MPI::broadcast(communicator, status, first);
+        throw_error(static_cast<ExitStatus>(status),
+                    Utilities::MPI::broadcast(communicator, error, first));
+      }
   }
 } // namespace ElastoPlastic

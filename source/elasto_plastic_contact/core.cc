@@ -7,7 +7,6 @@
 #include "base/exceptions.h"
 #include "base/termination.h"
 #include "elasto_plastic_contact.h"
-#include "io/checked_write.h"
 #include "io/output_directory.h"
 #include "mesh/body_size.h"
 
@@ -78,15 +77,8 @@ namespace ElastoPlastic
     screen.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     prepare_output_directory(communicator,
                              parameters.output.directory,
-                             overwrite);
-    checked_write(communicator,
-                  Utilities::MPI::this_mpi_process(communicator) == 0 ?
-                    parameters.output.directory + "/parameters.prm" :
-                    "",
-                  [&](std::ostream &file) {
-                    file << parameters.effective_input;
-                  });
-
+                             overwrite,
+                             parameters.effective_input);
     run_load_history(Statistics::Progress());
   }
 

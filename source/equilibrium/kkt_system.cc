@@ -167,10 +167,12 @@ namespace ElastoPlastic
         const auto [begin, size] = layout.cones[c];
         const auto &scaling      = (*scalings)[c];
         add_cone(h, block.cone_matrix, begin - layout.rows[b], size, scaling);
-        across = std::max(across, scaling.inverse_square_across());
+        if (size > 1)
+          across = std::max(across, scaling.inverse_square_across());
       }
-    for (unsigned int i = 0; i < h.m(); ++i)
-      h(i, i) += relative_regularization * across;
+    if (block.quadratic_cost.linfty_norm() == 0)
+      for (unsigned int i = 0; i < h.m(); ++i)
+        h(i, i) += relative_regularization * across;
     if (!LocalAlgebra::factorize(h))
       return false;
 

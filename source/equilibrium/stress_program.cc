@@ -207,9 +207,7 @@ namespace ElastoPlastic
 
               const unsigned int equation = equations[side.side][end][c];
               if (equation != numbers::invalid_unsigned_int)
-                {
-                  block.add_to_equation(equation, force);
-                }
+                block.add_to_equation(equation, force);
               if (component.type == SideConditionType::contact)
                 {
                   side.cone_rows[end] = block.cone_matrix.m();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/exceptions.h"
+#include "io/checked_write.h"
 #include "io/output_directory.h"
 
 namespace ElastoPlastic
@@ -60,7 +61,8 @@ namespace ElastoPlastic
   void
   prepare_output_directory(const MPI_Comm     communicator,
                            const std::string &directory,
-                           const bool         overwrite)
+                           const bool         overwrite,
+                           const std::string &effective_input)
   {
     std::string refusal, failure;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -88,5 +90,10 @@ namespace ElastoPlastic
       throw FileError("The output directory '" + directory +
                       "' cannot be used: " + failure +
                       ". Choose another 'Output/Directory'.");
+    checked_write(communicator,
+                  Utilities::MPI::this_mpi_process(communicator) == 0 ?
+                    directory + "/parameters.prm" :
+                    "",
+                  [&](std::ostream &file) { file << effective_input; });
   }
 } // namespace ElastoPlastic
