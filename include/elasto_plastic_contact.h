@@ -15,6 +15,7 @@
 #include "base/exceptions.h"
 #include "contact/contact_set.h"
 #include "contact/gap_function.h"
+#include "error_bound_analysis.h"
 #include "evaluation/indentation_test.h"
 #include "io/checkpoint.h"
 #include "io/field_output.h"
@@ -123,7 +124,9 @@ namespace ElastoPlastic
     // The next mesh (refinement.cc), if there is to be one, in the first load
     // step or after any other.
     void
-    estimate_error();
+    estimate_error(SolveResult &result);
+    void
+    bound_error(SolveResult &result);
     bool
     mark_next_mesh();
     void
@@ -193,6 +196,7 @@ namespace ElastoPlastic
     VectorType                          displacement;
     VectorType                          residual;
     Vector<float>                       error_indicators;
+    std::optional<ErrorBoundAnalysis>   error_bound;
 
     // The end of the last load step: what it has found, the displacement, and
     // the nodal forces of the stresses (both empty before the second step); and

@@ -44,9 +44,6 @@ namespace ElastoPlastic
     void
     solve(CsvFile &table);
 
-    void
-    distribute_gaps(const PlaneBody &body, const LimitLoad &bounds);
-
     bool
     is_last_cycle() const;
 

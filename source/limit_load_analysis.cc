@@ -10,6 +10,7 @@
 
 #include "base/exceptions.h"
 #include "base/throw_together.h"
+#include "equilibrium/cell_indicators.h"
 #include "equilibrium/stress_check.h"
 #include "io/output_directory.h"
 #include "limit_load_analysis.h"
@@ -21,25 +22,22 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// Stresses that are not admissible within this must not be called safe.
-    constexpr double largest_stress_error = 1e-8;
-
-    const std::vector<std::string> columns = {"cycle",
-                                              "cells",
-                                              "triangles",
-                                              "lower_bound",
-                                              "upper_bound",
-                                              "relative_difference",
-                                              "lower_iterations",
-                                              "upper_iterations",
-                                              "stress_error",
-                                              "divergence",
-                                              "wall_seconds"};
+    const std::vector<std::string> limit_load_columns = {"cycle",
+                                                         "cells",
+                                                         "triangles",
+                                                         "lower_bound",
+                                                         "upper_bound",
+                                                         "relative_difference",
+                                                         "lower_iterations",
+                                                         "upper_iterations",
+                                                         "stress_error",
+                                                         "divergence",
+                                                         "wall_seconds"};
 
 
 
     void
-    check_materials(const std::vector<Material<double>> &materials)
+    check_is_perfect(const std::vector<Material<double>> &materials)
     {
       for (const Material<double> &material : materials)
         if (!std::isfinite(material.yield_radius) || !is_perfect(material))
@@ -60,7 +58,7 @@ namespace ElastoPlastic
     , communicator(communicator)
     , first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
     , screen(communicator, parameters.output.screen)
-    , output(parameters.output.directory)
+    , output(parameters.output.directory, "limit_load", "velocity")
     , triangulation(communicator)
     , boundary_names(make_mesh(parameters.geometry, triangulation))
     , boundary_conditions(parameters.boundary_conditions, boundary_names)
@@ -70,7 +68,7 @@ namespace ElastoPlastic
                                    BoundaryConditionType::contact)))
   {
     const auto materials = parameters.material.materials();
-    check_materials(materials);
+    check_is_perfect(materials);
     if (materials.size() > 1)
       throw_together(communicator, [&]() {
         for (const auto &cell : triangulation.active_cell_iterators())
@@ -91,7 +89,7 @@ namespace ElastoPlastic
                              parameters.effective_input);
     CsvFile table(communicator,
                   parameters.output.directory + "/limit_load.csv",
-                  columns);
+                  limit_load_columns);
     while (true)
       {
         solve(table);
@@ -126,15 +124,13 @@ namespace ElastoPlastic
     const Timer     timer;
     const PlaneBody body = make_body();
 
-    std::vector<double> row(columns.size());
+    std::vector<double> row(limit_load_columns.size());
     LimitLoad           bounds;
     throw_together(communicator, [&]() {
       if (first_rank)
         {
-          bounds                   = bound_limit_load(body);
-          const StressErrors check = check_stress(body, bounds.stress);
-          if (check.largest() > largest_stress_error)
-            throw ConvergenceError("The stresses are not admissible.");
+          bounds             = bound_limit_load(body);
+          const double error = require_admissible(body, bounds.stress);
           const double lower = bounds.stress.force,
                        upper = bounds.velocity.force;
           row                = {static_cast<double>(cycle),
@@ -145,16 +141,18 @@ namespace ElastoPlastic
                                 (upper - lower) / lower,
                                 static_cast<double>(bounds.stress.n_iterations),
                                 static_cast<double>(bounds.velocity.n_iterations),
-                                check.largest(),
+                                error,
                                 bounds.velocity.divergence,
                                 timer.wall_time()};
           if (writes_fields())
-            output.write(body, bounds, cycle);
+            output.write(
+              {body, bounds.stress, bounds.velocity.velocity, bounds.gaps},
+              cycle);
         }
     });
     row = Utilities::MPI::broadcast(communicator, row);
     table.add_row(row);
-    distribute_gaps(body, bounds);
+    error_indicators = cell_indicators(body.mesh, bounds.gaps, triangulation);
 
     std::ostringstream message;
     message.precision(8);
@@ -162,26 +160,6 @@ namespace ElastoPlastic
             << " triangles, limit load between " << row[3] << " and " << row[4]
             << " (" << 100. * row[5] << " %), " << row[10] << " s";
     screen.remark(message.str());
-  }
-
-
-
-  // To each rank what belongs to its cells.
-  void
-  LimitLoadAnalysis::distribute_gaps(const PlaneBody &body,
-                                     const LimitLoad &bounds)
-  {
-    std::map<CellId, double> of_cell;
-    for (unsigned int t = 0; t < bounds.gaps.size(); ++t)
-      of_cell[body.mesh.cells[body.mesh.triangles[t].cell].id] +=
-        std::max(0., bounds.gaps[t]);
-    of_cell = Utilities::MPI::broadcast(communicator, of_cell);
-
-    error_indicators.reinit(triangulation.n_active_cells());
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        error_indicators[cell->active_cell_index()] =
-          std::sqrt(of_cell.at(cell->id()));
   }
 
 

@@ -193,7 +193,7 @@ add_entry_test(cycles_without_strategy "'Refinement/Number of cycles' is '2', bu
 add_entry_test(fractions "'Refinement/Coarsening fraction' is '0.6', but together with" "Refinement/Refinement fraction=0.6" "Refinement/Coarsening fraction=0.6")
 add_entry_test(tolerance "'Nonlinear solver/Tolerance' is '1', but it must lie between 1e-14 and 1e-2" "Nonlinear solver/Tolerance=1")
 add_entry_test(loosest_linear_reduction "'Nonlinear solver/Loosest linear reduction' is '1', but it must lie between 1e-12 and 0.5" "Nonlinear solver/Loosest linear reduction=1")
-add_entry_test(adaptation_global "'Refinement/Steps between adaptations' is '2', but only 'Refinement/Strategy = Kelly' can" Refinement/Strategy=global "Refinement/Steps between adaptations=2")
+add_entry_test(adaptation_global "'Refinement/Steps between adaptations' is '2', but only 'Refinement/Strategy = adaptive' can" Refinement/Strategy=global "Refinement/Steps between adaptations=2")
 add_message_test(resume_and_overwrite 2 "--overwrite begins anew, --resume goes on" ${_base} --resume --overwrite)
 add_message_test(nothing_to_resume 2 "base.prm: There is nothing to resume: 'nothing_to_resume/checkpoint' does not exist" ${_base} --output-directory nothing_to_resume --resume)
 add_message_test(first_mesh_too_fine 2 "'Refinement/Maximum number of unknowns' is '10', but the first mesh has 50" ${_base} --output-directory first_mesh_too_fine --overwrite --set "Refinement/Maximum number of unknowns=10")

@@ -148,12 +148,13 @@ namespace
                       by_depth.cost -
                     1.),
            1e-8);
-    StressErrors errors = check_stress(body, by_force);
+    verify("admissible stress", check_stress(body, by_force).largest(), 1e-9);
     if (hardening > 0)
-      errors.yield_excess = 0;
-    verify("admissible stress", errors.largest(), 1e-9);
-    if (hardening > 0)
-      verify("yields", check_stress(body, by_force).yield_excess > 0.1);
+      {
+        for (Material<double> &of_triangle : body.materials)
+          of_triangle.isotropic_modulus = 0.;
+        verify("yields", check_stress(body, by_force).yield_excess > 0.1);
+      }
   }
 } // namespace
 

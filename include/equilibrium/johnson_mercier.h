@@ -73,6 +73,17 @@ namespace ElastoPlastic::JohnsonMercier
   Triangle
   third_of(const Triangle &triangle, const unsigned int third);
 
+  /// The values at the corners of a third of a function that is linear on the
+  /// triangle, and has these @p values at its corners.
+  template <typename Value>
+  std::array<Value, 3>
+  on_third(const std::array<Value, 3> &values, const unsigned int third)
+  {
+    return {{values[third],
+             values[(third + 1) % 3],
+             (values[0] + values[1] + values[2]) / 3.}};
+  }
+
   /// The gradients of the linear functions that are 1 at one corner and 0 at
   /// the others.
   std::array<Tensor<1, 2>, 3>

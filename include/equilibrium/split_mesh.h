@@ -35,6 +35,8 @@ namespace ElastoPlastic
       std::array<unsigned int, 3> vertices;
       std::array<unsigned int, 3> sides;
       unsigned int                cell; ///< the quadrilateral, see cells
+      /// Where the corners are in the unit cell of the quadrilateral.
+      std::array<Point<2>, 3> unit_corners;
     };
 
     /// A side, in the direction of the first of its one or two triangles,

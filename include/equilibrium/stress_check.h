@@ -16,9 +16,10 @@ namespace ElastoPlastic
     double divergence    = 0; ///< times the size of the triangle
     double traction_jump = 0; ///< between thirds and between triangles
     double boundary_force =
-      0;                     ///< given tractions, and shear under the indenter
-    double tension      = 0; ///< under the indenter
-    double yield_excess = 0; ///< |dev tau| - sqrt(2/3) sigma_0
+      0;                ///< given tractions, and shear under the indenter
+    double tension = 0; ///< under the indenter
+    /// |dev tau| - sqrt(2/3) sigma_0, where the material does not harden
+    double yield_excess = 0;
     double force_difference =
       0; ///< of the field's force and int p ds, relative
 
@@ -32,6 +33,11 @@ namespace ElastoPlastic
   /// stresses themselves.
   StressErrors
   check_stress(const PlaneBody &body, const StressField &field);
+
+  /// The largest of these errors, which must not be more than rounding.
+  /// @throws ConvergenceError if it is: nothing follows from such stresses.
+  double
+  require_admissible(const PlaneBody &body, const StressField &field);
 } // namespace ElastoPlastic
 
 #endif

@@ -14,8 +14,7 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// Stresses in exact equilibrium, and what the Lagrange multipliers of this
-  /// say of the displacement.
+  /// Stresses in exact equilibrium.
   struct StressField
   {
     /// By triangles: the components 11, 22, 12 at the corners of the thirds,
@@ -23,9 +22,9 @@ namespace ElastoPlastic
     std::vector<Vector<double>> in_plane;
     /// By triangles: the component 33 at the corners of the thirds.
     std::vector<std::array<double, 9>> out_of_plane;
-    /// By sides: the displacement at the two ends, between which it is linear.
-    /// It need not be continuous from side to side.
-    std::vector<std::array<Tensor<1, 2>, 2>> displacement;
+    /// By sides: the pressure of the indenter at the two ends, between which it
+    /// is linear; zero where it cannot touch.
+    std::vector<std::array<double, 2>> pressure;
 
     /// Of the indenter. The depth is zero if neither it nor the force has been
     /// prescribed.
@@ -36,6 +35,12 @@ namespace ElastoPlastic
     /// Between the cost and its lower bound in the space of these stresses.
     double       relative_gap = 0;
     unsigned int n_iterations = 0;
+
+    /// The stress at a @p corner of a @p third of a triangle.
+    SymmetricTensor<2, 3>
+    at(const unsigned int triangle,
+       const unsigned int third,
+       const unsigned int corner) const;
   };
 
 
@@ -47,8 +52,11 @@ namespace ElastoPlastic
   /// Each triangle is a block. Its unknowns are the coefficients of the
   /// equilibrated basis; sigma_33 at the corners of the thirds, in plane
   /// strain; and zeta there, the growth of the yield surface, if the material
-  /// hardens. The equations, two at each end of the sides, say that the
-  /// tractions of the two triangles add up to zero, or to what is prescribed.
+  /// hardens. A side under the indenter is a block, too; its two unknowns are
+  /// the forces q >= 0 that the linear pressure stands for at its ends. The
+  /// equations, two at each end of the sides, say that the tractions of the two
+  /// triangles, or of triangle and indenter, add up to zero, or to what is
+  /// prescribed.
   /// Between the corners, the yield condition holds because stresses are linear
   /// and the set of admissible ones is convex.
   class StressProgram
@@ -101,10 +109,6 @@ namespace ElastoPlastic
     {
       unsigned int           side;
       ByEnds<Vector<double>> forces;
-      /// Under the indenter: the row of the condition p >= 0, and the cost of
-      /// p, at both ends.
-      std::array<unsigned int, 2> cone_rows     = {};
-      std::array<double, 2>       contact_costs = {};
     };
 
     void
@@ -115,11 +119,10 @@ namespace ElastoPlastic
     add_yield_conditions(const unsigned int triangle);
     void
     add_sides(const unsigned int triangle);
+    void
+    add_indenter();
 
-    bool
-    can_touch(const unsigned int side) const;
-
-    /// @p cost(side, end) goes with the force at an end of a side.
+    /// @p cost(side, end) goes with the indenter's force at an end of a side.
     template <typename Function>
     void
     add_contact_cost(const Function &cost);
@@ -129,11 +132,6 @@ namespace ElastoPlastic
     std::array<double, 2>
     moments(const unsigned int                             side,
             const std::function<double(const Point<2> &)> &f) const;
-
-    void
-    read_displacement(StressField         &field,
-                      const ConicSolution &solution,
-                      const ConicLayout   &layout) const;
 
     const PlaneBody       &body;
     const OutOfPlaneStress out_of_plane;
@@ -146,6 +144,10 @@ namespace ElastoPlastic
     /// (36 x n); and their three sides.
     std::vector<FullMatrix<double>>            point_stresses;
     std::vector<std::array<SideOfTriangle, 3>> sides;
+
+    /// The sides under the indenter, in the order of their blocks, which come
+    /// after those of the triangles.
+    std::vector<unsigned int> contact_sides;
   };
 } // namespace ElastoPlastic
 

@@ -6,10 +6,10 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <array>
 #include <vector>
 
 #include "equilibrium/plane_body.h"
+#include "equilibrium/quadratic_field.h"
 
 namespace ElastoPlastic
 {
@@ -18,10 +18,8 @@ namespace ElastoPlastic
   /// A mechanism of collapse, and the bound of the limit load that it gives.
   struct VelocityField
   {
-    /// At the vertices of the mesh, and at the middle of its sides: quadratic
-    /// on each triangle, continuous. The indenter moves down by 1.
-    std::vector<Tensor<1, 2>> at_vertices;
-    std::vector<Tensor<1, 2>> at_sides;
+    /// The indenter moves down by 1.
+    QuadraticField velocity;
 
     /// By triangles: an upper bound of the plastic work.
     std::vector<double> dissipation;
@@ -36,25 +34,11 @@ namespace ElastoPlastic
 
 
 
-  /// The gradients of the six quadratic shape functions at a @p corner of a
-  /// triangle: of those that belong to its corners, then of those that belong
-  /// to the middles of its sides.
-  std::array<Tensor<1, 2>, 6>
-  shape_gradients(const std::array<Point<2>, 3> &corners,
-                  const unsigned int             corner);
-
   /// The norm |e| of a plastic strain rate whose in-plane components are
   /// @p rate: out of plane it is zero, or, in plane stress, keeps the volume.
   double
   plastic_rate(const PlaneBody &body, const SymmetricTensor<2, 2> &rate);
 
-
-
-  /// The strain rate of @p field at the corners of a @p triangle.
-  std::array<SymmetricTensor<2, 2>, 3>
-  strain_rates(const PlaneBody     &body,
-               const VelocityField &field,
-               const unsigned int   triangle);
 } // namespace ElastoPlastic
 
 #endif

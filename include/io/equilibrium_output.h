@@ -10,26 +10,41 @@
 #include <utility>
 #include <vector>
 
-#include "equilibrium/limit_load.h"
+#include "equilibrium/quadratic_field.h"
+#include "equilibrium/stress_program.h"
 
 namespace ElastoPlastic
 {
-  /// Writes what ParaView shows of a limit load analysis, on one rank: the
-  /// files limit_load-*.vtu with one triangle for each third, nothing smoothed,
-  /// and limit_load.pvd that lists them.
+  /// What there is on the triangles of a SplitMesh.
+  struct EquilibriumFields
+  {
+    const PlaneBody           &body;
+    const StressField         &stress;
+    const QuadraticField      &motion; ///< a displacement, or a velocity
+    const std::vector<double> &errors; ///< by triangles
+  };
+
+
+
+  /// Writes what ParaView shows of the equilibrium method, on one rank: files
+  /// with one triangle for each third, nothing smoothed, and a list of them.
   class EquilibriumOutput
   {
   public:
-    explicit EquilibriumOutput(const std::string &directory);
+    /// The files are @p directory/name-*.vtu and name.pvd; @p name_of_motion is
+    /// that of EquilibriumFields::motion.
+    EquilibriumOutput(const std::string &directory,
+                      const std::string &name,
+                      const std::string &name_of_motion);
 
     /// @p cycle numbers the file. @throws FileError
     void
-    write(const PlaneBody   &body,
-          const LimitLoad   &bounds,
-          const unsigned int cycle);
+    write(const EquilibriumFields &fields, const unsigned int cycle);
 
   private:
     const std::string                           directory;
+    const std::string                           name;
+    const std::string                           name_of_motion;
     std::vector<std::pair<double, std::string>> records;
   };
 } // namespace ElastoPlastic

@@ -68,7 +68,7 @@ namespace ElastoPlastic
     add_parameters(ParameterHandler &prm);
 
     void
-    check_limit_load() const;
+    check_equilibrium_method() const;
   };
 } // namespace ElastoPlastic
 

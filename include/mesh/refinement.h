@@ -17,13 +17,20 @@ namespace ElastoPlastic
   /// The entries of the section "Refinement".
   struct RefinementParameters
   {
-    std::string  strategy            = "Kelly";
+    std::string  strategy            = "adaptive";
     unsigned int n_cycles            = 1;
     unsigned int max_unknowns        = 0;
     double       refinement_fraction = 0.3;
     double       coarsening_fraction = 0.03;
     /// In a history: load steps from one mesh to the next; 0: one mesh.
     unsigned int adaptation_interval = 0;
+
+    /// Whether a mesh depends on the errors of the one before.
+    bool
+    is_adaptive() const
+    {
+      return strategy == "adaptive" || strategy == "Kelly";
+    }
 
     void
     add_parameters(ParameterHandler &prm);

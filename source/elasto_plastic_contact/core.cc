@@ -49,6 +49,12 @@ namespace ElastoPlastic
               parameters.discretization.strain_model().kinematics)
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
+    if constexpr (dim == 2)
+      if (parameters.analysis == "contact with error bound")
+        error_bound.emplace(this->parameters,
+                            communicator,
+                            boundary_conditions,
+                            gap_function);
     setup_body();
     setup_contact();
     check_supports();
@@ -242,6 +248,8 @@ namespace ElastoPlastic
                        every_time ? Utilities::int_to_string(number, 3) :
                                     "last",
                        single_step ? cycle : time_steps.next_time());
+    if (error_bound)
+      error_bound->write_fields(cycle);
   }
 
 

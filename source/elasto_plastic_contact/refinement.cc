@@ -18,7 +18,7 @@ namespace ElastoPlastic
   // it finds the edge of the contact zone and of the plastic zone.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::estimate_error()
+  ElastoPlasticContact<dim>::estimate_error(SolveResult &result)
   {
     TimerOutput::Scope scope(timer, "Error estimator");
     KellyErrorEstimator<dim>::estimate(MappingQ1<dim>(),
@@ -27,6 +27,37 @@ namespace ElastoPlastic
                                        {},
                                        ghosted_copy(displacement, dof_handler),
                                        error_indicators);
+    result.estimated_error =
+      std::sqrt(Utilities::MPI::sum(error_indicators.norm_sqr(), communicator));
+    if (error_bound)
+      bound_error(result);
+  }
+
+
+
+  // The bound is a number that one can rely on. Cell by cell, it also tells
+  // where to refine, unless the user prefers Kelly.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::bound_error([[maybe_unused]] SolveResult &result)
+  {
+    if constexpr (dim == 2)
+      {
+        TimerOutput::Scope scope(timer, "Error bound");
+        const auto         bound =
+          error_bound->evaluate({dof_handler,
+                                 displacement,
+                                 load_program.load(result.time),
+                                 result.depth,
+                                 result.force,
+                                 result.time,
+                                 cycle});
+        result.estimated_error = bound.bound;
+        if (parameters.refinement.strategy != "Kelly")
+          error_indicators = bound.of_cells;
+        screen.remark("The error of the stresses in equilibrium is at most " +
+                      Patterns::Tools::to_string(bound.bound));
+      }
   }
 
 

@@ -57,9 +57,7 @@ namespace ElastoPlastic
 
     evaluate_contact(result);
     evaluate_plasticity(result);
-    estimate_error();
-    result.estimated_error =
-      std::sqrt(Utilities::MPI::sum(error_indicators.norm_sqr(), communicator));
+    estimate_error(result);
 
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);

@@ -18,14 +18,11 @@ namespace ElastoPlastic
     double
     power(const PlaneBody &body, const LimitLoad &bounds, const unsigned int t)
     {
-      const auto rates = strain_rates(body, bounds.velocity, t);
-      const SymmetricTensor<2, 2> at_center =
-        (rates[0] + rates[1] + rates[2]) / 3.;
-      double sum = 0;
+      const auto rates = strains(body.mesh, bounds.velocity.velocity, t);
+      double     sum   = 0;
       for (unsigned int third = 0; third < 3; ++third)
         {
-          const std::array<SymmetricTensor<2, 2>, 3> rate = {
-            {rates[third], rates[(third + 1) % 3], at_center}};
+          const auto rate = on_third(rates, third);
           for (unsigned int i = 0; i < 3; ++i)
             for (unsigned int j = 0; j < 3; ++j)
               sum += (i == j ? 2. : 1.) *

@@ -24,13 +24,14 @@ namespace ElastoPlastic
     {
       types::global_dof_index number; ///< the same for all cells around it
       Point<2>                position;
+      Point<2>                unit_position;
       types::boundary_id      boundary_id;
 
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &number &position &boundary_id;
+        archive &number &position &unit_position &boundary_id;
       }
     };
 
@@ -60,6 +61,9 @@ namespace ElastoPlastic
     {
       constexpr std::array<unsigned int, 4> vertices = {{0, 1, 3, 2}};
       constexpr std::array<unsigned int, 4> faces    = {{2, 1, 3, 0}};
+      const auto unit_vertex = [&vertices](const unsigned int i) {
+        return GeometryInfo<2>::unit_cell_vertex(vertices[i]);
+      };
 
       Polygon polygon;
       polygon.id          = cell->id();
@@ -70,11 +74,15 @@ namespace ElastoPlastic
           const auto face = cell->face(faces[i]);
           polygon.corners.push_back({cell->vertex_dof_index(vertices[i], 0),
                                      cell->vertex(vertices[i]),
+                                     unit_vertex(i),
                                      face->boundary_id()});
           if (face->has_children())
-            polygon.corners.push_back({face->child(0)->vertex_dof_index(1, 0),
-                                       face->child(0)->vertex(1),
-                                       face->boundary_id()});
+            polygon.corners.push_back(
+              {face->child(0)->vertex_dof_index(1, 0),
+               face->child(0)->vertex(1),
+               unit_vertex(i) +
+                 0.5 * (unit_vertex((i + 1) % 4) - unit_vertex(i)),
+               face->boundary_id()});
         }
       return polygon;
     }
@@ -130,7 +138,9 @@ namespace ElastoPlastic
                  {side(a, b, first.boundary_id),
                   side(b, center, numbers::internal_face_boundary_id),
                   side(center, a, numbers::internal_face_boundary_id)}};
-            triangle.cell = mesh.cells.size() - 1;
+            triangle.cell         = mesh.cells.size() - 1;
+            triangle.unit_corners = {
+              {first.unit_position, last.unit_position, Point<2>(0.5, 0.5)}};
             mesh.triangles.push_back(triangle);
           }
       }

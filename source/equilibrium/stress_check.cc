@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/exceptions.h"
+#include "equilibrium/hencky_material.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/stress_check.h"
 
@@ -12,6 +14,8 @@ namespace ElastoPlastic
   namespace
   {
     using namespace JohnsonMercier;
+
+    constexpr double largest_stress_error = 1e-8;
 
     /// The tractions of a triangle at the ends of a side, in the direction of
     /// the side, on a plane with the normal of the side.
@@ -64,17 +68,13 @@ namespace ElastoPlastic
                          .norm());
         }
 
-      for (unsigned int p = 0; p < n_points; ++p)
-        {
-          SymmetricTensor<2, 3> stress;
-          stress[0][0] = values[3 * p];
-          stress[1][1] = values[3 * p + 1];
-          stress[0][1] = values[3 * p + 2];
-          stress[2][2] = field.out_of_plane[t][p];
-          errors.yield_excess =
-            std::max(errors.yield_excess,
-                     deviator(stress).norm() - body.materials[t].yield_radius);
-        }
+      if (HenckyMaterial::hardens(body.materials[t]))
+        return;
+      for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int i = 0; i < 3; ++i)
+          errors.yield_excess = std::max(errors.yield_excess,
+                                         deviator(field.at(t, k, i)).norm() -
+                                           body.materials[t].yield_radius);
     }
 
 
@@ -160,5 +160,19 @@ namespace ElastoPlastic
     errors.force_difference =
       std::abs(force - field.force) / std::max(std::abs(force), 1e-300);
     return errors;
+  }
+
+
+
+  double
+  require_admissible(const PlaneBody &body, const StressField &field)
+  {
+    const double error = check_stress(body, field).largest();
+    if (error > largest_stress_error)
+      throw ConvergenceError(
+        "The stresses of the equilibrium method violate equilibrium or yield "
+        "condition by " +
+        std::to_string(error) + " of the yield stress.");
+    return error;
   }
 } // namespace ElastoPlastic

@@ -3,8 +3,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <cmath>
-
+#include "equilibrium/hencky_material.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/local_algebra.h"
 #include "equilibrium/stress_program.h"
@@ -15,52 +14,28 @@ namespace ElastoPlastic
   namespace
   {
     using namespace JohnsonMercier;
+    using namespace HenckyMaterial;
     using namespace LocalAlgebra;
 
     constexpr unsigned int n_components = n_stress_components;
 
 
 
-    double
-    hardening(const Material<double> &material)
-    {
-      double sum = material.isotropic_modulus;
-      for (const auto &law : material.back_stresses)
-        sum += law.modulus;
-      return sum;
-    }
-
-
-
-    bool
-    yields(const Material<double> &material)
-    {
-      return std::isfinite(material.yield_radius);
-    }
-
-
-
-    bool
-    hardens(const Material<double> &material)
-    {
-      return yields(material) && hardening(material) > 0;
-    }
-
-
-
     /// C^-1 for the components 11, 22, 12, 33; the shear stress counts twice.
     FullMatrix<double>
-    compliance(const Material<double> &material)
+    compliance_matrix(const Material<double> &material)
     {
+      constexpr std::array<std::array<unsigned int, 2>, n_components> indices =
+        {{{{0, 0}}, {{1, 1}}, {{0, 1}}, {{2, 2}}}};
       FullMatrix<double> c(n_components, n_components);
-      const double       shear = 1. / (2. * material.shear_modulus);
-      for (const unsigned int i : {0, 1, 3})
+      for (unsigned int j = 0; j < n_components; ++j)
         {
-          c(i, i) = shear;
-          for (const unsigned int j : {0, 1, 3})
-            c(i, j) += 1. / (9. * material.bulk_modulus) - shear / 3.;
+          SymmetricTensor<2, 3> stress;
+          stress[indices[j][0]][indices[j][1]] = 1.;
+          const auto strain                    = compliance(material, stress);
+          for (unsigned int i = 0; i < n_components; ++i)
+            c(i, j) = (i == 2 ? 2. : 1.) * strain[indices[i][0]][indices[i][1]];
         }
-      c(2, 2) = 2. * shear;
       return c;
     }
 
@@ -88,6 +63,7 @@ namespace ElastoPlastic
         add_yield_conditions(t);
         add_sides(t);
       }
+    add_indenter();
   }
 
 
@@ -104,9 +80,8 @@ namespace ElastoPlastic
         for (unsigned int c = 0; c < 2; ++c)
           {
             const SideConditionType type = components[c].type;
-            const bool has_equation = type == SideConditionType::continuous ||
-                                      type == SideConditionType::traction;
-            const auto load = moments(s, components[c].value);
+            const bool has_equation = type != SideConditionType::displacement;
+            const auto load         = moments(s, components[c].value);
             for (unsigned int end = 0; end < 2; ++end)
               {
                 equations[s][end][c] =
@@ -208,13 +183,30 @@ namespace ElastoPlastic
               const unsigned int equation = equations[side.side][end][c];
               if (equation != numbers::invalid_unsigned_int)
                 block.add_to_equation(equation, force);
-              if (component.type == SideConditionType::contact)
-                {
-                  side.cone_rows[end] = block.cone_matrix.m();
-                  block.add_inequality(force);
-                }
             }
       }
+  }
+
+
+
+  // The indenter's forces point down.
+  void
+  StressProgram::add_indenter()
+  {
+    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      if (body.conditions[s].components[1].type == SideConditionType::contact)
+        {
+          contact_sides.push_back(s);
+          ConicBlock &block = program.blocks.emplace_back(2);
+          for (unsigned int end = 0; end < 2; ++end)
+            {
+              Vector<double> force(2);
+              force[end] = 1.;
+              block.add_to_equation(equations[s][end][1], force);
+              force *= -1.;
+              block.add_inequality(force);
+            }
+        }
   }
 
 
@@ -222,10 +214,10 @@ namespace ElastoPlastic
   void
   StressProgram::add_energy()
   {
-    for (unsigned int t = 0; t < program.blocks.size(); ++t)
+    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
       {
         const Material<double>  &material = body.materials[t];
-        const FullMatrix<double> c        = compliance(material);
+        const FullMatrix<double> c        = compliance_matrix(material);
         FullMatrix<double>      &cost     = program.blocks[t].quadratic_cost;
         const unsigned int       n        = cost.n();
         const double weight = area(body.mesh.corners(body.mesh.triangles[t])) /
@@ -284,21 +276,14 @@ namespace ElastoPlastic
 
 
 
-  // Tractions upwards are pressures with the opposite sign.
   template <typename Function>
   void
   StressProgram::add_contact_cost(const Function &cost)
   {
-    for (unsigned int t = 0; t < sides.size(); ++t)
-      for (SideOfTriangle &side : sides[t])
-        if (can_touch(side.side))
-          for (unsigned int end = 0; end < 2; ++end)
-            {
-              const double value =
-                cost(side.side, end) / (body.strain_unit * body.length_unit);
-              side.contact_costs[end] += value;
-              program.blocks[t].linear_cost.add(-value, side.forces[end][1]);
-            }
+    for (unsigned int i = 0; i < contact_sides.size(); ++i)
+      for (unsigned int end = 0; end < 2; ++end)
+        program.blocks[body.mesh.triangles.size() + i].linear_cost[end] +=
+          cost(contact_sides[i], end) / (body.strain_unit * body.length_unit);
   }
 
 
@@ -311,23 +296,10 @@ namespace ElastoPlastic
     program.right_hand_side[row] =
       force / (body.stress_unit * body.length_unit);
     program.n_dense_rows = 1;
-    for (unsigned int t = 0; t < sides.size(); ++t)
-      for (const SideOfTriangle &side : sides[t])
-        if (can_touch(side.side))
-          {
-            Vector<double> pressure(program.blocks[t].linear_cost.size());
-            pressure.add(-1., side.forces[0][1], -1., side.forces[1][1]);
-            program.blocks[t].add_to_equation(row, pressure);
-          }
-  }
-
-
-
-  bool
-  StressProgram::can_touch(const unsigned int side) const
-  {
-    return body.conditions[side].components[1].type ==
-           SideConditionType::contact;
+    Vector<double> sum(2);
+    sum = 1.;
+    for (unsigned int i = 0; i < contact_sides.size(); ++i)
+      program.blocks[body.mesh.triangles.size() + i].add_to_equation(row, sum);
   }
 
 

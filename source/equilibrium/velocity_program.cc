@@ -98,8 +98,9 @@ namespace ElastoPlastic
     std::array<unsigned int, 6>
     nodes_of(const SplitMesh &mesh, const unsigned int t)
     {
-      const auto &[vertices, sides, cell] = mesh.triangles[t];
-      const unsigned int n                = mesh.vertices.size();
+      const auto        &vertices = mesh.triangles[t].vertices;
+      const auto        &sides    = mesh.triangles[t].sides;
+      const unsigned int n        = mesh.vertices.size();
       return {{vertices[0],
                vertices[1],
                vertices[2],
@@ -287,9 +288,10 @@ namespace ElastoPlastic
 
       VelocityField      field;
       const unsigned int n_vertices = body.mesh.vertices.size();
-      field.at_vertices.assign(velocities.begin(),
-                               velocities.begin() + n_vertices);
-      field.at_sides.assign(velocities.begin() + n_vertices, velocities.end());
+      field.velocity.at_vertices.assign(velocities.begin(),
+                                        velocities.begin() + n_vertices);
+      field.velocity.at_sides.assign(velocities.begin() + n_vertices,
+                                     velocities.end());
       field.n_iterations = solution.n_iterations;
       add_work(field);
       for (unsigned int i = 0; i < nodes.size(); ++i)
@@ -330,7 +332,7 @@ namespace ElastoPlastic
       for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
         {
           double sum = 0;
-          for (const auto &rate : strain_rates(body, field, t))
+          for (const auto &rate : strains(body.mesh, field.velocity, t))
             {
               largest_rate     = std::max(largest_rate, rate.norm());
               field.divergence = std::max(field.divergence, trace(rate));

@@ -13,10 +13,8 @@ namespace ElastoPlastic
   {
     using Patch = DataOutBase::Patch<2, 2>;
 
-    const std::vector<std::string> names = {"velocity",
-                                            "velocity",
-                                            "velocity",
-                                            "stress",
+    /// After the three components of the motion.
+    const std::vector<std::string> names = {"stress",
                                             "stress",
                                             "stress",
                                             "stress",
@@ -36,6 +34,10 @@ namespace ElastoPlastic
     class Triangles : public DataOutInterface<2, 2>
     {
     public:
+      explicit Triangles(const std::string &name_of_motion)
+        : name_of_motion(name_of_motion)
+      {}
+
       std::vector<Patch> patches;
 
     private:
@@ -48,7 +50,9 @@ namespace ElastoPlastic
       std::vector<std::string>
       get_dataset_names() const override
       {
-        return names;
+        std::vector<std::string> result(3, name_of_motion);
+        result.insert(result.end(), names.begin(), names.end());
+        return result;
       }
 
       std::vector<
@@ -59,77 +63,46 @@ namespace ElastoPlastic
       get_nonscalar_data_ranges() const override
       {
         using namespace DataComponentInterpretation;
-        return {{0, 2, "velocity", component_is_part_of_vector},
+        return {{0, 2, name_of_motion, component_is_part_of_vector},
                 {3, 11, "stress", component_is_part_of_tensor}};
       }
+
+      const std::string name_of_motion;
     };
 
 
 
-    SymmetricTensor<2, 3>
-    stress_at(const StressField &field,
-              const unsigned int t,
-              const unsigned int third,
-              const unsigned int corner)
-    {
-      const auto in_plane =
-        JohnsonMercier::stress_at(field.in_plane[t], third, corner);
-      SymmetricTensor<2, 3> stress;
-      stress[0][0] = in_plane[0][0];
-      stress[1][1] = in_plane[1][1];
-      stress[0][1] = in_plane[0][1];
-      stress[2][2] = field.out_of_plane[t][3 * third + corner];
-      return stress;
-    }
-
-
-
-    /// The value of the quadratic velocity at the centre of gravity.
-    Tensor<1, 2>
-    velocity_at_center(const VelocityField       &field,
-                       const SplitMesh::Triangle &triangle)
-    {
-      Tensor<1, 2> sum;
-      for (unsigned int i = 0; i < 3; ++i)
-        sum += 4. * field.at_sides[triangle.sides[i]] -
-               field.at_vertices[triangle.vertices[i]];
-      return sum / 9.;
-    }
-
-
-
     Patch
-    make_patch(const PlaneBody   &body,
-               const LimitLoad   &bounds,
-               const unsigned int t,
-               const unsigned int third)
+    make_patch(const EquilibriumFields &fields,
+               const unsigned int       t,
+               const unsigned int       third)
     {
-      const auto &triangle = body.mesh.triangles[t];
+      const auto &[body, stress_field, field, errors] = fields;
+      const auto &triangle                            = body.mesh.triangles[t];
       const auto  corners =
         JohnsonMercier::third_of(body.mesh.corners(triangle), third);
-      const auto                       &vertex = bounds.velocity.at_vertices;
-      const std::array<Tensor<1, 2>, 3> velocities = {
-        {vertex[triangle.vertices[third]],
-         vertex[triangle.vertices[(third + 1) % 3]],
-         velocity_at_center(bounds.velocity, triangle)}};
+      const std::array<Tensor<1, 2>, 3> motions = {
+        {field.at_vertices[triangle.vertices[third]],
+         field.at_vertices[triangle.vertices[(third + 1) % 3]],
+         value_at_center(field, triangle)}};
 
       Patch patch;
       patch.reference_cell = ReferenceCells::Triangle;
       patch.n_subdivisions = 1;
-      patch.data.reinit(names.size(), 3);
+      patch.data.reinit(3 + names.size(), 3);
       for (unsigned int i = 0; i < 3; ++i)
         {
           patch.vertices[i]          = corners[i];
-          const auto   stress        = stress_at(bounds.stress, t, third, i);
+          const auto   stress        = stress_field.at(t, third, i);
           const double deviator_norm = deviator(stress).norm();
           for (unsigned int d = 0; d < 2; ++d)
-            patch.data(d, i) = velocities[i][d];
+            patch.data(d, i) = motions[i][d];
           for (unsigned int a = 0; a < 3; ++a)
             for (unsigned int b = 0; b < 3; ++b)
               patch.data(3 + 3 * a + b, i) = stress[a][b];
           patch.data(12, i) = std::sqrt(1.5) * deviator_norm;
           patch.data(13, i) = deviator_norm / body.materials[t].yield_radius;
-          patch.data(14, i) = bounds.gaps[t];
+          patch.data(14, i) = errors[t];
           patch.data(15, i) = body.mesh.cells[triangle.cell].material_id;
         }
       return patch;
@@ -138,33 +111,36 @@ namespace ElastoPlastic
 
 
 
-  EquilibriumOutput::EquilibriumOutput(const std::string &directory)
+  EquilibriumOutput::EquilibriumOutput(const std::string &directory,
+                                       const std::string &name,
+                                       const std::string &name_of_motion)
     : directory(directory)
+    , name(name)
+    , name_of_motion(name_of_motion)
   {}
 
 
 
   void
-  EquilibriumOutput::write(const PlaneBody   &body,
-                           const LimitLoad   &bounds,
-                           const unsigned int cycle)
+  EquilibriumOutput::write(const EquilibriumFields &fields,
+                           const unsigned int       cycle)
   {
-    Triangles output;
-    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+    Triangles triangles(name_of_motion);
+    for (unsigned int t = 0; t < fields.body.mesh.triangles.size(); ++t)
       for (unsigned int third = 0; third < 3; ++third)
         {
-          output.patches.push_back(make_patch(body, bounds, t, third));
-          output.patches.back().patch_index = output.patches.size() - 1;
+          triangles.patches.push_back(make_patch(fields, t, third));
+          triangles.patches.back().patch_index = triangles.patches.size() - 1;
         }
 
-    const std::string name =
-      "limit_load-" + Utilities::int_to_string(cycle, 3) + ".vtu";
+    const std::string file_name =
+      name + "-" + Utilities::int_to_string(cycle, 3) + ".vtu";
     checked_write(MPI_COMM_SELF,
-                  directory + "/" + name,
-                  [&](std::ostream &file) { output.write_vtu(file); });
-    records.emplace_back(cycle, name);
+                  directory + "/" + file_name,
+                  [&](std::ostream &file) { triangles.write_vtu(file); });
+    records.emplace_back(cycle, file_name);
     checked_write(MPI_COMM_SELF,
-                  directory + "/limit_load.pvd",
+                  directory + "/" + name + ".pvd",
                   [&](std::ostream &file) {
                     DataOutBase::write_pvd_record(file, records);
                   });

@@ -91,8 +91,13 @@ namespace ElastoPlastic
                       "body, or a body loaded by its boundary conditions. "
                       "limit load: the largest force that the indenter can "
                       "exert on a perfectly plastic body in plane strain or "
-                      "plane stress, between two rigorous bounds.",
-                      Patterns::Selection("contact|limit load"));
+                      "plane stress, between two rigorous bounds. "
+                      "contact with error bound: contact in one load step, in "
+                      "plane strain or plane stress, with stresses in exact "
+                      "equilibrium beside the displacement, and a guaranteed "
+                      "bound of the error that follows from both.",
+                      Patterns::Selection(
+                        "contact|limit load|contact with error bound"));
     geometry.add_parameters(prm);
     boundary_conditions.add_parameters(prm);
     material.add_parameters(prm);
@@ -152,8 +157,8 @@ namespace ElastoPlastic
                        discretization.volumetric_treatment,
                        "in plane stress the volume can change freely, and "
                        "there is nothing that locks. Choose 'standard'.");
-    if (analysis == "limit load")
-      check_limit_load();
+    if (analysis != "contact")
+      check_equilibrium_method();
     material.check();
     indenter.check(dimension);
     refinement.check();
@@ -176,22 +181,27 @@ namespace ElastoPlastic
 
   // What the equilibrium method cannot do.
   void
-  Parameters::check_limit_load() const
+  Parameters::check_equilibrium_method() const
   {
+    const std::string entry = "'Analysis = " + analysis + "'";
     if (dimension == 3)
-      throw InputError("Dimension",
-                       "3",
-                       "'Analysis = limit load' is for two dimensions.");
+      throw InputError("Dimension", "3", entry + " is for two dimensions.");
     if (discretization.kinematics == "axisymmetric")
       throw InputError("Kinematics",
                        discretization.kinematics,
-                       "'Analysis = limit load' is for plane strain and plane "
-                       "stress.");
-    if (indenter.type == "none")
+                       entry + " is for plane strain and plane stress.");
+    if (analysis == "limit load" && indenter.type == "none")
       throw InputError("Indenter/Type",
                        "none",
-                       "'Analysis = limit load' looks for the largest force of "
-                       "an indenter. Choose one, for example strip punch.");
+                       entry +
+                         " looks for the largest force of an indenter. "
+                         "Choose one, for example strip punch.");
+    if (analysis == "contact with error bound" && !loading.is_single_step())
+      throw InputError("Analysis",
+                       analysis,
+                       "the equilibrium method takes one step from the virgin "
+                       "state. Set 'Loading/Number of steps = 1', without "
+                       "'Loading/History'.");
   }
 
 

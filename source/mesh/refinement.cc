@@ -16,10 +16,12 @@ namespace ElastoPlastic
     prm.add_parameter("Strategy",
                       strategy,
                       "none: one mesh. global: every cell is refined from one "
-                      "cycle to the next. Kelly: the cells with the largest "
-                      "jumps of the strain are refined, those with the "
-                      "smallest coarsened.",
-                      Patterns::Selection("none|global|Kelly"));
+                      "cycle to the next. adaptive: the cells with the largest "
+                      "errors are refined, those with the smallest coarsened; "
+                      "the errors are those that the analysis bounds, and for "
+                      "'Analysis = contact', as for Kelly, estimated by the "
+                      "jumps of the strain.",
+                      Patterns::Selection("none|global|adaptive|Kelly"));
     prm.add_parameter("Number of cycles",
                       n_cycles,
                       "The number of meshes on which the problem is solved, "
@@ -33,22 +35,24 @@ namespace ElastoPlastic
                       "displacement unknowns than this, as far as can be told "
                       "in advance (within some per cent). 0: no limit.",
                       Patterns::Integer(0));
-    prm.add_parameter("Refinement fraction",
-                      refinement_fraction,
-                      "Kelly: the fraction of cells that are refined, between "
-                      "0 and 1.",
-                      Patterns::Double(0, 1));
-    prm.add_parameter("Coarsening fraction",
-                      coarsening_fraction,
-                      "Kelly: the fraction of cells that are coarsened; "
-                      "together with the refinement fraction at most 1.",
-                      Patterns::Double(0, 1));
+    prm.add_parameter(
+      "Refinement fraction",
+      refinement_fraction,
+      "adaptive, Kelly: the fraction of cells that are refined, between "
+      "0 and 1.",
+      Patterns::Double(0, 1));
+    prm.add_parameter(
+      "Coarsening fraction",
+      coarsening_fraction,
+      "adaptive, Kelly: the fraction of cells that are coarsened; "
+      "together with the refinement fraction at most 1.",
+      Patterns::Double(0, 1));
     prm.add_parameter(
       "Steps between adaptations",
       adaptation_interval,
       "In a load history: after how many steps the mesh is adapted to the "
       "solution, with the fractions above; as many cells are refined as "
-      "'Maximum number of unknowns' allows. Only for the strategy Kelly. 0: "
+      "'Maximum number of unknowns' allows. Not for the strategies none and global. 0: "
       "the mesh of the first step stays.",
       Patterns::Integer(0));
     prm.leave_subsection();
@@ -63,12 +67,13 @@ namespace ElastoPlastic
       throw InputError("Refinement/Number of cycles",
                        std::to_string(n_cycles),
                        "'Refinement/Strategy = none' allows one cycle only. "
-                       "Choose the strategy global or Kelly.");
-    if (strategy != "Kelly" && adaptation_interval > 0)
-      throw InputError("Refinement/Steps between adaptations",
-                       std::to_string(adaptation_interval),
-                       "only 'Refinement/Strategy = Kelly' can adapt the mesh "
-                       "during a history. Choose it, or 0.");
+                       "Choose the strategy global or adaptive.");
+    if (!is_adaptive() && adaptation_interval > 0)
+      throw InputError(
+        "Refinement/Steps between adaptations",
+        std::to_string(adaptation_interval),
+        "only 'Refinement/Strategy = adaptive' can adapt the mesh "
+        "during a history. Choose it, or 0.");
     if (refinement_fraction + coarsening_fraction > 1)
       throw InputError("Refinement/Coarsening fraction",
                        Patterns::Tools::to_string(coarsening_fraction),

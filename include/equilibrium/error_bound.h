@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_error_bound_h
+#define equilibrium_error_bound_h
+
+#include <vector>
+
+#include "equilibrium/quadratic_field.h"
+#include "equilibrium/stress_program.h"
+
+namespace ElastoPlastic
+{
+  /// The sum of energy and complementary energy of a displacement (v, V) and of
+  /// stresses tau that both are admissible, in parts none of which is negative:
+  ///   Pi(v, V) + J(tau) = int W(eps(v)) + W*(tau) - tau : eps(v) dx
+  ///                       + int p (g - V - v_2) ds.
+  /// With the exact stresses sigma, 1/2 |sigma - tau|^2 in the norm of
+  /// the elastic energy is less or equal (doc/theory.md, "Guaranteed error").
+  struct ErrorBound
+  {
+    std::vector<double> of_triangles; ///< the integral over a triangle
+    std::vector<double> of_sides;     ///< under the indenter
+
+    double
+    of_body() const;
+    double
+    of_contact() const;
+    double
+    total() const;
+
+    /// By triangles, the sides counting for the triangle they belong to.
+    std::vector<double>
+    indicators(const SplitMesh &mesh) const;
+  };
+
+
+
+  /// Lowers @p displacement near the contact surface until no point of a side
+  /// penetrates the indenter, which has moved down by @p depth. A solution of
+  /// the displacement method does so between its nodes.
+  void
+  remove_penetration(QuadraticField  &displacement,
+                     const PlaneBody &body,
+                     const double     depth);
+
+  /// @p displacement must be zero at the supports, and not penetrate; @p stress
+  /// must satisfy equilibrium and yield condition. Tractions of the body that
+  /// are not linear on a side are taken as the linear ones with the same
+  /// moments. The energy W, which is no polynomial, is bounded from above.
+  ErrorBound
+  bound_error(const PlaneBody      &body,
+              const QuadraticField &displacement,
+              const double          depth,
+              const StressField    &stress);
+} // namespace ElastoPlastic
+
+#endif

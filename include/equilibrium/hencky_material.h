@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_hencky_material_h
+#define equilibrium_hencky_material_h
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include "material/material.h"
+
+/// A material in one step from the virgin state, with linear hardening: the
+/// deformation theory of Hencky. Its energy and complementary energy are
+///   W(eps)  = min over e_p of 1/2 (eps - e_p) : C (eps - e_p) + R |e_p|
+///                             + h/2 |e_p|^2,
+///   W*(tau) = min over zeta of 1/2 tau : C^-1 tau + zeta^2 / (2 h)
+///                             with |dev tau| <= R + zeta,
+/// R being the yield radius. Isotropic and kinematic hardening are the same.
+namespace ElastoPlastic::HenckyMaterial
+{
+  using namespace dealii;
+
+  bool
+  yields(const Material<double> &material);
+
+  /// h = 2/3 (H + H_k)
+  double
+  hardening(const Material<double> &material);
+
+  bool
+  hardens(const Material<double> &material);
+
+  /// C^-1 tau
+  SymmetricTensor<2, 3>
+  compliance(const Material<double>      &material,
+             const SymmetricTensor<2, 3> &stress);
+
+  /// An elastic and a plastic part.
+  struct Strain
+  {
+    SymmetricTensor<2, 3> elastic;
+    SymmetricTensor<2, 3> plastic;
+  };
+
+  /// The parts of a strain, by the minimum in W. Out of plane, the strain is
+  /// zero, or that of a sheet.
+  Strain
+  split_strain(const Material<double>      &material,
+               const SymmetricTensor<2, 2> &in_plane_strain,
+               const bool                   plane_stress);
+} // namespace ElastoPlastic::HenckyMaterial
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef error_bound_analysis_h
+#define error_bound_analysis_h
+
+#include <optional>
+
+#include "contact/gap_function.h"
+#include "equilibrium/error_bound.h"
+#include "io/csv_file.h"
+#include "io/equilibrium_output.h"
+#include "io/parameters.h"
+#include "loading/load.h"
+#include "mesh/boundary_conditions.h"
+
+namespace ElastoPlastic
+{
+  /// A guaranteed bound of the error of a contact problem in plane strain or
+  /// plane stress, in one step from the virgin state: the equilibrium method
+  /// is run on the mesh of the displacement method, and the two energies are
+  /// compared (doc/theory.md, "Guaranteed error").
+  ///
+  /// The mesh is distributed; the conic programs are solved by the first rank.
+  class ErrorBoundAnalysis
+  {
+  public:
+    /// All arguments must live as long as this object.
+    /// @throws InputError if the materials are not what the equilibrium method
+    /// can do.
+    ErrorBoundAnalysis(const Parameters            &parameters,
+                       const MPI_Comm               communicator,
+                       const BoundaryConditions<2> &boundary_conditions,
+                       const GapFunction<2>        &gap_function);
+
+    /// A solution of the displacement method on one mesh.
+    struct Solution
+    {
+      const DoFHandler<2> &dof_handler;
+      const VectorType    &displacement;
+      Load                 load;  ///< what has been prescribed, at @p time
+      double               depth; ///< of the indenter, given or found
+      double               force; ///< likewise
+      double               time;
+      unsigned int         cycle;
+    };
+
+    /// What the bound says.
+    struct Result
+    {
+      /// Of the norm of the difference between the exact stresses and those in
+      /// equilibrium, sqrt(int (sigma - tau) : C^-1 (sigma - tau) dx).
+      double bound;
+      /// For each active cell of this rank; the squares add up to that of the
+      /// bound.
+      Vector<float> of_cells;
+    };
+
+    /// Computes the bound, and adds a row to error_bound.csv.
+    /// @throws ConvergenceError, FileError
+    Result
+    evaluate(const Solution &solution);
+
+    /// Writes the fields that the last bound has been computed from, to
+    /// equilibrium-*.vtu. @throws FileError
+    void
+    write_fields(const unsigned int cycle);
+
+  private:
+    StressField
+    equilibrate(const PlaneBody &body, const Load &load) const;
+
+    const Parameters            &parameters;
+    const MPI_Comm               communicator;
+    const BoundaryConditions<2> &boundary_conditions;
+    const GapFunction<2>        &gap_function;
+    std::optional<CsvFile>       table;
+    EquilibriumOutput            output;
+
+    // On the first rank: the problem on the last mesh, its two solutions, and
+    // the parts of the bound.
+    PlaneBody           body;
+    StressField         stress;
+    QuadraticField      displacement;
+    std::vector<double> errors; ///< by triangles
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <boost/serialization/map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "equilibrium/cell_indicators.h"
+
+namespace ElastoPlastic
+{
+  Vector<float>
+  cell_indicators(const SplitMesh           &mesh,
+                  const std::vector<double> &of_triangles,
+                  const Triangulation<2>    &triangulation)
+  {
+    std::map<CellId, double> of_cell;
+    for (unsigned int t = 0; t < of_triangles.size(); ++t)
+      of_cell[mesh.cells[mesh.triangles[t].cell].id] +=
+        std::max(0., of_triangles[t]);
+    of_cell =
+      Utilities::MPI::broadcast(triangulation.get_communicator(), of_cell);
+
+    Vector<float> indicators(triangulation.n_active_cells());
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        indicators[cell->active_cell_index()] =
+          std::sqrt(of_cell.at(cell->id()));
+    return indicators;
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <cmath>
+
+#include "base/tensors.h"
+#include "equilibrium/hencky_material.h"
+#include "material/plane_stress.h"
+#include "material/radial_return.h"
+
+namespace ElastoPlastic
+{
+  bool
+  HenckyMaterial::yields(const Material<double> &material)
+  {
+    return std::isfinite(material.yield_radius);
+  }
+
+
+
+  double
+  HenckyMaterial::hardening(const Material<double> &material)
+  {
+    double sum = material.isotropic_modulus;
+    for (const auto &law : material.back_stresses)
+      sum += law.modulus;
+    return sum;
+  }
+
+
+
+  bool
+  HenckyMaterial::hardens(const Material<double> &material)
+  {
+    return yields(material) && hardening(material) > 0;
+  }
+
+
+
+  SymmetricTensor<2, 3>
+  HenckyMaterial::compliance(const Material<double>      &material,
+                             const SymmetricTensor<2, 3> &stress)
+  {
+    return trace(stress) / (9. * material.bulk_modulus) *
+             unit_symmetric_tensor<3>() +
+           deviator(stress) / (2. * material.shear_modulus);
+  }
+
+
+
+  HenckyMaterial::Strain
+  HenckyMaterial::split_strain(const Material<double>      &material,
+                               const SymmetricTensor<2, 2> &in_plane_strain,
+                               const bool                   plane_stress)
+  {
+    const MaterialState<double> virgin(material.back_stresses.size());
+    SymmetricTensor<2, 3>       strain = in_space<2>(in_plane_strain, 0.);
+    if (plane_stress)
+      strain[2][2] = out_of_plane_strain(material, strain, virgin);
+
+    const RadialReturn<double>  step(material, strain_deviator(strain), virgin);
+    const SymmetricTensor<2, 3> plastic =
+      strain_deviator(strain) -
+      step.deviatoric_stress() / (2. * material.shear_modulus);
+    return {strain - plastic, plastic};
+  }
+} // namespace ElastoPlastic
