@@ -121,32 +121,6 @@ namespace ElastoPlastic
           ++current.n_iterations;
           step();
           compute_residuals();
-          {
-            double smin = 1e300, smax = 0, zmin = 1e300, zmax = 0;
-            for (unsigned int c = 0; c < n_cones; ++c)
-              if (layout.cones[c].size == 1)
-                {
-                  double s = current.s[layout.cones[c].begin],
-                         z = current.z[layout.cones[c].begin];
-                  smin     = std::min(smin, s);
-                  smax     = std::max(smax, s);
-                  zmin     = std::min(zmin, z);
-                  zmax     = std::max(zmax, z);
-                }
-            fprintf(
-              stderr,
-              "it %u gap %g cost %g rel %g primal %g dual %g s %g..%g z %g..%g\n",
-              current.n_iterations,
-              gap,
-              current.cost,
-              current.relative_gap,
-              current.primal_error,
-              current.dual_error,
-              smin,
-              smax,
-              zmin,
-              zmax);
-          }
         }
       restore_equations();
       return current;
