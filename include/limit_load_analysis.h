@@ -37,21 +37,33 @@ namespace ElastoPlastic
     void
     run(const bool overwrite);
 
+    /// Refines the mesh until it is decided whether the body can bear the
+    /// @p force, or until there are many triangles. Writes no files.
+    /// @throws EquilibriumError if it cannot, or if that remains undecided.
+    void
+    require_safe(const double force);
+
+    types::global_cell_index
+    n_cells() const;
+
   private:
-    PlaneBody
-    make_body() const;
+    void
+    find_bounds();
 
     void
-    solve(CsvFile &table);
+    write_results(CsvFile &table);
 
     bool
     is_last_cycle() const;
 
-    bool
-    writes_fields() const;
+    void
+    refine_mesh();
 
-    bool
-    mark_next_mesh();
+    double
+    lower_bound() const;
+
+    double
+    upper_bound() const;
 
     const Parameters parameters;
     const MPI_Comm   communicator;
@@ -66,9 +78,14 @@ namespace ElastoPlastic
     const BoundaryConditions<2>             boundary_conditions;
     const GapFunction<2>                    gap_function;
 
-    /// By active cells of this rank: the square roots of LimitLoad::gaps, like
-    /// other indicators.
-    Vector<float> error_indicators;
+    // On the first rank: the problem on the present mesh, and its solution.
+    PlaneBody body;
+    LimitLoad bounds;
+
+    // On all ranks: the row of limit_load.csv; by active cells of this rank,
+    // the square roots of LimitLoad::gaps, like other indicators.
+    std::vector<double> row;
+    Vector<float>       error_indicators;
   };
 } // namespace ElastoPlastic
 

@@ -22,6 +22,10 @@ namespace ElastoPlastic
 {
   namespace
   {
+    /// With more, a force that is neither safe nor unsafe is too close to the
+    /// limit load: the bounds are within 1 % then.
+    constexpr types::global_cell_index max_cells_to_decide = 1000;
+
     const std::vector<std::string> limit_load_columns = {"cycle",
                                                          "cells",
                                                          "triangles",
@@ -92,74 +96,127 @@ namespace ElastoPlastic
                   limit_load_columns);
     while (true)
       {
-        solve(table);
-        if (!mark_next_mesh())
+        find_bounds();
+        write_results(table);
+        if (is_last_cycle())
           break;
-        triangulation.execute_coarsening_and_refinement();
-        ++cycle;
+        refine_mesh();
       }
     screen.remark("Results are in " + parameters.output.directory);
   }
 
 
 
-  PlaneBody
-  LimitLoadAnalysis::make_body() const
+  void
+  LimitLoadAnalysis::require_safe(const double force)
   {
-    return make_plane_body(
-      make_split_mesh(triangulation),
-      boundary_conditions,
-      parameters.material.materials(),
-      parameters.discretization.strain_model().kinematics,
-      [this](const Point<2> &x) { return gap_function.value(x); },
-      0.);
+    while (true)
+      {
+        find_bounds();
+        if (force < lower_bound())
+          return;
+
+        const std::string between =
+          "between " + Patterns::Tools::to_string(lower_bound()) + " and " +
+          Patterns::Tools::to_string(upper_bound()) +
+          ". Prescribe a force below the first of these bounds, or the depth.";
+        const std::string the_force =
+          "the force " + Patterns::Tools::to_string(force);
+        if (force >= upper_bound())
+          throw EquilibriumError("There is no equilibrium under " + the_force +
+                                 ": the limit load of the body is " + between);
+        if (n_cells() > max_cells_to_decide)
+          throw EquilibriumError("There may be no equilibrium under " +
+                                 the_force +
+                                 ", which is too close to the limit load of "
+                                 "the body to tell: that is " +
+                                 between);
+        refine_mesh();
+      }
+  }
+
+
+
+  types::global_cell_index
+  LimitLoadAnalysis::n_cells() const
+  {
+    return triangulation.n_global_active_cells();
+  }
+
+
+
+  double
+  LimitLoadAnalysis::lower_bound() const
+  {
+    return row[3];
+  }
+
+
+
+  double
+  LimitLoadAnalysis::upper_bound() const
+  {
+    return row[4];
   }
 
 
 
   // The work of the first rank, while the others wait for its results.
   void
-  LimitLoadAnalysis::solve(CsvFile &table)
+  LimitLoadAnalysis::find_bounds()
   {
-    const Timer     timer;
-    const PlaneBody body = make_body();
+    const Timer timer;
+    body = make_plane_body(
+      make_split_mesh(triangulation),
+      boundary_conditions,
+      parameters.material.materials(),
+      parameters.discretization.strain_model().kinematics,
+      [this](const Point<2> &x) { return gap_function.value(x); },
+      0.);
 
-    std::vector<double> row(limit_load_columns.size());
-    LimitLoad           bounds;
     throw_together(communicator, [&]() {
-      if (first_rank)
-        {
-          bounds             = bound_limit_load(body);
-          const double error = require_admissible(body, bounds.stress);
-          const double lower = bounds.stress.force,
-                       upper = bounds.velocity.force;
-          row                = {static_cast<double>(cycle),
-                                static_cast<double>(body.mesh.cells.size()),
-                                static_cast<double>(body.mesh.triangles.size()),
-                                lower,
-                                upper,
-                                (upper - lower) / lower,
-                                static_cast<double>(bounds.stress.n_iterations),
-                                static_cast<double>(bounds.velocity.n_iterations),
-                                error,
-                                bounds.velocity.divergence,
-                                timer.wall_time()};
-          if (writes_fields())
-            output.write(
-              {body, bounds.stress, bounds.velocity.velocity, bounds.gaps},
-              cycle);
-        }
+      if (!first_rank)
+        return;
+      bounds             = bound_limit_load(body);
+      const double error = require_admissible(body, bounds.stress);
+      const double lower = bounds.stress.force, upper = bounds.velocity.force;
+      row = {static_cast<double>(cycle),
+             static_cast<double>(body.mesh.cells.size()),
+             static_cast<double>(body.mesh.triangles.size()),
+             lower,
+             upper,
+             (upper - lower) / lower,
+             static_cast<double>(bounds.stress.n_iterations),
+             static_cast<double>(bounds.velocity.n_iterations),
+             error,
+             bounds.velocity.divergence,
+             timer.wall_time()};
     });
-    row = Utilities::MPI::broadcast(communicator, row);
-    table.add_row(row);
+    row              = Utilities::MPI::broadcast(communicator, row);
     error_indicators = cell_indicators(body.mesh, bounds.gaps, triangulation);
 
     std::ostringstream message;
     message.precision(8);
-    message << "Cycle " << cycle << ": " << row[2]
-            << " triangles, limit load between " << row[3] << " and " << row[4]
-            << " (" << 100. * row[5] << " %), " << row[10] << " s";
+    message << row[2] << " triangles: the limit load is between "
+            << lower_bound() << " and " << upper_bound() << " ("
+            << 100. * row[5] << " %), " << row[10] << " s";
     screen.remark(message.str());
+  }
+
+
+
+  void
+  LimitLoadAnalysis::write_results(CsvFile &table)
+  {
+    table.add_row(row);
+    if (parameters.output.fields == "every cycle" ||
+        (parameters.output.fields == "last cycle" && is_last_cycle()))
+      throw_together(communicator, [&]() {
+        if (first_rank)
+          output.write(
+            {body, bounds.stress, bounds.velocity.velocity, bounds.gaps},
+            cycle);
+      });
   }
 
 
@@ -172,21 +229,11 @@ namespace ElastoPlastic
 
 
 
-  bool
-  LimitLoadAnalysis::writes_fields() const
+  void
+  LimitLoadAnalysis::refine_mesh()
   {
-    return parameters.output.fields == "every cycle" ||
-           (parameters.output.fields == "last cycle" && is_last_cycle());
-  }
-
-
-
-  bool
-  LimitLoadAnalysis::mark_next_mesh()
-  {
-    if (is_last_cycle())
-      return false;
     flag_cells(parameters.refinement, error_indicators, triangulation);
-    return true;
+    triangulation.execute_coarsening_and_refinement();
+    ++cycle;
   }
 } // namespace ElastoPlastic

@@ -11,6 +11,7 @@
 #include "io/parameters.h"
 #include "limit_load_analysis.h"
 #include "program.h"
+#include "safe_load.h"
 #include "version.h"
 
 namespace
@@ -28,7 +29,10 @@ namespace
     if (command_line.resume)
       problem.resume();
     else
-      problem.run(command_line.overwrite);
+      {
+        require_safe_load(parameters, MPI_COMM_WORLD);
+        problem.run(command_line.overwrite);
+      }
   }
 
 

@@ -41,6 +41,11 @@ namespace ElastoPlastic
     };
 
     std::array<Component, 2> components;
+
+    /// Whether the indenter can touch any point of the side. If it can touch
+    /// some only, it presses on none: the stresses stay admissible. But no
+    /// point of the side may penetrate, so that motions are admissible, too.
+    bool is_reached = false;
   };
 
 

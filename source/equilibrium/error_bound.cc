@@ -28,13 +28,13 @@ namespace ElastoPlastic
 
 
 
-    /// The sides under the indenter, with their ends.
+    /// The sides that the indenter reaches, with their ends.
     template <typename Action>
     void
-    for_each_contact_side(const PlaneBody &body, const Action &action)
+    for_each_reached_side(const PlaneBody &body, const Action &action)
     {
       for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-        if (body.conditions[s].components[1].type == SideConditionType::contact)
+        if (body.conditions[s].is_reached)
           action(s, body.mesh.sides[s].vertices);
     }
 
@@ -247,11 +247,11 @@ namespace ElastoPlastic
     const auto penetration = [&](const unsigned int s, const double t) {
       return std::max(0., -clearance(body, displacement, depth, s, t));
     };
-    for_each_contact_side(body, [&](const unsigned int s, const auto &ends) {
+    for_each_reached_side(body, [&](const unsigned int s, const auto &ends) {
       displacement.at_vertices[ends[0]][1] -= penetration(s, 0.);
       displacement.at_vertices[ends[1]][1] -= penetration(s, 1.);
     });
-    for_each_contact_side(body, [&](const unsigned int s, const auto &) {
+    for_each_reached_side(body, [&](const unsigned int s, const auto &) {
       double excess = 0;
       for (unsigned int i = 1; i < n_samples; ++i)
         {
@@ -276,10 +276,10 @@ namespace ElastoPlastic
         bound_on_triangle(body, displacement, stress, t));
 
     bound.of_sides.resize(body.mesh.sides.size());
-    for_each_contact_side(body, [&](const unsigned int s, const auto &) {
-      bound.of_sides[s] =
-        bound_on_side(body, displacement, depth, stress.pressure[s], s);
-    });
+    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      if (body.conditions[s].components[1].type == SideConditionType::contact)
+        bound.of_sides[s] =
+          bound_on_side(body, displacement, depth, stress.pressure[s], s);
     return bound;
   }
 } // namespace ElastoPlastic

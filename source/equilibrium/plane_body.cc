@@ -52,12 +52,13 @@ namespace ElastoPlastic
         if (fixed.count(id) > 0)
           return along_axes(SideConditionType::displacement,
                             SideConditionType::displacement);
-        if (contact.count(id) > 0 && within_reach(mesh, side))
-          return along_axes(SideConditionType::traction,
-                            SideConditionType::contact);
-
+        const Reach reach =
+          contact.count(id) > 0 ? reach_of(mesh, side) : Reach::none;
         SideCondition condition =
-          along_axes(SideConditionType::traction, SideConditionType::traction);
+          along_axes(SideConditionType::traction,
+                     reach == Reach::whole ? SideConditionType::contact :
+                                             SideConditionType::traction);
+        condition.is_reached = reach != Reach::none;
         if (rollers.count(id) > 0)
           {
             const Tensor<1, 2> normal = mesh.normal(side);
@@ -103,17 +104,33 @@ namespace ElastoPlastic
                                        }};
       }
 
-      // Where the indenter reaches only a part of the side, its pressure is
-      // taken as zero: the stresses stay admissible.
-      bool
-      within_reach(const SplitMesh &mesh, const SplitMesh::Side &side) const
+      /// How much of a side the indenter can touch.
+      enum class Reach
       {
-        const Point<2> a = mesh.vertices[side.vertices[0]],
-                       b = mesh.vertices[side.vertices[1]];
-        for (const double t : {1e-6, 0.5, 1. - 1e-6})
-          if (!std::isfinite(gap(Point<2>(a + t * (b - a)))))
-            return false;
-        return true;
+        none,
+        part,
+        whole
+      };
+
+      Reach
+      reach_of(const SplitMesh &mesh, const SplitMesh::Side &side) const
+      {
+        constexpr unsigned int n_intervals = 8;
+        constexpr double       inset       = 1e-6;
+
+        const Point<2> a      = mesh.vertices[side.vertices[0]],
+                       b      = mesh.vertices[side.vertices[1]];
+        unsigned int n_finite = 0;
+        for (unsigned int i = 0; i <= n_intervals; ++i)
+          {
+            const double t =
+              inset + (1. - 2. * inset) * i / static_cast<double>(n_intervals);
+            if (std::isfinite(gap(Point<2>(a + t * (b - a)))))
+              ++n_finite;
+          }
+        return n_finite == 0           ? Reach::none :
+               n_finite <= n_intervals ? Reach::part :
+                                         Reach::whole;
       }
 
       const std::set<types::boundary_id>             contact;

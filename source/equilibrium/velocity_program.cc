@@ -192,8 +192,7 @@ namespace ElastoPlastic
       std::vector<ContactForce> forces;
       for (const unsigned int s : body.mesh.triangles[t].sides)
         {
-          if (body.conditions[s].components[1].type !=
-              SideConditionType::contact)
+          if (!body.conditions[s].is_reached)
             continue;
           const auto        &vertices = body.mesh.sides[s].vertices;
           const unsigned int middle   = body.mesh.vertices.size() + s;
@@ -312,7 +311,7 @@ namespace ElastoPlastic
     {
       double depth = std::numeric_limits<double>::max();
       for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-        if (body.conditions[s].components[1].type == SideConditionType::contact)
+        if (body.conditions[s].is_reached)
           {
             const auto  &vertices = body.mesh.sides[s].vertices;
             const double a        = -velocities[vertices[0]][1],
