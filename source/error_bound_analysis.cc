@@ -26,6 +26,8 @@ namespace ElastoPlastic
       "force",
       "equilibrium_depth",
       "equilibrium_force",
+      "equilibrium_max_pressure",
+      "equilibrium_contact_area",
       "energy",
       "complementary_energy",
       "bound_of_body",
@@ -103,6 +105,7 @@ namespace ElastoPlastic
                                             solution.displacement);
 
     std::vector<double> row(error_bound_columns.size());
+    double              total = 0;
     throw_together(communicator, [&]() {
       if (body.mesh.triangles.empty())
         return;
@@ -112,6 +115,7 @@ namespace ElastoPlastic
       const ErrorBound bound =
         bound_error(body, displacement, solution.depth, stress);
       errors = bound.indicators(body.mesh);
+      total  = bound.total();
       row    = {static_cast<double>(solution.cycle),
                 static_cast<double>(body.mesh.cells.size()),
                 static_cast<double>(solution.dof_handler.n_dofs()),
@@ -120,6 +124,8 @@ namespace ElastoPlastic
                 solution.force,
                 stress.depth,
                 stress.force,
+                stress.max_pressure(),
+                stress.contact_area(body.mesh),
                 bound.total() - stress.cost,
                 stress.cost,
                 bound.of_body(),
@@ -131,16 +137,16 @@ namespace ElastoPlastic
                 timer.wall_time()};
     });
 
-    row = Utilities::MPI::broadcast(communicator, row);
+    row   = Utilities::MPI::broadcast(communicator, row);
+    total = Utilities::MPI::broadcast(communicator, total);
     if (!table)
       table.emplace(communicator,
                     parameters.output.directory + "/error_bound.csv",
                     error_bound_columns);
     table->add_row(row);
 
-    const double total  = row[12];
-    Result       result = {std::sqrt(2. * std::max(0., total)),
-                           cell_indicators(body.mesh, errors, triangulation)};
+    Result result = {std::sqrt(2. * std::max(0., total)),
+                     cell_indicators(body.mesh, errors, triangulation)};
     result.of_cells *= std::sqrt(2.);
     return result;
   }

@@ -60,7 +60,7 @@ namespace ElastoPlastic
     make_analysis(Parameters parameters, const MPI_Comm communicator)
     {
       parameters.refinement                     = RefinementParameters();
-      parameters.refinement.refinement_fraction = 0.15;
+      parameters.refinement.refinement_fraction = 0.1;
       while (true)
         {
           auto analysis =

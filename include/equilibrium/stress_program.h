@@ -41,6 +41,14 @@ namespace ElastoPlastic
     at(const unsigned int triangle,
        const unsigned int third,
        const unsigned int corner) const;
+
+    /// The largest pressure of the indenter.
+    double
+    max_pressure() const;
+
+    /// The length of what the indenter presses on, of the sides of @p mesh.
+    double
+    contact_area(const SplitMesh &mesh) const;
   };
 
 

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The parts of the guaranteed error bound: interpolation of finite element
+// displacements to the triangles, no penetration between the nodes, the energy
+// of Hencky materials against its conjugate, and the sum of both energies.
+
+#include <deal.II/base/function_lib.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "equilibrium/error_bound.h"
+#include "equilibrium/hencky_material.h"
+#include "equilibrium/stress_problem.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  const double radius = 3., depth = 0.02;
+
+
+
+  Material<double>
+  material(const double yield_radius, const double hardening)
+  {
+    Material<double> material;
+    material.bulk_modulus      = 800.;
+    material.shear_modulus     = 400.;
+    material.yield_radius      = yield_radius;
+    material.isotropic_modulus = hardening;
+    return material;
+  }
+
+
+
+  /// A parabolic indenter over a block with a hanging node.
+  PlaneBody
+  make_body(const Triangulation<2> &triangulation,
+            const Material<double> &material,
+            const Kinematics        kinematics)
+  {
+    static const BoundaryConditions<2> conditions = []() {
+      BoundaryConditionParameters parameters;
+      parameters.roller  = {"left"};
+      parameters.free    = {"right"};
+      parameters.fixed   = {"bottom"};
+      parameters.contact = {"top"};
+      return BoundaryConditions<2>(
+        parameters, {{"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}});
+    }();
+    const auto gap = [](const Point<2> &x) {
+      return x[0] * x[0] / (2. * radius);
+    };
+    return make_plane_body(make_split_mesh(triangulation),
+                           conditions,
+                           {material},
+                           kinematics,
+                           gap,
+                           0.);
+  }
+
+
+
+  /// Bilinear on each cell of a block whose sides are parallel to the axes.
+  class Bilinear : public Function<2>
+  {
+  public:
+    Bilinear()
+      : Function<2>(2)
+    {}
+
+    double
+    value(const Point<2> &x, const unsigned int component) const override
+    {
+      return component == 0 ? 0.3 * x[0] - x[1] + 0.5 * x[0] * x[1] :
+                              0.1 + x[0] * (2. - x[1]);
+    }
+  };
+
+
+
+  void
+  test_interpolation(const Triangulation<2> &triangulation)
+  {
+    const FESystem<2> fe(FE_Q<2>(1), 2);
+    DoFHandler<2>     dof_handler(triangulation);
+    dof_handler.distribute_dofs(fe);
+    VectorType values(dof_handler.locally_owned_dofs(), MPI_COMM_WORLD);
+    VectorTools::interpolate(dof_handler, Bilinear(), values);
+
+    const SplitMesh      mesh = make_split_mesh(triangulation);
+    const QuadraticField field =
+      interpolate_displacement(mesh, dof_handler, values);
+    double value_error = 0, strain_error = 0;
+    for (unsigned int t = 0; t < mesh.triangles.size(); ++t)
+      {
+        const auto     corners = mesh.corners(mesh.triangles[t]);
+        const auto     strain  = strains(mesh, field, t);
+        const Point<2> center =
+          corners[0] +
+          ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.;
+        for (unsigned int d = 0; d < 2; ++d)
+          value_error =
+            std::max(value_error,
+                     std::abs(value_at_center(field, mesh.triangles[t])[d] -
+                              Bilinear().value(center, d)));
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            const Point<2>       &x = corners[i];
+            SymmetricTensor<2, 2> exact;
+            exact[0][0]  = 0.3 + 0.5 * x[1];
+            exact[1][1]  = -x[0];
+            exact[0][1]  = 0.5 * (-1. + 0.5 * x[0] + 2. - x[1]);
+            strain_error = std::max(strain_error, (strain[i] - exact).norm());
+          }
+      }
+    output() << "Interpolation" << std::endl;
+    verify("values", value_error, 1e-13);
+    verify("strains", strain_error, 1e-12);
+  }
+
+
+
+  // A displacement that touches the parabola at all vertices of the surface
+  // penetrates it everywhere else.
+  void
+  test_penetration(const PlaneBody &body)
+  {
+    QuadraticField field;
+    field.at_vertices.resize(body.mesh.vertices.size());
+    field.at_sides.resize(body.mesh.sides.size());
+    for (unsigned int v = 0; v < body.mesh.vertices.size(); ++v)
+      field.at_vertices[v][1] = body.gap(body.mesh.vertices[v]) - depth;
+    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      field.at_sides[s] =
+        0.5 * (field.at_vertices[body.mesh.sides[s].vertices[0]] +
+               field.at_vertices[body.mesh.sides[s].vertices[1]]);
+    remove_penetration(field, body, depth);
+
+    double smallest = 1., largest = 0.;
+    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      if (body.conditions[s].is_reached)
+        for (unsigned int i = 0; i <= 100; ++i)
+          {
+            const double t    = 0.01 * i;
+            const auto  &ends = body.mesh.sides[s].vertices;
+            const auto  &a    = body.mesh.vertices[ends[0]],
+                       &b     = body.mesh.vertices[ends[1]];
+            const double v =
+              (1. - t) * (1. - 2. * t) * field.at_vertices[ends[0]][1] +
+              t * (2. * t - 1.) * field.at_vertices[ends[1]][1] +
+              4. * t * (1. - t) * field.at_sides[s][1];
+            const double clearance =
+              body.gap(Point<2>(a + t * (b - a))) - depth - v;
+            smallest = std::min(smallest, clearance);
+            largest  = std::max(largest, clearance);
+          }
+    output() << "Penetration" << std::endl;
+    verify("none", smallest > -1e-14);
+    verify("no more clearance than needed", largest, 1e-14);
+  }
+
+
+
+  // The stress of a strain makes W + W* - tau : eps vanish; any other one that
+  // is admissible makes it positive.
+  void
+  test_conjugate(const PlaneBody &body, const std::string &title)
+  {
+    QuadraticField field;
+    field.at_vertices.resize(body.mesh.vertices.size());
+    field.at_sides.resize(body.mesh.sides.size());
+    const auto displacement = [](const Point<2> &x) {
+      return Tensor<1, 2>({0.01 * x[0] - 0.003 * x[1], -0.004 * x[1]});
+    };
+    for (unsigned int v = 0; v < body.mesh.vertices.size(); ++v)
+      field.at_vertices[v] = displacement(body.mesh.vertices[v]);
+    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      field.at_sides[s] =
+        0.5 * (field.at_vertices[body.mesh.sides[s].vertices[0]] +
+               field.at_vertices[body.mesh.sides[s].vertices[1]]);
+
+    const Material<double> &material = body.materials.front();
+    const auto              strain   = strains(body.mesh, field, 0)[0];
+    const auto [elastic, plastic] =
+      HenckyMaterial::split_strain(material, strain, body.plane_stress);
+    const SymmetricTensor<2, 3> stress =
+      material.bulk_modulus * trace(elastic) * unit_symmetric_tensor<3>() +
+      2. * material.shear_modulus * deviator(elastic);
+
+    StressField stresses;
+    stresses.pressure.resize(body.mesh.sides.size());
+    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+      {
+        stresses.in_plane.emplace_back(27);
+        stresses.out_of_plane.emplace_back();
+        for (unsigned int p = 0; p < 9; ++p)
+          {
+            stresses.in_plane[t][3 * p]     = stress[0][0];
+            stresses.in_plane[t][3 * p + 1] = stress[1][1];
+            stresses.in_plane[t][3 * p + 2] = stress[0][1];
+            stresses.out_of_plane[t][p]     = stress[2][2];
+          }
+      }
+    const double energy = stress * (elastic + plastic);
+    output() << title << std::endl;
+    verify("yields",
+           (plastic.norm() > 1e-3) == HenckyMaterial::yields(material));
+    verify("no stress out of plane",
+           body.plane_stress ? std::abs(stress[2][2]) : 0.,
+           1e-10);
+    verify("no gap",
+           std::abs(bound_error(body, field, 0., stresses).total()) / energy,
+           1e-12);
+
+    for (auto &values : stresses.in_plane)
+      values *= 0.9;
+    for (auto &values : stresses.out_of_plane)
+      for (double &value : values)
+        value *= 0.9;
+    verify("gap",
+           bound_error(body, field, 0., stresses).total() > 1e-4 * energy);
+  }
+
+
+
+  // Without displacement, the sum of both energies is the complementary one.
+  void
+  test_sum(const PlaneBody &body)
+  {
+    QuadraticField zero;
+    zero.at_vertices.resize(body.mesh.vertices.size());
+    zero.at_sides.resize(body.mesh.sides.size());
+    const StressField stress = equilibrate_with_depth(body, depth);
+    const ErrorBound  bound  = bound_error(body, zero, depth, stress);
+    const auto        parts  = bound.indicators(body.mesh);
+    output() << "Sum of the energies" << std::endl;
+    verify("presses", stress.force > 1.);
+    verify("complementary energy",
+           std::abs(bound.total() / stress.cost - 1.),
+           1e-9);
+    verify("sum of the parts",
+           std::abs(std::accumulate(parts.begin(), parts.end(), 0.) /
+                      bound.total() -
+                    1.),
+           1e-12);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize        mpi(argc, argv, 1);
+  parallel::distributed::Triangulation<2> triangulation(MPI_COMM_WORLD);
+  GridGenerator::subdivided_hyper_rectangle(triangulation,
+                                            {4, 4},
+                                            Point<2>(0, -1),
+                                            Point<2>(1, 0),
+                                            /* colorize = */ true);
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->center()[0] < 0.5 &&
+        cell->center()[1] > -0.25)
+      cell->set_refine_flag();
+  triangulation.execute_coarsening_and_refinement();
+  test_interpolation(triangulation);
+
+  const double    infinity = std::numeric_limits<double>::infinity();
+  const PlaneBody elastic =
+    make_body(triangulation, material(infinity, 0.), Kinematics::cartesian);
+  if (elastic.mesh.triangles.empty())
+    return 0; // not the first rank
+  test_penetration(elastic);
+  test_sum(elastic);
+  test_conjugate(elastic, "Elastic");
+  for (const double hardening : {0., 20.})
+    for (const auto kinematics :
+         {Kinematics::cartesian, Kinematics::plane_stress})
+      test_conjugate(
+        make_body(triangulation, material(1.4, hardening), kinematics),
+        std::string(hardening > 0 ? "Hardening" : "Perfectly plastic") +
+          (kinematics == Kinematics::plane_stress ? ", plane stress" :
+                                                    ", plane strain"));
+}
