@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-readonly build_packages=(libdeal.ii-dev libsuitesparse-dev libpng-dev libboost-program-options-dev cmake g++ make git)
+readonly build_packages=(libdeal.ii-dev libsuitesparse-dev libopenblas0-serial libpng-dev libboost-program-options-dev cmake g++ make git)
 readonly test_packages=(numdiff perl python3)
 readonly plot_packages=(python3 paraview python3-paraview python3-matplotlib xvfb xauth libgl1-mesa-dri)
 readonly lint_packages=(clang-format-14 clang-tidy-14)

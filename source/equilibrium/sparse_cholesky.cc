@@ -5,6 +5,8 @@
 
 #include "equilibrium/sparse_cholesky.h"
 
+#include <omp.h>
+
 namespace ElastoPlastic
 {
   SparseCholesky::Common::Common()
@@ -12,6 +14,9 @@ namespace ElastoPlastic
     cholmod_start(this);
     // Errors are reported by return values.
     print = 0;
+    // CHOLMOD would start threads, for pieces that are too small for them,
+    // where another rank may be at work.
+    omp_set_max_active_levels(0);
   }
 
 
