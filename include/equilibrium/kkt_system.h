@@ -50,6 +50,7 @@ namespace ElastoPlastic
     /// called. To the H of blocks without quadratic cost, a small multiple of
     /// the identity is added, because they may be singular: a rigid-plastic
     /// body has no compliance, and no yield condition bounds the mean stress.
+    /// The diagonals of the others grow by the order of rounding errors.
     /// @return false if rounding has made the matrix indefinite.
     bool
     factorize(const Scalings &scalings);

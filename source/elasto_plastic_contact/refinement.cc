@@ -44,19 +44,30 @@ namespace ElastoPlastic
     if constexpr (dim == 2)
       {
         TimerOutput::Scope scope(timer, "Error bound");
-        const auto         bound =
-          error_bound->evaluate({dof_handler,
-                                 displacement,
-                                 load_program.load(result.time),
-                                 result.depth,
-                                 result.force,
-                                 result.time,
-                                 cycle});
-        result.estimated_error = bound.bound;
-        if (parameters.refinement.strategy != "Kelly")
-          error_indicators = bound.of_cells;
-        screen.remark("The error of the stresses in equilibrium is at most " +
-                      Patterns::Tools::to_string(bound.bound));
+        try
+          {
+            const auto [bound, of_cells] =
+              error_bound->evaluate({dof_handler,
+                                     displacement,
+                                     load_program.load(result.time),
+                                     result.depth,
+                                     result.force,
+                                     result.time,
+                                     cycle});
+            result.estimated_error = bound;
+            if (parameters.refinement.strategy != "Kelly")
+              error_indicators = of_cells;
+            screen.remark(
+              "The error of the stresses in equilibrium is at most " +
+              Patterns::Tools::to_string(bound));
+          }
+        catch (const ConvergenceError &error)
+          {
+            throw Error(error.status,
+                        "The contact problem has been solved, but there is no "
+                        "error bound. " +
+                          std::string(error.what()));
+          }
       }
   }
 

@@ -22,6 +22,10 @@ namespace ElastoPlastic
     /// them tend to zero and infinity in the course of the iteration.
     constexpr double relative_regularization = 1e-8;
 
+    /// The same for a block with quadratic cost, relative to each entry: more
+    /// than the rounding errors of its Cholesky factorisation.
+    constexpr double relative_rounding = 1e-14;
+
     /// Solves are repeated so often at most, while each halves the residual,
     /// and until it is that small.
     constexpr unsigned int max_repetitions   = 12;
@@ -170,9 +174,10 @@ namespace ElastoPlastic
         if (size > 1)
           across = std::max(across, scaling.inverse_square_across());
       }
-    if (block.quadratic_cost.linfty_norm() == 0)
-      for (unsigned int i = 0; i < h.m(); ++i)
-        h(i, i) += relative_regularization * across;
+    const bool is_regular = block.quadratic_cost.linfty_norm() > 0;
+    for (unsigned int i = 0; i < h.m(); ++i)
+      h(i, i) += is_regular ? relative_rounding * h(i, i) :
+                              relative_regularization * across;
     if (!LocalAlgebra::factorize(h))
       return false;
 
