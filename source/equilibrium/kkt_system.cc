@@ -20,7 +20,7 @@ namespace ElastoPlastic
     /// What is added to the diagonals of a block, relative to the largest
     /// eigenvalue of its W^-2 across the directions of s and z; those along
     /// them tend to zero and infinity in the course of the iteration.
-    constexpr double relative_regularization = 1e-8;
+    constexpr double relative_regularization = 1e-7;
 
     /// The same for a block with quadratic cost, relative to each entry: more
     /// than the rounding errors of its Cholesky factorisation.
