@@ -15,6 +15,8 @@ import sys
 
 import uniaxial as exact_uniaxial
 from verification_runner import E, E_STAR, NU, ROOT, Runner
+from verify_equilibrium import (equilibrium_hertz, equilibrium_limit, error_bound,
+                                error_bound_refinement, limit_load, safe_load)
 from verify_hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from verify_indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
                                 johnson_limit, load_cycles)
@@ -259,23 +261,6 @@ def strip_punch_locks(runner):
     runner.verify(f"does not level off ({forces[0]:.6f}, {forces[1]:.6f})", forces[1] / forces[0] > 1.01)
 
 
-def limit_load(runner):
-    """Limit load of a strip punch between two bounds (exact), the same on any number of ranks."""
-    exact = 2 + math.pi
-    case, entry = "limit_load/strip_punch.prm", "Refinement/Number of cycles=5"
-    rows = runner.tables(case, entry)["limit_load"]
-    for row in rows:
-        runner.verify(f"{row['lower_bound']:.6g} <= {exact:.6g} <= {row['upper_bound']:.6g}",
-                      row["lower_bound"] <= exact <= row["upper_bound"])
-    runner.compare("largest error of the stresses", max(row["stress_error"] for row in rows), 0,
-                   1e-10, absolute=True)
-    runner.compare("largest divergence", max(row["divergence"] for row in rows), 0, 1e-9, absolute=True)
-    runner.compare("lower bound", rows[-1]["lower_bound"], exact, 0.01)
-    runner.compare("upper bound", rows[-1]["upper_bound"], exact, 0.02)
-    alone = Runner(runner.program, 1).tables(case, entry)["limit_load"]
-    runner.compare("lower bound on one rank", alone[-1]["lower_bound"], rows[-1]["lower_bound"], 1e-9)
-
-
 ALL = {
     function.__name__: function
     for function in (step42, step42_fine, confined_block, confined_history, uniaxial,
@@ -284,7 +269,8 @@ ALL = {
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space,
                      sphere_indentation, cone_indentation, strip_punch, strip_punch_locks,
-                     limit_load)
+                     limit_load, safe_load, error_bound, error_bound_refinement,
+                     equilibrium_hertz, equilibrium_limit)
 }
 
 

@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cases of verify.py: stresses in equilibrium, limit loads, guaranteed error bounds."""
+
+import math
+
+from verification_runner import E_STAR, Runner
+
+LAWS = ("linear elastic", "isotropic hardening", "perfectly plastic")
+PRANDTL = 2 + math.pi
+BOUND = "Analysis=contact with error bound"
+QUADRATIC = ("Discretization/Polynomial degree=2", "Discretization/Volumetric treatment=standard")
+
+
+def limit_load(runner):
+    """Limit load of a strip punch between two bounds (exact), the same on any number of ranks."""
+    case, entry = "limit_load/strip_punch.prm", "Refinement/Number of cycles=6"
+    rows = runner.tables(case, entry)["limit_load"]
+    for row in rows:
+        runner.verify(f"{row['lower_bound']:.6g} <= {PRANDTL:.6g} <= {row['upper_bound']:.6g}",
+                      row["lower_bound"] <= PRANDTL <= row["upper_bound"])
+    runner.compare("largest error of the stresses", max(row["stress_error"] for row in rows), 0,
+                   1e-10, absolute=True)
+    runner.compare("largest divergence", max(row["divergence"] for row in rows), 0, 1e-9, absolute=True)
+    runner.compare("lower bound", rows[-1]["lower_bound"], PRANDTL, 0.01)
+    runner.compare("upper bound", rows[-1]["upper_bound"], PRANDTL, 0.01)
+    alone = Runner(runner.program, 1).tables(case, entry)["limit_load"]
+    runner.compare("lower bound on one rank", alone[-1]["lower_bound"], rows[-1]["lower_bound"], 1e-9)
+
+    curved = runner.tables(case, entry, "Indenter/Type=cylinder", "Indenter/Radius=3",
+                           "Indenter/Reach=1")["limit_load"]
+    runner.compare("a cylinder that reaches as far", curved[-1]["lower_bound"], rows[-1]["lower_bound"], 1e-6)
+    small = runner.tables(case, entry, "Geometry/Lower corner=0, -5", "Geometry/Upper corner=5, 0",
+                          "Geometry/Repetitions=5, 5")["limit_load"]
+    runner.compare("block of 5 by 5 half-widths", small[-1]["lower_bound"], 4.2, 0.015)
+
+
+def safe_load(runner):
+    """A force of 99.5 % of a lower bound of the limit load has an equilibrium."""
+    lower = runner.tables("limit_load/strip_punch.prm",
+                          "Refinement/Number of cycles=6")["limit_load"][-1]["lower_bound"]
+    row = runner.run("limit_load/strip_punch.prm", "Analysis=contact", "Loading/Control=force",
+                     f"Loading/Force={0.995 * lower}", "Refinement/Number of cycles=3", *QUADRATIC)[-1]
+    runner.compare("force", row["force"], 0.995 * lower, 1e-9)
+    runner.compare("forces on free nodes", row["residual"], 0, 1e-8, absolute=True)
+
+
+def error_bound(runner):
+    """Uniform meshes: the bound is positive, above the errors in energy, and of order h^2."""
+    meshes = ("Refinement/Strategy=global", "Geometry/Initial refinements=3")
+    for law in LAWS:
+        entries = (BOUND, f"Material/Law={law}", *meshes)
+        rows = runner.tables("cylinder_2d.prm", *entries, "Discretization/Polynomial degree=1",
+                             "Refinement/Number of cycles=3")["error_bound"]
+        fine = runner.tables("cylinder_2d.prm", BOUND, f"Material/Law={law}", "Refinement/Strategy=adaptive",
+                             "Refinement/Number of cycles=4")["error_bound"][-1]
+        runner.verify(f"{law}: positive", all(row["bound"] > 0 for row in rows))
+        # The least of the energy is between minus the complementary energy and the energy of any mesh.
+        for row in rows:
+            of_displacement = row["energy"] - fine["energy"]
+            of_stress = row["complementary_energy"] - fine["complementary_energy"]
+            larger = max(of_displacement, of_stress)
+            runner.verify(f"errors {of_displacement:.3g} and {of_stress:.3g}, "
+                          f"bound {row['bound']:.3g}, efficiency index {math.sqrt(row['bound'] / larger):.3f}",
+                          0 < larger and min(of_displacement, of_stress) > -fine["bound"] and
+                          larger < row["bound"])
+        order = math.log2(rows[-2]["bound"] / rows[-1]["bound"])
+        runner.compare("order of the bound", order, 2, 0.15)
+        stress_order = 0.5 * math.log2((rows[0]["complementary_energy"] - fine["complementary_energy"]) /
+                                       (rows[-1]["complementary_energy"] - fine["complementary_energy"])) / 2
+        runner.verify(f"order of the stresses' norm of error {stress_order:.2f}", stress_order > 0.5)
+
+
+def error_bound_refinement(runner):
+    """Refinement by the bound against that by Kelly's estimator, in the bound per unknown."""
+    for law in LAWS[1:]:
+        rows = {}
+        for strategy in ("adaptive", "Kelly"):
+            tables = runner.tables("cylinder_2d.prm", BOUND, f"Material/Law={law}", f"Refinement/Strategy={strategy}",
+                                   "Geometry/Initial refinements=3", "Refinement/Number of cycles=5")
+            rows[strategy] = tables["error_bound"][-1]
+            runner.compare("estimated_error", tables["history"][-1]["estimated_error"],
+                           math.sqrt(2 * rows[strategy]["bound"]), 1e-12)
+        ratio = rows["Kelly"]["bound"] / rows["adaptive"]["bound"]
+        runner.verify(f"{law}: {rows['adaptive']['dofs']:.0f} unknowns by the bound, "
+                      f"{rows['Kelly']['dofs']:.0f} by Kelly, whose bound is {ratio:.2f} times as large",
+                      rows["adaptive"]["dofs"] < rows["Kelly"]["dofs"] and ratio > 1.1)
+
+
+def equilibrium_hertz(runner):
+    """Hertz' line contact by stresses in equilibrium: force control in plane strain (exact)."""
+    row = runner.tables("verification/hertz_cylinder.prm", BOUND, "Geometry/Local refinements=8",
+                        "Geometry/Local radius=8")["error_bound"][-1]
+    half_width, radius = 0.2, 10
+    runner.compare("peak pressure", row["equilibrium_max_pressure"], E_STAR * half_width / (2 * radius), 0.02)
+    runner.compare("half-width", row["equilibrium_contact_area"], half_width, 0.02)
+    runner.compare("depth", row["equilibrium_depth"], row["depth"], 1e-3)
+    runner.compare("bound of the error, of the energy", row["relative_bound"], 0, 1e-3, absolute=True)
+
+
+def equilibrium_limit(runner):
+    """Johnson's mu to 0: the displacement method comes to the equilibrium method's solution."""
+    entries = ("Refinement/Number of cycles=4", *QUADRATIC)
+    row = runner.tables("johnson/perfect.prm", BOUND, *entries)["error_bound"][-1]
+    missing = []
+    for mu in (1, 0.1, 0.01, 0.001, 0.0001):
+        depth = runner.run("johnson/isotropic.prm", *entries,
+                           f"Material/Isotropic hardening modulus={1.5 * mu}")[-1]["depth"]
+        missing.append(abs(1 - depth / row["equilibrium_depth"]))
+    runner.verify("the difference of the depths falls: " + ", ".join(f"{value:.2%}" for value in missing),
+                  all(a > b for a, b in zip(missing, missing[1:])))
+    runner.compare("difference at mu = 0.0001", missing[-1], 0, 0.02, absolute=True)
