@@ -15,7 +15,7 @@ LETTERS = {"Float32": "f", "Float64": "d", "Int32": "i", "UInt8": "B"}
 
 
 def read_fields(folder, kind):
-    """The fields of each entry of solution.pvd or surface.pvd, all ranks together.
+    """The fields of each entry of solution.pvd, surface.pvd and the like, all ranks together.
 
     A dictionary: 'points' (x, y, z), 'cells' (numbers of points), and the data of the
     points by name, a number or a tuple for each point.
@@ -23,7 +23,8 @@ def read_fields(folder, kind):
     folder = pathlib.Path(folder)
     for record in files_named_in(folder / f"{kind}.pvd", "DataSet", "file"):
         fields = {"points": [], "cells": []}
-        for piece in files_named_in(folder / record, "Piece", "Source"):
+        pieces = [record] if record.endswith(".vtu") else files_named_in(folder / record, "Piece", "Source")
+        for piece in pieces:
             add_piece(fields, ElementTree.parse(folder / piece).find(".//Piece"))
         yield fields
 

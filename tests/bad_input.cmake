@@ -41,6 +41,10 @@ add_message_test(set_section 2 "no entry 'Geometry'" ${_base} --set "Geometry=bo
 add_entry_test(limit_load_3d "entry 'Dimension' is '3', but 'Analysis = limit load' is for two dimensions" "Analysis=limit load" Dimension=3)
 add_entry_test(limit_load_axisymmetric "entry 'Kinematics' is 'axisymmetric', but .*plane strain and plane stress" "Analysis=limit load" Kinematics=axisymmetric)
 add_entry_test(limit_load_hardening "entry 'Analysis' is 'limit load', but only a body of perfectly plastic materials" "Analysis=limit load")
+add_entry_test(error_bound_3d "entry 'Dimension' is '3', but 'Analysis = contact with error bound' is for two dimensions" "Analysis=contact with error bound" Dimension=3)
+add_entry_test(error_bound_axisymmetric "entry 'Kinematics' is 'axisymmetric', but 'Analysis = contact with error bound' is for plane strain" "Analysis=contact with error bound" Kinematics=axisymmetric)
+add_entry_test(error_bound_history "entry 'Analysis' is 'contact with error bound', but .*one step from the virgin state" "Analysis=contact with error bound" "Loading/Number of steps=2")
+add_message_test(error_bound_nonlinear 2 "entry 'Analysis' is 'contact with error bound', but .*linear hardening only" ${CMAKE_SOURCE_DIR}/parameter_files/cylinder_2d.prm --validate --set "Analysis=contact with error bound" --set "Material/Law=nonlinear hardening" --set "Material/Voce stress=100" --set "Material/Voce rate=10")
 add_message_test(limit_load_no_indenter 2 "entry 'Indenter/Type' is 'none', but .*largest force of an indenter" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --validate --set "Indenter/Type=none")
 add_message_test(limit_load_resume 2 "nothing to resume. Leave out --resume" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --resume)
 
@@ -200,15 +204,21 @@ add_message_test(first_mesh_too_fine 2 "'Refinement/Maximum number of unknowns' 
 add_message_test(no_convergence 3 "has not converged in 1 iterations" ${_base} --output-directory no_convergence --overwrite --set "Nonlinear solver/Maximum number of iterations=1" --set Loading/Depth=0.1)
 add_message_test(overflow 3 "forces are no longer finite numbers" ${_base} --output-directory overflow --overwrite --set Loading/Depth=1e300)
 
-add_message_test(beyond_limit_load 4 "No equilibrium has been found for the force 4 .t = 1.: it seems to be beyond the limit load of the body, whose material stops hardening. The largest force reached is 0"
-  ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --output-directory beyond_limit_load --overwrite --quiet
-  --set "Loading/Control=force" --set "Loading/Force=4" --set "Refinement/Number of cycles=1")
-# Steps that are taken back and cut come closer to the limit load, which is
-# (2 + pi)/sqrt(3) = 2.97, and somewhat more on a coarse mesh.
-add_message_test(close_to_limit_load 4 "Error: No equilibrium .* The largest force reached is (2.97|2.98|2.99|3.0|3.1).*, at the depth 0.0"
-  ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --output-directory close_to_limit_load --overwrite --quiet
-  --set "Loading/Control=force" --set "Loading/Force=4" --set "Loading/Number of steps=4" --set "Loading/Maximum number of cuts=3"
-  --set "Refinement/Number of cycles=1" --set "Output/Fields=never")
+# In plane strain and plane stress, the two bounds of the limit load decide
+# before anything is computed. Here the exact one is (2 + pi)/sqrt(3) = 2.9685.
+set(_punch_force ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --overwrite --quiet
+  --set "Loading/Control=force" --set "Refinement/Number of cycles=1" --set "Output/Fields=never")
+add_message_test(unsafe_load 4 "There is no equilibrium under the force 3: the limit load of the body is between 2.9[0-9]* and 2.9[0-9]*. Prescribe a force below the first"
+  ${_punch_force} --output-directory unsafe_load --set "Loading/Force=3")
+add_message_test(unsafe_history 4 "There is no equilibrium under the force 4: the limit load of the body is between 2.[0-9]* and 3.[0-9]*."
+  ${_punch_force} --output-directory unsafe_history --set "Loading/Force=4*t" --set "Loading/Number of steps=3")
+# Elsewhere, the program comes to the limit itself. Steps that are taken back and
+# cut come closer: under a circular punch, the exact one is 10.3.
+add_message_test(beyond_limit_load 4 "No equilibrium has been found for the force 30 .t = 1.: it seems to be beyond the limit load of the body, whose material stops hardening. The largest force reached is 0"
+  ${_punch_force} --output-directory beyond_limit_load --set "Loading/Force=30" --set "Kinematics=axisymmetric")
+add_message_test(close_to_limit_load 4 "Error: No equilibrium .* The largest force reached is 10.*, at the depth 0.0"
+  ${_punch_force} --output-directory close_to_limit_load --set "Loading/Force=20" --set "Kinematics=axisymmetric"
+  --set "Loading/Number of steps=4" --set "Loading/Maximum number of cuts=3")
 add_message_test(sinks_without_end 3 "The indenter sinks without end: its depth exceeds the size of the body by far"
   ${_base} --output-directory sinks_without_end --overwrite --quiet --set "Loading/Control=force" --set "Loading/Force=1e12")
 

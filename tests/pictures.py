@@ -72,6 +72,14 @@ def check_animation(folder, n_steps):
         assert len(bars) == 1
 
 
+def check_equilibrium(program, folder):
+    run_program(program, "limit_load/strip_punch.prm", folder / "limit", "Refinement/Number of cycles=2")
+    run_program(program, "error_bound/parabola.prm", folder / "bound", "Refinement/Number of cycles=2")
+    for results in ("limit", "bound"):
+        picture = folder / f"{results}.png"
+        expect(run_script("plot_equilibrium.py", folder / results, "--window", "3", "--output", picture), [picture.name])
+
+
 def main():
     if not importlib.util.find_spec("matplotlib") or not importlib.util.find_spec("vtkmodules"):
         print("skipped: there is no matplotlib, or no VTK")
@@ -81,6 +89,7 @@ def main():
         check_material_test(program, pathlib.Path(folder) / "material")
         indentation = pathlib.Path(folder) / "indentation"
         n_steps = check_indentation_test(program, indentation)
+        check_equilibrium(program, pathlib.Path(folder))
         if importlib.util.find_spec("paraview") and shutil.which("xvfb-run"):
             check_animation(indentation, n_steps)
 

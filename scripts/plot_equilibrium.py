@@ -1,0 +1,92 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Draw what the equilibrium method has found: the last mesh of limit_load.pvd (yield
+ratio of the stresses, mechanism of collapse) or of equilibrium.pvd (yield ratio, parts
+of the error bound), thirds of triangles as they are.
+
+    scripts/plot_equilibrium.py output/limit_load_strip_punch --window 3 --output prandtl.png
+
+Needs matplotlib (Debian package python3-matplotlib).
+"""
+
+import argparse
+import math
+import pathlib
+import sys
+
+from vtu_fields import read_fields
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("directory", help="output directory of a run")
+    parser.add_argument("--window", type=float, help="show only so much to both sides of the axis, and below")
+    parser.add_argument("--output", default="equilibrium.png", help="the picture (default: equilibrium.png)")
+    return parser.parse_args()
+
+
+def last_fields(directory):
+    for kind in ("limit_load", "equilibrium"):
+        if (pathlib.Path(directory) / f"{kind}.pvd").exists():
+            return list(read_fields(directory, kind))[-1]
+    sys.exit(f"plot_equilibrium.py: there is neither limit_load.pvd nor equilibrium.pvd in {directory}. "
+             "Run a case with 'Analysis = limit load' or 'contact with error bound'.")
+
+
+def draw(plt, figure, axes, fields, values, title, **options):
+    x, y, _ = zip(*fields["points"])
+    image = axes.tripcolor(x, y, fields["cells"], values, **options)
+    axes.triplot(x, y, fields["cells"], color="black", linewidth=0.1, alpha=0.5)
+    axes.set(title=title, aspect="equal")
+    figure.colorbar(image, ax=axes, shrink=0.8)
+
+
+def draw_arrows(axes, fields, distance):
+    """The velocity at some points that are about so far apart."""
+    arrows = {(round(x / distance), round(y / distance)): (x, y, *velocity[:2])
+              for (x, y, _), velocity in zip(fields["points"], fields["velocity"])}
+    axes.quiver(*zip(*arrows.values()), color="white", width=0.003)
+
+
+def plot(plt, fields, window):
+    figure, (left, right) = plt.subplots(1, 2, figsize=(11., 4.5))
+    if max(fields["yield_ratio"]) > 0:
+        draw(plt, figure, left, fields, fields["yield_ratio"], "stress over yield stress", shading="gouraud",
+             vmin=0, vmax=1)
+    else:
+        draw(plt, figure, left, fields, fields["von_mises_stress"], "von Mises stress", shading="gouraud")
+    if "velocity" in fields:
+        speed = [math.hypot(*velocity) for velocity in fields["velocity"]]
+        draw(plt, figure, right, fields, speed, "speed of the mechanism", shading="gouraud", cmap="magma")
+        draw_arrows(right, fields, (window or max(map(max, fields["points"]))) / 25)
+    else:
+        # (an indicator is the same number at all corners)
+        error = [math.log10(max(fields["error_indicator"][cell[0]], 1e-30)) for cell in fields["cells"]]
+        x, y, _ = zip(*fields["points"])
+        image = right.tripcolor(x, y, fields["cells"], facecolors=error, cmap="magma", vmin=max(error) - 6)
+        right.set(title="error bound of a triangle (power of 10)", aspect="equal")
+        figure.colorbar(image, ax=right, shrink=0.8)
+    if window:
+        top = max(point[1] for point in fields["points"])
+        left_end = max(-window, min(point[0] for point in fields["points"]))
+        for axes in (left, right):
+            axes.set(xlim=(left_end, window), ylim=(top - window, top + 0.03 * window))
+    return figure
+
+
+def main():
+    arguments = parse_arguments()
+    fields = last_fields(arguments.directory)
+    try:
+        import matplotlib
+        matplotlib.use("Agg")
+        import matplotlib.pyplot as plt
+    except ImportError as error:
+        sys.exit(f"plot_equilibrium.py: {error}. Install the Debian package python3-matplotlib.")
+    plot(plt, fields, arguments.window).savefig(arguments.output, bbox_inches="tight", dpi=130)
+    print(arguments.output)
+
+
+if __name__ == "__main__":
+    main()
