@@ -26,6 +26,10 @@ namespace ElastoPlastic
     constexpr double       primal_tolerance   = 1e-10;
     constexpr unsigned int max_restorations   = 5;
 
+    /// For the first equation of the certificate that there is no solution,
+    /// relative to the second.
+    constexpr double infeasibility_tolerance = 1e-7;
+
     using SecondOrderCone::ConstView;
     using SecondOrderCone::View;
 
@@ -80,9 +84,13 @@ namespace ElastoPlastic
       KktSystem           system;
       KktSystem::Scalings scalings;
 
-      ConicSolution  current;
-      double         gap = 0; ///< s^T z
+      ConicSolution current;
+      double        gap = 0; ///< s^T z
+      /// By a certificate: A^T y + G^T z = 0 and b^T y + h^T z < 0, z in the
+      /// cones, contradict A x = b and G x + s = h.
+      bool           has_no_solution = false;
       KktVector      residual;
+      Vector<double> gradient; ///< of the cost
       KktVector      change;
       Vector<double> scaled;   ///< lambda = W z = W^-1 s
       Vector<double> scaled_s; ///< W^-1 ds
@@ -104,6 +112,7 @@ namespace ElastoPlastic
       current.z.reinit(layout.rows.back());
       current.y.reinit(program.right_hand_side.size());
       scaled = scaled_s = scaled_z = current.z;
+      gradient                     = current.x;
     }
 
 
@@ -121,6 +130,10 @@ namespace ElastoPlastic
           ++current.n_iterations;
           step();
           compute_residuals();
+          if (has_no_solution)
+            throw ConvergenceError(
+              "The problem that the interior point method solves has no "
+              "solution.");
         }
       restore_equations();
       return current;
@@ -185,6 +198,8 @@ namespace ElastoPlastic
           LocalAlgebra::add_product(product.begin(), block.quadratic_cost, x);
           for (unsigned int i = 0; i < n; ++i)
             {
+              gradient[layout.unknowns[b] + i] =
+                product[i] + block.linear_cost[i];
               residual.x[layout.unknowns[b] + i] = -block.linear_cost[i];
               quadratic_cost += x[i] * product[i];
               linear_cost += x[i] * block.linear_cost[i];
@@ -196,6 +211,9 @@ namespace ElastoPlastic
             residual.z[layout.rows[b] + i] += block.cone_offset[i];
         }
       const double primal_size = std::max(1., residual.y.linfty_norm());
+      const double certificate =
+        -(program.right_hand_side * current.y) -
+        (residual.z * current.z + current.s * current.z);
       system.subtract_product(residual, {current.x, current.z, current.y});
 
       gap                  = current.s * current.z;
@@ -205,6 +223,11 @@ namespace ElastoPlastic
         std::max(residual.y.linfty_norm(), residual.z.linfty_norm()) /
         primal_size;
       current.dual_error = residual.x.linfty_norm() / dual_size;
+
+      // A^T y + G^T z
+      gradient += residual.x;
+      has_no_solution =
+        gradient.linfty_norm() < infeasibility_tolerance * certificate;
     }
 
 
