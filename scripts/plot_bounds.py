@@ -9,31 +9,15 @@ error bound): the bound over the unknowns, and force or depth of both methods.
 Needs matplotlib (Debian package python3-matplotlib).
 """
 
-import argparse
-import csv
-import sys
-
-
-def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("runs", nargs="+", metavar="DIRECTORY[=LABEL]", help="output directory of a run")
-    parser.add_argument("--output", default="bounds.png", help="the picture (default: bounds.png)")
-    return parser.parse_args()
-
-
-def read_columns(directory):
-    """Columns of error_bound.csv by name."""
-    with open(f"{directory}/error_bound.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    return {name: [float(row[name]) for row in rows] for name in rows[0]}
+from plot_of_runs import draw_runs, read_rows
 
 
 def plot_bounds(plt, runs):
     figure, (bound, answer) = plt.subplots(1, 2, figsize=(10., 4.))
-    for run in runs:
-        directory, _, label = run.partition("=")
-        columns = read_columns(directory)
-        line, = bound.loglog(columns["dofs"], columns["relative_bound"], "o-", label=label or directory)
+    for directory, label in runs:
+        rows = read_rows(directory, "error_bound")
+        columns = {name: [row[name] for row in rows] for name in rows[0]}
+        line, = bound.loglog(columns["dofs"], columns["relative_bound"], "o-", label=label)
         # what has been prescribed is the same for both methods
         prescribed_depth = columns["depth"] == columns["equilibrium_depth"]
         quantity = "force" if prescribed_depth else "depth"
@@ -50,21 +34,5 @@ def plot_bounds(plt, runs):
     return figure
 
 
-def main():
-    arguments = parse_arguments()
-    try:
-        import matplotlib
-        matplotlib.use("Agg")
-        import matplotlib.pyplot as plt
-        plt.rcParams.update({"axes.grid": True, "grid.alpha": 0.3, "legend.frameon": False, "figure.dpi": 150})
-        plot_bounds(plt, arguments.runs).savefig(arguments.output, bbox_inches="tight")
-        print(arguments.output)
-    except ImportError as error:
-        sys.exit(f"plot_bounds.py: {error}. Install the Debian package python3-matplotlib.")
-    except FileNotFoundError as error:
-        sys.exit(f"plot_bounds.py: there is no {error.filename}. Run a case with "
-                 "'Analysis = contact with error bound' first.")
-
-
 if __name__ == "__main__":
-    main()
+    draw_runs(plot_bounds, __doc__, "bounds.png")

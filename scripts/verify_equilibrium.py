@@ -98,15 +98,18 @@ def equilibrium_hertz(runner):
     runner.compare("bound of the error, of the energy", row["relative_bound"], 0, 1e-3, absolute=True)
 
 
+def depths_for_hardening(runner, values, entries):
+    """Of the displacement method under Johnson's force, for values of his mu."""
+    return [runner.run("johnson/isotropic.prm", *entries,
+                       f"Material/Isotropic hardening modulus={1.5 * mu}")[-1]["depth"] for mu in values]
+
+
 def equilibrium_limit(runner):
     """Johnson's mu to 0: the displacement method comes to the equilibrium method's solution."""
     entries = ("Refinement/Number of cycles=4", *QUADRATIC)
     row = runner.tables("johnson/perfect.prm", BOUND, *entries)["error_bound"][-1]
-    missing = []
-    for mu in (1, 0.1, 0.01, 0.001, 0.0001):
-        depth = runner.run("johnson/isotropic.prm", *entries,
-                           f"Material/Isotropic hardening modulus={1.5 * mu}")[-1]["depth"]
-        missing.append(abs(1 - depth / row["equilibrium_depth"]))
+    missing = [abs(1 - depth / row["equilibrium_depth"])
+               for depth in depths_for_hardening(runner, (1, 0.1, 0.01, 0.001, 0.0001), entries)]
     runner.verify("the difference of the depths falls: " + ", ".join(f"{value:.2%}" for value in missing),
                   all(a > b for a, b in zip(missing, missing[1:])))
     runner.compare("difference at mu = 0.0001", missing[-1], 0, 0.02, absolute=True)
