@@ -74,6 +74,8 @@ namespace ElastoPlastic
   StressField
   ErrorBoundAnalysis::equilibrate(const PlaneBody &body, const Load &load) const
   {
+    if (!gap_function.has_indenter())
+      return equilibrate_with_depth(body, 0.);
     return load.control == Control::force ?
              equilibrate_with_force(body, load.value) :
              equilibrate_with_depth(body, load.value);

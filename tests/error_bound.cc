@@ -8,6 +8,7 @@
 #include <deal.II/base/function_lib.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/grid/grid_generator.h>
@@ -96,7 +97,11 @@ namespace
     const FESystem<2> fe(FE_Q<2>(1), 2);
     DoFHandler<2>     dof_handler(triangulation);
     dof_handler.distribute_dofs(fe);
-    VectorType values(dof_handler.locally_owned_dofs(), MPI_COMM_WORLD);
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    VectorType values(dof_handler.locally_owned_dofs(),
+                      relevant,
+                      MPI_COMM_WORLD);
     VectorTools::interpolate(dof_handler, Bilinear(), values);
 
     const SplitMesh      mesh = make_split_mesh(triangulation);

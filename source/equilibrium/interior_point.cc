@@ -26,6 +26,9 @@ namespace ElastoPlastic
     constexpr double       primal_tolerance   = 1e-10;
     constexpr unsigned int max_restorations   = 5;
 
+    /// Costs and their derivatives below this count as zero: nothing is loaded.
+    constexpr double smallest_cost = 1e-12;
+
     /// For the first equation of the certificate that there is no solution,
     /// relative to the second.
     constexpr double infeasibility_tolerance = 1e-7;
@@ -216,13 +219,15 @@ namespace ElastoPlastic
         (residual.z * current.z + current.s * current.z);
       system.subtract_product(residual, {current.x, current.z, current.y});
 
-      gap                  = current.s * current.z;
-      current.cost         = 0.5 * quadratic_cost + linear_cost;
-      current.relative_gap = gap / std::abs(current.cost);
+      gap          = current.s * current.z;
+      current.cost = 0.5 * quadratic_cost + linear_cost;
+      current.relative_gap =
+        gap / std::max(smallest_cost, std::abs(current.cost));
       current.primal_error =
         std::max(residual.y.linfty_norm(), residual.z.linfty_norm()) /
         primal_size;
-      current.dual_error = residual.x.linfty_norm() / dual_size;
+      current.dual_error =
+        residual.x.linfty_norm() / std::max(smallest_cost, dual_size);
 
       // A^T y + G^T z
       gradient += residual.x;
