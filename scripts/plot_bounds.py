@@ -9,13 +9,14 @@ error bound): the bound over the unknowns, and force or depth of both methods.
 Needs matplotlib (Debian package python3-matplotlib).
 """
 
-from plot_of_runs import draw_runs, read_rows
+from plot_of_runs import draw_runs
+from verification_runner import read_table
 
 
 def plot_bounds(plt, runs):
     figure, (bound, answer) = plt.subplots(1, 2, figsize=(10., 4.))
     for directory, label in runs:
-        rows = read_rows(directory, "error_bound")
+        rows = read_table(f"{directory}/error_bound.csv")
         columns = {name: [row[name] for row in rows] for name in rows[0]}
         line, = bound.loglog(columns["dofs"], columns["relative_bound"], "o-", label=label)
         # what has been prescribed is the same for both methods

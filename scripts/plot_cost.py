@@ -9,12 +9,13 @@ and linear iterations in a Newton step (their mean), over the unknowns.
 Needs matplotlib (Debian package python3-matplotlib).
 """
 
-from plot_of_runs import draw_runs, read_rows
+from plot_of_runs import draw_runs
+from verification_runner import read_table
 
 
 def read_costs(directory):
     """Columns of statistics.csv by name, meshes without any Newton step left out."""
-    rows = [row for row in read_rows(directory, "statistics") if row["newton_iterations"] > 0]
+    rows = [row for row in read_table(f"{directory}/statistics.csv") if row["newton_iterations"] > 0]
     columns = ("dofs", "wall_seconds", "newton_iterations", "linear_iterations")
     return {name: [row[name] for row in rows] for name in columns}
 

@@ -53,10 +53,10 @@ class Runner:
         with self.results(case, entries) as folder:
             return read_tables(folder)
 
-    def history_with_fields(self, case, kind, *entries):
-        """Rows of history.csv, and for each the fields of the kind 'solution' or 'surface'."""
+    def tables_with_fields(self, case, kind, *entries):
+        """The rows of all tables, and the fields of the kind 'solution', 'surface' or 'equilibrium'."""
         with self.results(case, (*entries, "Output/Fields=every cycle")) as folder:
-            return read_tables(folder)["history"], list(read_fields(folder, kind))
+            return read_tables(folder), list(read_fields(folder, kind))
 
     @contextlib.contextmanager
     def results(self, case, entries):

@@ -24,7 +24,8 @@ def thick_sphere(runner):
 
 def check(runner, part, case, *entries):
     """Pressure 200, 0, 300: how far the outside moves, and how far the plastic zone reaches."""
-    steps, fields = runner.history_with_fields(case, "solution", *entries)
+    tables, fields = runner.tables_with_fields(case, "solution", *entries)
+    steps = tables["history"]
     elastic = 3 * 200 * INNER**3 * OUTER * (1 - NU) / (2 * E * (OUTER**3 - INNER**3))
     exact = (expansion(200), expansion(200) - elastic, expansion(300))
     for pressure, published, value in zip((200, 0, 300), (0.0312122, 0.0026408, 0.0782325), exact):

@@ -125,14 +125,14 @@ namespace
 
 
   /// The L2 norms of the error of the in-plane stress, of that out of plane,
-  /// and of the error of the interpolation.
-  std::array<double, 3>
+  /// of the error of the interpolation, and of that of the displacement.
+  std::array<double, 4>
   errors(const PlaneBody     &body,
          const ExactSolution &exact,
          const StressField   &field)
   {
     const QGaussSimplex<2> quadrature(3);
-    std::array<double, 3>  squares = {};
+    std::array<double, 4>  squares = {};
     for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
       {
         const auto corners = body.mesh.corners(body.mesh.triangles[t]);
@@ -144,7 +144,8 @@ namespace
                                        interpolate(corners, stress));
         for (unsigned int k = 0; k < 3; ++k)
           {
-            const auto third = third_of(corners, k);
+            const auto third        = third_of(corners, k);
+            const auto displacement = on_third(field.displacement[t], k);
             for (unsigned int q = 0; q < quadrature.size(); ++q)
               {
                 const auto                 &x     = quadrature.point(q);
@@ -152,10 +153,12 @@ namespace
                   {1. - x[0] - x[1], x[0], x[1]}};
                 Point<2>              p;
                 SymmetricTensor<2, 2> computed, interpolation;
+                Tensor<1, 2>          u;
                 double                across = 0;
                 for (unsigned int i = 0; i < 3; ++i)
                   {
                     p += shape[i] * third[i];
+                    u += shape[i] * displacement[i];
                     computed += shape[i] * stress_at(field.in_plane[t], k, i);
                     interpolation += shape[i] * stress_at(interpolated, k, i);
                     across += shape[i] * field.out_of_plane[t][3 * k + i];
@@ -169,6 +172,7 @@ namespace
                                2);
                 squares[2] +=
                   w * (interpolation - s).norm() * (interpolation - s).norm();
+                squares[3] += w * (u - exact.displacement(p)).norm_square();
               }
           }
       }
@@ -184,7 +188,7 @@ namespace
   {
     output() << (plane_stress ? "Plane stress" : "Plane strain") << std::endl;
     const ExactSolution   exact = {plane_stress};
-    std::array<double, 3> last  = {};
+    std::array<double, 4> last  = {};
     for (unsigned int k = 1; k <= 3; ++k)
       {
         const PlaneBody   body  = make_body(exact, k);
@@ -202,6 +206,8 @@ namespace
                    plane_stress || std::log2(last[1] / error[1]) > 1.9);
             verify("order 2 of the interpolation",
                    std::log2(last[2] / error[2]) > 1.9);
+            verify("order 2 of the displacement",
+                   std::log2(last[3] / error[3]) > 1.9);
           }
         last = error;
       }

@@ -25,6 +25,10 @@ namespace ElastoPlastic
     /// By sides: the pressure of the indenter at the two ends, between which it
     /// is linear; zero where it cannot touch.
     std::vector<std::array<double, 2>> pressure;
+    /// By triangles, at the corners: the Lagrange multiplier u_h of the
+    /// equilibrium in J (4.1), linear on each triangle and not continuous. The
+    /// velocity, when the indenter moves down by 1, of a limit load.
+    std::vector<std::array<Tensor<1, 2>, 3>> displacement;
 
     /// Of the indenter. The depth is zero if neither it nor the force has been
     /// prescribed.
@@ -130,6 +134,50 @@ namespace ElastoPlastic
     void
     add_indenter();
 
+    /// The force at an @p end of side @p k of a triangle, in the direction of a
+    /// @p component of its condition, as a linear function of the tractions
+    /// (see JohnsonMercier::traction_index()).
+    Vector<double>
+    force_of_tractions(const unsigned int triangle,
+                       const unsigned int k,
+                       const unsigned int end,
+                       const unsigned int component) const;
+
+    /// What int C^-1 sigma : tau is as a bilinear form of the stresses at the
+    /// corners of the thirds (36 x 36).
+    FullMatrix<double>
+    elastic_energy(const unsigned int triangle) const;
+
+    /// The derivative of cost and yield conditions with respect to the
+    /// components 11, 22, 12 at the corners of the thirds: moments of the
+    /// strain. @p stress (36) and the multipliers @p z of the yield conditions
+    /// are those of the solution.
+    Vector<double>
+    strain_moments(const unsigned int    triangle,
+                   const Vector<double> &stress,
+                   const double         *z) const;
+
+    /// What the force at an end of a side is multiplied by in the Lagrange
+    /// function: minus a displacement, given or the multiplier @p y of its
+    /// equation.
+    double
+    multiplier(const unsigned int    side,
+               const unsigned int    end,
+               const unsigned int    component,
+               const Vector<double> &y) const;
+
+    double
+    given_displacement(const unsigned int side,
+                       const unsigned int end,
+                       const unsigned int component) const;
+
+    /// See StressField::displacement. @p y are the multipliers of the
+    /// equations.
+    std::array<Tensor<1, 2>, 3>
+    displacement_of(const unsigned int    triangle,
+                    const Vector<double> &strain_moments,
+                    const Vector<double> &y) const;
+
     /// @p cost(side, end) goes with the indenter's force at an end of a side.
     template <typename Function>
     void
@@ -144,6 +192,7 @@ namespace ElastoPlastic
     const PlaneBody       &body;
     const OutOfPlaneStress out_of_plane;
     ConicProgram           program;
+    bool                   has_energy = false;
 
     /// By sides; invalid where there is none.
     std::vector<ByEnds<unsigned int>> equations;

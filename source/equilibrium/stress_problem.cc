@@ -58,7 +58,12 @@ namespace ElastoPlastic
     StressProgram program(body,
                           body.plane_stress ? OutOfPlaneStress::zero :
                                               OutOfPlaneStress::mean);
-    program.add_force(-body.strain_unit * body.length_unit);
-    return program.solve(limit_tolerance);
+    const double  unit = body.strain_unit * body.length_unit;
+    program.add_force(-unit);
+    StressField field = program.solve(limit_tolerance);
+    for (auto &velocities : field.displacement)
+      for (Tensor<1, 2> &velocity : velocities)
+        velocity /= unit;
+    return field;
   }
 } // namespace ElastoPlastic

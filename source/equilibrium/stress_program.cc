@@ -41,6 +41,17 @@ namespace ElastoPlastic
 
 
 
+    /// The area of a third, in the units of the body.
+    double
+    energy_weight(const PlaneBody &body, const unsigned int t)
+    {
+      return area(body.mesh.corners(body.mesh.triangles[t])) /
+             (3. * body.length_unit * body.length_unit) * body.stress_unit /
+             body.strain_unit;
+    }
+
+
+
     /// int of the product of two linear functions, relative to the area.
     double
     mass(const unsigned int i, const unsigned int j)
@@ -164,27 +175,42 @@ namespace ElastoPlastic
       {
         SideOfTriangle &side = sides.back()[k];
         side.side            = triangle.sides[k];
-        const auto  &global  = body.mesh.sides[side.side];
-        const double weight = 0.5 * body.mesh.length(global) / body.length_unit;
-        const bool same_direction = global.vertices[0] == triangle.vertices[k];
-
         for (unsigned int end = 0; end < 2; ++end)
           for (unsigned int c = 0; c < 2; ++c)
             {
-              const auto &component = body.conditions[side.side].components[c];
-              const unsigned int local_end = same_direction ? end : 1 - end;
-              Vector<double>    &force     = side.forces[end][c];
+              Vector<double> &force = side.forces[end][c];
               force.reinit(n);
-              for (unsigned int d = 0; d < 2; ++d)
-                for (unsigned int j = 0; j < n_equilibrated_dofs; ++j)
-                  force[j] += weight * component.direction[d] *
-                              tractions(traction_index(k, local_end, d), j);
+              add_transposed_product(force.begin(),
+                                     tractions,
+                                     force_of_tractions(t, k, end, c).begin());
 
               const unsigned int equation = equations[side.side][end][c];
               if (equation != numbers::invalid_unsigned_int)
                 block.add_to_equation(equation, force);
             }
       }
+  }
+
+
+
+  Vector<double>
+  StressProgram::force_of_tractions(const unsigned int t,
+                                    const unsigned int k,
+                                    const unsigned int end,
+                                    const unsigned int component) const
+  {
+    const SplitMesh::Triangle &triangle = body.mesh.triangles[t];
+    const unsigned int         s        = triangle.sides[k];
+    const SplitMesh::Side     &side     = body.mesh.sides[s];
+    const bool same_direction    = side.vertices[0] == triangle.vertices[k];
+    const unsigned int local_end = same_direction ? end : 1 - end;
+
+    Vector<double> force(n_tractions);
+    for (unsigned int d = 0; d < 2; ++d)
+      force[traction_index(k, local_end, d)] =
+        0.5 * body.mesh.length(side) / body.length_unit *
+        body.conditions[s].components[component].direction[d];
+    return force;
   }
 
 
@@ -211,49 +237,65 @@ namespace ElastoPlastic
 
 
 
+  FullMatrix<double>
+  StressProgram::elastic_energy(const unsigned int t) const
+  {
+    const FullMatrix<double> c = compliance_matrix(body.materials[t]);
+    FullMatrix<double> energy(n_components * n_points, n_components * n_points);
+    for (unsigned int p = 0; p < n_points; ++p)
+      for (unsigned int q = 3 * (p / 3); q < 3 * (p / 3) + 3; ++q)
+        for (unsigned int i = 0; i < n_components; ++i)
+          for (unsigned int k = 0; k < n_components; ++k)
+            energy(n_components * p + i, n_components * q + k) =
+              energy_weight(body, t) * mass(p % 3, q % 3) * c(i, k);
+    return energy;
+  }
+
+
+
   void
   StressProgram::add_energy()
   {
+    has_energy = true;
     for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
       {
-        const Material<double>  &material = body.materials[t];
-        const FullMatrix<double> c        = compliance_matrix(material);
-        FullMatrix<double>      &cost     = program.blocks[t].quadratic_cost;
-        const unsigned int       n        = cost.n();
-        const double weight = area(body.mesh.corners(body.mesh.triangles[t])) /
-                              (3. * body.length_unit * body.length_unit) *
-                              body.stress_unit / body.strain_unit;
+        const Material<double> &material = body.materials[t];
+        FullMatrix<double>     &cost     = program.blocks[t].quadratic_cost;
+        const unsigned int      n        = cost.n();
 
         FullMatrix<double> strain(n_components * n_points, n);
-        for (unsigned int p = 0; p < n_points; ++p)
-          for (unsigned int q = 3 * (p / 3); q < 3 * (p / 3) + 3; ++q)
-            {
-              const double factor = weight * mass(p % 3, q % 3);
-              for (unsigned int i = 0; i < n_components; ++i)
-                for (unsigned int k = 0; k < n_components; ++k)
-                  for (unsigned int j = 0; j < n; ++j)
-                    strain(n_components * p + i, j) +=
-                      factor * c(i, k) *
-                      point_stresses[t](n_components * q + k, j);
-              if (hardens(material))
-                cost(n - n_points + p, n - n_points + q) +=
-                  factor / hardening(material);
-            }
-        point_stresses[t].Tmmult(cost, strain, true);
+        elastic_energy(t).mmult(strain, point_stresses[t]);
+        point_stresses[t].Tmmult(cost, strain);
+        if (hardens(material))
+          for (unsigned int p = 0; p < n_points; ++p)
+            for (unsigned int q = 3 * (p / 3); q < 3 * (p / 3) + 3; ++q)
+              cost(n - n_points + p, n - n_points + q) +=
+                energy_weight(body, t) * mass(p % 3, q % 3) /
+                hardening(material);
 
         for (const SideOfTriangle &side : sides[t])
           for (unsigned int i = 0; i < 2; ++i)
             {
-              const auto &component = body.conditions[side.side].components[i];
-              if (component.type != SideConditionType::displacement)
+              if (body.conditions[side.side].components[i].type !=
+                  SideConditionType::displacement)
                 continue;
-              const auto given = moments(side.side, component.value);
               for (unsigned int end = 0; end < 2; ++end)
                 program.blocks[t].linear_cost.add(
-                  -given[end] / (body.strain_unit * body.length_unit),
-                  side.forces[end][i]);
+                  given_displacement(side.side, end, i), side.forces[end][i]);
             }
       }
+  }
+
+
+
+  double
+  StressProgram::given_displacement(const unsigned int side,
+                                    const unsigned int end,
+                                    const unsigned int component) const
+  {
+    return -moments(side,
+                    body.conditions[side].components[component].value)[end] /
+           (body.strain_unit * body.length_unit);
   }
 
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/tensors.h"
+#include "equilibrium/hencky_material.h"
 #include "equilibrium/interior_point.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/local_algebra.h"
@@ -12,6 +13,10 @@
 
 namespace ElastoPlastic
 {
+  using namespace JohnsonMercier;
+
+
+
   StressField
   StressProgram::solve(const double tolerance) const
   {
@@ -26,6 +31,10 @@ namespace ElastoPlastic
         Vector<double>      values(point_stresses[t].m());
         const double *const x = solution.x.begin() + layout.unknowns[t];
         LocalAlgebra::add_product(values.begin(), point_stresses[t], x);
+        field.displacement.push_back(displacement_of(
+          t,
+          strain_moments(t, values, solution.z.begin() + layout.rows[t]),
+          solution.y));
         values *= body.stress_unit;
         field.in_plane.emplace_back(JohnsonMercier::n_values);
         field.out_of_plane.emplace_back();
@@ -56,6 +65,107 @@ namespace ElastoPlastic
     field.relative_gap = solution.relative_gap;
     field.n_iterations = solution.n_iterations;
     return field;
+  }
+
+
+
+  // sigma_33 follows the others where it is their mean; where it is an unknown,
+  // its own derivative vanishes.
+  Vector<double>
+  StressProgram::strain_moments(const unsigned int    t,
+                                const Vector<double> &stress,
+                                const double         *z) const
+  {
+    Vector<double> moments(stress.size());
+    if (has_energy)
+      elastic_energy(t).vmult(moments, stress);
+    if (HenckyMaterial::yields(body.materials[t]))
+      {
+        ConicBlock block(stress.size());
+        ElastoPlastic::add_yield_conditions(block,
+                                            IdentityMatrix(stress.size()),
+                                            /* radius = */ 1.);
+        LocalAlgebra::add_transposed_product(moments.begin(),
+                                             block.cone_matrix,
+                                             z);
+      }
+
+    Vector<double> in_plane(n_values);
+    for (unsigned int p = 0; p < n_points; ++p)
+      {
+        const double *const of_point = &moments[n_stress_components * p];
+        for (unsigned int c = 0; c < 3; ++c)
+          in_plane[3 * p + c] = of_point[c];
+        if (out_of_plane == OutOfPlaneStress::mean)
+          for (unsigned int c = 0; c < 2; ++c)
+            in_plane[3 * p + c] += 0.5 * of_point[3];
+      }
+    return in_plane;
+  }
+
+
+
+  double
+  StressProgram::multiplier(const unsigned int    side,
+                            const unsigned int    end,
+                            const unsigned int    component,
+                            const Vector<double> &y) const
+  {
+    const unsigned int equation = equations[side][end][component];
+    if (equation != numbers::invalid_unsigned_int)
+      return y[equation];
+    return has_energy ? given_displacement(side, end, component) : 0.;
+  }
+
+
+
+  // For all stresses tau of the triangle, with the traces w of the displacement
+  // on its sides,
+  //   (strain, tau) + (u_h, div tau) - <w, tau n> = 0.
+  // Of these 15 equations, the nine without divergence have been solved; least
+  // squares take out of the others the values of u_h at the centres of gravity
+  // of the thirds, where div tau is constant. Such a value is 4/9 of those at
+  // the corners k and k + 1 and 1/9 of the third one.
+  std::array<Tensor<1, 2>, 3>
+  StressProgram::displacement_of(const unsigned int    t,
+                                 const Vector<double> &strain_moments,
+                                 const Vector<double> &y) const
+  {
+    const auto         corners = body.mesh.corners(body.mesh.triangles[t]);
+    FullMatrix<double> divergence(6, n_dofs);
+    divergence_matrix(corners).mmult(divergence, shape_functions(corners));
+    divergence *= area(corners) / (3. * body.length_unit);
+
+    Vector<double> traction_moments(n_tractions);
+    for (unsigned int k = 0; k < 3; ++k)
+      for (unsigned int end = 0; end < 2; ++end)
+        for (unsigned int c = 0; c < 2; ++c)
+          traction_moments.add(multiplier(sides[t][k].side, end, c, y),
+                               force_of_tractions(t, k, end, c));
+
+    Vector<double> moments = strain_moments;
+    traction_matrix(corners).Tvmult(moments, traction_moments, true);
+    Vector<double> residual(n_dofs);
+    shape_functions(corners).Tvmult(residual, moments);
+
+    FullMatrix<double> normal_matrix(6, 6);
+    divergence.mTmult(normal_matrix, divergence);
+    normal_matrix.gauss_jordan();
+    Vector<double> weighted(6), at_centers(6);
+    divergence.vmult(weighted, residual);
+    normal_matrix.vmult(at_centers, weighted);
+    at_centers *= -body.strain_unit * body.length_unit;
+
+    std::array<Tensor<1, 2>, 3> at_corners;
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        const double sum =
+          at_centers[d] + at_centers[2 + d] + at_centers[4 + d];
+        for (unsigned int k = 0; k < 3; ++k)
+          at_corners[(k + 2) % 3][d] =
+            4. / 3. * sum - 3. * at_centers[2 * k + d];
+      }
+    return at_corners;
   }
 
 

@@ -13,7 +13,8 @@ namespace ElastoPlastic
   {
     using Patch = DataOutBase::Patch<2, 2>;
 
-    /// After the three components of the motion.
+    /// After the three components of the motion and of its discontinuous
+    /// relative.
     const std::vector<std::string> names = {"stress",
                                             "stress",
                                             "stress",
@@ -36,6 +37,7 @@ namespace ElastoPlastic
     public:
       explicit Triangles(const std::string &name_of_motion)
         : name_of_motion(name_of_motion)
+        , name_of_multiplier("discontinuous_" + name_of_motion)
       {}
 
       std::vector<Patch> patches;
@@ -51,6 +53,7 @@ namespace ElastoPlastic
       get_dataset_names() const override
       {
         std::vector<std::string> result(3, name_of_motion);
+        result.insert(result.end(), 3, name_of_multiplier);
         result.insert(result.end(), names.begin(), names.end());
         return result;
       }
@@ -64,10 +67,11 @@ namespace ElastoPlastic
       {
         using namespace DataComponentInterpretation;
         return {{0, 2, name_of_motion, component_is_part_of_vector},
-                {3, 11, "stress", component_is_part_of_tensor}};
+                {3, 5, name_of_multiplier, component_is_part_of_vector},
+                {6, 14, "stress", component_is_part_of_tensor}};
       }
 
-      const std::string name_of_motion;
+      const std::string name_of_motion, name_of_multiplier;
     };
 
 
@@ -86,24 +90,30 @@ namespace ElastoPlastic
          field.at_vertices[triangle.vertices[(third + 1) % 3]],
          value_at_center(field, triangle)}};
 
+      const auto multipliers =
+        JohnsonMercier::on_third(stress_field.displacement[t], third);
+
       Patch patch;
       patch.reference_cell = ReferenceCells::Triangle;
       patch.n_subdivisions = 1;
-      patch.data.reinit(3 + names.size(), 3);
+      patch.data.reinit(6 + names.size(), 3);
       for (unsigned int i = 0; i < 3; ++i)
         {
           patch.vertices[i]          = corners[i];
           const auto   stress        = stress_field.at(t, third, i);
           const double deviator_norm = deviator(stress).norm();
           for (unsigned int d = 0; d < 2; ++d)
-            patch.data(d, i) = motions[i][d];
+            {
+              patch.data(d, i)     = motions[i][d];
+              patch.data(3 + d, i) = multipliers[i][d];
+            }
           for (unsigned int a = 0; a < 3; ++a)
             for (unsigned int b = 0; b < 3; ++b)
-              patch.data(3 + 3 * a + b, i) = stress[a][b];
-          patch.data(12, i) = std::sqrt(1.5) * deviator_norm;
-          patch.data(13, i) = deviator_norm / body.materials[t].yield_radius;
-          patch.data(14, i) = errors[t];
-          patch.data(15, i) = body.mesh.cells[triangle.cell].material_id;
+              patch.data(6 + 3 * a + b, i) = stress[a][b];
+          patch.data(15, i) = std::sqrt(1.5) * deviator_norm;
+          patch.data(16, i) = deviator_norm / body.materials[t].yield_radius;
+          patch.data(17, i) = errors[t];
+          patch.data(18, i) = body.mesh.cells[triangle.cell].material_id;
         }
       return patch;
     }

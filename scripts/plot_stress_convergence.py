@@ -1,0 +1,34 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Plot the errors of stresses in equilibrium over the size of the cells: a cylinder pressed
+into elastic, hardening and perfectly plastic bodies, uniform meshes. Runs the program; takes
+a few minutes.
+
+    scripts/plot_stress_convergence.py --output stress_convergence.png
+
+Needs matplotlib (Debian package python3-matplotlib).
+"""
+
+import math
+
+from plot_of_runs import draw_own_runs
+from verify_equilibrium import LAWS, order, uniform_meshes
+
+
+def plot_stress_convergence(plt, runner):
+    figure, axes = plt.subplots(figsize=(6., 4.))
+    for law in LAWS:
+        rows, _ = uniform_meshes(runner, law, 4)
+        sizes = [math.sqrt(rows[0]["cells"] / row["cells"]) for row in rows]
+        line, = axes.loglog(sizes, [row["distance"] for row in rows], "o-",
+                            label=f"{law}, order {order(rows, 'distance'):.2f}")
+        axes.loglog(sizes, [math.sqrt(2 * row["bound"]) for row in rows], "s:", color=line.get_color())
+    axes.plot([], [], "ks:", label="guaranteed bound")
+    axes.set(xlabel="size of the cells, relative to the first mesh", ylabel="error of the stress, norm of the energy")
+    axes.legend()
+    return figure
+
+
+if __name__ == "__main__":
+    draw_own_runs(plot_stress_convergence, __doc__, "stress_convergence.png")
