@@ -131,9 +131,10 @@ namespace ElastoPlastic
                                  const Vector<double> &strain_moments,
                                  const Vector<double> &y) const
   {
-    const auto         corners = body.mesh.corners(body.mesh.triangles[t]);
-    FullMatrix<double> divergence(6, n_dofs);
-    divergence_matrix(corners).mmult(divergence, shape_functions(corners));
+    const auto corners              = body.mesh.corners(body.mesh.triangles[t]);
+    const FullMatrix<double> shapes = shape_functions(corners);
+    FullMatrix<double>       divergence(6, n_dofs);
+    divergence_matrix(corners).mmult(divergence, shapes);
     divergence *= area(corners) / (3. * body.length_unit);
 
     Vector<double> traction_moments(n_tractions);
@@ -146,7 +147,7 @@ namespace ElastoPlastic
     Vector<double> moments = strain_moments;
     traction_matrix(corners).Tvmult(moments, traction_moments, true);
     Vector<double> residual(n_dofs);
-    shape_functions(corners).Tvmult(residual, moments);
+    shapes.Tvmult(residual, moments);
 
     FullMatrix<double> normal_matrix(6, 6);
     divergence.mTmult(normal_matrix, divergence);
