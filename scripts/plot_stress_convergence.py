@@ -17,7 +17,7 @@ from verify_equilibrium import LAWS, order, uniform_meshes
 
 
 def plot_stress_convergence(plt, runner):
-    figure, axes = plt.subplots(figsize=(6., 4.))
+    figure, axes = plt.subplots(figsize=(7.5, 4.5))
     for law in LAWS:
         rows, _ = uniform_meshes(runner, law, 4)
         sizes = [math.sqrt(rows[0]["cells"] / row["cells"]) for row in rows]
@@ -25,8 +25,10 @@ def plot_stress_convergence(plt, runner):
                             label=f"{law}, order {order(rows, 'distance'):.2f}")
         axes.loglog(sizes, [math.sqrt(2 * row["bound"]) for row in rows], "s:", color=line.get_color())
     axes.plot([], [], "ks:", label="guaranteed bound")
-    axes.set(xlabel="size of the cells, relative to the first mesh", ylabel="error of the stress, norm of the energy")
-    axes.legend()
+    axes.set_xscale("log", base=2)
+    axes.set(xlabel="size of the cells, relative to the first mesh", ylabel="error of the stress, norm of the energy",
+             ylim=(0.005, None))
+    axes.legend(ncol=2, loc="lower center")
     return figure
 
 

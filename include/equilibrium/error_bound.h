@@ -6,8 +6,9 @@
 
 #include <vector>
 
+#include "equilibrium/plane_body.h"
 #include "equilibrium/quadratic_field.h"
-#include "equilibrium/stress_program.h"
+#include "equilibrium/stress_field.h"
 
 namespace ElastoPlastic
 {

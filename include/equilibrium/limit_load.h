@@ -6,7 +6,8 @@
 
 #include <vector>
 
-#include "equilibrium/stress_program.h"
+#include "equilibrium/plane_body.h"
+#include "equilibrium/stress_field.h"
 #include "equilibrium/velocity_program.h"
 
 namespace ElastoPlastic

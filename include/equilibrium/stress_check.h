@@ -5,7 +5,7 @@
 #define equilibrium_stress_check_h
 
 #include "equilibrium/plane_body.h"
-#include "equilibrium/stress_program.h"
+#include "equilibrium/stress_field.h"
 
 namespace ElastoPlastic
 {

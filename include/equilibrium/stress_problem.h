@@ -4,7 +4,8 @@
 #ifndef equilibrium_stress_problem_h
 #define equilibrium_stress_problem_h
 
-#include "equilibrium/stress_program.h"
+#include "equilibrium/plane_body.h"
+#include "equilibrium/stress_field.h"
 
 namespace ElastoPlastic
 {

@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "equilibrium/plane_body.h"
 #include "equilibrium/quadratic_field.h"
-#include "equilibrium/stress_program.h"
+#include "equilibrium/stress_field.h"
 
 namespace ElastoPlastic
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "equilibrium/stress_problem.h"
+#include "equilibrium/stress_program.h"
 
 namespace ElastoPlastic
 {

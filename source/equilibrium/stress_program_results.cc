@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
-
-#include "base/tensors.h"
 #include "equilibrium/hencky_material.h"
 #include "equilibrium/interior_point.h"
 #include "equilibrium/johnson_mercier.h"
@@ -167,46 +164,5 @@ namespace ElastoPlastic
             4. / 3. * sum - 3. * at_centers[2 * k + d];
       }
     return at_corners;
-  }
-
-
-
-  SymmetricTensor<2, 3>
-  StressField::at(const unsigned int triangle,
-                  const unsigned int third,
-                  const unsigned int corner) const
-  {
-    return in_space<2>(JohnsonMercier::stress_at(in_plane[triangle],
-                                                 third,
-                                                 corner),
-                       out_of_plane[triangle][3 * third + corner]);
-  }
-
-
-
-  double
-  StressField::max_pressure() const
-  {
-    double largest = 0;
-    for (const auto &of_side : pressure)
-      largest = std::max({largest, of_side[0], of_side[1]});
-    return largest;
-  }
-
-
-
-  // An interior point leaves a little pressure everywhere. From the end that is
-  // pressed to one that is not, the pressure is linear; so half of such a side
-  // counts.
-  double
-  StressField::contact_area(const SplitMesh &mesh) const
-  {
-    const double threshold = 1e-4 * max_pressure();
-    double       area      = 0;
-    for (unsigned int s = 0; s < pressure.size(); ++s)
-      for (const double at_end : pressure[s])
-        if (at_end > threshold)
-          area += 0.5 * mesh.length(mesh.sides[s]);
-    return area;
   }
 } // namespace ElastoPlastic

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_stress_field_h
+#define equilibrium_stress_field_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+#include <vector>
+
+#include "equilibrium/split_mesh.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// Stresses in exact equilibrium.
+  struct StressField
+  {
+    /// By triangles: the components 11, 22, 12 at the corners of the thirds,
+    /// see JohnsonMercier::value_index().
+    std::vector<Vector<double>> in_plane;
+    /// By triangles: the component 33 at the corners of the thirds.
+    std::vector<std::array<double, 9>> out_of_plane;
+    /// By sides: the pressure of the indenter at the two ends, between which it
+    /// is linear; zero where it cannot touch.
+    std::vector<std::array<double, 2>> pressure;
+    /// By triangles, at the corners: the Lagrange multiplier u_h of the
+    /// equilibrium in J (4.1), linear on each triangle and not continuous. The
+    /// velocity, when the indenter moves down by 1, of a limit load.
+    std::vector<std::array<Tensor<1, 2>, 3>> displacement;
+
+    /// Of the indenter. The depth is zero if neither it nor the force has been
+    /// prescribed.
+    double force = 0;
+    double depth = 0;
+    /// What has been minimised.
+    double cost = 0;
+    /// Between the cost and its lower bound in the space of these stresses.
+    double       relative_gap = 0;
+    unsigned int n_iterations = 0;
+
+    /// The stress at a @p corner of a @p third of a triangle.
+    SymmetricTensor<2, 3>
+    at(const unsigned int triangle,
+       const unsigned int third,
+       const unsigned int corner) const;
+
+    /// The largest pressure of the indenter.
+    double
+    max_pressure() const;
+
+    /// The length of what the indenter presses on, of the sides of @p mesh.
+    double
+    contact_area(const SplitMesh &mesh) const;
+  };
+} // namespace ElastoPlastic
+
+#endif
