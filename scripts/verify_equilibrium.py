@@ -34,6 +34,11 @@ def limit_load(runner):
     small = runner.tables(case, entry, "Geometry/Lower corner=0, -5", "Geometry/Upper corner=5, 0",
                           "Geometry/Repetitions=5, 5")["limit_load"]
     runner.compare("block of 5 by 5 half-widths", small[-1]["lower_bound"], 4.2, 0.015)
+    strip = runner.tables(case, entry, "Geometry/Lower corner=0, -1", "Geometry/Upper corner=10, 0",
+                          "Geometry/Repetitions=10, 1", "Boundary conditions/Roller=left, bottom",
+                          "Boundary conditions/Fixed=", "Geometry/Initial refinements=1")["limit_load"][-1]
+    runner.verify(f"strip of one half-width on a smooth base: {strip['lower_bound']:.7g} <= 2 <= "
+                  f"{strip['upper_bound']:.7g}", 1.999 < strip["lower_bound"] <= 2 <= strip["upper_bound"] < 2.03)
 
 
 def safe_load(runner):

@@ -240,15 +240,12 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   for (const unsigned int degree : {1, 2})
-    {
-      for (const auto treatment :
-           {VolumetricTreatment::standard, VolumetricTreatment::b_bar})
-        {
-          check<2>(degree, treatment);
-          check<2>(degree, {treatment, Kinematics::axisymmetric});
-          check<3>(degree, treatment);
-        }
-      check<2>(degree,
-               {VolumetricTreatment::standard, Kinematics::plane_stress});
-    }
+    for (const auto treatment :
+         {VolumetricTreatment::standard, VolumetricTreatment::b_bar})
+      {
+        check<2>(degree, treatment);
+        check<2>(degree, {treatment, Kinematics::axisymmetric});
+        check<2>(degree, {treatment, Kinematics::plane_stress});
+        check<3>(degree, treatment);
+      }
 }

@@ -41,12 +41,15 @@ namespace ElastoPlastic
 
 
 
-  /// How strains follow from displacements.
+  /// How strains follow from displacements. In plane stress, the volumetric
+  /// strain follows from the stress; so there is nothing to treat.
   struct StrainModel
   {
     StrainModel(const VolumetricTreatment treatment,
                 const Kinematics          kinematics = Kinematics::cartesian)
-      : treatment(treatment)
+      : treatment(kinematics == Kinematics::plane_stress ?
+                    VolumetricTreatment::standard :
+                    treatment)
       , kinematics(kinematics)
     {}
 

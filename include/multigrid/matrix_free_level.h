@@ -61,7 +61,6 @@ namespace ElastoPlastic
   private:
     using Number         = Simd<float>;
     using CellEvaluation = DisplacementEvaluation<dim, degree, float>;
-    using CellRange      = std::pair<unsigned int, unsigned int>;
     using Strain         = SymmetricTensor<2, 3, Number>;
 
     struct Tangent

@@ -10,7 +10,7 @@
 #include "base/tensors.h"
 #include "base/throw_together.h"
 #include "material/plane_stress.h"
-#include "mechanics/cell_matrices.h"
+#include "mechanics/cell_operator.h"
 #include "mechanics/matrix_free_solid.h"
 #include "mesh/material_ids.h"
 
@@ -241,20 +241,11 @@ namespace ElastoPlastic
   MatrixFreeSolid<dim, degree>::vmult(VectorType       &forces,
                                       const VectorType &increment) const
   {
-    matrix_free.template cell_loop<VectorType, VectorType>(
-      [&](const auto &, auto &dst, const auto &src, const CellRange &range) {
-        CellEvaluation phi(matrix_free);
-        for (unsigned int batch = range.first; batch < range.second; ++batch)
-          {
-            phi.reinit(batch);
-            phi.read_dof_values(src);
-            integrate_tangent(phi);
-            phi.distribute_local_to_global(dst);
-          }
-      },
+    apply_cells<degree>(
+      matrix_free,
+      [this](CellEvaluation &phi) { integrate_tangent(phi); },
       forces,
-      increment,
-      /* zero_dst_vector = */ true);
+      increment);
   }
 
 

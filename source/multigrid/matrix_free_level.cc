@@ -4,7 +4,7 @@
 #include <deal.II/base/aligned_vector.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
-#include "mechanics/cell_matrices.h"
+#include "mechanics/cell_operator.h"
 #include "mesh/owned_cells.h"
 #include "multigrid/hanging_node_patterns.h"
 #include "multigrid/matrix_free_level.h"
@@ -109,20 +109,11 @@ namespace ElastoPlastic
       std::swap(cut_off_values[i] = 0.f,
                 source.local_element(cut_off_indices[i]));
 
-    matrix_free.template cell_loop<LevelVector, LevelVector>(
-      [&](const auto &, auto &dst, const auto &src, const CellRange &range) {
-        CellEvaluation phi(matrix_free);
-        for (unsigned int batch = range.first; batch < range.second; ++batch)
-          {
-            phi.reinit(batch);
-            phi.read_dof_values(src);
-            integrate_tangent(phi);
-            phi.distribute_local_to_global(dst);
-          }
-      },
+    apply_cells<degree>(
+      matrix_free,
+      [this](CellEvaluation &phi) { integrate_tangent(phi); },
       result,
-      vector,
-      /* zero_dst_vector = */ true);
+      vector);
 
     for (unsigned int i = 0; i < cut_off_indices.size(); ++i)
       {

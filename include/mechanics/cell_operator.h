@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef mechanics_cell_matrices_h
-#define mechanics_cell_matrices_h
+#ifndef mechanics_cell_operator_h
+#define mechanics_cell_operator_h
 
 #include <deal.II/base/aligned_vector.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -13,10 +13,40 @@
 
 namespace ElastoPlastic
 {
+  /// Applies a linear cell kernel: @p integrate(phi) turns the dof values of a
+  /// cell batch into nodal forces.
+  template <int degree,
+            int dim,
+            typename Number,
+            typename Kernel,
+            typename Vector>
+  void
+  apply_cells(const MatrixFree<dim, Number, Simd<Number>> &matrix_free,
+              const Kernel                                &integrate,
+              Vector                                      &result,
+              const Vector                                &vector)
+  {
+    matrix_free.template cell_loop<Vector, Vector>(
+      [&](const auto &, auto &dst, const auto &src, const auto &range) {
+        DisplacementEvaluation<dim, degree, Number> phi(matrix_free);
+        for (unsigned int batch = range.first; batch < range.second; ++batch)
+          {
+            phi.reinit(batch);
+            phi.read_dof_values(src);
+            integrate(phi);
+            phi.distribute_local_to_global(dst);
+          }
+      },
+      result,
+      vector,
+      /* zero_dst_vector = */ true);
+  }
+
+
+
   /// Adds the matrix of a linear cell kernel to @p matrix, condensed with
-  /// @p constraints. @p integrate(phi) turns the dof values of a cell batch
-  /// into nodal forces; the columns of the cell matrices are what it makes of
-  /// unit vectors.
+  /// @p constraints. The columns of the cell matrices are what
+  /// @p integrate(phi), see apply_cells(), makes of unit vectors.
   ///
   /// (MatrixFreeTools::compute_matrix() of deal.II 9.4 takes the categories of
   /// cells for indices of finite elements.)
