@@ -47,6 +47,11 @@ add_entry_test(error_bound_history "entry 'Analysis' is 'contact with error boun
 add_message_test(error_bound_nonlinear 2 "entry 'Analysis' is 'contact with error bound', but .*linear hardening only" ${CMAKE_SOURCE_DIR}/parameter_files/cylinder_2d.prm --validate --set "Analysis=contact with error bound" --set "Material/Law=nonlinear hardening" --set "Material/Voce stress=100" --set "Material/Voce rate=10")
 add_message_test(limit_load_no_indenter 2 "entry 'Indenter/Type' is 'none', but .*largest force of an indenter" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --validate --set "Indenter/Type=none")
 add_message_test(limit_load_resume 2 "nothing to resume. Leave out --resume" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --resume)
+set(_full_width ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --quiet --overwrite
+  --set "Indenter/Half width=10" --set "Boundary conditions/Free=" --set "Boundary conditions/Fixed=bottom, right")
+add_message_test(limit_load_enclosed 3 "There is no limit load: the supports enclose the body" ${_full_width} --output-directory limit_load_enclosed)
+add_message_test(limit_load_held_point 3 "No continuous velocity moves the whole indenter down: it reaches a point that is held" ${_full_width} --output-directory limit_load_held_point --set "Kinematics=plane stress")
+add_message_test(limit_load_tractions 3 "The body does not even bear the given tractions" ${_files}/pulled_apart.prm --quiet --overwrite --output-directory limit_load_tractions)
 
 # Parameter file
 add_message_test(file_missing 2 "'does_not_exist.prm' does not exist or cannot be read" does_not_exist.prm)

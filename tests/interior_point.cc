@@ -106,6 +106,29 @@ namespace
     program.right_hand_side[0] = 1.1;
     print_error("Outside the ball", [&]() { minimize(program, 1e-9); });
   }
+
+
+
+  // -2 x_0 - x_1, x >= 0, x_0 = x_1
+  void
+  test_unbounded()
+  {
+    ConicProgram program;
+    program.blocks.emplace_back(2);
+    Vector<double> row(2);
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        row    = 0.;
+        row[i] = -1.;
+        program.blocks[0].add_inequality(row);
+      }
+    program.blocks[0].linear_cost[0] = -2.;
+    program.blocks[0].linear_cost[1] = -1.;
+    row[0]                           = 1.;
+    program.blocks[0].add_to_equation(0, row);
+    program.right_hand_side.reinit(1);
+    print_error("Along a ray", [&]() { minimize(program, 1e-9); });
+  }
 } // namespace
 
 
@@ -117,4 +140,5 @@ main(int argc, char *argv[])
   test_linear_cost();
   test_quadratic_cost();
   test_no_solution();
+  test_unbounded();
 }

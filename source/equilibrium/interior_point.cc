@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/exceptions.h"
+#include "equilibrium/certificate.h"
 #include "equilibrium/interior_point.h"
 #include "equilibrium/kkt_system.h"
 #include "equilibrium/local_algebra.h"
@@ -28,10 +29,6 @@ namespace ElastoPlastic
 
     /// Costs and their derivatives below this count as zero: nothing is loaded.
     constexpr double smallest_cost = 1e-12;
-
-    /// For the first equation of the certificate that there is no solution,
-    /// relative to the second.
-    constexpr double infeasibility_tolerance = 1e-7;
 
     using SecondOrderCone::ConstView;
     using SecondOrderCone::View;
@@ -87,13 +84,9 @@ namespace ElastoPlastic
       KktSystem           system;
       KktSystem::Scalings scalings;
 
-      ConicSolution current;
-      double        gap = 0; ///< s^T z
-      /// By a certificate: A^T y + G^T z = 0 and b^T y + h^T z < 0, z in the
-      /// cones, contradict A x = b and G x + s = h.
-      bool           has_no_solution = false;
+      ConicSolution  current;
+      double         gap = 0; ///< s^T z
       KktVector      residual;
-      Vector<double> gradient; ///< of the cost
       KktVector      change;
       Vector<double> scaled;   ///< lambda = W z = W^-1 s
       Vector<double> scaled_s; ///< W^-1 ds
@@ -115,7 +108,6 @@ namespace ElastoPlastic
       current.z.reinit(layout.rows.back());
       current.y.reinit(program.right_hand_side.size());
       scaled = scaled_s = scaled_z = current.z;
-      gradient                     = current.x;
     }
 
 
@@ -133,10 +125,7 @@ namespace ElastoPlastic
           ++current.n_iterations;
           step();
           compute_residuals();
-          if (has_no_solution)
-            throw ConvergenceError(
-              "The problem that the interior point method solves has no "
-              "solution.");
+          check_solvability(program, layout, current, residual);
         }
       restore_equations();
       return current;
@@ -201,8 +190,6 @@ namespace ElastoPlastic
           LocalAlgebra::add_product(product.begin(), block.quadratic_cost, x);
           for (unsigned int i = 0; i < n; ++i)
             {
-              gradient[layout.unknowns[b] + i] =
-                product[i] + block.linear_cost[i];
               residual.x[layout.unknowns[b] + i] = -block.linear_cost[i];
               quadratic_cost += x[i] * product[i];
               linear_cost += x[i] * block.linear_cost[i];
@@ -214,9 +201,6 @@ namespace ElastoPlastic
             residual.z[layout.rows[b] + i] += block.cone_offset[i];
         }
       const double primal_size = std::max(1., residual.y.linfty_norm());
-      const double certificate =
-        -(program.right_hand_side * current.y) -
-        (residual.z * current.z + current.s * current.z);
       system.subtract_product(residual, {current.x, current.z, current.y});
 
       gap          = current.s * current.z;
@@ -228,11 +212,6 @@ namespace ElastoPlastic
         primal_size;
       current.dual_error =
         residual.x.linfty_norm() / std::max(smallest_cost, dual_size);
-
-      // A^T y + G^T z
-      gradient += residual.x;
-      has_no_solution =
-        gradient.linfty_norm() < infeasibility_tolerance * certificate;
     }
 
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "equilibrium/certificate.h"
 #include "equilibrium/stress_problem.h"
 #include "equilibrium/stress_program.h"
 
@@ -26,6 +27,28 @@ namespace ElastoPlastic
       program.add_energy();
       program.add_gap();
       return program;
+    }
+
+
+
+    StressField
+    solve_bounded(const StressProgram &program)
+    {
+      try
+        {
+          return program.solve(limit_tolerance);
+        }
+      catch (const UnboundedError &)
+        {
+          throw ConvergenceError(
+            "There is no limit load: the supports enclose the body, which bears "
+            "any force.");
+        }
+      catch (const NoSolutionError &)
+        {
+          throw ConvergenceError(
+            "The body does not even bear the given tractions.");
+        }
     }
   } // namespace
 
@@ -61,7 +84,7 @@ namespace ElastoPlastic
                                               OutOfPlaneStress::mean);
     const double  unit = body.strain_unit * body.length_unit;
     program.add_force(-unit);
-    StressField field = program.solve(limit_tolerance);
+    StressField field = solve_bounded(program);
     for (auto &velocities : field.displacement)
       for (Tensor<1, 2> &velocity : velocities)
         velocity /= unit;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equilibrium/certificate.h"
 #include "equilibrium/interior_point.h"
 #include "equilibrium/velocity_program.h"
 #include "equilibrium/yield_conditions.h"
@@ -352,6 +353,16 @@ namespace ElastoPlastic
   VelocityField
   minimize_plastic_work(const PlaneBody &body)
   {
-    return VelocityProgram(body).solve();
+    try
+      {
+        return VelocityProgram(body).solve();
+      }
+    catch (const UnboundedError &)
+      {
+        throw ConvergenceError(
+          "No continuous velocity moves the whole indenter down: it reaches a "
+          "point that is held, or the supports enclose the body. Let "
+          "'Indenter/Reach' end before what is held.");
+      }
   }
 } // namespace ElastoPlastic

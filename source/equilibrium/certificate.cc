@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+
+#include "equilibrium/certificate.h"
+#include "equilibrium/local_algebra.h"
+
+namespace ElastoPlastic
+{
+  NoSolutionError::NoSolutionError()
+    : ConvergenceError(
+        "The problem that the interior point method solves has "
+        "no solution.")
+  {}
+
+
+
+  UnboundedError::UnboundedError()
+    : ConvergenceError(
+        "The cost that the interior point method minimises has "
+        "no lower bound.")
+  {}
+
+
+
+  void
+  check_solvability(const ConicProgram  &program,
+                    const ConicLayout   &layout,
+                    const ConicSolution &iterate,
+                    const KktVector     &residual)
+  {
+    // for the equations in a certificate, relative to its inequality
+    constexpr double multiplier_tolerance = 1e-7;
+    constexpr double direction_tolerance  = 1e-6;
+
+    Vector<double> multipliers_product(residual.x.size()), // A^T y + G^T z
+      cone_residual(residual.z.size());                    // G x + s
+    double linear_cost = 0, quadratic_slope = 0, offset_product = 0;
+    for (unsigned int b = 0; b < program.blocks.size(); ++b)
+      {
+        const ConicBlock   &block = program.blocks[b];
+        const unsigned int  n     = block.linear_cost.size();
+        const double *const x     = iterate.x.begin() + layout.unknowns[b];
+        Vector<double>      slope(n);
+        LocalAlgebra::add_product(slope.begin(), block.quadratic_cost, x);
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            const unsigned int row = layout.unknowns[b] + j;
+            multipliers_product[row] =
+              -residual.x[row] - slope[j] - block.linear_cost[j];
+            linear_cost += block.linear_cost[j] * x[j];
+          }
+        quadratic_slope = std::max(quadratic_slope, slope.linfty_norm());
+        for (unsigned int i = 0; i < block.cone_offset.size(); ++i)
+          {
+            const unsigned int row = layout.rows[b] + i;
+            cone_residual[row]     = block.cone_offset[i] - residual.z[row];
+            offset_product += block.cone_offset[i] * iterate.z[row];
+          }
+      }
+    Vector<double> product = program.right_hand_side; // A x
+    product -= residual.y;
+
+    const double contradiction =
+      -(program.right_hand_side * iterate.y) - offset_product;
+    if (multipliers_product.linfty_norm() <
+        multiplier_tolerance * contradiction)
+      throw NoSolutionError();
+
+    const double descent = -linear_cost;
+    if (std::max({quadratic_slope,
+                  product.linfty_norm(),
+                  cone_residual.linfty_norm()}) < direction_tolerance * descent)
+      throw UnboundedError();
+  }
+} // namespace ElastoPlastic
