@@ -19,7 +19,8 @@ namespace
   ball(const unsigned int n, const double radius)
   {
     ConicBlock block(n);
-    block.cone_sizes = {n + 1};
+    block.cone_sizes  = {n + 1};
+    block.cone_scales = {ConeScale()};
     block.cone_matrix.reinit(n + 1, n);
     block.cone_offset.reinit(n + 1);
     block.cone_offset[0] = radius;

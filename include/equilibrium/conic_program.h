@@ -13,6 +13,18 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
+  /// Of which size the slack s and the multiplier z of a cone are expected to
+  /// be. The iteration begins with such values, and their product says how
+  /// much of s^T z the cone may keep: for instance, what its triangle has of
+  /// the area.
+  struct ConeScale
+  {
+    double slack      = 1.;
+    double multiplier = 1.;
+  };
+
+
+
   /// What a convex optimisation problem says of some of its unknowns x, for
   /// instance the stresses on a triangle: their cost
   ///   1/2 x^T P x + c^T x,
@@ -27,7 +39,8 @@ namespace ElastoPlastic
     Vector<double>     cone_offset;    ///< h: m
     /// K: sizes of cones, from 1 to SecondOrderCone::max_size, with the sum m
     std::vector<unsigned int> cone_sizes;
-    FullMatrix<double>        coupling; ///< A: k x n
+    std::vector<ConeScale>    cone_scales; ///< one for each cone
+    FullMatrix<double>        coupling;    ///< A: k x n
     std::vector<unsigned int> rows; ///< the k equations that A contributes to
 
     /// A block of @p n unknowns without cost, cones and couplings.
@@ -80,6 +93,7 @@ namespace ElastoPlastic
     std::vector<unsigned int> rows;
     std::vector<unsigned int> first_cones;
     std::vector<Cone>         cones;
+    std::vector<ConeScale>    scales; ///< of the cones
   };
 
 

@@ -47,6 +47,7 @@ namespace ElastoPlastic
     append_row(cone_matrix, row);
     cone_offset.grow_or_shrink(cone_offset.size() + 1);
     cone_sizes.push_back(1);
+    cone_scales.emplace_back();
   }
 
 
@@ -64,6 +65,9 @@ namespace ElastoPlastic
             cones.push_back({begin, size});
             begin += size;
           }
+        scales.insert(scales.end(),
+                      block.cone_scales.begin(),
+                      block.cone_scales.end());
         unknowns.push_back(unknowns.back() + block.linear_cost.size());
         rows.push_back(begin);
         first_cones.push_back(cones.size());

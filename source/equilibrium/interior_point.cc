@@ -35,6 +35,15 @@ namespace ElastoPlastic
 
 
 
+    /// The part of s^T z that a cone may keep.
+    double
+    weight(const ConeScale &scale)
+    {
+      return scale.slack * scale.multiplier;
+    }
+
+
+
     /// The iteration of minimize(), in the notation of ConicSolution; W is the
     /// scaling.
     class InteriorPoint
@@ -49,7 +58,8 @@ namespace ElastoPlastic
       void
       begin();
       void
-      move_into_cones(Vector<double> &values) const;
+      move_into_cones(Vector<double> &values,
+                      const double ConeScale::*scale) const;
       void
       compute_residuals();
       bool
@@ -80,6 +90,7 @@ namespace ElastoPlastic
       const ConicProgram &program;
       const ConicLayout   layout;
       const unsigned int  n_cones;
+      double              total_weight = 0;
       const double        tolerance;
       KktSystem           system;
       KktSystem::Scalings scalings;
@@ -103,6 +114,8 @@ namespace ElastoPlastic
       , tolerance(tolerance)
       , system(program, layout)
     {
+      for (const ConeScale &scale : layout.scales)
+        total_weight += weight(scale);
       current.x.reinit(layout.unknowns.back());
       current.s.reinit(layout.rows.back());
       current.z.reinit(layout.rows.back());
@@ -133,14 +146,16 @@ namespace ElastoPlastic
 
 
 
-    // Without the cones and with W = 1, this is a linear system, s being -z.
-    // Its solution is moved into the cones.
+    // Without the cones and with the expected scales, this is a linear system,
+    // s being -W^2 z. Its solution is moved into the cones.
     void
     InteriorPoint::begin()
     {
       for (unsigned int c = 0; c < n_cones; ++c)
-        current.s[layout.cones[c].begin] = current.z[layout.cones[c].begin] =
-          1.;
+        {
+          cone(current.s, c)[0] = layout.scales[c].slack;
+          cone(current.z, c)[0] = layout.scales[c].multiplier;
+        }
       scale();
 
       current.s = current.z = 0.;
@@ -149,25 +164,29 @@ namespace ElastoPlastic
       current.x = change.x;
       current.y = change.y;
       current.z = change.z;
-      current.s.equ(-1., change.z);
-      move_into_cones(current.s);
-      move_into_cones(current.z);
+      compute_residuals();
+      current.s = residual.z;
+      move_into_cones(current.s, &ConeScale::slack);
+      move_into_cones(current.z, &ConeScale::multiplier);
     }
 
 
 
     void
-    InteriorPoint::move_into_cones(Vector<double> &values) const
+    InteriorPoint::move_into_cones(Vector<double> &values,
+                                   const double ConeScale::*scale) const
     {
       double outside = -std::numeric_limits<double>::max();
       for (unsigned int c = 0; c < n_cones; ++c)
         {
           const ConstView v = cone(values, c);
-          outside = std::max(outside, SecondOrderCone::norm_of_tail(v) - v[0]);
+          outside           = std::max(outside,
+                             (SecondOrderCone::norm_of_tail(v) - v[0]) /
+                               (layout.scales[c].*scale));
         }
       if (outside >= 0)
-        for (const auto &[begin, size] : layout.cones)
-          values[begin] += 1. + outside;
+        for (unsigned int c = 0; c < n_cones; ++c)
+          cone(values, c)[0] += (1. + outside) * (layout.scales[c].*scale);
     }
 
 
@@ -268,7 +287,7 @@ namespace ElastoPlastic
         {
           const View v = cone(scaled_s, c);
           SecondOrderCone::multiply(v, v, cone(std::as_const(scaled_z), c));
-          v[0] -= centering * gap / n_cones;
+          v[0] -= centering * gap * weight(layout.scales[c]) / total_weight;
         }
       complementarity += scaled_s;
       find_direction(complementarity, 1. - centering);

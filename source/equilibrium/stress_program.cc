@@ -3,6 +3,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <cmath>
+
 #include "equilibrium/hencky_material.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/local_algebra.h"
@@ -48,6 +50,21 @@ namespace ElastoPlastic
       return area(body.mesh.corners(body.mesh.triangles[t])) /
              (3. * body.length_unit * body.length_unit) * body.stress_unit /
              body.strain_unit;
+    }
+
+
+
+    /// The multipliers of the yield conditions are moments of the plastic
+    /// strain: like the area, where that is smooth, or nearly the same on all
+    /// triangles, where it concentrates and they are refined. A power in
+    /// between takes half as many iterations as equal scales do.
+    ConeScale
+    yield_scale(const PlaneBody &body, const unsigned int t)
+    {
+      const double part = area(body.mesh.corners(body.mesh.triangles[t])) /
+                          (n_points * body.length_unit * body.length_unit);
+      return {body.materials[t].yield_radius / body.stress_unit,
+              std::pow(part, 0.75)};
     }
 
 
@@ -262,6 +279,8 @@ namespace ElastoPlastic
         const Material<double> &material = body.materials[t];
         FullMatrix<double>     &cost     = program.blocks[t].quadratic_cost;
         const unsigned int      n        = cost.n();
+        if (yields(material))
+          program.blocks[t].cone_scales.assign(n_points, yield_scale(body, t));
 
         FullMatrix<double> strain(n_components * n_points, n);
         elastic_energy(t).mmult(strain, point_stresses[t]);
@@ -303,6 +322,12 @@ namespace ElastoPlastic
   void
   StressProgram::add_gap()
   {
+    for (unsigned int i = 0; i < contact_sides.size(); ++i)
+      program.blocks[body.mesh.triangles.size() + i].cone_scales.assign(
+        2,
+        {0.5 * body.mesh.length(body.mesh.sides[contact_sides[i]]) /
+           body.length_unit,
+         1.});
     add_contact_cost([this](const unsigned int side, const unsigned int end) {
       return moments(side, body.gap)[end];
     });

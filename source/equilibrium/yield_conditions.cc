@@ -33,6 +33,7 @@ namespace ElastoPlastic
     block.cone_matrix.reinit(4 * n_points, n);
     block.cone_offset.reinit(4 * n_points);
     block.cone_sizes.assign(n_points, 4);
+    block.cone_scales.assign(n_points, ConeScale());
     for (unsigned int p = 0; p < n_points; ++p)
       {
         block.cone_offset[4 * p] = radius;
