@@ -11,20 +11,12 @@ triangles as they are.
 Needs matplotlib (Debian package python3-matplotlib).
 """
 
-import argparse
 import math
 import pathlib
 import sys
 
+from plot_of_runs import make_parser, save
 from vtu_fields import read_fields
-
-
-def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("directory", help="output directory of a run")
-    parser.add_argument("--window", type=float, help="show only so much to both sides of the axis, and below")
-    parser.add_argument("--output", default="equilibrium.png", help="the picture (default: equilibrium.png)")
-    return parser.parse_args()
 
 
 def last_fields(directory):
@@ -67,6 +59,7 @@ def draw_error(figure, axes, fields):
 
 
 def plot(plt, fields, window):
+    plt.rcParams["axes.grid"] = False
     figure, pictures = plt.subplots(1, 3, figsize=(16.5, 4.5))
     if max(fields["yield_ratio"]) > 0:
         draw(figure, pictures[0], fields, fields["yield_ratio"], "stress over yield stress", shading="gouraud",
@@ -89,16 +82,12 @@ def plot(plt, fields, window):
 
 
 def main():
-    arguments = parse_arguments()
+    parser = make_parser(__doc__, "equilibrium.png")
+    parser.add_argument("directory", help="output directory of a run")
+    parser.add_argument("--window", type=float, help="show only so much to both sides of the axis, and below")
+    arguments = parser.parse_args()
     fields = last_fields(arguments.directory)
-    try:
-        import matplotlib
-        matplotlib.use("Agg")
-        import matplotlib.pyplot as plt
-    except ImportError as error:
-        sys.exit(f"plot_equilibrium.py: {error}. Install the Debian package python3-matplotlib.")
-    plot(plt, fields, arguments.window).savefig(arguments.output, bbox_inches="tight", dpi=130)
-    print(arguments.output)
+    save(lambda plt: plot(plt, fields, arguments.window), arguments.output, parser.prog)
 
 
 if __name__ == "__main__":

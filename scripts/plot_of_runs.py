@@ -34,12 +34,14 @@ def draw_own_runs(plot, description, default_output):
 
 
 def make_parser(description, default_output):
+    """Of the arguments, with --output."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--output", default=default_output, help=f"the picture (default: {default_output})")
     return parser
 
 
 def save(plot, output, script):
+    """Saves the figure that plot(plt) returns."""
     try:
         import matplotlib
         matplotlib.use("Agg")

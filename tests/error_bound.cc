@@ -235,6 +235,52 @@ namespace
 
 
 
+  // A block compressed by a flat indenter, free to expand, in plane stress: the
+  // displacement u_h is the exact one, which is linear, beyond the yield stress
+  // as well.
+  void
+  test_displacement(const SplitMesh &mesh)
+  {
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"left", "bottom"};
+    parameters.free    = {"right"};
+    parameters.contact = {"top"};
+    const BoundaryConditions<2> conditions(
+      parameters, {{"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}});
+    const auto flat = [](const Point<2> &) {
+      return 0.;
+    };
+    const Material<double> steel     = material(1.4, 20.);
+    const double           hardening = 1.5 * steel.isotropic_modulus;
+    const PlaneBody        body      = make_plane_body(
+      mesh, conditions, {steel}, Kinematics::plane_stress, flat, 0.);
+    const StressField field = equilibrate_with_depth(body, depth);
+
+    const double k = steel.bulk_modulus, g = steel.shear_modulus;
+    const double young        = 9. * k * g / (3. * k + g);
+    const double poisson      = (3. * k - 2. * g) / (6. * k + 2. * g);
+    const double yield_stress = std::sqrt(1.5) * steel.yield_radius;
+    const double plastic = (young * depth - yield_stress) / (young + hardening);
+    const double stress  = yield_stress + hardening * plastic;
+    const double expansion = poisson * stress / young + 0.5 * plastic;
+
+    double error = 0;
+    for (unsigned int t = 0; t < mesh.triangles.size(); ++t)
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const Point<2>     x = mesh.corners(mesh.triangles[t])[i];
+          const Tensor<1, 2> exact({expansion * x[0], -depth * (x[1] + 1.)});
+          error = std::max(error, (field.displacement[t][i] - exact).norm());
+        }
+    output() << "Compression" << std::endl;
+    verify("yields", plastic > 0.5 * depth);
+    verify("force", std::abs(field.force / stress - 1.), 1e-8);
+    // (the square root of the duality gap is 3e-5)
+    verify("displacement of the equilibrium method", error / depth, 1e-5);
+  }
+
+
+
   // Without displacement, the sum of both energies is the complementary one.
   void
   test_sum(const PlaneBody &body)
@@ -285,6 +331,7 @@ main(int argc, char *argv[])
     make_body(mesh, material(infinity, 0.), Kinematics::cartesian);
   test_penetration(elastic);
   test_sum(elastic);
+  test_displacement(mesh);
   test_conjugate(elastic, "Elastic");
   for (const double hardening : {0., 20.})
     for (const auto kinematics :

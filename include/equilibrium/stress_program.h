@@ -116,18 +116,19 @@ namespace ElastoPlastic
                    const double         *z) const;
 
     /// What the force at an end of a side is multiplied by in the Lagrange
-    /// function: minus a displacement, given or the multiplier @p y of its
-    /// equation.
+    /// function, a displacement with the opposite sign: the multiplier @p y of
+    /// its equation, or that of a prescribed displacement.
     double
     multiplier(const unsigned int    side,
                const unsigned int    end,
                const unsigned int    component,
                const Vector<double> &y) const;
 
+    /// That of a prescribed displacement.
     double
-    given_displacement(const unsigned int side,
-                       const unsigned int end,
-                       const unsigned int component) const;
+    given_multiplier(const unsigned int side,
+                     const unsigned int end,
+                     const unsigned int component) const;
 
     /// See StressField::displacement. @p y are the multipliers of the
     /// equations.

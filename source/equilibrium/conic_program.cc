@@ -65,6 +65,7 @@ namespace ElastoPlastic
             cones.push_back({begin, size});
             begin += size;
           }
+        AssertDimension(block.cone_scales.size(), block.cone_sizes.size());
         scales.insert(scales.end(),
                       block.cone_scales.begin(),
                       block.cone_scales.end());

@@ -43,7 +43,8 @@ namespace ElastoPlastic
 
 
 
-    /// The area of a third, in the units of the body.
+    /// The area of a third, with what turns compliances into the units of the
+    /// body.
     double
     energy_weight(const PlaneBody &body, const unsigned int t)
     {
@@ -300,7 +301,7 @@ namespace ElastoPlastic
                 continue;
               for (unsigned int end = 0; end < 2; ++end)
                 program.blocks[t].linear_cost.add(
-                  given_displacement(side.side, end, i), side.forces[end][i]);
+                  given_multiplier(side.side, end, i), side.forces[end][i]);
             }
       }
   }
@@ -308,9 +309,9 @@ namespace ElastoPlastic
 
 
   double
-  StressProgram::given_displacement(const unsigned int side,
-                                    const unsigned int end,
-                                    const unsigned int component) const
+  StressProgram::given_multiplier(const unsigned int side,
+                                  const unsigned int end,
+                                  const unsigned int component) const
   {
     return -moments(side,
                     body.conditions[side].components[component].value)[end] /

@@ -111,7 +111,7 @@ namespace ElastoPlastic
     const unsigned int equation = equations[side][end][component];
     if (equation != numbers::invalid_unsigned_int)
       return y[equation];
-    return has_energy ? given_displacement(side, end, component) : 0.;
+    return has_energy ? given_multiplier(side, end, component) : 0.;
   }
 
 
