@@ -217,6 +217,14 @@ add_message_test(unsafe_load 4 "There is no equilibrium under the force 3: the l
   ${_punch_force} --output-directory unsafe_load --set "Loading/Force=3")
 add_message_test(unsafe_history 4 "There is no equilibrium under the force 4: the limit load of the body is between 2.[0-9]* and 3.[0-9]*."
   ${_punch_force} --output-directory unsafe_history --set "Loading/Force=4*t" --set "Loading/Number of steps=3")
+# The force is safe, as finer meshes tell, but the first ones have no stresses that could bear it.
+set(_no_bound ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --overwrite --quiet
+  --set "Analysis=contact with error bound" --set "Geometry/Initial refinements=0" --set "Loading/Control=force"
+  --set "Loading/Force=2.9" --set "Output/Fields=never")
+add_message_test(no_error_bound 3 "Error: The contact problem has been solved, but there is no error bound on this mesh"
+  ${_no_bound} --output-directory no_error_bound --set "Refinement/Number of cycles=1")
+add_message_test(no_error_bound_yet 3 "Warning: The contact problem has been solved, but there is no error bound on this mesh"
+  ${_no_bound} --output-directory no_error_bound_yet --set "Refinement/Number of cycles=2")
 # Elsewhere, the program comes to the limit itself. Steps that are taken back and
 # cut come closer: under a circular punch, the exact one is 10.3.
 add_message_test(beyond_limit_load 4 "No equilibrium has been found for the force 30 .t = 1.: it seems to be beyond the limit load of the body, whose material stops hardening. The largest force reached is 0"
