@@ -209,8 +209,9 @@ namespace ElastoPlastic
   LimitLoadAnalysis::write_results(CsvFile &table)
   {
     table.add_row(row);
-    if (parameters.output.fields == "every cycle" ||
-        (parameters.output.fields == "last cycle" && is_last_cycle()))
+    if (parameters.output.fields == FieldOutputTimes::every_cycle ||
+        (parameters.output.fields == FieldOutputTimes::last_cycle &&
+         is_last_cycle()))
       throw_together(communicator, [&]() {
         if (first_rank)
           output.write(

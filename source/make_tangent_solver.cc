@@ -26,16 +26,15 @@ namespace ElastoPlastic
                       const VectorType                &layout,
                       const std::function<void(const std::string &)> &warn)
   {
-    using Method           = typename TangentSolver<dim>::Method;
-    const auto with_matrix = [&](const std::string &name,
-                                 const std::string &type) -> Method {
+    using Method = typename TangentSolver<dim>::Method;
+    const auto with_matrix =
+      [&](const std::string                                            &name,
+          const std::function<std::unique_ptr<MatrixPreconditioner>()> &make)
+      -> Method {
       return {name,
-              [type, layout, &dof_handler, &constraints]() {
+              [make, &dof_handler, &constraints]() {
                 return std::make_unique<AssembledPreconditioner<dim>>(
-                  make_matrix_preconditioner(
-                    type, rigid_body_modes(dof_handler, layout)),
-                  dof_handler,
-                  constraints);
+                  make(), dof_handler, constraints);
               },
               parameters.maximum_iterations};
     };
@@ -46,16 +45,24 @@ namespace ElastoPlastic
           dof_handler, constraints, boundary_conditions, strain_model);
       },
       std::min(parameters.maximum_iterations, patience_with_multigrid)};
-    const Method algebraic = with_matrix("algebraic multigrid", "AMG");
-    const Method direct    = with_matrix("a factorisation", "direct");
+    const Method algebraic =
+      with_matrix("algebraic multigrid", [layout, &dof_handler]() {
+        return make_algebraic_multigrid(rigid_body_modes(dof_handler, layout));
+      });
 
     std::vector<Method> methods;
-    if (parameters.type == "multigrid")
-      methods = {geometric, algebraic};
-    else if (parameters.type == "AMG")
-      methods = {algebraic};
-    else
-      methods = {direct};
+    switch (parameters.type)
+      {
+        case Preconditioner::multigrid:
+          methods = {geometric, algebraic};
+          break;
+        case Preconditioner::amg:
+          methods = {algebraic};
+          break;
+        case Preconditioner::direct:
+          methods = {with_matrix("a factorisation", make_factorization)};
+          break;
+      }
     return std::make_unique<TangentSolver<dim>>(methods, warn);
   }
 

@@ -60,7 +60,7 @@ namespace
     try
       {
         parameters.check();
-        if (parameters.analysis == "limit load")
+        if (parameters.analysis == Analysis::limit_load)
           find_limit_load(command_line, parameters);
         else if (parameters.dimension == 2)
           solve_contact_problem<2>(command_line, parameters);

@@ -24,7 +24,7 @@ namespace ElastoPlastic
     {
       const auto materials = parameters.material.materials();
       return parameters.dimension == 2 &&
-             parameters.discretization.kinematics != "axisymmetric" &&
+             parameters.discretization.kinematics != Kinematics::axisymmetric &&
              parameters.indenter.type != "none" &&
              parameters.boundary_conditions.traction.empty() &&
              std::all_of(materials.begin(), materials.end(), is_perfect) &&

@@ -168,13 +168,13 @@ print_matrices()
   write("commas.csv", "10, 12, 11\r\n15, 14, 13\r\n");
   IndenterParameters matrix = height_map("height matrix", "spaces.txt");
   print_heights(matrix);
-  matrix.side_down    = "light";
+  matrix.side_down    = SideDown::light;
   matrix.height_scale = 0.5;
   matrix.file         = "commas.csv";
   print_heights(matrix);
 
   IndenterParameters image = height_map("image", "plain.pgm");
-  image.side_down          = "light";
+  image.side_down          = SideDown::light;
   image.height_scale       = 10;
   print_heights(image);
 

@@ -45,7 +45,7 @@ namespace
     output() << "An expression" << std::endl;
     print_loads(LoadProgram(parameters), {2, 4});
 
-    parameters.control = "force";
+    parameters.control = Control::force;
     parameters.force   = "5*t";
     output() << "A force" << std::endl;
     print_loads(LoadProgram(parameters), {1, 4});

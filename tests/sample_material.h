@@ -37,8 +37,8 @@ inline void
 set_nonlinear_hardening(const std::string                 &law,
                         ElastoPlastic::MaterialParameters &parameters)
 {
-  const bool all              = (law == "everything");
-  parameters.laws             = {"nonlinear hardening"};
+  const bool all  = (law == "everything");
+  parameters.laws = {ElastoPlastic::MaterialLaw::nonlinear_hardening};
   parameters.isotropic_moduli = {all ? 500. : 0.};
   if (law == "Voce" || all)
     {
@@ -74,7 +74,6 @@ sample_parameters(const std::string &law)
 {
   const double modulus = (law == "combined hardening" ? 1000. : 2000.);
   ElastoPlastic::MaterialParameters parameters;
-  parameters.laws             = {law};
   parameters.young_moduli     = {200000.};
   parameters.poisson_ratios   = {0.3};
   parameters.yield_stresses   = {400.};
@@ -82,6 +81,10 @@ sample_parameters(const std::string &law)
   parameters.kinematic_moduli = {modulus};
   if (std::count(all_laws.begin(), all_laws.end(), law) == 0)
     set_nonlinear_hardening(law, parameters);
+  else
+    parameters.laws = {
+      dealii::Patterns::Tools::Convert<ElastoPlastic::MaterialLaw>::to_value(
+        law)};
   return parameters;
 }
 

@@ -29,7 +29,8 @@ namespace
   linear_materials()
   {
     MaterialParameters parameters;
-    parameters.laws             = {"isotropic hardening", "combined hardening"};
+    parameters.laws             = {MaterialLaw::isotropic_hardening,
+                                   MaterialLaw::combined_hardening};
     parameters.young_moduli     = {2., 3.};
     parameters.poisson_ratios   = {0.3, 0.4};
     parameters.yield_stresses   = {0.2, 0.4};
@@ -45,10 +46,11 @@ namespace
   nonlinear_materials()
   {
     MaterialParameters parameters = linear_materials();
-    parameters.laws             = {"nonlinear hardening", "combined hardening"};
-    parameters.voce_stresses    = {0.1};
-    parameters.voce_rates       = {20.};
-    parameters.hardening_tables = {"0.05: 0.4| 10: 20"};
+    parameters.laws               = {MaterialLaw::nonlinear_hardening,
+                                     MaterialLaw::combined_hardening};
+    parameters.voce_stresses      = {0.1};
+    parameters.voce_rates         = {20.};
+    parameters.hardening_tables   = {"0.05: 0.4| 10: 20"};
     return parameters;
   }
 
@@ -58,9 +60,10 @@ namespace
   recovering_materials()
   {
     MaterialParameters parameters = linear_materials();
-    parameters.laws          = {"nonlinear hardening", "combined hardening"};
-    parameters.voce_stresses = {0.1};
-    parameters.voce_rates    = {20.};
+    parameters.laws               = {MaterialLaw::nonlinear_hardening,
+                                     MaterialLaw::combined_hardening};
+    parameters.voce_stresses      = {0.1};
+    parameters.voce_rates         = {20.};
     parameters.back_stress_moduli = {"4 | 0.3"};
     parameters.recovery_rates     = {"20 | 1"};
     return parameters;

@@ -68,7 +68,7 @@ namespace
 
   template <int dim>
   MeshMaker<dim>
-  part_of_ball(const std::string &part)
+  part_of_ball(const HalfBallPart part)
   {
     return [=](Mesh<dim> &mesh) {
       HalfBallParameters parameters;
@@ -250,18 +250,18 @@ namespace
     output() << "half balls on curved rollers, p = " << degree << std::endl;
     verify("  half disc",
            radial_displacement(
-             SupportedBody<2>(part_of_ball<2>("full"),
+             SupportedBody<2>(part_of_ball<2>(HalfBallPart::full),
                               degree,
                               "set Roller = curved\nset Free = top")),
            1e-14);
     verify("  half ball",
            radial_displacement(
-             SupportedBody<3>(part_of_ball<3>("full"),
+             SupportedBody<3>(part_of_ball<3>(HalfBallPart::full),
                               degree,
                               "set Roller = curved\nset Free = top")),
            1e-14);
 
-    const SupportedBody<3> quarter(part_of_ball<3>("quarter"),
+    const SupportedBody<3> quarter(part_of_ball<3>(HalfBallPart::quarter),
                                    degree,
                                    "set Roller = curved, left, front\n"
                                    "set Free = top");
@@ -320,9 +320,9 @@ namespace
                          "set Fixed = top\nset Free = bottom, right, left");
     print_free_motion<2>(wedge,
                          "set Roller = left, slope\nset Free=right, top");
-    print_free_motion<2>(part_of_ball<2>("full"),
+    print_free_motion<2>(part_of_ball<2>(HalfBallPart::full),
                          "set Roller = curved\nset Free = top");
-    print_free_motion<2>(part_of_ball<2>("half"),
+    print_free_motion<2>(part_of_ball<2>(HalfBallPart::half),
                          "set Roller = curved, left\nset Free = top");
     print_free_motion<3>(block<3>,
                          "set Roller = bottom, left\n"
@@ -330,10 +330,11 @@ namespace
     print_free_motion<3>(block<3>,
                          "set Roller = bottom, left, back\n"
                          "set Free = top, front, right");
-    print_free_motion<3>(part_of_ball<3>("full"), "set Roller = curved, top");
-    print_free_motion<3>(part_of_ball<3>("quarter"),
+    print_free_motion<3>(part_of_ball<3>(HalfBallPart::full),
+                         "set Roller = curved, top");
+    print_free_motion<3>(part_of_ball<3>(HalfBallPart::quarter),
                          "set Roller = curved, left\nset Free = front, top");
-    print_free_motion<3>(part_of_ball<3>("quarter"),
+    print_free_motion<3>(part_of_ball<3>(HalfBallPart::quarter),
                          "set Roller = curved, left, front\nset Free = top");
   }
 } // namespace

@@ -62,7 +62,7 @@ namespace
   recovering_material()
   {
     MaterialParameters parameters;
-    parameters.laws               = {"nonlinear hardening"};
+    parameters.laws               = {MaterialLaw::nonlinear_hardening};
     parameters.back_stress_moduli = {"60000 | 10000"};
     parameters.recovery_rates     = {"600 | 50"};
     return parameters;
@@ -172,7 +172,7 @@ namespace
     make_amg() const
     {
       return std::make_unique<AssembledPreconditioner<dim>>(
-        make_matrix_preconditioner("AMG", rigid_body_modes(dof_handler, rhs)),
+        make_algebraic_multigrid(rigid_body_modes(dof_handler, rhs)),
         dof_handler,
         constraints);
     }

@@ -7,6 +7,8 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/point.h>
 
+#include "base/enum_names.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -20,6 +22,44 @@ namespace ElastoPlastic
                   ///< no stress across
     axisymmetric  ///< in two dimensions, the half section x = r >= 0 of a body
                   ///< of revolution about the axis x = 0
+  };
+
+  template <>
+  inline const EnumNames<Kinematics> enum_names<Kinematics> = {
+    {"plane strain", Kinematics::cartesian},
+    {"plane stress", Kinematics::plane_stress},
+    {"axisymmetric", Kinematics::axisymmetric}};
+
+
+
+  /// How the volumetric strain enters the stress (doc/theory.md, "Locking").
+  enum class VolumetricTreatment
+  {
+    standard, ///< tr(strain) point by point: Q1 then locks in plastic flow
+    b_bar     ///< its mean value over the cell
+  };
+
+  template <>
+  inline const EnumNames<VolumetricTreatment> enum_names<VolumetricTreatment> =
+    {{"standard", VolumetricTreatment::standard},
+     {"B-bar", VolumetricTreatment::b_bar}};
+
+
+
+  /// How strains follow from displacements. In plane stress, the volumetric
+  /// strain follows from the stress; so there is nothing to treat.
+  struct StrainModel
+  {
+    StrainModel(const VolumetricTreatment treatment,
+                const Kinematics          kinematics = Kinematics::cartesian)
+      : treatment(kinematics == Kinematics::plane_stress ?
+                    VolumetricTreatment::standard :
+                    treatment)
+      , kinematics(kinematics)
+    {}
+
+    VolumetricTreatment treatment;
+    Kinematics          kinematics;
   };
 
 

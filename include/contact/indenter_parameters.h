@@ -9,9 +9,24 @@
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+  /// Which heights of an image or matrix touch first; see "Side down".
+  enum class SideDown
+  {
+    dark, ///< and low
+    light ///< and high
+  };
+
+  template <>
+  inline const EnumNames<SideDown> enum_names<SideDown> = {
+    {"dark", SideDown::dark}, {"light", SideDown::light}};
+
+
 
   /// The entries of the section "Indenter": shape and place of the rigid body.
   /// In two dimensions each shape is its section y = 0.
@@ -25,7 +40,7 @@ namespace ElastoPlastic
     std::string         file;
     std::vector<double> size; ///< one per horizontal direction
     double              height_scale = 1;
-    std::string         side_down    = "dark"; ///< or "light"
+    SideDown            side_down    = SideDown::dark;
     std::vector<double> position; ///< horizontal; empty stands for the origin
     double              initial_gap = 0;
     double              reach       = 0; ///< 0: as far as the shape goes

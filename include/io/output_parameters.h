@@ -8,16 +8,35 @@
 
 #include <string>
 
+#include "base/enum_names.h"
+#include "io/screen.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
 
+  /// When the fields are written; see the entry "Fields".
+  enum class FieldOutputTimes
+  {
+    every_cycle,
+    last_cycle,
+    never
+  };
+
+  template <>
+  inline const EnumNames<FieldOutputTimes> enum_names<FieldOutputTimes> = {
+    {"every cycle", FieldOutputTimes::every_cycle},
+    {"last cycle", FieldOutputTimes::last_cycle},
+    {"never", FieldOutputTimes::never}};
+
+
+
   /// The entries of the section "Output".
   struct OutputParameters
   {
-    std::string directory = "output";
-    std::string fields    = "every cycle";
-    std::string screen    = "full";
+    std::string      directory = "output";
+    FieldOutputTimes fields    = FieldOutputTimes::every_cycle;
+    Verbosity        screen    = Verbosity::full;
     /// Load steps from one checkpoint to the next; 0: on request only.
     unsigned int checkpoint_interval = 1;
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "base/enum_names.h"
 #include "contact/indenter_parameters.h"
 #include "io/command_line.h"
 #include "io/output_parameters.h"
@@ -22,13 +23,29 @@
 
 namespace ElastoPlastic
 {
+  /// What is computed; see the entry "Analysis".
+  enum class Analysis
+  {
+    contact,
+    limit_load,
+    contact_with_error_bound
+  };
+
+  template <>
+  inline const EnumNames<Analysis> enum_names<Analysis> = {
+    {"contact", Analysis::contact},
+    {"limit load", Analysis::limit_load},
+    {"contact with error bound", Analysis::contact_with_error_bound}};
+
+
+
   /// Everything a parameter file can say. Each room of the program declares
   /// and documents its own section; here they are only put together, and what
   /// concerns several of them is checked.
   struct Parameters
   {
     unsigned int dimension = 3;
-    std::string  analysis  = "contact";
+    Analysis     analysis  = Analysis::contact;
 
     GeometryParameters          geometry;
     BoundaryConditionParameters boundary_conditions;

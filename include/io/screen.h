@@ -8,11 +8,28 @@
 
 #include <string>
 
+#include "base/enum_names.h"
 #include "solver/semismooth_newton.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+  /// How much is printed; see the entry "Screen".
+  enum class Verbosity
+  {
+    full,
+    summary,
+    quiet
+  };
+
+  template <>
+  inline const EnumNames<Verbosity> enum_names<Verbosity> = {
+    {"full", Verbosity::full},
+    {"summary", Verbosity::summary},
+    {"quiet", Verbosity::quiet}};
+
+
 
   /// What one nonlinear solve has found: a row of statistics.csv and, in part,
   /// of the table on the screen. Units are those of the input.
@@ -74,8 +91,7 @@ namespace ElastoPlastic
   class Screen
   {
   public:
-    /// @p verbosity is full, summary or quiet.
-    Screen(const MPI_Comm communicator, const std::string &verbosity);
+    Screen(const MPI_Comm communicator, const Verbosity verbosity);
 
     /// Program, libraries, build and number of ranks.
     void

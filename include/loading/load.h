@@ -4,6 +4,8 @@
 #ifndef loading_load_h
 #define loading_load_h
 
+#include "base/enum_names.h"
+
 namespace ElastoPlastic
 {
   enum class Control
@@ -11,6 +13,10 @@ namespace ElastoPlastic
     depth, ///< the depth of the indenter is given, the force results
     force  ///< the force is given, the depth results
   };
+
+  template <>
+  inline const EnumNames<Control> enum_names<Control> = {
+    {"depth", Control::depth}, {"force", Control::force}};
 
 
 

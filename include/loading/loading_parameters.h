@@ -8,6 +8,8 @@
 
 #include <string>
 
+#include "loading/load.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -15,7 +17,7 @@ namespace ElastoPlastic
   /// The entries of the section "Loading"; see LoadProgram for their meaning.
   struct LoadingParameters
   {
-    std::string  control = "depth";
+    Control      control = Control::depth;
     std::string  depth   = "0.01";
     std::string  force   = "1";
     std::string  history;

@@ -9,18 +9,41 @@
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "material/hardening_input.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
+  /// The values of the entry "Law".
+  enum class MaterialLaw
+  {
+    linear_elastic,
+    perfectly_plastic,
+    isotropic_hardening,
+    kinematic_hardening,
+    combined_hardening,
+    nonlinear_hardening
+  };
+
+  template <>
+  inline const EnumNames<MaterialLaw> enum_names<MaterialLaw> = {
+    {"linear elastic", MaterialLaw::linear_elastic},
+    {"perfectly plastic", MaterialLaw::perfectly_plastic},
+    {"isotropic hardening", MaterialLaw::isotropic_hardening},
+    {"kinematic hardening", MaterialLaw::kinematic_hardening},
+    {"combined hardening", MaterialLaw::combined_hardening},
+    {"nonlinear hardening", MaterialLaw::nonlinear_hardening}};
+
+
+
   /// The entries of the section "Material". Every list holds one value for all
   /// materials or one value per material id 0, 1, 2, ...
   struct MaterialParameters
   {
-    std::vector<std::string> laws             = {"isotropic hardening"};
-    std::vector<double>      young_moduli     = {200000.};
+    std::vector<MaterialLaw> laws         = {MaterialLaw::isotropic_hardening};
+    std::vector<double>      young_moduli = {200000.};
     std::vector<double>      poisson_ratios   = {0.3};
     std::vector<double>      yield_stresses   = {400.};
     std::vector<double>      isotropic_moduli = {2000.};

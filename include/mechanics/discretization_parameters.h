@@ -6,18 +6,18 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <string>
-
-#include "mechanics/solid_operator.h"
+#include "base/kinematics.h"
 
 namespace ElastoPlastic
 {
+  using namespace dealii;
+
   /// The entries of the section "Discretization", and the entry "Kinematics".
   struct DiscretizationParameters
   {
-    unsigned int degree               = 1;
-    std::string  volumetric_treatment = "standard";
-    std::string  kinematics           = "plane strain";
+    unsigned int        degree               = 1;
+    VolumetricTreatment volumetric_treatment = VolumetricTreatment::standard;
+    Kinematics          kinematics           = Kinematics::cartesian;
 
     void
     add_parameters(ParameterHandler &prm);

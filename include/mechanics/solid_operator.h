@@ -32,33 +32,6 @@ namespace ElastoPlastic
 
 
 
-  /// How the volumetric strain enters the stress (doc/theory.md, "Locking").
-  enum class VolumetricTreatment
-  {
-    standard, ///< tr(strain) point by point: Q1 then locks in plastic flow
-    b_bar     ///< its mean value over the cell
-  };
-
-
-
-  /// How strains follow from displacements. In plane stress, the volumetric
-  /// strain follows from the stress; so there is nothing to treat.
-  struct StrainModel
-  {
-    StrainModel(const VolumetricTreatment treatment,
-                const Kinematics          kinematics = Kinematics::cartesian)
-      : treatment(kinematics == Kinematics::plane_stress ?
-                    VolumetricTreatment::standard :
-                    treatment)
-      , kinematics(kinematics)
-    {}
-
-    VolumetricTreatment treatment;
-    Kinematics          kinematics;
-  };
-
-
-
   /// What is known at one quadrature point of a displacement field.
   struct PointResult
   {

@@ -7,19 +7,34 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/tria.h>
 
-#include <string>
-
+#include "base/enum_names.h"
 #include "mesh/boundary_names.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
+  /// How much of a half ball is computed with; see the entry "Part".
+  enum class HalfBallPart
+  {
+    full,
+    half,
+    quarter ///< in three dimensions only
+  };
+
+  template <>
+  inline const EnumNames<HalfBallPart> enum_names<HalfBallPart> = {
+    {"full", HalfBallPart::full},
+    {"half", HalfBallPart::half},
+    {"quarter", HalfBallPart::quarter}};
+
+
+
   /// The entries of the section "Geometry" that shape a half ball.
   struct HalfBallParameters
   {
-    double      radius = 1;
-    std::string part   = "full"; ///< or "half" or, in 3D, "quarter"
+    double       radius = 1;
+    HalfBallPart part   = HalfBallPart::full;
 
     /// Declare the entries in the current section.
     void

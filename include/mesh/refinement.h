@@ -8,20 +8,39 @@
 #include <deal.II/distributed/tria.h>
 #include <deal.II/lac/vector.h>
 
-#include <string>
+#include "base/enum_names.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
+  /// Which cells are refined from one mesh to the next; see the entry
+  /// "Strategy".
+  enum class RefinementStrategy
+  {
+    none,
+    global,
+    adaptive,
+    kelly
+  };
+
+  template <>
+  inline const EnumNames<RefinementStrategy> enum_names<RefinementStrategy> = {
+    {"none", RefinementStrategy::none},
+    {"global", RefinementStrategy::global},
+    {"adaptive", RefinementStrategy::adaptive},
+    {"Kelly", RefinementStrategy::kelly}};
+
+
+
   /// The entries of the section "Refinement".
   struct RefinementParameters
   {
-    std::string  strategy            = "adaptive";
-    unsigned int n_cycles            = 1;
-    unsigned int max_unknowns        = 0;
-    double       refinement_fraction = 0.3;
-    double       coarsening_fraction = 0.03;
+    RefinementStrategy strategy            = RefinementStrategy::adaptive;
+    unsigned int       n_cycles            = 1;
+    unsigned int       max_unknowns        = 0;
+    double             refinement_fraction = 0.3;
+    double             coarsening_fraction = 0.03;
     /// In a history: load steps from one mesh to the next; 0: one mesh.
     unsigned int adaptation_interval = 0;
 
@@ -29,7 +48,8 @@ namespace ElastoPlastic
     bool
     is_adaptive() const
     {
-      return strategy == "adaptive" || strategy == "Kelly";
+      return strategy == RefinementStrategy::adaptive ||
+             strategy == RefinementStrategy::kelly;
     }
 
     void

@@ -6,17 +6,33 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <string>
+#include "base/enum_names.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
+  /// What preconditions the Krylov method; see the entry "Type".
+  enum class Preconditioner
+  {
+    multigrid, ///< geometric
+    amg,       ///< algebraic
+    direct     ///< a factorisation
+  };
+
+  template <>
+  inline const EnumNames<Preconditioner> enum_names<Preconditioner> = {
+    {"multigrid", Preconditioner::multigrid},
+    {"AMG", Preconditioner::amg},
+    {"direct", Preconditioner::direct}};
+
+
+
   /// The entries of the section "Linear solver".
   struct LinearSolverParameters
   {
-    std::string  type               = "multigrid";
-    unsigned int maximum_iterations = 1000;
+    Preconditioner type               = Preconditioner::multigrid;
+    unsigned int   maximum_iterations = 1000;
 
     void
     add_parameters(ParameterHandler &prm);

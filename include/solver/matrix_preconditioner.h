@@ -34,14 +34,15 @@ namespace ElastoPlastic
 
 
 
-  /// The preconditioner that the entry 'Linear solver/Type' calls @p type: AMG,
-  /// or direct, which is a factorisation. @p near_null_space holds the rigid
-  /// body motions of the body, which algebraic multigrid must represent on its
-  /// coarse levels.
+  /// Algebraic multigrid. @p near_null_space holds the rigid body motions of
+  /// the body, which it must represent on its coarse levels.
   std::unique_ptr<MatrixPreconditioner>
-  make_matrix_preconditioner(
-    const std::string                               &type,
+  make_algebraic_multigrid(
     const std::vector<MatrixPreconditioner::Vector> &near_null_space);
+
+  /// A sparse factorisation.
+  std::unique_ptr<MatrixPreconditioner>
+  make_factorization();
 } // namespace ElastoPlastic
 
 #endif

@@ -61,7 +61,7 @@ namespace ElastoPlastic
                     " heights (rows x columns). An indenter needs at least " +
                     (dim == 2 ? "1 x 2." : "2 x 2."));
 
-      const double sign = (p.side_down == "light" ? -1 : 1);
+      const double sign = (p.side_down == SideDown::light ? -1 : 1);
       return std::make_unique<IndenterHeightMap<dim>>(heights,
                                                       sign * p.height_scale,
                                                       p.size);

@@ -91,8 +91,7 @@ namespace ElastoPlastic
         "Side down",
         p.side_down,
         "What touches first: the dark or the light parts of an image, the low "
-        "('dark') or the high ('light') values of a height matrix.",
-        Patterns::Selection("dark|light"));
+        "('dark') or the high ('light') values of a height matrix.");
     }
 
 

@@ -50,7 +50,7 @@ namespace ElastoPlastic
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
     if constexpr (dim == 2)
-      if (parameters.analysis == "contact with error bound")
+      if (parameters.analysis == Analysis::contact_with_error_bound)
         error_bound.emplace(this->parameters,
                             communicator,
                             boundary_conditions,
@@ -228,9 +228,10 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::output_results(const bool last_cycle)
   {
     const bool single_step = parameters.loading.is_single_step();
-    const bool last_step  = time_steps.next_time() == load_program.final_time();
-    const bool every_time = (parameters.output.fields == "every cycle");
-    if (parameters.output.fields == "never" ||
+    const bool last_step = time_steps.next_time() == load_program.final_time();
+    const bool every_time =
+      (parameters.output.fields == FieldOutputTimes::every_cycle);
+    if (parameters.output.fields == FieldOutputTimes::never ||
         (!last_cycle && !(every_time && single_step)) ||
         (!last_step && !every_time))
       return;

@@ -57,7 +57,7 @@ namespace ElastoPlastic
                                      result.time,
                                      cycle});
             result.estimated_error = bound;
-            if (parameters.refinement.strategy != "Kelly")
+            if (parameters.refinement.strategy != RefinementStrategy::kelly)
               error_indicators = of_cells;
             screen.remark(
               "The error of the stresses in equilibrium is at most " +

@@ -19,8 +19,7 @@ namespace ElastoPlastic
       fields,
       "When solution-*.vtu and surface-*.vtu are written: after "
       "every cycle (in a load history: after every step), after the last one "
-      "only, or never. The tables (.csv) are always written.",
-      Patterns::Selection("every cycle|last cycle|never"));
+      "only, or never. The tables (.csv) are always written.");
     prm.add_parameter(
       "Steps between checkpoints",
       checkpoint_interval,
@@ -34,8 +33,7 @@ namespace ElastoPlastic
       "What is printed. full: versions, one line per Newton "
       "step, times. summary: only the table of results, without "
       "anything that a clock or the number of processes could "
-      "change. quiet: nothing but errors.",
-      Patterns::Selection("full|summary|quiet"));
+      "change. quiet: nothing but errors.");
     prm.leave_subsection();
   }
 } // namespace ElastoPlastic

@@ -95,9 +95,7 @@ namespace ElastoPlastic
                       "contact with error bound: contact in one load step, in "
                       "plane strain or plane stress, with stresses in exact "
                       "equilibrium beside the displacement, and a guaranteed "
-                      "bound of the error that follows from both.",
-                      Patterns::Selection(
-                        "contact|limit load|contact with error bound"));
+                      "bound of the error that follows from both.");
     geometry.add_parameters(prm);
     boundary_conditions.add_parameters(prm);
     material.add_parameters(prm);
@@ -146,18 +144,19 @@ namespace ElastoPlastic
   Parameters::check() const
   {
     geometry.check(dimension);
-    if (dimension == 3 && discretization.kinematics != "plane strain")
+    if (dimension == 3 && discretization.kinematics != Kinematics::cartesian)
       throw InputError("Kinematics",
-                       discretization.kinematics,
+                       Patterns::Tools::to_string(discretization.kinematics),
                        "that is for two dimensions. Set 'Dimension = 2' for a "
                        "body of revolution or a sheet.");
-    if (discretization.kinematics == "plane stress" &&
-        discretization.volumetric_treatment != "standard")
+    if (discretization.kinematics == Kinematics::plane_stress &&
+        discretization.volumetric_treatment != VolumetricTreatment::standard)
       throw InputError("Discretization/Volumetric treatment",
-                       discretization.volumetric_treatment,
+                       Patterns::Tools::to_string(
+                         discretization.volumetric_treatment),
                        "in plane stress the volume can change freely, and "
                        "there is nothing that locks. Choose 'standard'.");
-    if (analysis != "contact")
+    if (analysis != Analysis::contact)
       check_equilibrium_method();
     material.check();
     indenter.check(dimension);
@@ -183,22 +182,24 @@ namespace ElastoPlastic
   void
   Parameters::check_equilibrium_method() const
   {
-    const std::string entry = "'Analysis = " + analysis + "'";
+    const std::string entry =
+      "'Analysis = " + Patterns::Tools::to_string(analysis) + "'";
     if (dimension == 3)
       throw InputError("Dimension", "3", entry + " is for two dimensions.");
-    if (discretization.kinematics == "axisymmetric")
+    if (discretization.kinematics == Kinematics::axisymmetric)
       throw InputError("Kinematics",
-                       discretization.kinematics,
+                       Patterns::Tools::to_string(discretization.kinematics),
                        entry + " is for plane strain and plane stress.");
-    if (analysis == "limit load" && indenter.type == "none")
+    if (analysis == Analysis::limit_load && indenter.type == "none")
       throw InputError("Indenter/Type",
                        "none",
                        entry +
                          " looks for the largest force of an indenter. "
                          "Choose one, for example strip punch.");
-    if (analysis == "contact with error bound" && !loading.is_single_step())
+    if (analysis == Analysis::contact_with_error_bound &&
+        !loading.is_single_step())
       throw InputError("Analysis",
-                       analysis,
+                       Patterns::Tools::to_string(analysis),
                        "the equilibrium method takes one step from the virgin "
                        "state. Set 'Loading/Number of steps = 1', without "
                        "'Loading/History'.");

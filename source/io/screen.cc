@@ -30,12 +30,12 @@ namespace ElastoPlastic
 
 
 
-  Screen::Screen(const MPI_Comm communicator, const std::string &verbosity)
+  Screen::Screen(const MPI_Comm communicator, const Verbosity verbosity)
     : full(std::cout,
-           verbosity == "full" &&
+           verbosity == Verbosity::full &&
              Utilities::MPI::this_mpi_process(communicator) == 0)
     , summary(std::cout,
-              verbosity == "summary" &&
+              verbosity == Verbosity::summary &&
                 Utilities::MPI::this_mpi_process(communicator) == 0)
     , warnings(std::cerr, Utilities::MPI::this_mpi_process(communicator) == 0)
   {

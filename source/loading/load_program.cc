@@ -88,8 +88,8 @@ namespace ElastoPlastic
   void
   LoadProgram::read_expression(const LoadingParameters &parameters)
   {
-    const bool        by_depth = (parameters.control == "depth");
-    const Control     control  = by_depth ? Control::depth : Control::force;
+    const Control     control  = parameters.control;
+    const bool        by_depth = (control == Control::depth);
     const std::string path     = by_depth ? "Loading/Depth" : "Loading/Force";
     const std::string text     = by_depth ? parameters.depth : parameters.force;
 

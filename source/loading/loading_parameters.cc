@@ -17,8 +17,7 @@ namespace ElastoPlastic
                       control,
                       "What drives the indenter. depth: 'Depth' is given, the "
                       "force is a result. force: 'Force' is given, the depth "
-                      "is a result.",
-                      Patterns::Selection("depth|force"));
+                      "is a result.");
     prm.add_parameter("Depth",
                       depth,
                       "delta: how far the indenter is pushed down from where "

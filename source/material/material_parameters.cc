@@ -14,10 +14,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    const std::string laws_to_choose_from =
-      "linear elastic|perfectly plastic|isotropic hardening|"
-      "kinematic hardening|combined hardening|nonlinear hardening";
-
     /// The value for the material @p id of a list that may hold one for all.
     template <typename T>
     const T &
@@ -41,16 +37,18 @@ namespace ElastoPlastic
     }
 
     bool
-    uses_isotropic_modulus(const std::string &law)
+    uses_isotropic_modulus(const MaterialLaw law)
     {
-      return law == "isotropic hardening" || law == "combined hardening" ||
-             law == "nonlinear hardening";
+      return law == MaterialLaw::isotropic_hardening ||
+             law == MaterialLaw::combined_hardening ||
+             law == MaterialLaw::nonlinear_hardening;
     }
 
     bool
-    uses_kinematic_modulus(const std::string &law)
+    uses_kinematic_modulus(const MaterialLaw law)
     {
-      return law == "kinematic hardening" || law == "combined hardening";
+      return law == MaterialLaw::kinematic_hardening ||
+             law == MaterialLaw::combined_hardening;
     }
   } // namespace
 
@@ -66,7 +64,7 @@ namespace ElastoPlastic
       "The material law. A list, here and in all entries of this section: one "
       "value for the whole body, or one value per material id 0, 1, 2, ... "
       "Laws with hardening read the moduli they need below.",
-      Patterns::List(Patterns::Selection(laws_to_choose_from), 1));
+      Patterns::List(*Patterns::Tools::Convert<MaterialLaw>::to_pattern(), 1));
     prm.add_parameter("Young's modulus",
                       young_moduli,
                       "E > 0. Unit: stress.",
@@ -290,9 +288,9 @@ namespace ElastoPlastic
   std::vector<BackStressLaw<double>>
   MaterialParameters::back_stresses(const unsigned int id) const
   {
-    const std::string &law = of_material(laws, id);
-    const double       H_k = of_material(kinematic_moduli, id);
-    if (law == "nonlinear hardening")
+    const MaterialLaw law = of_material(laws, id);
+    const double      H_k = of_material(kinematic_moduli, id);
+    if (law == MaterialLaw::nonlinear_hardening)
       return nonlinear_back_stresses(id);
     if (uses_kinematic_modulus(law) && H_k > 0)
       return {{2. / 3. * H_k, 0.}};
@@ -307,13 +305,13 @@ namespace ElastoPlastic
     std::vector<Material<double>> result;
     for (unsigned int id = 0; id < n_materials(); ++id)
       {
-        const std::string &law     = of_material(laws, id);
-        const double       E       = of_material(young_moduli, id);
-        const double       nu      = of_material(poisson_ratios, id);
-        const double       sigma_0 = law == "linear elastic" ?
-                                       std::numeric_limits<double>::infinity() :
-                                       of_material(yield_stresses, id);
-        const double       H =
+        const MaterialLaw law     = of_material(laws, id);
+        const double      E       = of_material(young_moduli, id);
+        const double      nu      = of_material(poisson_ratios, id);
+        const double      sigma_0 = law == MaterialLaw::linear_elastic ?
+                                      std::numeric_limits<double>::infinity() :
+                                      of_material(yield_stresses, id);
+        const double      H =
           uses_isotropic_modulus(law) ? of_material(isotropic_moduli, id) : 0.;
 
         Material<double> material;
@@ -323,7 +321,7 @@ namespace ElastoPlastic
         material.isotropic_modulus = 2. / 3. * H;
         for (const auto &back_stress : back_stresses(id))
           material.back_stresses.push_back(back_stress);
-        if (law == "nonlinear hardening")
+        if (law == MaterialLaw::nonlinear_hardening)
           {
             material.curves[0] =
               std::make_shared<HardeningCurve>(hardening_curve(id));

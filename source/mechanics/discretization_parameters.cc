@@ -17,8 +17,7 @@ namespace ElastoPlastic
       "thickness that bears no stress across; with 'Volumetric "
       "treatment = standard', it does not lock. axisymmetric: the half section x >= 0 of a "
       "body of revolution, y is its axis; forces and areas are "
-      "those of the whole body.",
-      Patterns::Selection("plane strain|plane stress|axisymmetric"));
+      "those of the whole body.");
     prm.enter_subsection("Discretization");
     prm.add_parameter("Polynomial degree",
                       degree,
@@ -31,8 +30,7 @@ namespace ElastoPlastic
       volumetric_treatment,
       "standard: full integration; linear elements then lock as soon as plastic "
       "flow dominates and show no limit load. B-bar: the volume change enters "
-      "by its mean over each cell, which does not lock.",
-      Patterns::Selection("standard|B-bar"));
+      "by its mean over each cell, which does not lock.");
     prm.leave_subsection();
   }
 
@@ -41,10 +39,6 @@ namespace ElastoPlastic
   StrainModel
   DiscretizationParameters::strain_model() const
   {
-    return {volumetric_treatment == "B-bar" ? VolumetricTreatment::b_bar :
-                                              VolumetricTreatment::standard,
-            kinematics == "axisymmetric" ? Kinematics::axisymmetric :
-            kinematics == "plane stress" ? Kinematics::plane_stress :
-                                           Kinematics::cartesian};
+    return {volumetric_treatment, kinematics};
   }
 } // namespace ElastoPlastic

@@ -31,12 +31,12 @@ namespace ElastoPlastic
     /// make up the part.
     template <int dim>
     unsigned int
-    n_wedges(const std::string &part)
+    n_wedges(const HalfBallPart part)
     {
       const unsigned int n_in_full = (dim == 2 ? 2 : 4);
-      return part == "full" ? n_in_full :
-             part == "half" ? n_in_full / 2 :
-                              n_in_full / 4;
+      return part == HalfBallPart::full ? n_in_full :
+             part == HalfBallPart::half ? n_in_full / 2 :
+                                          n_in_full / 4;
     }
 
 
@@ -111,8 +111,7 @@ namespace ElastoPlastic
       "Type half ball: how much of the half ball to compute with: all of it, "
       "the half with x >= 0 (its plane of symmetry x = 0 is the boundary "
       "'left'), or in three dimensions the quarter with x >= 0 and y >= 0 "
-      "('left', and y = 0 is 'front'). Forces and areas are those of the part.",
-      Patterns::Selection("full|half|quarter"));
+      "('left', and y = 0 is 'front'). Forces and areas are those of the part.");
   }
 
 
@@ -124,9 +123,9 @@ namespace ElastoPlastic
       throw InputError("Geometry/Radius",
                        Patterns::Tools::to_string(radius),
                        "it must be greater than 0.");
-    if (dim == 2 && part == "quarter")
+    if (dim == 2 && part == HalfBallPart::quarter)
       throw InputError("Geometry/Part",
-                       part,
+                       Patterns::Tools::to_string(part),
                        "in two dimensions there are only 'full' and 'half'.");
   }
 

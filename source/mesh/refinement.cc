@@ -20,8 +20,7 @@ namespace ElastoPlastic
                       "errors are refined, those with the smallest coarsened; "
                       "the errors are those that the analysis bounds, and for "
                       "'Analysis = contact', as for Kelly, estimated by the "
-                      "jumps of the strain.",
-                      Patterns::Selection("none|global|adaptive|Kelly"));
+                      "jumps of the strain.");
     prm.add_parameter("Number of cycles",
                       n_cycles,
                       "The number of meshes on which the problem is solved, "
@@ -63,7 +62,7 @@ namespace ElastoPlastic
   void
   RefinementParameters::check() const
   {
-    if (strategy == "none" && n_cycles > 1)
+    if (strategy == RefinementStrategy::none && n_cycles > 1)
       throw InputError("Refinement/Number of cycles",
                        std::to_string(n_cycles),
                        "'Refinement/Strategy = none' allows one cycle only. "
@@ -188,7 +187,7 @@ namespace ElastoPlastic
               const Vector<float>                       &error_indicators,
               parallel::distributed::Triangulation<dim> &triangulation)
     {
-      if (parameters.strategy == "global")
+      if (parameters.strategy == RefinementStrategy::global)
         triangulation.set_all_refine_flags();
       else
         parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(

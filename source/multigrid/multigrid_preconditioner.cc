@@ -40,9 +40,11 @@ namespace ElastoPlastic
 
     tangent.reinit(hierarchy.coarse_dof_handler(),
                    hierarchy.coarse_constraints());
-    preconditioner = make_matrix_preconditioner(
-      double_rhs.size() > largest_direct_system ? "AMG" : "direct",
-      rigid_body_modes(hierarchy.coarse_dof_handler(), double_rhs));
+    preconditioner =
+      double_rhs.size() > largest_direct_system ?
+        make_algebraic_multigrid(
+          rigid_body_modes(hierarchy.coarse_dof_handler(), double_rhs)) :
+        make_factorization();
   }
 
 

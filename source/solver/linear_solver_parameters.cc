@@ -16,8 +16,7 @@ namespace ElastoPlastic
       "recover). multigrid: geometric "
       "multigrid, without a matrix. AMG: algebraic multigrid for an assembled "
       "matrix, which knows the rigid body motions. direct: a sparse "
-      "factorisation of the matrix, for small problems.",
-      Patterns::Selection("multigrid|AMG|direct"));
+      "factorisation of the matrix, for small problems.");
     prm.add_parameter("Maximum number of iterations",
                       maximum_iterations,
                       "The steps allowed per linear system. "

@@ -100,11 +100,16 @@ namespace ElastoPlastic
 
 
   std::unique_ptr<MatrixPreconditioner>
-  make_matrix_preconditioner(const std::string         &type,
-                             const std::vector<Vector> &near_null_space)
+  make_algebraic_multigrid(const std::vector<Vector> &near_null_space)
   {
-    if (type == "direct")
-      return std::make_unique<Factorization>();
     return std::make_unique<AlgebraicMultigrid>(near_null_space);
+  }
+
+
+
+  std::unique_ptr<MatrixPreconditioner>
+  make_factorization()
+  {
+    return std::make_unique<Factorization>();
   }
 } // namespace ElastoPlastic
