@@ -27,8 +27,7 @@
 #include "mechanics/reactions.h"
 #include "mechanics/solid_operator.h"
 #include "mechanics/supports.h"
-#include "mesh/boundary_conditions.h"
-#include "mesh/geometry.h"
+#include "model/model.h"
 #include "solver/semismooth_newton.h"
 #include "solver/tangent_solver.h"
 
@@ -53,9 +52,11 @@ namespace ElastoPlastic
   {
   public:
     /// Builds the mesh and checks everything that can be checked before
-    /// anything is computed or written.
+    /// anything is computed or written. @p parameters say how the problem is
+    /// solved, and what is written. Both must outlive this object.
     /// @throws InputError
-    ElastoPlasticContact(const Parameters &parameters,
+    ElastoPlasticContact(const Model<dim> &model,
+                         const Parameters &parameters,
                          const MPI_Comm    communicator);
 
     /// Follows the load history, refines the mesh, and writes the results to
@@ -155,13 +156,10 @@ namespace ElastoPlastic
     void
     serialize_progress(Archive &archive, Statistics::Progress &progress);
 
-    /// Gap of the undeformed body, for the contact surface as it is.
-    GapFunction<dim>
-    make_gap_function() const;
-
-    // The problem as the user has described it.
-    const Parameters parameters;
-    const MPI_Comm   communicator;
+    // The problem, and how to solve it.
+    const Model<dim> &model;
+    const Parameters &parameters;
+    const MPI_Comm    communicator;
 
     // The load over time, the step under way, and how many meshes there have
     // been before the present one.
@@ -174,10 +172,8 @@ namespace ElastoPlastic
     mutable TimerOutput timer;
     FieldOutput<dim>    field_output;
 
-    // The body's shape and boundary conditions, and the indenter above it.
+    // The body, and the indenter above it.
     parallel::distributed::Triangulation<dim> triangulation;
-    const BoundaryNames                       boundary_names;
-    const BoundaryConditions<dim>             boundary_conditions;
     const GapFunction<dim>                    gap_function;
 
     // The finite element space; which of its unknowns are constrained or

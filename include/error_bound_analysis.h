@@ -13,6 +13,7 @@
 #include "io/parameters.h"
 #include "loading/load.h"
 #include "mesh/boundary_conditions.h"
+#include "model/model.h"
 
 namespace ElastoPlastic
 {
@@ -28,10 +29,10 @@ namespace ElastoPlastic
     /// All arguments must live as long as this object.
     /// @throws InputError if the materials are not what the equilibrium method
     /// can do.
-    ErrorBoundAnalysis(const Parameters            &parameters,
-                       const MPI_Comm               communicator,
-                       const BoundaryConditions<2> &boundary_conditions,
-                       const GapFunction<2>        &gap_function);
+    ErrorBoundAnalysis(const Model<2>       &model,
+                       const Parameters     &parameters,
+                       const MPI_Comm        communicator,
+                       const GapFunction<2> &gap_function);
 
     /// A solution of the displacement method on one mesh.
     struct Solution
@@ -70,12 +71,12 @@ namespace ElastoPlastic
     StressField
     equilibrate(const PlaneBody &body, const Load &load) const;
 
-    const Parameters            &parameters;
-    const MPI_Comm               communicator;
-    const BoundaryConditions<2> &boundary_conditions;
-    const GapFunction<2>        &gap_function;
-    std::optional<CsvFile>       table;
-    EquilibriumOutput            output;
+    const Model<2>        &model;
+    const Parameters      &parameters;
+    const MPI_Comm         communicator;
+    const GapFunction<2>  &gap_function;
+    std::optional<CsvFile> table;
+    EquilibriumOutput      output;
 
     // On the first rank: the problem on the last mesh, its two solutions, and
     // the parts of the bound.

@@ -12,7 +12,7 @@
 #include "io/equilibrium_output.h"
 #include "io/parameters.h"
 #include "io/screen.h"
-#include "mesh/boundary_conditions.h"
+#include "model/model.h"
 
 namespace ElastoPlastic
 {
@@ -27,8 +27,10 @@ namespace ElastoPlastic
   {
   public:
     /// Builds the mesh and checks what can be checked before anything is
-    /// computed. @throws InputError
-    LimitLoadAnalysis(const Parameters &parameters,
+    /// computed. @p model and @p parameters must outlive this object.
+    /// @throws InputError
+    LimitLoadAnalysis(const Model<2>   &model,
+                      const Parameters &parameters,
                       const MPI_Comm    communicator);
 
     /// Computes the bounds on all meshes, and writes limit_load.csv and the
@@ -65,17 +67,16 @@ namespace ElastoPlastic
     double
     upper_bound() const;
 
-    const Parameters parameters;
-    const MPI_Comm   communicator;
-    const bool       first_rank;
+    const Model<2>   &model;
+    const Parameters &parameters;
+    const MPI_Comm    communicator;
+    const bool        first_rank;
 
     Screen            screen;
     EquilibriumOutput output;
     unsigned int      cycle = 0;
 
     parallel::distributed::Triangulation<2> triangulation;
-    const BoundaryNames                     boundary_names;
-    const BoundaryConditions<2>             boundary_conditions;
     const GapFunction<2>                    gap_function;
 
     // On the first rank: the problem on the present mesh, and its solution.

@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include "io/parameters.h"
+#include "model/model.h"
 
 namespace ElastoPlastic
 {
@@ -17,8 +18,11 @@ namespace ElastoPlastic
   /// the largest force that is prescribed is compared with the bounds of the
   /// limit load; otherwise, nothing is done.
   /// @throws EquilibriumError if the force is not safe.
+  template <int dim>
   void
-  require_safe_load(const Parameters &parameters, const MPI_Comm communicator);
+  require_safe_load(const Model<dim> &model,
+                    const Parameters &parameters,
+                    const MPI_Comm    communicator);
 } // namespace ElastoPlastic
 
 #endif

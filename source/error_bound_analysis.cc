@@ -55,18 +55,17 @@ namespace ElastoPlastic
 
 
 
-  ErrorBoundAnalysis::ErrorBoundAnalysis(
-    const Parameters            &parameters,
-    const MPI_Comm               communicator,
-    const BoundaryConditions<2> &boundary_conditions,
-    const GapFunction<2>        &gap_function)
-    : parameters(parameters)
+  ErrorBoundAnalysis::ErrorBoundAnalysis(const Model<2>       &model,
+                                         const Parameters     &parameters,
+                                         const MPI_Comm        communicator,
+                                         const GapFunction<2> &gap_function)
+    : model(model)
+    , parameters(parameters)
     , communicator(communicator)
-    , boundary_conditions(boundary_conditions)
     , gap_function(gap_function)
     , output(parameters.output.directory, "equilibrium", "displacement")
   {
-    check_is_linear(parameters.material.materials());
+    check_is_linear(model.materials);
   }
 
 
@@ -97,9 +96,9 @@ namespace ElastoPlastic
       return gap_function.value(x);
     };
     body         = make_plane_body(make_split_mesh(triangulation),
-                           boundary_conditions,
-                           parameters.material.materials(),
-                           parameters.discretization.strain_model().kinematics,
+                           model.boundary_conditions,
+                           model.materials,
+                           model.strain_model.kinematics,
                            gap,
                            solution.time);
     displacement = interpolate_displacement(body.mesh,

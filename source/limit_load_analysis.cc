@@ -14,7 +14,6 @@
 #include "equilibrium/stress_check.h"
 #include "io/output_directory.h"
 #include "limit_load_analysis.h"
-#include "mesh/body_size.h"
 #include "mesh/material_ids.h"
 #include "mesh/refinement.h"
 
@@ -56,28 +55,24 @@ namespace ElastoPlastic
 
 
 
-  LimitLoadAnalysis::LimitLoadAnalysis(const Parameters &parameters,
+  LimitLoadAnalysis::LimitLoadAnalysis(const Model<2>   &model,
+                                       const Parameters &parameters,
                                        const MPI_Comm    communicator)
-    : parameters(parameters)
+    : model(model)
+    , parameters(parameters)
     , communicator(communicator)
     , first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
     , screen(communicator, parameters.output.screen)
     , output(parameters.output.directory, "limit_load", "velocity")
     , triangulation(communicator)
-    , boundary_names(make_mesh(parameters.geometry, triangulation))
-    , boundary_conditions(parameters.boundary_conditions, boundary_names)
-    , gap_function(parameters.indenter,
-                   highest_point(triangulation,
-                                 boundary_conditions.ids(
-                                   BoundaryConditionType::contact)))
+    , gap_function(make_mesh_and_place_indenter(model, triangulation))
   {
-    const auto materials = parameters.material.materials();
-    check_is_perfect(materials);
-    if (materials.size() > 1)
+    check_is_perfect(model.materials);
+    if (model.materials.size() > 1)
       throw_together(communicator, [&]() {
         for (const auto &cell : triangulation.active_cell_iterators())
           if (cell->is_locally_owned())
-            check_material_id(*cell, materials.size());
+            check_material_id(*cell, model.materials.size());
       });
   }
 
@@ -168,9 +163,9 @@ namespace ElastoPlastic
     const Timer timer;
     body = make_plane_body(
       make_split_mesh(triangulation),
-      boundary_conditions,
-      parameters.material.materials(),
-      parameters.discretization.strain_model().kinematics,
+      model.boundary_conditions,
+      model.materials,
+      model.strain_model.kinematics,
       [this](const Point<2> &x) { return gap_function.value(x); },
       0.);
 

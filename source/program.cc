@@ -10,6 +10,7 @@
 #include "io/command_line.h"
 #include "io/parameters.h"
 #include "limit_load_analysis.h"
+#include "make_model.h"
 #include "program.h"
 #include "safe_load.h"
 #include "version.h"
@@ -23,14 +24,15 @@ namespace
   solve_contact_problem(const CommandLine &command_line,
                         const Parameters  &parameters)
   {
-    ElastoPlasticContact<dim> problem(parameters, MPI_COMM_WORLD);
+    const Model<dim>          model = make_model<dim>(parameters);
+    ElastoPlasticContact<dim> problem(model, parameters, MPI_COMM_WORLD);
     if (command_line.task != CommandLine::Task::run)
       return;
     if (command_line.resume)
       problem.resume();
     else
       {
-        require_safe_load(parameters, MPI_COMM_WORLD);
+        require_safe_load(model, parameters, MPI_COMM_WORLD);
         problem.run(command_line.overwrite);
       }
   }
@@ -45,7 +47,8 @@ namespace
         "A limit load analysis has no load steps and keeps no "
         "checkpoints: there is nothing to resume. Leave out "
         "--resume.");
-    LimitLoadAnalysis analysis(parameters, MPI_COMM_WORLD);
+    const Model<2>    model = make_model<2>(parameters);
+    LimitLoadAnalysis analysis(model, parameters, MPI_COMM_WORLD);
     if (command_line.task == CommandLine::Task::run)
       analysis.run(command_line.overwrite);
   }

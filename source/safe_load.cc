@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <memory>
 
 #include "base/exceptions.h"
 #include "equilibrium/hencky_material.h"
 #include "limit_load_analysis.h"
-#include "loading/load_program.h"
 #include "safe_load.h"
 
 namespace ElastoPlastic
@@ -20,16 +18,16 @@ namespace ElastoPlastic
 
 
     bool
-    has_limit_load(const Parameters &parameters)
+    has_limit_load(const Model<2> &model)
     {
-      const auto materials = parameters.material.materials();
-      return parameters.dimension == 2 &&
-             parameters.discretization.kinematics != Kinematics::axisymmetric &&
-             parameters.indenter.type != "none" &&
-             parameters.boundary_conditions.traction.empty() &&
-             std::all_of(materials.begin(), materials.end(), is_perfect) &&
-             std::all_of(materials.begin(),
-                         materials.end(),
+      return model.strain_model.kinematics != Kinematics::axisymmetric &&
+             model.indenter.shape &&
+             model.boundary_conditions.tractions().empty() &&
+             std::all_of(model.materials.begin(),
+                         model.materials.end(),
+                         is_perfect) &&
+             std::all_of(model.materials.begin(),
+                         model.materials.end(),
                          HenckyMaterial::yields);
     }
 
@@ -37,12 +35,11 @@ namespace ElastoPlastic
 
     /// At the ends of the segments of the load history, and of its steps.
     double
-    largest_force(const LoadingParameters &parameters)
+    largest_force(const LoadProgram &program, const unsigned int n_steps)
     {
-      const LoadProgram   program(parameters);
       std::vector<double> times = program.segment_ends();
-      for (unsigned int step = 1; step < parameters.n_steps; ++step)
-        times.push_back(program.final_time() * step / parameters.n_steps);
+      for (unsigned int step = 1; step < n_steps; ++step)
+        times.push_back(program.final_time() * step / n_steps);
 
       double largest = 0;
       for (const double time : times)
@@ -53,40 +50,50 @@ namespace ElastoPlastic
         }
       return largest;
     }
-
-
-
-    std::unique_ptr<LimitLoadAnalysis>
-    make_analysis(Parameters parameters, const MPI_Comm communicator)
-    {
-      parameters.refinement                     = RefinementParameters();
-      parameters.refinement.refinement_fraction = 0.1;
-      while (true)
-        {
-          auto analysis =
-            std::make_unique<LimitLoadAnalysis>(parameters, communicator);
-          if (parameters.geometry.initial_refinements == 0 ||
-              analysis->n_cells() <= max_initial_cells)
-            return analysis;
-          --parameters.geometry.initial_refinements;
-        }
-    }
   } // namespace
 
 
 
   // A body from which the indenter cannot displace material has no limit load.
+  template <>
   void
-  require_safe_load(const Parameters &parameters, const MPI_Comm communicator)
+  require_safe_load(const Model<2>   &model,
+                    const Parameters &parameters,
+                    const MPI_Comm    communicator)
   {
-    const double force = largest_force(parameters.loading);
-    if (force <= 0 || !has_limit_load(parameters))
+    const double force =
+      largest_force(model.load_program, parameters.loading.n_steps);
+    if (force <= 0 || !has_limit_load(model))
       return;
+
+    Model<2>   coarse_model                      = model;
+    Parameters few_at_a_time                     = parameters;
+    few_at_a_time.refinement                     = RefinementParameters();
+    few_at_a_time.refinement.refinement_fraction = 0.1;
     try
       {
-        make_analysis(parameters, communicator)->require_safe(force);
+        while (true)
+          {
+            LimitLoadAnalysis  analysis(coarse_model,
+                                       few_at_a_time,
+                                       communicator);
+            const unsigned int n =
+              coarse_model.geometry.n_initial_refinements();
+            if (n == 0 || analysis.n_cells() <= max_initial_cells)
+              return analysis.require_safe(force);
+            coarse_model.geometry =
+              coarse_model.geometry.with_initial_refinements(n - 1);
+          }
       }
     catch (const ConvergenceError &)
       {}
   }
+
+
+
+  // Nothing is known in space.
+  template <>
+  void
+  require_safe_load(const Model<3> &, const Parameters &, const MPI_Comm)
+  {}
 } // namespace ElastoPlastic

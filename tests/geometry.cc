@@ -95,6 +95,17 @@ namespace
 
 
   template <int dim>
+  BoundaryNames
+  make_mesh(const GeometryParameters &parameters, Triangulation<dim> &mesh)
+  {
+    const Geometry<dim> geometry(parameters);
+    geometry.make_mesh(mesh);
+    return geometry.boundary_names();
+  }
+
+
+
+  template <int dim>
   void
   print_geometry(const std::string &title, const std::string &text)
   {

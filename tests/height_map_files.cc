@@ -12,6 +12,7 @@
 
 #include "base/exceptions.h"
 #include "contact/gap_function.h"
+#include "contact/indenter_library.h"
 
 #include <png.h>
 
@@ -72,7 +73,7 @@ void
 print_heights(const IndenterParameters &parameters)
 {
   parameters.check(3);
-  const GapFunction<3> gap(parameters, 0);
+  const GapFunction<3> gap(make_indenter<3>(parameters), 0);
 
   std::cout << "  " << parameters.file << ":";
   for (const double y : {1., -1.})
@@ -91,6 +92,10 @@ print_error(const IndenterParameters &parameters, const unsigned int dim = 3)
   try
     {
       parameters.check(dim);
+      if (dim == 2)
+        make_indenter<2>(parameters);
+      else
+        make_indenter<3>(parameters);
       std::cout << "  accepted" << std::endl;
     }
   catch (const InputError &error)
@@ -182,7 +187,7 @@ print_matrices()
   IndenterParameters profile = height_map("height matrix", "profile.txt");
   profile.size               = {4};
   profile.position           = {1};
-  const GapFunction<2> gap(profile, 0);
+  const GapFunction<2> gap(make_indenter<2>(profile), 0);
   std::cout << "  profile.txt:";
   for (const double x : {-1.1, -1., 0., 1., 2., 3., 3.1})
     std::cout << ' ' << gap.value(Point<2>(x, 0));

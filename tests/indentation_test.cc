@@ -12,8 +12,8 @@
 
 #include <cmath>
 
+#include "contact/indenter_library.h"
 #include "contact/modelled_part.h"
-#include "contact/tip_shape.h"
 #include "evaluation/indentation_test.h"
 #include "verdict.h"
 
@@ -55,7 +55,7 @@ namespace
     const double initial_gap = 0.3, largest_depth = 0.01;
     for (const double part : {1., 0.25})
       {
-        IndentationTest                test(make_tip_shape<3>(indenter(type)),
+        IndentationTest test(make_indenter<3>(indenter(type)).shape,
                              initial_gap,
                              part);
         std::optional<UnloadingResult> result;
@@ -158,7 +158,7 @@ namespace
         output() << " maximum at step " << result->maximum.step << ", exponent "
                  << result->law.exponent;
     };
-    IndentationTest test(make_tip_shape<2>(indenter("sphere")), 0., 1.);
+    IndentationTest test(make_indenter<2>(indenter("sphere")).shape, 0., 1.);
     unsigned int    n_points = 0;
     for (const auto &part : parts)
       for (const IndentationPoint &point : part)
@@ -205,14 +205,15 @@ namespace
   {
     const double h    = 0.1;
     const auto   area = [&](const IndenterParameters &parameters) {
-      return make_tip_shape<3>(parameters).section_area(h);
+      return make_indenter<3>(parameters).shape->section_area(h);
     };
     verify("section of the sphere",
            relative_error(area(indenter("sphere")), PI * h * (4. - h)),
            1e-12);
     verify("section of the same in two dimensions",
-           relative_error(make_tip_shape<2>(indenter("sphere")).section_area(h),
-                          PI * h * (4. - h)),
+           relative_error(
+             make_indenter<2>(indenter("sphere")).shape->section_area(h),
+             PI * h * (4. - h)),
            1e-12);
     auto punch        = indenter("rectangular punch");
     punch.half_widths = {1., 3.};

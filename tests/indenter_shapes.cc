@@ -11,6 +11,7 @@
 
 #include "base/exceptions.h"
 #include "contact/gap_function.h"
+#include "contact/indenter_library.h"
 
 using namespace ElastoPlastic;
 
@@ -34,7 +35,7 @@ print_profile(const std::string                 &name,
               const std::vector<Point<dim - 1>> &points)
 {
   parameters.check(dim);
-  const GapFunction<dim> gap(parameters, 0);
+  const GapFunction<dim> gap(make_indenter<dim>(parameters), 0);
 
   std::cout << "  " << name << ":";
   for (const auto &x : points)
@@ -85,7 +86,8 @@ void
 print_gap(const IndenterParameters &parameters, const Point<dim> &p)
 {
   parameters.check(dim);
-  const GapFunction<dim> gap(parameters, /* surface_height = */ 10);
+  const GapFunction<dim> gap(make_indenter<dim>(parameters),
+                             /* surface_height = */ 10);
   std::cout << "  " << gap.has_indenter() << ' ' << gap.value(p) << std::endl;
 }
 
@@ -97,6 +99,10 @@ print_error(const IndenterParameters &parameters, const unsigned int dim)
   try
     {
       parameters.check(dim);
+      if (dim == 2)
+        make_indenter<2>(parameters);
+      else
+        make_indenter<3>(parameters);
       std::cout << "  accepted" << std::endl;
     }
   catch (const InputError &error)
@@ -129,9 +135,11 @@ print_gaps()
   // R - sqrt(R^2 - r^2) would lose all digits here.
   IndenterParameters large = shape("sphere");
   large.radius             = 1e8;
-  std::cout << "Huge sphere: "
-            << GapFunction<3>(large, 0).value(Point<3>(0.6, 0.8, 0)) * 2e8
-            << std::endl;
+  std::cout
+    << "Huge sphere: "
+    << GapFunction<3>(make_indenter<3>(large), 0).value(Point<3>(0.6, 0.8, 0)) *
+         2e8
+    << std::endl;
 }
 
 

@@ -4,10 +4,7 @@
 #ifndef contact_gap_function_h
 #define contact_gap_function_h
 
-#include <memory>
-
 #include "contact/indenter.h"
-#include "contact/indenter_parameters.h"
 
 namespace ElastoPlastic
 {
@@ -17,13 +14,11 @@ namespace ElastoPlastic
   class GapFunction
   {
   public:
-    /// @param parameters must have passed their check. What is wrong in an
-    /// expression or a file that they name is an InputError.
-    /// @param surface_height is the last coordinate of the plane top surface.
-    GapFunction(const IndenterParameters &parameters,
-                const double              surface_height);
+    /// @param surface_height is the last coordinate of the highest point of
+    /// the contact surface.
+    GapFunction(const PlacedIndenter<dim> &indenter,
+                const double               surface_height);
 
-    /// False for the type "none".
     bool
     has_indenter() const;
 
@@ -38,10 +33,8 @@ namespace ElastoPlastic
     value(const Point<dim> &p) const;
 
   private:
-    const std::unique_ptr<const Indenter<dim>> indenter;
-    const Point<dim - 1>                       indenter_position;
-    const double                               reach;
-    const double                               tip_height;
+    const PlacedIndenter<dim> indenter;
+    const double              tip_height;
   };
 } // namespace ElastoPlastic
 

@@ -6,6 +6,10 @@
 
 #include <deal.II/base/point.h>
 
+#include <memory>
+
+#include "contact/tip_shape.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -15,16 +19,41 @@ namespace ElastoPlastic
   /// indenter stands and how far it is pushed is up to GapFunction and to the
   /// loading.
   template <int dim>
-  class Indenter
+  class Indenter : public TipShape
   {
   public:
-    virtual ~Indenter() = default;
-
     /// Height of the indenter's surface above its tip (or face) at the
     /// horizontal offset @p x from its position; +infinity where the indenter
     /// does not reach.
     virtual double
     profile(const Point<dim - 1> &x) const = 0;
+
+    /// 0.75, unless a shape knows better.
+    double
+    depth_factor() const override;
+
+    /// By quadrature over all directions (in two dimensions, of the body of
+    /// revolution), unless a shape knows better: sections are taken to be
+    /// star-shaped about the tip, and the profile to grow along each direction.
+    double
+    section_area(const double height) const override;
+  };
+
+
+
+  /// An indenter and where it stands.
+  template <int dim>
+  struct PlacedIndenter
+  {
+    /// Null if there is no indenter.
+    std::shared_ptr<const Indenter<dim>> shape;
+    /// Horizontal coordinates of the tip.
+    Point<dim - 1> position;
+    /// From the highest point of the contact surface up to the tip,
+    /// undisplaced.
+    double initial_gap = 0;
+    /// The horizontal distance from the tip up to which contact is looked for.
+    double reach = 0;
   };
 
 

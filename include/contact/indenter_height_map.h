@@ -34,6 +34,10 @@ namespace ElastoPlastic
     double
     profile(const Point<dim - 1> &x) const override;
 
+    /// 0: a surface has no single tip.
+    double
+    section_area(const double height) const override;
+
   private:
     const std::vector<double>                             size;
     const Functions::InterpolatedUniformGridData<dim - 1> interpolation;

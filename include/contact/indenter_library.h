@@ -4,7 +4,6 @@
 #ifndef contact_indenter_library_h
 #define contact_indenter_library_h
 
-#include <memory>
 #include <string>
 
 #include "contact/indenter.h"
@@ -16,11 +15,12 @@ namespace ElastoPlastic
   std::string
   indenter_types();
 
-  /// The indenter that the parameters describe, a null pointer for type
-  /// "none". The parameters must have passed their check. What is wrong in an
-  /// expression or a file that they name is an InputError.
+  /// The indenter that the parameters describe, without a shape for type
+  /// "none". The parameters must have passed their check. Reads the file that
+  /// they name, if any. @throws InputError for what is wrong in an expression
+  /// or a file, and for lists that do not fit the shape.
   template <int dim>
-  std::unique_ptr<Indenter<dim>>
+  PlacedIndenter<dim>
   make_indenter(const IndenterParameters &parameters);
 } // namespace ElastoPlastic
 

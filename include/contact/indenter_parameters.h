@@ -48,8 +48,14 @@ namespace ElastoPlastic
     void
     add_parameters(ParameterHandler &prm);
 
-    /// Throw InputError for the first value that is not allowed. What the
-    /// chosen shape reads (expression, file) is tried out as well.
+    bool
+    is_present() const
+    {
+      return type != "none";
+    }
+
+    /// What concerns all shapes; the rest shows when make_indenter() reads it.
+    /// @throws InputError for the first value that is not allowed.
     void
     check(const unsigned int dim) const;
   };

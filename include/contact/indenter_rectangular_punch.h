@@ -21,6 +21,9 @@ namespace ElastoPlastic
     double
     profile(const Point<dim - 1> &x) const override;
 
+    double
+    depth_factor() const override;
+
   private:
     const std::vector<double> half_widths;
   };

@@ -11,7 +11,12 @@ namespace ElastoPlastic
   /// Half of a symmetric profile: the height above the tip as a function of
   /// the distance r >= 0 from the axis or plane of symmetry; +infinity beyond
   /// the edge. IndenterSymmetric turns a section into a body.
-  using Section = std::function<double(const double r)>;
+  struct Section
+  {
+    std::function<double(const double r)> profile;
+    /// TipShape::depth_factor().
+    double depth_factor = 0.75;
+  };
 
   namespace Sections
   {

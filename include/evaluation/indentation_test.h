@@ -4,6 +4,7 @@
 #ifndef evaluation_indentation_test_h
 #define evaluation_indentation_test_h
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -74,9 +75,9 @@ namespace ElastoPlastic
     /// @param initial_gap between tip and body at the depth zero.
     /// @param modelled_part of the indenter's surroundings, such as 1/4 in a
     /// quarter model; see modelled_part().
-    IndentationTest(const TipShape &tip,
-                    const double    initial_gap,
-                    const double    modelled_part);
+    IndentationTest(const std::shared_ptr<const TipShape> &tip,
+                    const double                           initial_gap,
+                    const double                           modelled_part);
 
     /// Adds the end of the next step. @return the result of an unloading as
     /// soon as all steps for its fit are there: when the force has fallen below
@@ -121,9 +122,9 @@ namespace ElastoPlastic
     std::optional<UnloadingResult>
     evaluate();
 
-    TipShape tip;
-    double   initial_gap;
-    double   modelled_part;
+    std::shared_ptr<const TipShape> tip;
+    double                          initial_gap;
+    double                          modelled_part;
 
     Progress memory;
   };

@@ -6,7 +6,7 @@
 
 #include <array>
 #include <map>
-#include <optional>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,9 +34,9 @@ namespace ElastoPlastic
   class BoundaryConditions
   {
   public:
-    /// One expression per component; nothing where a component of the
-    /// displacement is free.
-    using Components = std::array<std::optional<Expression<dim>>, dim>;
+    /// One expression per component; null where a component of the displacement
+    /// is free.
+    using Components = std::array<std::shared_ptr<const Expression<dim>>, dim>;
 
     /// @throws InputError if the entries do not fit @p names: a name that there
     /// is not, a boundary without a condition or with two, a number of

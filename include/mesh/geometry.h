@@ -7,6 +7,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/tria.h>
 
+#include <memory>
 #include <string>
 
 #include "mesh/boundary_names.h"
@@ -40,23 +41,52 @@ namespace ElastoPlastic
     check(const unsigned int dim) const;
   };
 
-  /// Fill the empty @p triangulation, serial or distributed, with the mesh of
-  /// the body: coarse mesh, manifolds, boundary ids, material ids and the
-  /// initial and local refinements.
-  ///
-  /// The material id of a cell is the value of the expression at its centre on
-  /// the mesh after the initial refinements, rounded; later refinement
-  /// inherits it. The rule stays connected to the triangulation, so that it
-  /// survives coarsening, repartitioning and loading from a checkpoint. Without
-  /// an expression it is 0, or what the mesh file says.
-  ///
-  /// Before Triangulation::load() call coarsen_to_coarse_mesh().
-  ///
-  /// Collective; errors are thrown on all ranks.
+
+
+  /// The body: its coarse mesh with manifolds and boundary ids, what its
+  /// boundaries are called, and how it is refined for the first computation.
+  /// Meshes are made from it as often as they are needed.
   template <int dim>
-  BoundaryNames
-  make_mesh(const GeometryParameters &parameters,
-            Triangulation<dim>       &triangulation);
+  class Geometry
+  {
+  public:
+    /// @p parameters must have passed their check. Reads the mesh file that
+    /// they name, if any. @throws InputError
+    explicit Geometry(const GeometryParameters &parameters);
+
+    const BoundaryNames &
+    boundary_names() const;
+
+    unsigned int
+    n_initial_refinements() const;
+
+    /// The same body with fewer or more initial refinements.
+    Geometry
+    with_initial_refinements(const unsigned int n) const;
+
+    /// Fills the empty @p triangulation, serial or distributed, with the mesh
+    /// of the body: coarse mesh, manifolds, boundary ids, material ids and the
+    /// initial and local refinements.
+    ///
+    /// The material id of a cell is the value of the expression at its centre
+    /// on the mesh after the initial refinements, rounded; later refinement
+    /// inherits it. The rule stays connected to the triangulation, so that it
+    /// survives coarsening, repartitioning and loading from a checkpoint.
+    /// Without an expression it is 0, or what the mesh file says.
+    ///
+    /// Before Triangulation::load() call coarsen_to_coarse_mesh().
+    ///
+    /// Collective; errors are thrown on all ranks.
+    void
+    make_mesh(Triangulation<dim> &triangulation) const;
+
+  private:
+    GeometryParameters                        parameters;
+    std::shared_ptr<const Triangulation<dim>> coarse_mesh;
+    BoundaryNames                             names;
+  };
+
+
 
   /// Undoes all refinements.
   template <int dim>

@@ -4,36 +4,14 @@
 #include <limits>
 
 #include "contact/gap_function.h"
-#include "contact/indenter_library.h"
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-
-
-
-    template <int n_coordinates>
-    Point<n_coordinates>
-    to_point(const std::vector<double> &coordinates)
-    {
-      Point<n_coordinates> point;
-      for (unsigned int d = 0; d < coordinates.size(); ++d)
-        point[d] = coordinates[d];
-      return point;
-    }
-  } // namespace
-
-
-
   template <int dim>
-  GapFunction<dim>::GapFunction(const IndenterParameters &parameters,
-                                const double              surface_height)
-    : indenter(make_indenter<dim>(parameters))
-    , indenter_position(to_point<dim - 1>(parameters.position))
-    , reach(parameters.reach > 0 ? parameters.reach : infinity)
-    , tip_height(surface_height + parameters.initial_gap)
+  GapFunction<dim>::GapFunction(const PlacedIndenter<dim> &indenter,
+                                const double               surface_height)
+    : indenter(indenter)
+    , tip_height(surface_height + indenter.initial_gap)
   {}
 
 
@@ -42,7 +20,7 @@ namespace ElastoPlastic
   bool
   GapFunction<dim>::has_indenter() const
   {
-    return indenter != nullptr;
+    return indenter.shape != nullptr;
   }
 
 
@@ -51,7 +29,7 @@ namespace ElastoPlastic
   const Point<dim - 1> &
   GapFunction<dim>::position() const
   {
-    return indenter_position;
+    return indenter.position;
   }
 
 
@@ -62,11 +40,11 @@ namespace ElastoPlastic
   {
     Point<dim - 1> offset;
     for (unsigned int d = 0; d < dim - 1; ++d)
-      offset[d] = p[d] - indenter_position[d];
+      offset[d] = p[d] - indenter.position[d];
 
-    if (!has_indenter() || !within(offset.norm(), reach))
-      return infinity;
-    return indenter->profile(offset) + tip_height - p[dim - 1];
+    if (!has_indenter() || !within(offset.norm(), indenter.reach))
+      return std::numeric_limits<double>::infinity();
+    return indenter.shape->profile(offset) + tip_height - p[dim - 1];
   }
 
 

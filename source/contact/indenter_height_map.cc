@@ -88,6 +88,15 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  double
+  IndenterHeightMap<dim>::section_area(const double) const
+  {
+    return 0.;
+  }
+
+
+
   template class IndenterHeightMap<2>;
   template class IndenterHeightMap<3>;
 } // namespace ElastoPlastic

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/exceptions.h>
+#include <deal.II/base/patterns.h>
 
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include "base/exceptions.h"
 #include "contact/decode_image.h"
 #include "contact/decode_matrix.h"
 #include "contact/indenter_expression.h"
@@ -21,6 +23,31 @@ namespace ElastoPlastic
   {
     template <int dim>
     using Pointer = std::unique_ptr<Indenter<dim>>;
+
+
+
+    /// @throws InputError if the list is not of the length that a shape needs.
+    void
+    require_length(const std::string         &entry,
+                   const std::vector<double> &values,
+                   const unsigned int         length,
+                   const std::string         &remedy)
+    {
+      if (values.size() != length)
+        throw InputError("Indenter/" + entry,
+                         Patterns::Tools::to_string(values),
+                         remedy);
+    }
+
+
+
+    template <int dim>
+    std::string
+    one_per_direction(const std::string &what)
+    {
+      return "in " + std::to_string(dim) + " dimensions " + what +
+             " per horizontal direction (" + (dim == 2 ? "x" : "x, y") + ").";
+    }
 
 
 
@@ -50,6 +77,11 @@ namespace ElastoPlastic
       const IndenterParameters                                  &p,
       const std::function<Table<2, double>(const HeightFile &)> &decode)
     {
+      require_length("Size",
+                     p.size,
+                     dim - 1,
+                     one_per_direction<dim>(
+                       "an image or a height matrix needs one extent"));
       const HeightFile       file("Indenter/File", p.file);
       const Table<2, double> heights = decode(file);
       if (dim == 2 && heights.n_rows() != 1)
@@ -65,6 +97,33 @@ namespace ElastoPlastic
       return std::make_unique<IndenterHeightMap<dim>>(heights,
                                                       sign * p.height_scale,
                                                       p.size);
+    }
+
+
+
+    template <int dim>
+    Pointer<dim>
+    strip_punch(const IndenterParameters &p)
+    {
+      require_length("Half width",
+                     p.half_widths,
+                     1,
+                     "a strip punch has a single half width, that along x.");
+      return extrude<dim>(Sections::face(p.half_widths.front()));
+    }
+
+
+
+    template <int dim>
+    Pointer<dim>
+    rectangular_punch(const IndenterParameters &p)
+    {
+      require_length("Half width",
+                     p.half_widths,
+                     dim - 1,
+                     one_per_direction<dim>(
+                       "a rectangular punch needs one half width"));
+      return std::make_unique<IndenterRectangularPunch<dim>>(p.half_widths);
     }
 
 
@@ -94,8 +153,8 @@ namespace ElastoPlastic
         {"cone",              [](const P &p) { return revolve<dim>(flank(p.semi_apex_angle)); }},
         {"wedge",             [](const P &p) { return extrude<dim>(flank(p.semi_apex_angle)); }},
         {"circular punch",    [](const P &p) { return revolve<dim>(face(p.radius)); }},
-        {"strip punch",       [](const P &p) { return extrude<dim>(face(p.half_widths.front())); }},
-        {"rectangular punch", [](const P &p) { return std::make_unique<IndenterRectangularPunch<dim>>(p.half_widths); }},
+        {"strip punch",       strip_punch<dim>},
+        {"rectangular punch", rectangular_punch<dim>},
         {"expression",        [](const P &p) { return std::make_unique<IndenterExpression<dim>>("Indenter/Expression", p.expression); }},
         {"image",             [](const P &p) { return height_map<dim>(p, decode_image); }},
         {"height matrix",     [](const P &p) { return height_map<dim>(p, decode_matrix); }},
@@ -119,20 +178,26 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  std::unique_ptr<Indenter<dim>>
+  PlacedIndenter<dim>
   make_indenter(const IndenterParameters &parameters)
   {
+    PlacedIndenter<dim> indenter;
     for (const auto &[name, make] : shapes<dim>())
       if (name == parameters.type)
-        return make(parameters);
-    AssertThrow(false, ExcInternalError());
-    return nullptr;
+        indenter.shape = make(parameters);
+    for (unsigned int d = 0; d < parameters.position.size(); ++d)
+      indenter.position[d] = parameters.position[d];
+    indenter.initial_gap = parameters.initial_gap;
+    indenter.reach       = parameters.reach > 0 ?
+                             parameters.reach :
+                             std::numeric_limits<double>::infinity();
+    return indenter;
   }
 
 
 
-  template std::unique_ptr<Indenter<2>>
+  template PlacedIndenter<2>
   make_indenter(const IndenterParameters &);
-  template std::unique_ptr<Indenter<3>>
+  template PlacedIndenter<3>
   make_indenter(const IndenterParameters &);
 } // namespace ElastoPlastic

@@ -141,41 +141,6 @@ namespace ElastoPlastic
         return value > 0;
       });
     }
-
-
-
-    void
-    check_list_lengths(const IndenterParameters &p, const unsigned int dim)
-    {
-      const unsigned int n_horizontal = dim - 1;
-      const std::string  directions   = (dim == 2 ? "x" : "x, y");
-
-      require(p.position.empty() || p.position.size() == n_horizontal,
-              "Position",
-              p.position,
-              "in " + std::to_string(dim) + " dimensions it must be empty or " +
-                "hold one coordinate per horizontal direction (" + directions +
-                ").");
-      if (p.type == "strip punch")
-        require(p.half_widths.size() == 1,
-                "Half width",
-                p.half_widths,
-                "a strip punch has a single half width, that along x.");
-      if (p.type == "rectangular punch")
-        require(p.half_widths.size() == n_horizontal,
-                "Half width",
-                p.half_widths,
-                "in " + std::to_string(dim) + " dimensions a rectangular " +
-                  "punch needs one half width per horizontal direction (" +
-                  directions + ").");
-      if (p.type == "image" || p.type == "height matrix")
-        require(p.size.size() == n_horizontal,
-                "Size",
-                p.size,
-                "in " + std::to_string(dim) + " dimensions an image or a " +
-                  "height matrix needs one extent per horizontal direction (" +
-                  directions + ").");
-    }
   } // namespace
 
 
@@ -220,12 +185,11 @@ namespace ElastoPlastic
             "Reach",
             reach,
             "it must not be negative; 0 stands for as far as the shape goes.");
-    check_list_lengths(*this, dim);
-
-    // An expression or a file shows what is wrong with it only when it is read.
-    if (dim == 2)
-      make_indenter<2>(*this);
-    else
-      make_indenter<3>(*this);
+    require(position.empty() || position.size() == dim - 1,
+            "Position",
+            position,
+            "in " + std::to_string(dim) + " dimensions it must be empty or " +
+              "hold one coordinate per horizontal direction (" +
+              (dim == 2 ? "x" : "x, y") + ").");
   }
 } // namespace ElastoPlastic

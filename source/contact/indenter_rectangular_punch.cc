@@ -32,6 +32,15 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  double
+  IndenterRectangularPunch<dim>::depth_factor() const
+  {
+    return 1.;
+  }
+
+
+
   template class IndenterRectangularPunch<2>;
   template class IndenterRectangularPunch<3>;
 } // namespace ElastoPlastic

@@ -20,8 +20,17 @@ namespace ElastoPlastic
   double
   IndenterSymmetric<dim>::profile(const Point<dim - 1> &x) const
   {
-    return section(symmetry == Symmetry::revolution ? x.norm() :
-                                                      std::abs(x[0]));
+    return section.profile(symmetry == Symmetry::revolution ? x.norm() :
+                                                              std::abs(x[0]));
+  }
+
+
+
+  template <int dim>
+  double
+  IndenterSymmetric<dim>::depth_factor() const
+  {
+    return section.depth_factor;
   }
 
 

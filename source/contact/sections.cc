@@ -21,13 +21,13 @@ namespace ElastoPlastic
     Section
     circle(const double radius)
     {
-      return [radius](const double r) {
+      return {[radius](const double r) {
         if (!within(r, radius))
           return infinity;
         const double cosine_leg =
           std::sqrt(std::max(0., (radius - r) * (radius + r)));
         return r * r / (radius + cosine_leg);
-      };
+      }};
     }
 
 
@@ -35,9 +35,9 @@ namespace ElastoPlastic
     Section
     parabola(const double radius_of_curvature)
     {
-      return [radius_of_curvature](const double r) {
+      return {[radius_of_curvature](const double r) {
         return r * r / (2 * radius_of_curvature);
-      };
+      }};
     }
 
 
@@ -46,9 +46,8 @@ namespace ElastoPlastic
     flank(const double semi_apex_angle)
     {
       const double slope = 1 / std::tan(semi_apex_angle * numbers::PI / 180);
-      return [slope](const double r) {
-        return slope * r;
-      };
+      return {[slope](const double r) { return slope * r; },
+              2. - 4. / numbers::PI};
     }
 
 
@@ -56,9 +55,10 @@ namespace ElastoPlastic
     Section
     face(const double half_width)
     {
-      return [half_width](const double r) {
-        return within(r, half_width) ? 0. : infinity;
-      };
+      return {[half_width](const double r) {
+                return within(r, half_width) ? 0. : infinity;
+              },
+              1.};
     }
   } // namespace Sections
 } // namespace ElastoPlastic

@@ -8,7 +8,6 @@
 #include "base/termination.h"
 #include "elasto_plastic_contact.h"
 #include "io/output_directory.h"
-#include "mesh/body_size.h"
 
 namespace ElastoPlastic
 {
@@ -17,11 +16,13 @@ namespace ElastoPlastic
   // Whatever is wrong with the input shows up here, before the first result is
   // written.
   template <int dim>
-  ElastoPlasticContact<dim>::ElastoPlasticContact(const Parameters &parameters,
+  ElastoPlasticContact<dim>::ElastoPlasticContact(const Model<dim> &model,
+                                                  const Parameters &parameters,
                                                   const MPI_Comm communicator)
-    : parameters(parameters)
+    : model(model)
+    , parameters(parameters)
     , communicator(communicator)
-    , load_program(parameters.loading)
+    , load_program(model.load_program)
     , time_steps(load_program.segment_ends(),
                  parameters.loading.n_steps,
                  parameters.loading.is_single_step() ?
@@ -31,47 +32,30 @@ namespace ElastoPlastic
     , timer(screen.full_stream(), TimerOutput::never, TimerOutput::wall_times)
     , field_output(parameters.output.directory)
     , triangulation(communicator)
-    , boundary_names(make_mesh(parameters.geometry, triangulation))
-    , boundary_conditions(parameters.boundary_conditions, boundary_names)
-    , gap_function(make_gap_function())
-    , fe(FE_Q<dim>(parameters.discretization.degree), dim)
+    , gap_function(make_mesh_and_place_indenter(model, triangulation))
+    , fe(FE_Q<dim>(model.degree), dim)
     , dof_handler(triangulation)
-    , supports(parameters.discretization.strain_model().kinematics)
-    , solid(make_solid_operator<dim>(parameters.discretization.degree,
-                                     parameters.discretization.strain_model(),
-                                     parameters.material.materials()))
+    , supports(model.strain_model.kinematics)
+    , solid(make_solid_operator<dim>(model.degree,
+                                     model.strain_model,
+                                     model.materials))
     , reactions(dof_handler,
-                boundary_names,
-                boundary_conditions,
+                model.geometry.boundary_names(),
+                model.boundary_conditions,
                 supports,
-                parameters.discretization.strain_model().kinematics)
+                model.strain_model.kinematics)
     , contact([this](const Point<dim> &x) { return gap_function.value(x); },
-              parameters.discretization.strain_model().kinematics)
+              model.strain_model.kinematics)
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
     if constexpr (dim == 2)
       if (parameters.analysis == Analysis::contact_with_error_bound)
-        error_bound.emplace(this->parameters,
-                            communicator,
-                            boundary_conditions,
-                            gap_function);
+        error_bound.emplace(model, parameters, communicator, gap_function);
     setup_body();
     setup_contact();
     check_supports();
     check_reach();
     check_size();
-  }
-
-
-
-  template <int dim>
-  GapFunction<dim>
-  ElastoPlasticContact<dim>::make_gap_function() const
-  {
-    return GapFunction<dim>(parameters.indenter,
-                            highest_point(triangulation,
-                                          boundary_conditions.ids(
-                                            BoundaryConditionType::contact)));
   }
 
 
@@ -182,7 +166,7 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::give_up(const ConvergenceError &error) const
   {
-    const auto materials = parameters.material.materials();
+    const auto &materials = model.materials;
     if (contact.force() <= last_step.force ||
         std::none_of(materials.begin(), materials.end(), has_limit))
       throw error;
@@ -238,17 +222,17 @@ namespace ElastoPlastic
 
     const unsigned int number = single_step ? cycle : time_steps.number();
     TimerOutput::Scope scope(timer, "Output");
-    field_output.write({dof_handler,
-                        supports.constraints(),
-                        *solid,
-                        contact,
-                        boundary_conditions.ids(BoundaryConditionType::contact),
-                        displacement,
-                        residual,
-                        error_indicators},
-                       every_time ? Utilities::int_to_string(number, 3) :
-                                    "last",
-                       single_step ? cycle : time_steps.next_time());
+    field_output.write(
+      {dof_handler,
+       supports.constraints(),
+       *solid,
+       contact,
+       model.boundary_conditions.ids(BoundaryConditionType::contact),
+       displacement,
+       residual,
+       error_indicators},
+      every_time ? Utilities::int_to_string(number, 3) : "last",
+      single_step ? cycle : time_steps.next_time());
     if (error_bound)
       error_bound->write_fields(cycle);
   }

@@ -19,8 +19,8 @@ namespace ElastoPlastic
     compute_external_forces(loads,
                             dof_handler,
                             supports.hanging_nodes(),
-                            boundary_conditions,
-                            parameters.discretization.strain_model().kinematics,
+                            model.boundary_conditions,
+                            model.strain_model.kinematics,
                             time_steps.next_time());
     for (const unsigned int i : contact.active_entries())
       loads.local_element(i) -= residual.local_element(i);
@@ -36,18 +36,17 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::make_indentation_test() const
   {
     const bool is_plane =
-      dim == 2 && parameters.discretization.strain_model().kinematics !=
-                    Kinematics::axisymmetric;
+      dim == 2 && model.strain_model.kinematics != Kinematics::axisymmetric;
     if (!gap_function.has_indenter() || is_plane)
       return {};
-    const double part =
-      modelled_part(triangulation,
-                    boundary_conditions.ids(BoundaryConditionType::contact),
-                    gap_function.position());
+    const double part = modelled_part(triangulation,
+                                      model.boundary_conditions.ids(
+                                        BoundaryConditionType::contact),
+                                      gap_function.position());
     if (part == 0.)
       return {}; // the indenter's axis does not meet the body
-    return IndentationTest(make_tip_shape<dim>(parameters.indenter),
-                           parameters.indenter.initial_gap,
+    return IndentationTest(model.indenter.shape,
+                           model.indenter.initial_gap,
                            part);
   }
 

@@ -12,12 +12,12 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::apply_load()
   {
     const double time = time_steps.next_time();
-    supports.set_time(dof_handler, boundary_conditions, time);
+    supports.set_time(dof_handler, model.boundary_conditions, time);
     compute_external_forces(external_forces,
                             dof_handler,
                             supports.constraints(),
-                            boundary_conditions,
-                            parameters.discretization.strain_model().kinematics,
+                            model.boundary_conditions,
+                            model.strain_model.kinematics,
                             time);
     contact.set_load(load_program.load(time));
   }

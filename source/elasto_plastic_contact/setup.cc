@@ -20,7 +20,9 @@ namespace ElastoPlastic
     TimerOutput::Scope scope(timer, "Setup");
 
     dof_handler.distribute_dofs(fe);
-    supports.reinit(dof_handler, boundary_conditions, time_steps.next_time());
+    supports.reinit(dof_handler,
+                    model.boundary_conditions,
+                    time_steps.next_time());
     solid->reinit(dof_handler, supports.constraints());
     solid->initialize_vector(displacement);
   }
@@ -38,21 +40,21 @@ namespace ElastoPlastic
     solid->initialize_vector(external_forces);
     contact.reinit(dof_handler,
                    supports.constraints(),
-                   boundary_conditions.ids(BoundaryConditionType::contact),
+                   model.boundary_conditions.ids(
+                     BoundaryConditionType::contact),
                    supports.fixed_dofs(),
                    residual);
     apply_load();
 
-    tangent_solver =
-      make_tangent_solver(parameters.linear_solver,
-                          dof_handler,
-                          supports.constraints(),
-                          boundary_conditions,
-                          parameters.discretization.strain_model(),
-                          residual,
-                          [this](const std::string &warning) {
-                            screen.warn(warning);
-                          });
+    tangent_solver = make_tangent_solver(parameters.linear_solver,
+                                         dof_handler,
+                                         supports.constraints(),
+                                         model.boundary_conditions,
+                                         model.strain_model,
+                                         residual,
+                                         [this](const std::string &warning) {
+                                           screen.warn(warning);
+                                         });
     error_indicators.reinit(triangulation.n_active_cells());
   }
 
@@ -69,8 +71,7 @@ namespace ElastoPlastic
     solid->initialize_vector(held);
     supports.set_fixed_entries(held, 1.);
     contact.set_candidate_entries(held, 1.);
-    if (parameters.discretization.strain_model().kinematics ==
-        Kinematics::axisymmetric)
+    if (model.strain_model.kinematics == Kinematics::axisymmetric)
       for (const auto dof : DoFTools::extract_dofs(
              dof_handler, ComponentMask(std::vector<bool>{true, false})))
         held(dof) = 1.; // rings resist all but the vertical motion

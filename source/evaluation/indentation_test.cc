@@ -29,9 +29,9 @@ namespace ElastoPlastic
 
 
 
-  IndentationTest::IndentationTest(const TipShape &tip,
-                                   const double    initial_gap,
-                                   const double    modelled_part)
+  IndentationTest::IndentationTest(const std::shared_ptr<const TipShape> &tip,
+                                   const double initial_gap,
+                                   const double modelled_part)
     : tip(tip)
     , initial_gap(initial_gap)
     , modelled_part(modelled_part)
@@ -95,12 +95,12 @@ namespace ElastoPlastic
     result.modelled_part = modelled_part;
     result.contact_depth =
       result.maximum.depth - initial_gap -
-      tip.depth_factor * result.maximum.force / result.stiffness;
+      tip->depth_factor() * result.maximum.force / result.stiffness;
     const double fit_error = 1e-6 * result.maximum.depth;
     if (result.contact_depth > -fit_error)
       result.tip_area =
         modelled_part *
-        tip.section_area(std::max(result.contact_depth, fit_error));
+        tip->section_area(std::max(result.contact_depth, fit_error));
     return result;
   }
 } // namespace ElastoPlastic

@@ -164,12 +164,12 @@ namespace ElastoPlastic
     newton.check();
 
     const bool has_contact_boundary = !boundary_conditions.contact.empty();
-    if (indenter.type == "none" && has_contact_boundary)
+    if (!indenter.is_present() && has_contact_boundary)
       throw InputError(
         "The entry 'Boundary conditions/Contact' names a boundary, but "
         "'Indenter/Type' is 'none'. Choose an indenter, or give the boundary "
         "another condition, for example free.");
-    if (indenter.type != "none" && !has_contact_boundary)
+    if (indenter.is_present() && !has_contact_boundary)
       throw InputError(
         "There is an indenter ('Indenter/Type = " + indenter.type +
         "'), but 'Boundary conditions/Contact' is empty. Name "
@@ -190,7 +190,7 @@ namespace ElastoPlastic
       throw InputError("Kinematics",
                        Patterns::Tools::to_string(discretization.kinematics),
                        entry + " is for plane strain and plane stress.");
-    if (analysis == Analysis::limit_load && indenter.type == "none")
+    if (analysis == Analysis::limit_load && !indenter.is_present())
       throw InputError("Indenter/Type",
                        "none",
                        entry +

@@ -32,7 +32,8 @@ namespace ElastoPlastic
                            " components separated by ';', one per dimension.");
       for (unsigned int d = 0; d < dim; ++d)
         if (texts[d] != "free")
-          components[d].emplace(path, texts[d]);
+          components[d] =
+            std::make_shared<const Expression<dim>>(path, texts[d]);
         else if (type == Type::traction)
           throw InputError(path,
                            text,

@@ -217,15 +217,54 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  BoundaryNames
-  make_mesh(const GeometryParameters &parameters,
-            Triangulation<dim>       &triangulation)
+  Geometry<dim>::Geometry(const GeometryParameters &parameters)
+    : parameters(parameters)
   {
-    Triangulation<dim>  coarse_mesh(Triangulation<dim>::none,
-                                   /* check_for_distorted_cells = */ true);
-    const BoundaryNames names = make_coarse_mesh(parameters, coarse_mesh);
-    check_n_cells<dim>(parameters, coarse_mesh.n_active_cells());
-    triangulation.copy_triangulation(coarse_mesh);
+    const auto mesh =
+      std::make_shared<Triangulation<dim>>(Triangulation<dim>::none,
+                                           /* check_for_distorted_cells = */
+                                           true);
+    names = make_coarse_mesh(parameters, *mesh);
+    check_n_cells<dim>(parameters, mesh->n_active_cells());
+    coarse_mesh = mesh;
+  }
+
+
+
+  template <int dim>
+  const BoundaryNames &
+  Geometry<dim>::boundary_names() const
+  {
+    return names;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Geometry<dim>::n_initial_refinements() const
+  {
+    return parameters.initial_refinements;
+  }
+
+
+
+  template <int dim>
+  Geometry<dim>
+  Geometry<dim>::with_initial_refinements(const unsigned int n) const
+  {
+    Geometry result                       = *this;
+    result.parameters.initial_refinements = n;
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  Geometry<dim>::make_mesh(Triangulation<dim> &triangulation) const
+  {
+    triangulation.copy_triangulation(*coarse_mesh);
     triangulation.refine_global(parameters.initial_refinements);
     if (!parameters.material_id.empty())
       set_material_ids("Geometry/Material id",
@@ -233,7 +272,6 @@ namespace ElastoPlastic
                        parameters.initial_refinements,
                        triangulation);
     refine_locally(parameters, triangulation);
-    return names;
   }
 
 
@@ -248,12 +286,10 @@ namespace ElastoPlastic
 
 
 
-  template BoundaryNames
-  make_mesh(const GeometryParameters &, Triangulation<2> &);
+  template class Geometry<2>;
+  template class Geometry<3>;
   template void
   coarsen_to_coarse_mesh(Triangulation<2> &);
   template void
   coarsen_to_coarse_mesh(Triangulation<3> &);
-  template BoundaryNames
-  make_mesh(const GeometryParameters &, Triangulation<3> &);
 } // namespace ElastoPlastic

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef model_model_h
+#define model_model_h
+
+#include <deal.II/distributed/tria.h>
+
+#include <vector>
+
+#include "base/kinematics.h"
+#include "contact/gap_function.h"
+#include "loading/load_program.h"
+#include "material/material.h"
+#include "mesh/boundary_conditions.h"
+#include "mesh/geometry.h"
+
+namespace ElastoPlastic
+{
+  /// The problem that is solved (doc/theory.md, "Johnson's formulation"): body,
+  /// material, supports, indenter and load, each in the type that the
+  /// mathematics knows. Everything that a parameter file says about them, in
+  /// words, expressions and files, has been read when a Model is there, and is
+  /// read once. It does not change: meshes and all that grows during a
+  /// computation belong to the analyses, which take it by const reference.
+  template <int dim>
+  struct Model
+  {
+    Geometry<dim>           geometry;
+    BoundaryConditions<dim> boundary_conditions;
+
+    /// What strains are, and the degree p of the elements FE_Q(p)^dim.
+    StrainModel  strain_model;
+    unsigned int degree;
+
+    /// By material id; a single one stands for every id.
+    std::vector<Material<double>> materials;
+
+    PlacedIndenter<dim> indenter;
+
+    /// As it is before the first step: an analysis takes a copy, which
+    /// remembers what has been reached.
+    LoadProgram load_program;
+  };
+
+
+
+  /// Makes the first mesh of the body in the empty @p triangulation, and places
+  /// the indenter above the highest point of its contact surface. Collective.
+  /// @throws InputError
+  template <int dim>
+  GapFunction<dim>
+  make_mesh_and_place_indenter(
+    const Model<dim>                          &model,
+    parallel::distributed::Triangulation<dim> &triangulation);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "contact/indenter_library.h"
+#include "make_model.h"
+
+namespace ElastoPlastic
+{
+  template <int dim>
+  Model<dim>
+  make_model(const Parameters &parameters)
+  {
+    const Geometry<dim> geometry(parameters.geometry);
+    return {geometry,
+            BoundaryConditions<dim>(parameters.boundary_conditions,
+                                    geometry.boundary_names()),
+            parameters.discretization.strain_model(),
+            parameters.discretization.degree,
+            parameters.material.materials(),
+            make_indenter<dim>(parameters.indenter),
+            LoadProgram(parameters.loading)};
+  }
+
+
+
+  template Model<2>
+  make_model(const Parameters &);
+  template Model<3>
+  make_model(const Parameters &);
+} // namespace ElastoPlastic
