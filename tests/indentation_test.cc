@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "contact/indenter_library.h"
-#include "contact/modelled_part.h"
+#include "evaluation/modelled_part.h"
 #include "evaluation/indentation_test.h"
 #include "verdict.h"
 

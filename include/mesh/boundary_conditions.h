@@ -4,6 +4,8 @@
 #ifndef mesh_boundary_conditions_h
 #define mesh_boundary_conditions_h
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <array>
 #include <map>
 #include <memory>
@@ -12,12 +14,28 @@
 #include <vector>
 
 #include "base/expression.h"
-#include "mesh/boundary_condition_parameters.h"
 #include "mesh/boundary_names.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+  /// The entries of the section "Boundary conditions". Each boundary of the
+  /// geometry must appear in exactly one of them, see BoundaryConditions.
+  struct BoundaryConditionParameters
+  {
+    std::vector<std::string> fixed;
+    std::vector<std::string> roller;
+    std::vector<std::string> free;
+    std::vector<std::string> contact;
+    std::string              prescribed_displacement;
+    std::string              traction;
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
 
   enum class BoundaryConditionType
   {

@@ -18,8 +18,14 @@ namespace ElastoPlastic
   using BoundaryNames = std::map<std::string, types::boundary_id>;
 
   /// "bottom, left, top", for messages.
-  std::string
-  list_of_names(const BoundaryNames &names);
+  inline std::string
+  list_of_names(const BoundaryNames &names)
+  {
+    std::string list;
+    for (const auto &[name, id] : names)
+      list += (list.empty() ? "" : ", ") + name;
+    return list;
+  }
 } // namespace ElastoPlastic
 
 #endif

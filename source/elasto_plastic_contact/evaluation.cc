@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "contact/modelled_part.h"
+#include "evaluation/modelled_part.h"
 #include "elasto_plastic_contact.h"
 #include "mechanics/external_forces.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef contact_modelled_part_h
-#define contact_modelled_part_h
+#ifndef evaluation_modelled_part_h
+#define evaluation_modelled_part_h
 
 #include <deal.II/distributed/tria.h>
 

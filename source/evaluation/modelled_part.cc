@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "contact/modelled_part.h"
+#include "evaluation/modelled_part.h"
 
 namespace ElastoPlastic
 {
