@@ -36,19 +36,35 @@ namespace ElastoPlastic
                            what);
     }
 
-    bool
-    uses_isotropic_modulus(const MaterialLaw law)
+    /// What a law makes of the entries of the section.
+    struct LawProperties
     {
-      return law == MaterialLaw::isotropic_hardening ||
-             law == MaterialLaw::combined_hardening ||
-             law == MaterialLaw::nonlinear_hardening;
-    }
+      bool yields, reads_isotropic_modulus, reads_kinematic_modulus,
+        is_nonlinear;
+    };
 
-    bool
-    uses_kinematic_modulus(const MaterialLaw law)
+
+
+    LawProperties
+    properties_of(const MaterialLaw law)
     {
-      return law == MaterialLaw::kinematic_hardening ||
-             law == MaterialLaw::combined_hardening;
+      switch (law)
+        {
+          case MaterialLaw::linear_elastic:
+            return {false, false, false, false};
+          case MaterialLaw::perfectly_plastic:
+            return {true, false, false, false};
+          case MaterialLaw::isotropic_hardening:
+            return {true, true, false, false};
+          case MaterialLaw::kinematic_hardening:
+            return {true, false, true, false};
+          case MaterialLaw::combined_hardening:
+            return {true, true, true, false};
+          case MaterialLaw::nonlinear_hardening:
+            return {true, true, false, true};
+        }
+      AssertThrow(false, ExcInternalError());
+      return {};
     }
   } // namespace
 
@@ -288,11 +304,11 @@ namespace ElastoPlastic
   std::vector<BackStressLaw<double>>
   MaterialParameters::back_stresses(const unsigned int id) const
   {
-    const MaterialLaw law = of_material(laws, id);
-    const double      H_k = of_material(kinematic_moduli, id);
-    if (law == MaterialLaw::nonlinear_hardening)
+    const LawProperties law = properties_of(of_material(laws, id));
+    const double        H_k = of_material(kinematic_moduli, id);
+    if (law.is_nonlinear)
       return nonlinear_back_stresses(id);
-    if (uses_kinematic_modulus(law) && H_k > 0)
+    if (law.reads_kinematic_modulus && H_k > 0)
       return {{2. / 3. * H_k, 0.}};
     return {};
   }
@@ -305,14 +321,14 @@ namespace ElastoPlastic
     std::vector<Material<double>> result;
     for (unsigned int id = 0; id < n_materials(); ++id)
       {
-        const MaterialLaw law     = of_material(laws, id);
-        const double      E       = of_material(young_moduli, id);
-        const double      nu      = of_material(poisson_ratios, id);
-        const double      sigma_0 = law == MaterialLaw::linear_elastic ?
-                                      std::numeric_limits<double>::infinity() :
-                                      of_material(yield_stresses, id);
-        const double      H =
-          uses_isotropic_modulus(law) ? of_material(isotropic_moduli, id) : 0.;
+        const LawProperties law     = properties_of(of_material(laws, id));
+        const double        E       = of_material(young_moduli, id);
+        const double        nu      = of_material(poisson_ratios, id);
+        const double        sigma_0 = law.yields ?
+                                        of_material(yield_stresses, id) :
+                                        std::numeric_limits<double>::infinity();
+        const double        H =
+          law.reads_isotropic_modulus ? of_material(isotropic_moduli, id) : 0.;
 
         Material<double> material;
         material.bulk_modulus      = E / (3 * (1 - 2 * nu));
@@ -321,7 +337,7 @@ namespace ElastoPlastic
         material.isotropic_modulus = 2. / 3. * H;
         for (const auto &back_stress : back_stresses(id))
           material.back_stresses.push_back(back_stress);
-        if (law == MaterialLaw::nonlinear_hardening)
+        if (law.is_nonlinear)
           {
             material.curves[0] =
               std::make_shared<HardeningCurve>(hardening_curve(id));
