@@ -50,6 +50,9 @@ namespace ElastoPlastic
 
   private:
     void
+    setup_body();
+
+    void
     find_bounds();
 
     void

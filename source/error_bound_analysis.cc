@@ -95,21 +95,23 @@ namespace ElastoPlastic
     const auto gap = [this](const Point<2> &x) {
       return gap_function.value(x);
     };
-    body         = make_plane_body(make_split_mesh(triangulation),
-                           model.boundary_conditions,
-                           model.materials,
-                           model.strain_model.kinematics,
-                           gap,
-                           solution.time);
-    displacement = interpolate_displacement(body.mesh,
+    SplitMesh  mesh     = make_split_mesh(triangulation);
+    const bool has_mesh = !mesh.triangles.empty();
+    displacement        = interpolate_displacement(mesh,
                                             solution.dof_handler,
                                             solution.displacement);
 
     std::vector<double> row(error_bound_columns.size());
     double              total = 0;
     throw_together(communicator, [&]() {
-      if (body.mesh.triangles.empty())
+      if (!has_mesh)
         return;
+      body               = make_plane_body(std::move(mesh),
+                             model.boundary_conditions,
+                             model.materials,
+                             model.strain_model.kinematics,
+                             gap,
+                             solution.time);
       stress             = equilibrate(body, solution.load);
       const double error = require_admissible(body, stress);
       remove_penetration(displacement, body, solution.depth);

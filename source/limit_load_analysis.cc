@@ -82,6 +82,7 @@ namespace ElastoPlastic
   LimitLoadAnalysis::run(const bool overwrite)
   {
     screen.print_banner(Utilities::MPI::n_mpi_processes(communicator));
+    setup_body();
     prepare_output_directory(communicator,
                              parameters.output.directory,
                              overwrite,
@@ -105,6 +106,7 @@ namespace ElastoPlastic
   void
   LimitLoadAnalysis::require_safe(const double force)
   {
+    setup_body();
     while (true)
       {
         find_bounds();
@@ -156,19 +158,30 @@ namespace ElastoPlastic
 
 
 
+  // For the first rank.
+  void
+  LimitLoadAnalysis::setup_body()
+  {
+    SplitMesh mesh = make_split_mesh(triangulation);
+    throw_together(communicator, [&]() {
+      if (first_rank)
+        body = make_plane_body(
+          std::move(mesh),
+          model.boundary_conditions,
+          model.materials,
+          model.strain_model.kinematics,
+          [this](const Point<2> &x) { return gap_function.value(x); },
+          0.);
+    });
+  }
+
+
+
   // The work of the first rank, while the others wait for its results.
   void
   LimitLoadAnalysis::find_bounds()
   {
     const Timer timer;
-    body = make_plane_body(
-      make_split_mesh(triangulation),
-      model.boundary_conditions,
-      model.materials,
-      model.strain_model.kinematics,
-      [this](const Point<2> &x) { return gap_function.value(x); },
-      0.);
-
     throw_together(communicator, [&]() {
       if (!first_rank)
         return;
@@ -230,6 +243,7 @@ namespace ElastoPlastic
   {
     flag_cells(parameters.refinement, error_indicators, triangulation);
     triangulation.execute_coarsening_and_refinement();
+    setup_body();
     ++cycle;
   }
 } // namespace ElastoPlastic

@@ -173,6 +173,25 @@ add_entry_test(matrix_two_rows "two_rows.txt', but it has 2 rows" "Indenter/Type
 add_entry_test(out_of_reach "indenter can never touch the body: no node" "Indenter/Position=50")
 add_entry_test(too_short "'Loading/Depth' is '0.001', but the indenter can never touch the body: the smallest gap" "Indenter/Initial gap=1")
 
+# Numbers with a decimal comma, and assignments, in every expression
+set(_comma "but a ',' can only stand between the arguments of a function. Numbers have a decimal point: write")
+add_entry_test(comma_in_depth "'Loading/Depth' is '0,01', ${_comma} 0.01" "Loading/Depth=0,01")
+add_entry_test(comma_in_brackets "'Loading/Depth' is '.0,01..t', ${_comma} 0.01" "Loading/Depth=(0,01)*t")
+add_entry_test(comma_in_force "'Loading/Force' is '2,5', ${_comma} 2.5" "Loading/Control=force" "Loading/Force=2,5")
+add_entry_test(comma_in_traction "'Boundary conditions/Traction' is '0,5', ${_comma} 0.5" "Boundary conditions/Free=" "Boundary conditions/Traction=right: 0,5@ 0")
+add_entry_test(comma_in_displacement "'Boundary conditions/Prescribed displacement' is '1,5.t', ${_comma} 1.5" "Boundary conditions/Free=" "Boundary conditions/Prescribed displacement=right: 1,5*t@ free")
+add_entry_test(comma_in_material_id "'Geometry/Material id' is '0,1', ${_comma} 0.1" "Geometry/Material id=0,1")
+add_entry_test(comma_in_indenter "'Indenter/Expression' is 'x.2/2,5', ${_comma} 2.5" "Indenter/Type=expression" "Indenter/Expression=x^2/2,5")
+add_entry_test(comma_in_half_width "'Indenter/Half width' is '0, 5', but .*Numbers have a decimal point" "Indenter/Type=strip punch" "Indenter/Half width=0,5")
+add_entry_test(list_for_expression "'Loading/Depth' is 't,t', but a ',' can .*An expression has a single value" "Loading/Depth=t,t")
+add_entry_test(assignment_in_depth "'Loading/Depth' is 't=0.5', but a '=' would give a variable another value. Write '=='" "Loading/Depth=t=0.5")
+add_entry_test(assignment_in_material_id "'Geometry/Material id' is 'if.x=1,1,0.', but a '=' would" "Geometry/Material id=if(x=1,1,0)")
+
+# What fails on one rank only
+add_message_test(limit_load_expression_nan 2 "'Indenter/Expression' is 'if.x>0.7,log.0.8-x.,0.', but at .* its value is not a number"
+  ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --quiet --overwrite --output-directory limit_load_expression_nan
+  --set "Indenter/Type=expression" --set "Indenter/Expression=if(x>0.7,log(0.8-x),0)")
+
 # Kinematics and local refinement
 add_entry_test(local_radius "'Geometry/Local radius' is '0', but it must be greater than 0" "Geometry/Local radius=0")
 add_entry_test(local_centre "'Geometry/Local centre' is '0', but it must be empty or hold one coordinate for each of the" "Geometry/Local centre=0")

@@ -20,6 +20,10 @@ namespace ElastoPlastic
     terminated     = 143 ///< the signal SIGTERM: 128 + 15, as shells have it
   };
 
+  /// For messages about lists that are longer than they should be.
+  inline const std::string decimal_point_hint =
+    "Numbers have a decimal point; a comma separates two of them.";
+
   /// An error a user can act on: one clear message, and the exit status that
   /// the program ends with. The message says what is wrong, where (file,
   /// section, entry, value), what is allowed, and how to mend it; it ends

@@ -13,17 +13,24 @@ namespace ElastoPlastic
   using namespace dealii;
 
   /// A scalar function of position and time that a user has typed, in the
-  /// variables x, y (, z) and t and with everything muParser knows; with dim =
-  /// 1, of time alone, which then is the coordinate of the point. It is
-  /// parsed on construction; what does not parse, and a value that is not
-  /// finite, is an InputError that names the entry.
+  /// variables x, y (, z) and t and with everything muParser knows, but for
+  /// lists and assignments: there, a decimal comma or a '=' instead of '=='
+  /// would give another number in silence. With dim = 1, it is a function of
+  /// time alone, which then is the coordinate of the point. It is parsed on
+  /// construction.
   template <int dim>
   class Expression
   {
   public:
     /// @p path is the entry the text comes from, for error messages.
+    /// @throws InputError if @p text is no such expression.
     Expression(const std::string &path, const std::string &text);
 
+    /// A function of position should be evaluated within throw_together(): each
+    /// rank has points of its own. Elsewhere, a value that is not finite takes
+    /// all ranks down, so that none waits for ever. All ranks take functions of
+    /// time at the same times.
+    /// @throws InputError if the value is not finite.
     double
     value(const Point<dim> &point, const double time = 0) const;
 

@@ -15,10 +15,15 @@ namespace ElastoPlastic
   /// Runs @p body, which does the rank's own part of something and may
   /// therefore fail with an Error on some ranks only. All ranks then throw what
   /// the first of these has thrown; nobody waits for a rank that has given up.
-  /// @p body must not communicate.
+  /// Collective; @p body must not communicate.
   void
   throw_together(const MPI_Comm               communicator,
                  const std::function<void()> &body);
+
+  /// Whether an Error of this rank alone leaves nobody waiting: within
+  /// throw_together(), and where there are no other ranks.
+  bool
+  may_throw_alone();
 } // namespace ElastoPlastic
 
 #endif

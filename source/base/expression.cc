@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cctype>
 #include <cmath>
 #include <iostream>
 #include <regex>
 #include <sstream>
+#include <vector>
 
 #include "base/exceptions.h"
 #include "base/expression.h"
+#include "base/throw_together.h"
 
 namespace ElastoPlastic
 {
@@ -48,6 +51,90 @@ namespace ElastoPlastic
                " (" + found.str(1) + ")" :
                "";
     }
+
+
+
+    /// Whether the bracket at @p position opens the arguments of a function.
+    bool
+    opens_arguments(const std::string &text, const std::size_t position)
+    {
+      const std::string before = Utilities::trim(text.substr(0, position));
+      return !before.empty() &&
+             (std::isalnum(before.back()) || before.back() == '_');
+    }
+
+
+
+    /// Where a ',' stands that does not separate arguments of a function.
+    std::size_t
+    find_stray_comma(const std::string &text)
+    {
+      std::vector<bool> in_arguments = {false}; // by open brackets
+      for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '(')
+          in_arguments.push_back(opens_arguments(text, i));
+        else if (text[i] == ')' && in_arguments.size() > 1)
+          in_arguments.pop_back();
+        else if (text[i] == ',' && !in_arguments.back())
+          return i;
+      return std::string::npos;
+    }
+
+
+
+    /// Whether there is a '=' that is no part of '==', '<=', '>=' or '!='.
+    bool
+    has_assignment(const std::string &text)
+    {
+      static const std::string comparing = "=<>!";
+      for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '=' &&
+            (i == 0 || comparing.find(text[i - 1]) == std::string::npos) &&
+            text.substr(i + 1, 1) != "=")
+          return true;
+      return false;
+    }
+
+
+
+    /// The number with a decimal point that a ',' between digits looks like.
+    std::string
+    with_decimal_point(const std::string &text, const std::size_t comma)
+    {
+      static const std::string digits = "0123456789";
+      const std::size_t        begin =
+        comma == 0 ? 0 : text.find_last_not_of(digits, comma - 1) + 1;
+      const std::size_t end      = text.find_first_not_of(digits, comma + 1);
+      const std::string whole    = text.substr(begin, comma - begin),
+                        fraction = text.substr(comma + 1, end - comma - 1);
+      return whole.empty() || fraction.empty() ? "" : whole + "." + fraction;
+    }
+
+
+
+    /// Refuses what muParser takes for something else than is meant.
+    void
+    check_text(const std::string &path, const std::string &text)
+    {
+      const std::size_t comma = find_stray_comma(text);
+      if (comma != std::string::npos)
+        {
+          const std::string number = with_decimal_point(text, comma);
+          throw InputError(path,
+                           text,
+                           "a ',' can only stand between the arguments of a "
+                           "function. " +
+                             (number.empty() ?
+                                "An expression has a single value." :
+                                "Numbers have a decimal point: write " +
+                                  number + "."));
+        }
+      if (has_assignment(text))
+        throw InputError(path,
+                         text,
+                         "a '=' would give a variable another value. Write "
+                         "'==' to compare.");
+    }
   } // namespace
 
 
@@ -60,6 +147,7 @@ namespace ElastoPlastic
     const std::string variables = (dim == 1 ? "t" :
                                    dim == 2 ? "x,y,t" :
                                               "x,y,z,t");
+    check_text(path, text);
     try
       {
         const SilentErrorStream silence;
@@ -97,7 +185,9 @@ namespace ElastoPlastic
         where << " its value is "
               << (std::isnan(result) ? "not a number" : "infinite")
               << ". It must be finite wherever it is needed.";
-        throw InputError(path, text, where.str());
+        const InputError error(path, text, where.str());
+        AssertThrow(dim == 1 || may_throw_alone(), ExcMessage(error.what()));
+        throw error;
       }
     return result;
   }

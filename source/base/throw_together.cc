@@ -10,6 +10,27 @@ namespace ElastoPlastic
 {
   namespace
   {
+    /// How many calls of throw_together() this rank is within.
+    unsigned int depth = 0;
+
+    class Scope
+    {
+    public:
+      Scope()
+      {
+        ++depth;
+      }
+
+      ~Scope()
+      {
+        --depth;
+      }
+
+      Scope(const Scope &) = delete;
+    };
+
+
+
     [[noreturn]] void
     throw_error(const ExitStatus status, const std::string &message)
     {
@@ -19,6 +40,8 @@ namespace ElastoPlastic
             throw InputError(message);
           case ExitStatus::no_convergence:
             throw ConvergenceError(message);
+          case ExitStatus::no_equilibrium:
+            throw EquilibriumError(message);
           case ExitStatus::io_failure:
             throw FileError(message);
           default:
@@ -36,6 +59,7 @@ namespace ElastoPlastic
     int         status = 0;
     try
       {
+        const Scope scope;
         body();
       }
     catch (const Error &exception)
@@ -53,5 +77,13 @@ namespace ElastoPlastic
         throw_error(static_cast<ExitStatus>(status),
                     Utilities::MPI::broadcast(communicator, error, first));
       }
+  }
+
+
+
+  bool
+  may_throw_alone()
+  {
+    return depth > 0 || Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
   }
 } // namespace ElastoPlastic

@@ -108,7 +108,8 @@ namespace ElastoPlastic
       require_length("Half width",
                      p.half_widths,
                      1,
-                     "a strip punch has a single half width, that along x.");
+                     "a strip punch has a single half width, that along x. " +
+                       decimal_point_hint);
       return extrude<dim>(Sections::face(p.half_widths.front()));
     }
 

@@ -190,6 +190,6 @@ namespace ElastoPlastic
             position,
             "in " + std::to_string(dim) + " dimensions it must be empty or " +
               "hold one coordinate per horizontal direction (" +
-              (dim == 2 ? "x" : "x, y") + ").");
+              (dim == 2 ? "x" : "x, y") + "). " + decimal_point_hint);
   }
 } // namespace ElastoPlastic

@@ -203,7 +203,9 @@ namespace ElastoPlastic
                          std::to_string(size) +
                          " values, but another entry of this section has " +
                          std::to_string(n) +
-                         ". Give one value for all materials or one for each.");
+                         ". Give one value for all materials or one for "
+                         "each. " +
+                         decimal_point_hint);
     check_nonlinear_hardening();
   }
 

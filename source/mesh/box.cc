@@ -197,9 +197,9 @@ namespace ElastoPlastic
   void
   BoxParameters::check(const unsigned int dim) const
   {
-    const std::string needed = "it must be empty or have " +
-                               std::to_string(dim) +
-                               " coordinates, one per dimension.";
+    const std::string needed =
+      "it must be empty or have " + std::to_string(dim) +
+      " coordinates, one per dimension. " + decimal_point_hint;
     if (!lower_corner.empty() && lower_corner.size() != dim)
       reject("Lower corner", lower_corner, needed);
     if (!upper_corner.empty() && upper_corner.size() != dim)

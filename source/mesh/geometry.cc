@@ -207,7 +207,8 @@ namespace ElastoPlastic
                        Patterns::Tools::to_string(local_centre),
                        "it must be empty or hold one coordinate for each of "
                        "the " +
-                         std::to_string(dim) + " dimensions.");
+                         std::to_string(dim) + " dimensions. " +
+                         decimal_point_hint);
     if (dim == 2)
       find_type<2>(type).check(*this);
     else
