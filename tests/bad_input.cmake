@@ -191,6 +191,9 @@ add_entry_test(assignment_in_material_id "'Geometry/Material id' is 'if.x=1,1,0.
 add_message_test(limit_load_expression_nan 2 "'Indenter/Expression' is 'if.x>0.7,log.0.8-x.,0.', but at .* its value is not a number"
   ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --quiet --overwrite --output-directory limit_load_expression_nan
   --set "Indenter/Type=expression" --set "Indenter/Expression=if(x>0.7,log(0.8-x),0)")
+add_message_test(plane_stress_overflow 3 "The forces are no longer finite numbers"
+  ${CMAKE_SOURCE_DIR}/parameter_files/cylinder_2d.prm --quiet --overwrite --output-directory plane_stress_overflow
+  --set "Kinematics=plane stress" --set "Loading/Depth=1e300")
 
 # Kinematics and local refinement
 add_entry_test(local_radius "'Geometry/Local radius' is '0', but it must be greater than 0" "Geometry/Local radius=0")

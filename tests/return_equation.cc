@@ -156,6 +156,27 @@ namespace
     verify("small and large moduli and rates are solved", solved);
     verify("the left side decreases at least elastically", decreases);
   }
+
+
+
+  /// No history leads to them; interpolation of states does.
+  void
+  check_large_back_stresses()
+  {
+    bool solved = true;
+    for (double excess = 1e6; excess > 1e-3; excess *= 0.1)
+      for (const double modulus : {1e4, 1e6, 1e8})
+        for (const double recovery : {1e2, 1e5})
+          for (const double fraction : {1.2, 2., 10.})
+            for (const double cosine : {-1., 0., 0.9, 1.})
+              solved =
+                solved && is_solved(with_back_stress(
+                            excess, modulus, recovery, fraction, cosine));
+    verify("back stresses beyond saturation are solved", solved);
+    verify("no finite solution: not a number",
+           std::isnan(
+             equation_of(std::numeric_limits<double>::infinity()).solve()));
+  }
 } // namespace
 
 
@@ -167,4 +188,5 @@ main(int argc, char *argv[])
   check_linear();
   check_curves();
   check_recovery();
+  check_large_back_stresses();
 }

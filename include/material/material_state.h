@@ -77,6 +77,31 @@ namespace ElastoPlastic
 
 
 
+  /// Brings a state that interpolation has made back to those that a history of
+  /// the material can lead to: alpha >= 0 and |beta_k| <= c_k / g_k, as an
+  /// Armstrong-Frederick law leaves it. What differs from them by rounding only
+  /// stays as it is.
+  template <typename Number>
+  void
+  make_admissible(MaterialState<Number>  &state,
+                  const Material<Number> &material)
+  {
+    state.equivalent_plastic_strain =
+      std::max(state.equivalent_plastic_strain, Number(0.));
+    for (unsigned int k = 0; k < state.back_stresses.size(); ++k)
+      {
+        const auto &[modulus, recovery] = material.back_stresses[k];
+        // (without a modulus, there is neither recovery nor back stress)
+        const Number ratio = recovery * state.back_stresses[k].norm() /
+                             std::max(modulus, Number(1e-100));
+        state.back_stresses[k] /=
+          compare_and_apply_mask<SIMDComparison::greater_than>(
+            ratio, Number(1. + 1e-12), ratio, Number(1.));
+      }
+  }
+
+
+
   /// The strain (or another tensor) of one lane.
   template <typename Number>
   SymmetricTensor<2, 3>

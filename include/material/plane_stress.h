@@ -24,8 +24,8 @@ namespace ElastoPlastic
                       const SymmetricTensor<2, 3> &strain,
                       const MaterialState<double> &old_state);
 
-    /// The strain across the sheet.
-    /// @throws ConvergenceError if there is no solution.
+    /// The strain across the sheet; not a number if there is no solution, as
+    /// for numbers beyond the range of the computer's.
     double
     out_of_plane_strain() const;
 

@@ -51,14 +51,23 @@ namespace ElastoPlastic
     Value
     evaluate(const double multiplier) const;
 
-    /// The solution, up to rounding; 0 if the trial stress lies inside the
-    /// yield surface. Newton's method between bounds that enclose the solution,
-    /// with bisection where a step leaves them or does not halve the excess:
-    /// this always converges. Not a number if the data are not.
-    /// @throws ConvergenceError if the left side is not monotone, as it is for
-    /// states that no history can have led to.
+    /// A solution, up to rounding; 0 if the trial stress lies inside the yield
+    /// surface. Newton's method between bounds that enclose the solution; if a
+    /// back stress is too large for the left side to be monotone, a bracketing
+    /// method without slopes. Not a number if there is no solution, as for data
+    /// that are none: forces and energy are none either then, and all ranks
+    /// notice.
     double
     solve() const;
+
+  private:
+    /// Whether no back stress exceeds c / g, but for rounding.
+    bool
+    is_monotone() const;
+
+    /// The solution above 0 if the left side is monotone, and @p at_zero there.
+    double
+    newton_iteration(const Value &at_zero) const;
   };
 } // namespace ElastoPlastic
 

@@ -114,8 +114,9 @@ namespace ElastoPlastic
     virtual CellStates
     states() const = 0;
 
-    /// Lets the points remember @p states. Where interpolation has made an
-    /// equivalent plastic strain negative, zero takes its place.
+    /// Lets the points remember @p states, or where interpolation has made of
+    /// them what no history leads to, the next that one does
+    /// (make_admissible()).
     virtual void
     set_states(const CellStates &states) = 0;
 

@@ -1,14 +1,11 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <boost/math/tools/roots.hpp>
-
 #include <cmath>
-#include <limits>
 
-#include "base/exceptions.h"
 #include "base/tensors.h"
 #include "material/plane_stress.h"
+#include "material/positive_root.h"
 
 namespace ElastoPlastic
 {
@@ -89,28 +86,9 @@ namespace ElastoPlastic
     if (!(first_excess > 0))
       return out_of_plane_strain(0.);
 
-    double upper        = first_excess / (2. * material.shear_modulus);
-    double upper_excess = excess(upper);
-    for (unsigned int i = 0; upper_excess > 0 && i < 100; ++i)
-      upper_excess = excess(upper *= 2.);
-    if (!(upper_excess <= 0))
-      throw ConvergenceError(
-        "The return of a stress to the yield surface has no solution in plane "
-        "stress. Are the moduli in 'Material' and the loads in the same system "
-        "of units?");
-    if (upper_excess == 0)
-      return out_of_plane_strain(upper);
-
-    std::uintmax_t max_iterations = 200;
-    const auto [below, above]     = boost::math::tools::toms748_solve(
+    return out_of_plane_strain(positive_root(
       [this](const double multiplier) { return excess(multiplier); },
-      0.,
-      upper,
       first_excess,
-      upper_excess,
-      boost::math::tools::eps_tolerance<double>(
-        std::numeric_limits<double>::digits - 1),
-      max_iterations);
-    return out_of_plane_strain(0.5 * (below + above));
+      first_excess / (2. * material.shear_modulus)));
   }
 } // namespace ElastoPlastic

@@ -1,20 +1,24 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <cmath>
-#include <limits>
+#include <boost/math/tools/roots.hpp>
 
-#include "base/exceptions.h"
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "material/positive_root.h"
 #include "material/return_equation.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    constexpr double rounding = 1e-12;
 
     /// Far more than the bisections and Newton steps that can be needed.
-    constexpr unsigned int max_iterations = 10000;
+    constexpr std::uintmax_t max_iterations = 1000;
   } // namespace
 
 
@@ -56,37 +60,55 @@ namespace ElastoPlastic
 
 
 
+  bool
+  ReturnEquation::is_monotone() const
+  {
+    for (unsigned int k = 0; k < back_stresses.size(); ++k)
+      {
+        const auto &[c, g] = back_stresses[k];
+        if (g * g * products[k + 1][k + 1] > (1. + rounding) * c * c)
+          return false;
+      }
+    return true;
+  }
+
+
+
+  // The step that ends the iteration is so small that its square is rounding.
+  double
+  ReturnEquation::newton_iteration(const Value &at_zero) const
+  {
+    constexpr int  digits       = std::numeric_limits<double>::digits * 3 / 5;
+    std::uintmax_t n_iterations = max_iterations;
+    const double   multiplier   = boost::math::tools::newton_raphson_iterate(
+      [this](const double x) {
+        const Value value = evaluate(x);
+        return std::make_pair(value.excess, value.slope);
+      },
+      -at_zero.excess / at_zero.slope,
+      0.,
+      (1. + rounding) * at_zero.excess / elastic_modulus,
+      digits,
+      n_iterations);
+    return n_iterations < max_iterations ?
+             multiplier :
+             std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+
   double
   ReturnEquation::solve() const
   {
-    Value value = evaluate(0.);
-    if (std::isnan(value.excess))
-      return value.excess;
-    if (value.excess <= 0)
+    const Value at_zero = evaluate(0.);
+    if (!std::isfinite(at_zero.excess))
+      return std::numeric_limits<double>::quiet_NaN();
+    if (at_zero.excess <= 0)
       return 0.;
-
-    double multiplier = 0, lower = 0, upper = value.excess / elastic_modulus;
-    for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
-      {
-        const double last_excess = value.excess;
-        const double newton      = multiplier - value.excess / value.slope;
-        const bool   is_inside   = newton > lower && newton < upper;
-        multiplier               = is_inside ? newton : 0.5 * (lower + upper);
-        value                    = evaluate(multiplier);
-        if (is_inside && std::abs(value.excess) > 0.5 * std::abs(last_excess))
-          {
-            (value.excess > 0 ? lower : upper) = multiplier;
-            multiplier                         = 0.5 * (lower + upper);
-            value                              = evaluate(multiplier);
-          }
-        (value.excess > 0 ? lower : upper) = multiplier;
-        if (std::abs(value.excess) <= 4. * epsilon * value.norm ||
-            upper - lower <= 2. * epsilon * upper)
-          return multiplier;
-      }
-    throw ConvergenceError(
-      "The return of a stress to the yield surface has no solution: the back "
-      "stresses of a point are larger than the material allows. Is this a "
-      "state of the material in 'Material'?");
+    if (is_monotone())
+      return newton_iteration(at_zero);
+    return positive_root([this](const double x) { return evaluate(x).excess; },
+                         at_zero.excess,
+                         at_zero.excess / elastic_modulus);
   }
 } // namespace ElastoPlastic

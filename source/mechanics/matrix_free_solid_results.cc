@@ -241,8 +241,7 @@ namespace ElastoPlastic
          ++point)
       {
         MaterialState<Number> state = old_state(point);
-        state.equivalent_plastic_strain =
-          std::max(state.equivalent_plastic_strain, Number(0.));
+        make_admissible(state, material_of(point / n_points));
         state.pack(&history[n_state_values * point]);
       }
   }
