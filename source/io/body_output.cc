@@ -21,18 +21,16 @@ namespace ElastoPlastic
     template <int dim>
     struct Rows
     {
-      static constexpr unsigned int displacement   = 0;
-      static constexpr unsigned int stress         = dim;
-      static constexpr unsigned int plastic_strain = stress + dim * dim;
-      static constexpr unsigned int von_mises      = plastic_strain + dim * dim;
-      static constexpr unsigned int alpha          = von_mises + 1;
-      static constexpr unsigned int out_of_plane   = alpha + 1; // in 2D only
-      static constexpr unsigned int plastic_fraction =
-        alpha + (dim == 2 ? 2 : 1);
-      static constexpr unsigned int error_indicator = plastic_fraction + 1;
-      static constexpr unsigned int material_id     = error_indicator + 1;
-      static constexpr unsigned int subdomain       = material_id + 1;
-      static constexpr unsigned int n               = subdomain + 1;
+      static constexpr unsigned int displacement     = 0;
+      static constexpr unsigned int stress           = dim;
+      static constexpr unsigned int plastic_strain   = stress + 3 * 3;
+      static constexpr unsigned int von_mises        = plastic_strain + 3 * 3;
+      static constexpr unsigned int alpha            = von_mises + 1;
+      static constexpr unsigned int plastic_fraction = alpha + 1;
+      static constexpr unsigned int error_indicator  = plastic_fraction + 1;
+      static constexpr unsigned int material_id      = error_indicator + 1;
+      static constexpr unsigned int subdomain        = material_id + 1;
+      static constexpr unsigned int n                = subdomain + 1;
     };
 
 
@@ -44,17 +42,14 @@ namespace ElastoPlastic
     {
       using R = Rows<dim>;
       std::array<float, R::n> values{};
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
           {
-            values[R::stress + dim * i + j] = point.stress[i][j];
-            values[R::plastic_strain + dim * i + j] =
-              point.plastic_strain[i][j];
+            values[R::stress + 3 * i + j]         = point.stress[i][j];
+            values[R::plastic_strain + 3 * i + j] = point.plastic_strain[i][j];
           }
       values[R::von_mises] = std::sqrt(1.5) * deviator(point.stress).norm();
       values[R::alpha]     = point.equivalent_plastic_strain;
-      if (dim == 2)
-        values[R::out_of_plane] = point.stress[2][2];
       return values;
     }
 
@@ -81,14 +76,14 @@ namespace ElastoPlastic
     field_names()
     {
       std::vector<std::string> names(dim, "displacement");
-      names.insert(names.end(), dim * dim, "stress");
-      names.insert(names.end(), dim * dim, "plastic_strain");
-      names.push_back("von_mises_stress");
-      names.push_back("equivalent_plastic_strain");
-      if (dim == 2)
-        names.push_back("out_of_plane_stress");
-      for (const auto *const name :
-           {"plastic_fraction", "error_indicator", "material_id", "subdomain"})
+      names.insert(names.end(), 3 * 3, "stress");
+      names.insert(names.end(), 3 * 3, "plastic_strain");
+      for (const auto *const name : {"von_mises_stress",
+                                     "equivalent_plastic_strain",
+                                     "plastic_fraction",
+                                     "error_indicator",
+                                     "material_id",
+                                     "subdomain"})
         names.push_back(name);
       return names;
     }
@@ -222,7 +217,7 @@ namespace ElastoPlastic
           values(i);
       }
 
-    float plastic_fraction = 0;
+    unsigned int n_plastic = 0;
     for (unsigned int q = 0; q < points.size(); ++q)
       {
         const auto point_values = values_at<dim>(points[q]);
@@ -230,11 +225,14 @@ namespace ElastoPlastic
           for (unsigned int i = 0; i < points.size(); ++i)
             patch.data(row, i) += extrapolation(q, i) * point_values[row];
         if (points[q].plastic)
-          plastic_fraction += 1.f / points.size();
+          ++n_plastic;
       }
     for (unsigned int i = 0; i < points.size(); ++i)
       {
-        patch.data(R::plastic_fraction, i) = plastic_fraction;
+        for (const unsigned int row : {R::von_mises, R::alpha})
+          patch.data(row, i) = std::max(patch.data(row, i), 0.f);
+        patch.data(R::plastic_fraction, i) =
+          static_cast<float>(n_plastic) / points.size();
         patch.data(R::error_indicator, i) =
           error_indicators(cell->active_cell_index());
         patch.data(R::material_id, i) = cell->material_id();

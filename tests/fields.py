@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The fields of plane bodies: von Mises' stress and the equivalent plastic strain that
+follow from the tensors are those that are written, and the exact ones; what is
+extrapolated stays physical.
+
+usage: fields.py PROGRAM
+"""
+
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.append(str(ROOT / "scripts"))
+from vtu_fields import read_fields  # noqa: E402
+
+SINGLE_PRECISION = 2e-6
+YOUNGS_MODULUS, POISSON_RATIO, YIELD_STRESS, HARDENING = 200000, 0.3, 400, 2000
+SHEAR_MODULUS = YOUNGS_MODULUS / (2 * (1 + POISSON_RATIO))
+BULK_MODULUS = YOUNGS_MODULUS / (3 * (1 - 2 * POISSON_RATIO))
+MATERIAL = ["Material/Law=isotropic hardening", f"Material/Young's modulus={YOUNGS_MODULUS}",
+            f"Material/Poisson's ratio={POISSON_RATIO}", f"Material/Yield stress={YIELD_STRESS}",
+            f"Material/Isotropic hardening modulus={HARDENING}"]
+STRAIN = 0.005
+
+
+def last_fields(program, folder, case, *entries):
+    command = [program, ROOT / "parameter_files" / case, "--quiet", "--overwrite", "--output-directory", folder]
+    for entry in entries:
+        command += ["--set", entry]
+    subprocess.run(command, check=True)
+    return list(read_fields(folder, "solution"))[-1]
+
+
+def norm_of_deviator(tensor):
+    mean = (tensor[0] + tensor[4] + tensor[8]) / 3
+    return math.sqrt(sum((value - (mean if i in (0, 4, 8) else 0)) ** 2 for i, value in enumerate(tensor)))
+
+
+def expect(name, found, exact):
+    error = max(abs(value / exact - 1) for value in found)
+    print(f"{name}: {'ok' if error <= SINGLE_PRECISION else f'FAILED, {error}'}")
+    assert error <= SINGLE_PRECISION, f"{found[0]} instead of {exact}"
+
+
+def check_uniform(title, fields, von_mises, plastic_strain, pressure):
+    expect(f"{title}: von Mises' stress", fields["von_mises_stress"], von_mises)
+    expect(f"{title}: that of the tensor",
+           [math.sqrt(1.5) * norm_of_deviator(stress) for stress in fields["stress"]], von_mises)
+    expect(f"{title}: pressure of the tensor",
+           [-(stress[0] + stress[4] + stress[8]) / 3 for stress in fields["stress"]], pressure)
+    expect(f"{title}: equivalent plastic strain", fields["equivalent_plastic_strain"], plastic_strain)
+    expect(f"{title}: that of the tensor",
+           [math.sqrt(2 / 3 * sum(value * value for value in strain)) for strain in fields["plastic_strain"]],
+           plastic_strain)
+
+
+def check_confined_block(program, folder):
+    """A compression by STRAIN without lateral strain: |s| = sqrt(2/3) 2 G (strain - 3/2 plastic strain)."""
+    plastic_strain = (2 * SHEAR_MODULUS * STRAIN - YIELD_STRESS) / (3 * SHEAR_MODULUS + HARDENING)
+    von_mises = YIELD_STRESS + HARDENING * plastic_strain
+    for kinematics in ("plane strain", "axisymmetric"):
+        fields = last_fields(program, folder, "verification/confined_block.prm", *MATERIAL, "Dimension=2",
+                             f"Kinematics={kinematics}", "Boundary conditions/Roller=bottom, left, right",
+                             "Indenter/Type=strip punch", "Indenter/Half width=2", "Indenter/Position=0",
+                             f"Loading/Depth={STRAIN}")
+        check_uniform(f"confined block, {kinematics}", fields, von_mises, plastic_strain, BULK_MODULUS * STRAIN)
+
+
+def check_sheet(program, folder):
+    """A tension by STRAIN without lateral stress."""
+    stress = (YIELD_STRESS + HARDENING * STRAIN) / (1 + HARDENING / YOUNGS_MODULUS)
+    fields = last_fields(program, folder, "material/plane_stress_tension.prm", *MATERIAL,
+                         f"Boundary conditions/Prescribed displacement=top: free; {STRAIN}*t",
+                         "Loading/Final time=1", "Loading/Number of steps=1")
+    check_uniform("sheet", fields, stress, STRAIN - stress / YOUNGS_MODULUS, -stress / 3)
+
+
+def check_contact(program, folder):
+    """At the edge of the plastic zone, the extrapolation would overshoot."""
+    fields = last_fields(program, folder, "cylinder_2d.prm", "Refinement/Number of cycles=3")
+    for name, least, largest in (("von_mises_stress", 0, math.inf), ("equivalent_plastic_strain", 0, math.inf),
+                                 ("plastic_fraction", 0, 1)):
+        values = fields[name]
+        holds = least <= min(values) and max(values) <= largest
+        print(f"contact, {name}: {'ok' if holds else f'FAILED, {min(values)} to {max(values)}'}")
+        assert holds
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        for check in (check_confined_block, check_sheet, check_contact):
+            check(sys.argv[1], pathlib.Path(folder))
+
+
+main()
