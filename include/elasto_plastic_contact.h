@@ -98,12 +98,15 @@ namespace ElastoPlastic
     forces_of_stresses() const;
 
     // One mesh (setup.cc): after any change of the mesh, setup_body() and
-    // setup_contact() prepare everything that depends on it, and
-    // check_supports() makes sure that the body cannot float away.
+    // setup_contact() prepare everything that depends on it; check_loads()
+    // looks at all steps ahead, and check_supports() makes sure that the body
+    // cannot float away.
     void
     setup_body();
     void
     setup_contact();
+    void
+    check_loads() const;
     void
     check_supports() const;
     void

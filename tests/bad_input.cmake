@@ -182,10 +182,16 @@ add_entry_test(comma_in_traction "'Boundary conditions/Traction' is '0,5', ${_co
 add_entry_test(comma_in_displacement "'Boundary conditions/Prescribed displacement' is '1,5.t', ${_comma} 1.5" "Boundary conditions/Free=" "Boundary conditions/Prescribed displacement=right: 1,5*t@ free")
 add_entry_test(comma_in_material_id "'Geometry/Material id' is '0,1', ${_comma} 0.1" "Geometry/Material id=0,1")
 add_entry_test(comma_in_indenter "'Indenter/Expression' is 'x.2/2,5', ${_comma} 2.5" "Indenter/Type=expression" "Indenter/Expression=x^2/2,5")
-add_entry_test(comma_in_half_width "'Indenter/Half width' is '0, 5', but .*Numbers have a decimal point" "Indenter/Type=strip punch" "Indenter/Half width=0,5")
+add_entry_test(comma_in_half_width "'Indenter/Half width' is '1, 5', but .*Numbers have a decimal point" "Indenter/Type=strip punch" "Indenter/Half width=1,5")
 add_entry_test(list_for_expression "'Loading/Depth' is 't,t', but a ',' can .*An expression has a single value" "Loading/Depth=t,t")
 add_entry_test(assignment_in_depth "'Loading/Depth' is 't=0.5', but a '=' would give a variable another value. Write '=='" "Loading/Depth=t=0.5")
 add_entry_test(assignment_in_material_id "'Geometry/Material id' is 'if.x=1,1,0.', but a '=' would" "Geometry/Material id=if(x=1,1,0)")
+
+# What cannot be evaluated at a later time
+set(_late "at .* t = 0.8 its value is not a number")
+add_entry_test(late_depth "'Loading/Depth' is '0.01.t.log.0.65-t.', but ${_late}" "Loading/Depth=0.01*t+log(0.65-t)" "Loading/Number of steps=5")
+add_entry_test(late_traction "'Boundary conditions/Traction' is 'log.0.65-t.', but ${_late}" "Boundary conditions/Free=" "Boundary conditions/Traction=right: log(0.65-t)@ 0" "Loading/Number of steps=5")
+add_entry_test(late_displacement "'Boundary conditions/Prescribed displacement' is 'log.0.65-t.', but ${_late}" "Boundary conditions/Free=" "Boundary conditions/Prescribed displacement=right: log(0.65-t)@ free" "Loading/Number of steps=5")
 
 # What fails on one rank only
 add_message_test(limit_load_expression_nan 2 "'Indenter/Expression' is 'if.x>0.7,log.0.8-x.,0.', but at .* its value is not a number"

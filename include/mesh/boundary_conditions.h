@@ -74,6 +74,13 @@ namespace ElastoPlastic
     const std::map<types::boundary_id, Components> &
     tractions() const;
 
+    /// Evaluates what is prescribed on @p boundary, if anything is.
+    /// @throws InputError for a value that is not finite.
+    void
+    check_values(const types::boundary_id boundary,
+                 const Point<dim>        &point,
+                 const double             time) const;
+
   private:
     void
     add_boundary(const std::string          &entry,

@@ -53,6 +53,7 @@ namespace ElastoPlastic
         error_bound.emplace(model, parameters, communicator, gap_function);
     setup_body();
     setup_contact();
+    check_loads();
     check_supports();
     check_reach();
     check_size();

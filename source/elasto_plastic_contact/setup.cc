@@ -4,8 +4,10 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include "base/exceptions.h"
+#include "base/throw_together.h"
 #include "elasto_plastic_contact.h"
 #include "make_tangent_solver.h"
+#include "mechanics/boundary_points.h"
 #include "mechanics/rigid_body_modes.h"
 
 namespace ElastoPlastic
@@ -56,6 +58,33 @@ namespace ElastoPlastic
                                            screen.warn(warning);
                                          });
     error_indicators.reinit(triangulation.n_active_cells());
+  }
+
+
+
+  // An expression shows what is wrong with it only where and when it is
+  // evaluated: so it is, for the ends of all steps, before there are results
+  // and earlier ones are gone.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::check_loads() const
+  {
+    std::set<types::boundary_id> boundaries =
+      model.boundary_conditions.ids(BoundaryConditionType::traction);
+    boundaries.merge(model.boundary_conditions.ids(
+      BoundaryConditionType::prescribed_displacement));
+    const auto points = boundary_points(dof_handler, boundaries);
+
+    throw_together(communicator, [&]() {
+      for (TimeSteps step = time_steps; !step.finished(); step.advance())
+        {
+          load_program.load(step.next_time());
+          for (const auto &[boundary, point] : points)
+            model.boundary_conditions.check_values(boundary,
+                                                   point,
+                                                   step.next_time());
+        }
+    });
   }
 
 

@@ -168,6 +168,21 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  BoundaryConditions<dim>::check_values(const types::boundary_id boundary,
+                                        const Point<dim>        &point,
+                                        const double             time) const
+  {
+    for (const auto *const values : {&displacements, &traction_vectors})
+      if (const auto found = values->find(boundary); found != values->end())
+        for (const auto &component : found->second)
+          if (component)
+            component->value(point, time);
+  }
+
+
+
+  template <int dim>
+  void
   BoundaryConditions<dim>::add_boundary(const std::string          &entry,
                                         const BoundaryConditionType type,
                                         const std::string          &name,
