@@ -230,6 +230,12 @@ print_image_errors()
                                         "IDAT",
                                         33));
 
+  // A chunk that claims 1.6 GB
+  refuse("long_chunk.png",
+         png.substr(0, 33) + std::string("\x65\x00\x00\x00"
+                                         "eXIfMM\x00*",
+                                         12));
+
   refuse("no_size.pgm", "P5");
   refuse("no_maximum.pgm", "P5 2 2");
   refuse("zero.pgm", "P5 0 2 255\n");
@@ -276,6 +282,7 @@ print_matrix_errors()
   refuse("1,,2\n3,4,5\n");
   refuse("1 2\n");
   refuse("1\n2\n");
+  refuse(std::string("1 2\n3 4\0 5", 10));
   refuse(read("grey_8.png"));
 }
 

@@ -21,7 +21,8 @@ namespace ElastoPlastic
     [[noreturn]] void
     reject(const std::string &what) const;
 
-    /// Reject a header that promises no pixel or more than 10^8.
+    /// Reject a header that promises no pixel or more than 3*10^7, whose
+    /// heights take 240 MB on every rank.
     void
     check_n_pixels(const std::size_t width, const std::size_t height) const;
 

@@ -32,7 +32,8 @@ namespace ElastoPlastic
             {
               char *end = nullptr;
               row.push_back(std::strtod(word.c_str(), &end));
-              if (*end != '\0' || !std::isfinite(row.back()))
+              if (end != word.c_str() + word.size() ||
+                  !std::isfinite(row.back()))
                 file.reject("number " + std::to_string(row.size()) + place +
                             " is not a finite number. A height matrix holds "
                             "numbers, white space, commas and comments that "

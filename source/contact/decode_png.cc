@@ -35,6 +35,9 @@ namespace ElastoPlastic
       {
         AssertThrow(png != nullptr && info != nullptr, ExcOutOfMemory(0));
         png_set_read_fn(png, this, &PngReader::copy_bytes);
+        // Texts and colour profiles may claim any size: libpng would reserve
+        // it.
+        png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
       }
 
       PngReader(const PngReader &) = delete;
@@ -44,14 +47,23 @@ namespace ElastoPlastic
         png_destroy_read_struct(&png, &info, nullptr);
       }
 
-      /// Read up to the pixels and ask for 16 bit per channel, without
-      /// palette and transparency. False on an error.
+      /// Read up to the pixels. False on an error.
       bool
       read_header()
       {
         if (setjmp(png_jmpbuf(png)))
           return false;
         png_read_info(png, info);
+        return true;
+      }
+
+      /// Make room for rows of pixels with 16 bit per channel, without palette
+      /// and transparency. False on an error.
+      bool
+      prepare_rows()
+      {
+        if (setjmp(png_jmpbuf(png)))
+          return false;
         png_set_expand_16(png);
         png_set_strip_alpha(png);
         png_set_interlace_handling(png);
@@ -160,6 +172,8 @@ namespace ElastoPlastic
       file.reject(
         "this PNG image is damaged or truncated (its header promises "
         "more pixels than the file can hold).");
+    if (!reader.prepare_rows())
+      reject();
 
     std::vector<png_byte>  bytes(height * reader.n_bytes_per_row());
     std::vector<png_bytep> rows(height);

@@ -51,11 +51,12 @@ namespace ElastoPlastic
   HeightFile::check_n_pixels(const std::size_t width,
                              const std::size_t height) const
   {
-    constexpr std::size_t n_pixels_max = 100'000'000;
+    constexpr std::size_t n_pixels_max = 30'000'000;
     if (width == 0 || height == 0 || width > n_pixels_max / height)
       reject("the header of this image promises " + std::to_string(width) +
              " x " + std::to_string(height) +
-             " pixels. Between 1 and 10^8 pixels can be read.");
+             " pixels. Between 1 and 3*10^7 can be read: choose a coarser "
+             "resolution.");
   }
 
 
