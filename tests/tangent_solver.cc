@@ -27,7 +27,7 @@ namespace
   constexpr unsigned int dim = 2;
 
   /// Multiplies by a number, or fails if that is 0, and says when it is
-  /// prepared.
+  /// prepared, which fails if the number is negative.
   class Scaling : public TangentPreconditioner<dim>
   {
   public:
@@ -41,6 +41,8 @@ namespace
     {
       output() << "  " << name << " is prepared, " << held.l1_norm() << " held"
                << std::endl;
+      if (factor < 0.)
+        throw_singular();
     }
 
     void
@@ -219,6 +221,9 @@ main(int argc, char *argv[])
                         Block::scaling("Second", 1., 1000)});
   block.check_fallback("Values that are not finite",
                        {Block::scaling("First", 0., 1000),
+                        Block::scaling("Second", 1., 1000)});
+  block.check_fallback("A preconditioner that cannot be prepared",
+                       {Block::scaling("First", -1., 1000),
                         Block::scaling("Second", 1., 1000)});
   block.check_ties("Tied unknowns", 1);
 

@@ -36,14 +36,14 @@ namespace ElastoPlastic
       unsigned int maximum_iterations;
     };
 
-    /// The first of @p methods is used; it has failed if its result is not
-    /// finite or it needs all its iterations. Then @p warn gets a sentence for
-    /// the user, and the next one takes over for good.
+    /// The first of @p methods is used; it has failed if it cannot be prepared,
+    /// its result is not finite or it needs all its iterations. Then @p warn
+    /// gets a sentence for the user, and the next one takes over for good.
     TangentSolver(const std::vector<Method>                      &methods,
                   const std::function<void(const std::string &)> &warn);
 
     /// Takes the stored tangent of @p solid, which must outlive the solves, and
-    /// which unknowns are held and tied.
+    /// which unknowns are held and tied. @throws ConvergenceError
     void
     prepare(const SolidOperator<dim> &solid, const ReducedUnknowns &unknowns);
 
@@ -71,8 +71,18 @@ namespace ElastoPlastic
     class ReducedTangent;
     class DeflatedPreconditioner;
 
+    /// @throws ConvergenceError if no method is left that can be prepared.
     void
     prepare_preconditioner();
+
+    bool
+    is_last_method() const
+    {
+      return method + 1 == methods.end();
+    }
+
+    void
+    take_next_method();
 
     void
     prepare_response();

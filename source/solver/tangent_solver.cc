@@ -120,7 +120,32 @@ namespace ElastoPlastic
     VectorType held;
     solid->initialize_vector(held);
     unknowns.set_entries(held, 1.);
-    preconditioner->prepare(*solid, held);
+    while (true)
+      try
+        {
+          preconditioner->prepare(*solid, held);
+          return;
+        }
+      catch (const ConvergenceError &)
+        {
+          if (is_last_method())
+            throw;
+          take_next_method();
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  TangentSolver<dim>::take_next_method()
+  {
+    const std::string failed = method->name;
+    ++method;
+    warn((solid->has_energy() ? "Conjugate gradients with " + failed + " do" :
+                                "GMRES with " + failed + " does") +
+         " not converge here: " + method->name + " takes over on this mesh.");
+    preconditioner = method->make();
   }
 
 
@@ -149,7 +174,7 @@ namespace ElastoPlastic
                             const VectorType &rhs,
                             const double      reduction)
   {
-    while (method + 1 != methods.end())
+    while (!is_last_method())
       {
         try
           {
@@ -159,13 +184,7 @@ namespace ElastoPlastic
           }
         catch (const ConvergenceError &)
           {}
-        const std::string failed = method->name;
-        ++method;
-        warn(
-          (solid->has_energy() ? "Conjugate gradients with " + failed + " do" :
-                                 "GMRES with " + failed + " does") +
-          " not converge here: " + method->name + " takes over on this mesh.");
-        preconditioner = method->make();
+        take_next_method();
         prepare_preconditioner();
       }
     return try_to_solve(solution, rhs, reduction);
