@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
+#include "equilibrium/integration.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/split_mesh.h"
 
@@ -225,23 +226,20 @@ namespace ElastoPlastic::JohnsonMercier
     const Triangle                                               &triangle,
     const std::function<SymmetricTensor<2, 2>(const Point<2> &)> &stress)
   {
-    Vector<double>  dofs(n_dofs);
-    const QGauss<1> on_side(3);
+    Vector<double> dofs(n_dofs);
     for (unsigned int side = 0; side < 3; ++side)
       {
         const Point<2> a = triangle[side], b = triangle[(side + 1) % 3];
-        for (unsigned int q = 0; q < on_side.size(); ++q)
-          {
-            const double       t = on_side.point(q)[0];
-            const Tensor<1, 2> traction =
-              stress(Point<2>(a + t * (b - a))) * normal(a, b);
+        integrate_on_side(
+          a, b, [&](const double t, const Point<2> &x, const double weight) {
+            const Tensor<1, 2> traction = stress(x) * normal(a, b);
             for (unsigned int c = 0; c < 2; ++c)
               {
-                const double w = on_side.weight(q) * traction[c];
+                const double w = weight * traction[c];
                 dofs[traction_index(side, 0, c)] += w * (4. - 6. * t);
                 dofs[traction_index(side, 1, c)] += w * (6. * t - 2.);
               }
-          }
+          });
       }
 
     const QGaussSimplex<2> inside(3);

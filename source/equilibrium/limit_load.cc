@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "equilibrium/integration.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/limit_load.h"
 #include "equilibrium/stress_problem.h"
@@ -23,12 +24,12 @@ namespace ElastoPlastic
       for (unsigned int third = 0; third < 3; ++third)
         {
           const auto rate = on_third(rates, third);
-          for (unsigned int i = 0; i < 3; ++i)
-            for (unsigned int j = 0; j < 3; ++j)
-              sum += (i == j ? 2. : 1.) *
-                     (stress_at(bounds.stress.in_plane[t], third, i) * rate[j]);
+          sum +=
+            integrate_product([&](const unsigned int i, const unsigned int j) {
+              return stress_at(bounds.stress.in_plane[t], third, i) * rate[j];
+            });
         }
-      return area(body.mesh.corners(body.mesh.triangles[t])) / 36. * sum;
+      return area(body.mesh.corners(body.mesh.triangles[t])) / 3. * sum;
     }
   } // namespace
 

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <cmath>
 
 #include "equilibrium/hencky_material.h"
+#include "equilibrium/integration.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/local_algebra.h"
 #include "equilibrium/stress_program.h"
@@ -68,14 +67,6 @@ namespace ElastoPlastic
               std::pow(part, 0.75)};
     }
 
-
-
-    /// int of the product of two linear functions, relative to the area.
-    double
-    mass(const unsigned int i, const unsigned int j)
-    {
-      return i == j ? 1. / 6. : 1. / 12.;
-    }
   } // namespace
 
 
@@ -265,7 +256,7 @@ namespace ElastoPlastic
         for (unsigned int i = 0; i < n_components; ++i)
           for (unsigned int k = 0; k < n_components; ++k)
             energy(n_components * p + i, n_components * q + k) =
-              energy_weight(body, t) * mass(p % 3, q % 3) * c(i, k);
+              energy_weight(body, t) * mass_of_corners(p % 3, q % 3) * c(i, k);
     return energy;
   }
 
@@ -290,7 +281,7 @@ namespace ElastoPlastic
           for (unsigned int p = 0; p < n_points; ++p)
             for (unsigned int q = 3 * (p / 3); q < 3 * (p / 3) + 3; ++q)
               cost(n - n_points + p, n - n_points + q) +=
-                energy_weight(body, t) * mass(p % 3, q % 3) /
+                energy_weight(body, t) * mass_of_corners(p % 3, q % 3) /
                 hardening(material);
 
         for (const SideOfTriangle &side : sides[t])
@@ -376,20 +367,15 @@ namespace ElastoPlastic
   StressProgram::moments(const unsigned int                             side,
                          const std::function<double(const Point<2> &)> &f) const
   {
-    static const QGauss<1> quadrature(5);
-
-    const auto    &vertices      = body.mesh.sides[side].vertices;
-    const Point<2> a             = body.mesh.vertices[vertices[0]],
-                   b             = body.mesh.vertices[vertices[1]];
-    std::array<double, 2> result = {};
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-      {
-        const double t = quadrature.point(q)[0];
-        const double value =
-          2. * quadrature.weight(q) * f(Point<2>(a + t * (b - a)));
-        result[0] += (1. - t) * value;
-        result[1] += t * value;
-      }
+    const auto           &vertices = body.mesh.sides[side].vertices;
+    std::array<double, 2> result   = {};
+    integrate_on_side(body.mesh.vertices[vertices[0]],
+                      body.mesh.vertices[vertices[1]],
+                      [&](const double t, const Point<2> &x, const double w) {
+                        const double value = 2. * w * f(x);
+                        result[0] += (1. - t) * value;
+                        result[1] += t * value;
+                      });
     return result;
   }
 } // namespace ElastoPlastic

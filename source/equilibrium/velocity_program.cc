@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "equilibrium/certificate.h"
+#include "equilibrium/integration.h"
 #include "equilibrium/interior_point.h"
 #include "equilibrium/velocity_program.h"
 #include "equilibrium/yield_conditions.h"
@@ -16,7 +15,6 @@ namespace ElastoPlastic
   namespace
   {
     constexpr double gap_tolerance = 1e-6;
-
     /// Stresses at the corners of a triangle: 11, 22, 12.
     constexpr unsigned int n_stresses = 9;
 
@@ -153,32 +151,30 @@ namespace ElastoPlastic
     void
     VelocityProgram::add_tractions()
     {
-      const QGauss<1> quadrature(5);
+      const double unit = body.stress_unit * body.length_unit;
       for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
         for (const auto &component : body.conditions[s].components)
           {
             if (component.type != SideConditionType::traction)
               continue;
-            const auto    &vertices = body.mesh.sides[s].vertices;
-            const Point<2> a        = body.mesh.vertices[vertices[0]],
-                           b        = body.mesh.vertices[vertices[1]];
-            for (unsigned int q = 0; q < quadrature.size(); ++q)
-              {
-                const double t    = quadrature.point(q)[0];
-                const double load = quadrature.weight(q) * a.distance(b) *
-                                    component.value(Point<2>(a + t * (b - a))) /
-                                    (body.stress_unit * body.length_unit);
-                const std::array<std::pair<unsigned int, double>, 3> shapes = {
-                  {{vertices[0], (1. - t) * (1. - 2. * t)},
-                   {vertices[1], t * (2. * t - 1.)},
-                   {body.mesh.vertices.size() + s, 4. * t * (1. - t)}}};
-                for (const auto &[node, shape] : shapes)
-                  for (unsigned int c = 0; c < 2; ++c)
-                    if (!nodes[node].fixed[c])
-                      program.right_hand_side[nodes[node].equations[c]] +=
-                        load * shape *
-                        (component.direction * nodes[node].directions[c]);
-              }
+            const SplitMesh::Side &side   = body.mesh.sides[s];
+            const unsigned int     middle = body.mesh.vertices.size() + s;
+            const auto add = [&](const unsigned int n, const double force) {
+              for (unsigned int c = 0; c < 2; ++c)
+                if (!nodes[n].fixed[c])
+                  program.right_hand_side[nodes[n].equations[c]] +=
+                    force * (component.direction * nodes[n].directions[c]);
+            };
+            integrate_on_side(
+              body.mesh.vertices[side.vertices[0]],
+              body.mesh.vertices[side.vertices[1]],
+              [&](const double t, const Point<2> &x, const double weight) {
+                const double force =
+                  weight * body.mesh.length(side) * component.value(x) / unit;
+                add(side.vertices[0], (1. - t) * (1. - 2. * t) * force);
+                add(side.vertices[1], t * (2. * t - 1.) * force);
+                add(middle, 4. * t * (1. - t) * force);
+              });
           }
     }
 
