@@ -76,6 +76,9 @@ namespace ElastoPlastic
     add_nonlinear_hardening(ParameterHandler &prm);
 
     void
+    check_yield_strains() const;
+
+    void
     check_nonlinear_hardening() const;
 
     /// The number of values of each entry.

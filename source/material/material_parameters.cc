@@ -14,6 +14,9 @@ namespace ElastoPlastic
 {
   namespace
   {
+    /// Smaller elastic strains are lost in the rounding of plastic ones.
+    constexpr double smallest_yield_strain = 1e-8;
+
     /// The value for the material @p id of a list that may hold one for all.
     template <typename T>
     const T &
@@ -206,7 +209,34 @@ namespace ElastoPlastic
                          ". Give one value for all materials or one for "
                          "each. " +
                          decimal_point_hint);
+    check_yield_strains();
     check_nonlinear_hardening();
+  }
+
+
+
+  void
+  MaterialParameters::check_yield_strains() const
+  {
+    for (unsigned int id = 0; id < n_materials(); ++id)
+      {
+        const double yield_stress  = of_material(yield_stresses, id);
+        const double young_modulus = of_material(young_moduli, id);
+        if (of_material(laws, id) != MaterialLaw::linear_elastic &&
+            yield_stress < smallest_yield_strain * young_modulus)
+          throw InputError(
+            "Material/Yield stress",
+            Patterns::Tools::to_string(yield_stresses),
+            "with 'Material/Young's modulus = " +
+              Patterns::Tools::to_string(young_modulus) +
+              "' the material yields at a strain of " +
+              Patterns::Tools::to_string(yield_stress / young_modulus) +
+              ". Strains below " +
+              Patterns::Tools::to_string(smallest_yield_strain) +
+              " are lost in the rounding of plastic ones. Are both numbers in "
+              "the same system of units? If the material is to be rigid, a "
+              "smaller modulus does as well.");
+      }
   }
 
 
