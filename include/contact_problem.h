@@ -33,13 +33,16 @@ namespace ElastoPlastic
     /// All arguments must outlive this object; the active set and the load of
     /// @p contact are those to begin with; the parts of the work are accounted
     /// for in @p timer. An indenter that a force pushes deeper than
-    /// @p largest_depth is taken to sink without end.
+    /// @p largest_depth is taken to sink without end. @p largest_forces is the
+    /// largest sum of the magnitudes of all nodal forces in the load history so
+    /// far, on whatever mesh.
     ContactProblem(SolidOperator<dim>  &solid,
                    const Supports<dim> &supports,
                    const Vector        &external_forces,
                    ContactSet<dim>     &contact,
                    TangentSolver<dim>  &tangent_solver,
                    const double         largest_depth,
+                   const double         largest_forces,
                    TimerOutput         &timer);
 
     void
@@ -48,11 +51,16 @@ namespace ElastoPlastic
     bool
     has_energy() const override;
 
-    double
+    Energy
     energy(const Vector &u) const override;
 
     void
     compute_residual(Vector &residual, const Vector &u) const override;
+
+    /// The norm of the external forces, or if it is larger, the smallest that
+    /// the largest forces of the history can have on this mesh.
+    double
+    force_scale() const override;
 
     void
     linearize(const Vector &u) override;
@@ -109,6 +117,7 @@ namespace ElastoPlastic
     ContactSet<dim>     &contact;
     TangentSolver<dim>  &tangent_solver;
     const double         largest_depth;
+    const double         scale_of_forces;
     TimerOutput         &timer;
 
     ReducedUnknowns unknowns;

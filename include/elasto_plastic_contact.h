@@ -206,6 +206,10 @@ namespace ElastoPlastic
     VectorType  displacement_rate;
     double      depth_rate = 0;
 
+    // The largest sum of the magnitudes of all nodal forces so far: what small
+    // ones are measured against.
+    double largest_forces = 0;
+
     // The last of them on disk; and whether a step is under way that can be
     // taken back when the user wants to stop.
     const Checkpoint checkpoint;

@@ -20,7 +20,9 @@ from verify_equilibrium import (equilibrium_hertz, equilibrium_limit, error_boun
 from verify_hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from verify_indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
                                 johnson_limit, load_cycles)
+from verify_rounding import contrast, nearly_incompressible
 from verify_thick_sphere import thick_sphere, thick_sphere_axisymmetric
+from verify_zero_load import far_indenter, zero_force, zero_stress
 
 
 def step42(runner):
@@ -270,7 +272,8 @@ ALL = {
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space,
                      sphere_indentation, cone_indentation, strip_punch, strip_punch_locks,
                      limit_load, safe_load, error_bound, error_bound_ranks, error_bound_refinement,
-                     equilibrium_hertz, equilibrium_limit)
+                     equilibrium_hertz, equilibrium_limit, zero_stress, zero_force, far_indenter,
+                     contrast, nearly_incompressible)
 }
 
 

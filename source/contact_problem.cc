@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/exceptions.h"
 #include "contact_problem.h"
 
@@ -13,6 +16,7 @@ namespace ElastoPlastic
                                       ContactSet<dim>     &contact,
                                       TangentSolver<dim>  &tangent_solver,
                                       const double         largest_depth,
+                                      const double         largest_forces,
                                       TimerOutput         &timer)
     : solid(solid)
     , supports(supports)
@@ -20,6 +24,9 @@ namespace ElastoPlastic
     , contact(contact)
     , tangent_solver(tangent_solver)
     , largest_depth(largest_depth)
+    , scale_of_forces(
+        std::max(external_forces.l2_norm(),
+                 largest_forces / std::sqrt(external_forces.size())))
     , timer(timer)
   {
     collect_unknowns();
@@ -63,12 +70,16 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  double
+  Energy
   ContactProblem<dim>::energy(const Vector &u) const
   {
     TimerOutput::Scope scope(timer, "Newton: energy");
-    return solid.energy(u) - external_forces * u -
-           contact.force() * contact.depth_at(u);
+    const double       stored         = solid.energy(u);
+    const double       external_work  = external_forces * u;
+    const double       indenters_work = contact.force() * contact.depth_at(u);
+    return {stored - external_work - indenters_work,
+            std::abs(stored) + std::abs(external_work) +
+              std::abs(indenters_work)};
   }
 
 
@@ -80,6 +91,15 @@ namespace ElastoPlastic
     TimerOutput::Scope scope(timer, "Newton: residual");
     solid.internal_forces(residual, u);
     residual.sadd(-1., 1., external_forces);
+  }
+
+
+
+  template <int dim>
+  double
+  ContactProblem<dim>::force_scale() const
+  {
+    return scale_of_forces;
   }
 
 

@@ -97,6 +97,8 @@ add_entry_test(table_infinite "'Material/Hardening table' is '0.1: inf', but it 
 add_entry_test(table_origin "'Material/Hardening table' is '0: 400', but its strains must increase, and the first must be greater than 0" "Material/Hardening table=0: 400")
 add_entry_test(table_strains "'Material/Hardening table' is '0.1: 500 . 0.1: 600', but its strains must increase" "Material/Hardening table=0.1: 500 | 0.1: 600")
 add_entry_test(table_stresses "'Material/Hardening table' is '0.1: 500 . 0.2: 499', but its stresses must not decrease" "Material/Hardening table=0.1: 500 | 0.2: 499")
+add_entry_test(tiny_yield_strain "'Material/Yield stress' is '400', but with 'Material/Young's modulus = 1e[+]15' the material yields at a strain of 4e-13.*same system of units" "Material/Young's modulus=1e15")
+add_message_test(tiny_depth 2 "^Error: .*forces are so small that their squares vanish.*'Loading'.*system of units" ${CMAKE_SOURCE_DIR}/parameter_files/cylinder_2d.prm --quiet --overwrite --output-directory tiny_depth --set "Loading/Depth=1e-200")
 add_entry_test(table_start "'Material/Hardening table' is '0.1: 300', but its stresses must not decrease, nor begin below 'Material/Yield stress'" "Material/Hardening table=0.1: 300")
 add_entry_test(back_stress_number "'Material/Back stress moduli' is '1000 . x', but it must be 'none', or numbers" "Material/Back stress moduli=1000 | x")
 add_entry_test(back_stress_negative "'Material/Back stress moduli' is '-1', but it must be 'none', or numbers that are finite and not negative" "Material/Back stress moduli=-1" "Material/Recovery rates=0")

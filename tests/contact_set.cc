@@ -125,6 +125,31 @@ namespace
              contact.fingerprint() != fingerprint);
     }
 
+    /// A force presses on the lowest part of the indenter at least; none at
+    /// all on nothing, and the indenter then stands where it just touches.
+    void
+    check_force()
+    {
+      Vector u = zero;
+      contact.place(depth);
+      contact.activate_touching(u);
+      contact.set_load({Control::force, 1.});
+      contact.update(u, constant(-1.));
+      verify("  a force finds the nearest node", contact.n_active() > 0);
+      contact.set_load({Control::force, 0.});
+      contact.activate_touching(u);
+      verify("  without a force none is active", contact.n_active() == 0);
+      contact.update(u, constant(1.));
+      contact.update_feasible(u, constant(1.));
+      verify("  nor later", contact.n_active() == 0);
+      u = -0.25;
+      contact.settle(u);
+      verify("  the indenter just touches",
+             std::abs(contact.depth() - contact.min_gap() - 0.25),
+             1e-15);
+      contact.set_load({Control::depth, depth});
+    }
+
     void
     check_projection()
     {
@@ -289,6 +314,7 @@ namespace
         Block<dim> part(degree, 0.43);
         part.check_candidates();
         part.check_switching();
+        part.check_force();
         part.check_projection();
         part.check_state();
       }

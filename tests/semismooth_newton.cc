@@ -220,6 +220,75 @@ namespace
 
 
 
+  /// n masses in a row at the end of a spring, at the other end of which there
+  /// is a wall; the springs between them are far stiffer; they are pulled.
+  SpringNetwork
+  row(const unsigned int n, const double stiffness, const SpringLaw &law)
+  {
+    FullMatrix<double> springs(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        springs(i, i) = (i == 0 ? 1. : std::sqrt(stiffness));
+        if (i > 0)
+          springs(i, i - 1) = -springs(i, i);
+      }
+    return SpringNetwork(
+      springs,
+      law,
+      std::vector<double>(n, 0.3),
+      std::vector<double>(n, std::numeric_limits<double>::infinity()),
+      std::vector<bool>(n, false));
+  }
+
+
+
+  /// A displacement of 0.9 has its last digit at 1e-16, which is a force of
+  /// 1e-7 between stiff masses.
+  void
+  check_rounding()
+  {
+    for (const double stiffness : {1., 1e9})
+      {
+        SpringNetwork problem = row(3, stiffness, linear);
+        Vector        u(3);
+        const auto    report   = solve(problem, u);
+        const double  residual = report.steps.back().residual;
+        output() << "springs with the stiffness " << stiffness
+                 << " between masses\n  displacement " << u[2] << std::endl;
+        verify("  displacement", std::abs(u[2] - 0.9 - 0.9 / stiffness), 1e-14);
+        verify("  at most 10 iterations", report.n_iterations() <= 10);
+        verify("  forces as small as the tolerance, if they can be",
+               stiffness == 1. ? residual <= 1e-12 :
+                                 residual > 1e-12 && residual < 1e-6);
+      }
+  }
+
+
+
+  /// At the solution the springs have stored what the loads have done, so that
+  /// the energy is no measure of its own rounding errors.
+  void
+  check_vanishing_energy()
+  {
+    SpringNetwork free_row = row(20, 1., stiffening);
+    Vector        u(20);
+    const double  energy = solve(free_row, u).steps.back().energy;
+    SpringLaw     law    = stiffening;
+    law.energy           = [energy](const double e) {
+      return stiffening.energy(e) - energy / 20.;
+    };
+    SpringNetwork problem = row(20, 1., law);
+    u                     = 0.;
+    const auto report     = solve(problem, u);
+    verify("an energy that vanishes at the solution",
+           std::abs(report.steps.back().energy),
+           1e-12 * std::abs(energy));
+    verify("  at most 15 iterations", report.n_iterations() <= 15);
+    verify("  ends with full steps", report.steps.back().step_length == 1.);
+  }
+
+
+
   void
   check_limit()
   {
@@ -253,5 +322,7 @@ main(int argc, char *argv[])
   check_line_search();
   check_cycling();
   check_without_energy();
+  check_rounding();
+  check_vanishing_energy();
   check_limit();
 }

@@ -77,15 +77,24 @@ public:
     return true;
   }
 
-  double
+  ElastoPlastic::Energy
   energy(const Vector &u) const override
   {
-    double sum = 0;
+    double stored = 0, work = 0;
     for (unsigned int k = 0; k < springs.m(); ++k)
-      sum += law.energy(elongation(k, u));
+      stored += law.energy(elongation(k, u));
     for (unsigned int i = 0; i < load.size(); ++i)
-      sum -= load[i] * u[i];
-    return sum;
+      work += load[i] * u.local_element(i);
+    return {stored - work, std::abs(stored) + std::abs(work)};
+  }
+
+  double
+  force_scale() const override
+  {
+    double scale = 0;
+    for (const double force : load)
+      scale = std::max(scale, std::abs(force));
+    return scale;
   }
 
   void
@@ -93,9 +102,10 @@ public:
   {
     for (unsigned int i = 0; i < load.size(); ++i)
       {
-        residual[i] = load[i];
+        residual.local_element(i) = load[i];
         for (unsigned int k = 0; k < springs.m(); ++k)
-          residual[i] -= springs(k, i) * law.force(elongation(k, u));
+          residual.local_element(i) -=
+            springs(k, i) * law.force(elongation(k, u));
       }
   }
 
@@ -137,14 +147,15 @@ public:
   apply_inverse_diagonal(Vector &forces) const override
   {
     for (unsigned int i = 0; i < load.size(); ++i)
-      forces[i] /= tangent(i, i);
+      forces.local_element(i) /= tangent(i, i);
   }
 
   bool
   update_active_set(const Vector &u, const Vector &residual) override
   {
     return set_active([&](const unsigned int i) {
-      return active[i] ? residual[i] > 0 : u[i] > bound[i];
+      return active[i] ? residual.local_element(i) > 0 :
+                         u.local_element(i) > bound[i];
     });
   }
 
@@ -152,7 +163,7 @@ public:
   update_feasible_active_set(const Vector &u, const Vector &residual) override
   {
     return set_active([&](const unsigned int i) {
-      return u[i] >= bound[i] && residual[i] > 0;
+      return u.local_element(i) >= bound[i] && residual.local_element(i) > 0;
     });
   }
 
@@ -176,14 +187,14 @@ public:
   {
     for (unsigned int i = 0; i < load.size(); ++i)
       if (active[i])
-        u[i] = bound[i];
+        u.local_element(i) = bound[i];
   }
 
   void
   project(Vector &u) const override
   {
     for (unsigned int i = 0; i < load.size(); ++i)
-      u[i] = std::min(u[i], bound[i]);
+      u.local_element(i) = std::min(u.local_element(i), bound[i]);
   }
 
   void
@@ -191,7 +202,7 @@ public:
   {
     for (unsigned int i = 0; i < load.size(); ++i)
       if (active[i])
-        residual[i] = 0;
+        residual.local_element(i) = 0;
   }
 
   /// How far @p u is from a solution: penetration, tension, forces on free
@@ -204,9 +215,10 @@ public:
     double error = 0;
     for (unsigned int i = 0; i < load.size(); ++i)
       {
-        const double gap = bound[i] - u[i];
+        const double gap = bound[i] - u.local_element(i);
         const double force =
-          (gap <= 1e-12 ? std::min(residual[i], 0.) : std::abs(residual[i]));
+          (gap <= 1e-12 ? std::min(residual.local_element(i), 0.) :
+                          std::abs(residual.local_element(i)));
         error = std::max({error, -gap, std::abs(force)});
       }
     return error;
@@ -221,7 +233,7 @@ private:
     result = 0;
     for (unsigned int i = 0; i < matrix.m(); ++i)
       for (unsigned int j = 0; j < matrix.n(); ++j)
-        result[i] += matrix(i, j) * vector[j];
+        result.local_element(i) += matrix(i, j) * vector.local_element(j);
   }
 
   double
@@ -229,7 +241,7 @@ private:
   {
     double sum = 0;
     for (unsigned int i = 0; i < load.size(); ++i)
-      sum += springs(k, i) * u[i];
+      sum += springs(k, i) * u.local_element(i);
     return sum;
   }
 
@@ -264,10 +276,10 @@ public:
     return false;
   }
 
-  double
+  ElastoPlastic::Energy
   energy(const Vector &) const override
   {
-    return 0.;
+    return {};
   }
 };
 

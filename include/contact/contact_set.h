@@ -116,7 +116,8 @@ namespace ElastoPlastic
     settle(const Vector &u);
 
     /// Takes those candidates as active, too, that @p u brings to the indenter
-    /// or beyond. If there is none, a force moves the indenter to the nearest.
+    /// or beyond. If there is none, a force F > 0 moves the indenter to the
+    /// nearest; if F = 0, there are none.
     void
     activate_touching(const Vector &u);
 
@@ -152,7 +153,7 @@ namespace ElastoPlastic
     double
     min_gap() const;
 
-    /// Sets the active entries of @p u to g - depth.
+    /// Sets the active entries of @p u to g - depth, but for rounding errors.
     void
     move_active(Vector &u) const;
 
@@ -190,6 +191,14 @@ namespace ElastoPlastic
       double       area;
       bool         active;
     };
+
+    /// An indenter that no force pushes does not press on any node, and has
+    /// none to tell it its place: it follows the body without holding it.
+    bool
+    presses() const
+    {
+      return !is_force_driven() || force() > 0.;
+    }
 
     double
     bound(const Node &node) const

@@ -46,7 +46,8 @@ namespace ElastoPlastic
     double                  force             = 0;
     double                  depth             = 0;
     double                  residual          = 0;
-    /// |force - reaction of the supports - tractions| / the largest of them
+    /// |force - reaction of the supports - tractions| / the largest sum of the
+    /// magnitudes of all nodal forces so far
     double force_balance_error   = 0;
     double max_penetration       = 0;
     double complementarity_error = 0;

@@ -10,6 +10,16 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
+  /// An energy, and the sum of the magnitudes of the parts that it has been
+  /// added up from: what is small against that may be rounding.
+  struct Energy
+  {
+    double value     = 0;
+    double magnitude = 0;
+  };
+
+
+
   /// What SemismoothNewton needs to know of a problem: minimise a convex
   /// energy Pi(u), where some unknowns are held (by supports, or because they
   /// are in the active set) and others are bounded from above (the contact
@@ -38,12 +48,18 @@ namespace ElastoPlastic
     has_energy() const = 0;
 
     /// Pi(u), or a number to look at if it does not exist.
-    virtual double
+    virtual Energy
     energy(const Vector &u) const = 0;
 
     /// -dPi/du at all unknowns, held ones included.
     virtual void
     compute_residual(Vector &residual, const Vector &u) const = 0;
+
+    /// A norm of forces, of the problem and not of any u, which is not zero
+    /// where the residual of the solution is: forces that are small against it
+    /// are negligible.
+    virtual double
+    force_scale() const = 0;
 
     /// Stores the second derivative of Pi at u, or (if Pi exists) a positive
     /// definite approximation that tends to it when the iteration converges,

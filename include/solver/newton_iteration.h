@@ -18,7 +18,8 @@ namespace ElastoPlastic
     unsigned int iteration;
     unsigned int n_active;
     double       energy;
-    /// Norm of the forces on the free unknowns, relative to all forces.
+    /// Norm of the forces on the free unknowns, relative to all forces, or to
+    /// the scale of the problem's forces if that is larger.
     double residual;
     /// Of the linear solve that led here; 0 in the starting point.
     unsigned int linear_iterations;
@@ -64,8 +65,16 @@ namespace ElastoPlastic
     void
     become_feasible();
 
+    /// Whether u is as good as the tolerance asks for, or as it can be.
     bool
-    has_converged() const;
+    has_converged();
+
+    /// Whether the forces on the free unknowns are small, and no larger than
+    /// what the rounding of u makes of them: the displacements have only so
+    /// many digits, and where the body is very stiff, or almost incompressible,
+    /// the last of them are large forces.
+    bool
+    is_rounding();
 
     /// The primal-dual active set and Newton step.
     void
@@ -119,10 +128,10 @@ namespace ElastoPlastic
 
     Vector previous_u, residual, free_residual, lift, increment, trial, work;
 
-    double force_norm             = 0;
-    double free_norm              = 0;
-    double previous_free_norm     = 0;
-    double current_energy         = 0;
+    double force_norm         = 0;
+    double free_norm          = 0;
+    double previous_free_norm = 0;
+    Energy current_energy;
     bool   feasible               = false;
     bool   stuck                  = false;
     bool   held_unknowns_at_place = false;

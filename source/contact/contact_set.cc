@@ -129,7 +129,7 @@ namespace ElastoPlastic
     bool changed = false;
     for (Node &node : candidates)
       {
-        const bool active = is_active(node);
+        const bool active = presses() && is_active(node);
         changed           = changed || (active != node.active);
         node.active       = active;
       }
@@ -245,13 +245,23 @@ namespace ElastoPlastic
 
 
 
+  // (A node that is as near as the rounding of gap and depth, which may be far
+  // larger than u, is at its place.)
   template <int dim>
   void
   ContactSet<dim>::move_active(Vector &u) const
   {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
     for (const Node &node : candidates)
       if (node.active)
-        u.local_element(node.index) = bound(node);
+        {
+          const double rounding =
+            4. * epsilon *
+            std::max(std::abs(node.gap), std::abs(present_depth));
+          double &displacement = u.local_element(node.index);
+          if (std::abs(displacement - bound(node)) > rounding)
+            displacement = bound(node);
+        }
   }
 
 

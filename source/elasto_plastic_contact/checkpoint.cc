@@ -26,7 +26,7 @@ namespace ElastoPlastic
                                                 Statistics::Progress &progress)
   {
     archive &time_steps &load_program &field_output &cycle &last_step
-      &depth_rate &progress;
+      &depth_rate &largest_forces &progress;
   }
 
 

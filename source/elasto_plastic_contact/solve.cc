@@ -3,6 +3,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+
 #include "contact_problem.h"
 #include "elasto_plastic_contact.h"
 #include "mechanics/rigid_body_modes.h"
@@ -44,6 +46,7 @@ namespace ElastoPlastic
                                   contact,
                                   *tangent_solver,
                                   1e4 * body_size(triangulation),
+                                  largest_forces,
                                   timer);
       const NewtonReport  report = newton.solve(problem, displacement);
       problem.compute_residual(residual, displacement);
@@ -53,6 +56,13 @@ namespace ElastoPlastic
       result.linear_iterations = report.n_linear_iterations();
       result.residual          = report.steps.back().residual;
       result.energy            = report.steps.back().energy;
+      if (result.residual > parameters.newton.tolerance)
+        screen.warn(
+          "The forces on the free unknowns are " +
+          Patterns::Tools::to_string(result.residual) +
+          " of all forces, above 'Nonlinear solver/Tolerance': parts of the "
+          "body are so stiff, or so nearly incompressible, that the rounding "
+          "of the displacements does not allow for less.");
     }
 
     evaluate_contact(result);
@@ -73,7 +83,8 @@ namespace ElastoPlastic
   // The contact force is the sum of the residual over the active nodes. It is
   // compared with what the supports feel, which is computed in an independent
   // way; the difference is relative to the sum of all nodal forces, because
-  // those of the supports may cancel.
+  // those of the supports may cancel, and to its largest value so far, because
+  // after unloading there may be none.
   template <int dim>
   void
   ElastoPlasticContact<dim>::evaluate_contact(SolveResult &result)
@@ -93,11 +104,11 @@ namespace ElastoPlastic
     double       load     = 0;
     if (external_forces.l1_norm() > 0)
       load = external_forces * rigid_body_modes(dof_handler, residual)[dim - 1];
-    const double all_nodal_forces =
-      residual.l1_norm() + external_forces.l1_norm();
-    if (all_nodal_forces > 0)
+    largest_forces =
+      std::max(largest_forces, residual.l1_norm() + external_forces.l1_norm());
+    if (largest_forces > 0)
       result.force_balance_error =
-        std::abs(state.force - reaction - load) / all_nodal_forces;
+        std::abs(state.force - reaction - load) / largest_forces;
   }
 
 

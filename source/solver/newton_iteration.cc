@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/patterns.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/exceptions.h"
 #include "solver/newton_iteration.h"
@@ -13,11 +16,43 @@ namespace ElastoPlastic
   {
     /// A step that falls below this fraction is no step.
     constexpr double smallest_step_length = 1e-4;
-    /// Differences of the energy below this fraction of it are rounding noise.
+    /// Differences of the energy below this fraction of its magnitude are
+    /// rounding noise.
     constexpr double energy_noise = 1e-11;
     /// So often may an active set come back before we call it a cycle.
     constexpr unsigned int tolerated_recurrences = 3;
     constexpr unsigned int n_smoothing_sweeps    = 3;
+    /// Forces on the free unknowns that exceed this fraction of all forces are
+    /// not negligible, rounding or not.
+    constexpr double largest_rounding = 1e-5;
+    /// What the forces change by if so many bits of the displacements are lost
+    /// tells what one bit is worth, up to a factor.
+    constexpr int    n_lost_bits     = 12;
+    constexpr double rounding_factor = 8.;
+    /// Smaller forces have squares that underflow.
+    constexpr double smallest_forces = 1e-130;
+
+
+
+    /// @p number without its last bits.
+    double
+    round_off(const double number)
+    {
+      constexpr int n_bits = std::numeric_limits<double>::digits - n_lost_bits;
+      int           exponent;
+      const double  mantissa = std::frexp(number, &exponent);
+      return std::ldexp(std::nearbyint(std::ldexp(mantissa, n_bits)),
+                        exponent - n_bits);
+    }
+
+
+
+    /// Not visibly, that is.
+    bool
+    has_not_grown(const Energy &energy, const Energy &start)
+    {
+      return energy.value <= start.value + energy_noise * start.magnitude;
+    }
   } // namespace
 
 
@@ -90,7 +125,7 @@ namespace ElastoPlastic
         step.active_set_changed =
           feasible ? problem.update_feasible_active_set(u, residual) :
                      problem.update_active_set(u, residual);
-        if (!feasible && (stuck || set_cycles()))
+        if (!feasible && ((stuck && !is_rounding()) || set_cycles()))
           become_feasible();
       }
 
@@ -102,15 +137,24 @@ namespace ElastoPlastic
 
     previous_free_norm = free_norm;
     free_norm          = compute_free_norm();
-    force_norm         = std::max(residual.l2_norm(), free_norm);
+    force_norm =
+      std::max({residual.l2_norm(), free_norm, problem.force_scale()});
     if (!std::isfinite(force_norm))
       throw ConvergenceError(
         "The forces are no longer finite numbers. Are the moduli in "
         "'Material', 'Loading/Depth' and the values in 'Boundary conditions' "
         "right, and all in the same system of units?");
+    if (force_norm < smallest_forces && residual.linfty_norm() > 0.)
+      throw InputError(
+        "The forces are so small that their squares vanish in double "
+        "precision: all of them are below " +
+        Patterns::Tools::to_string(smallest_forces) +
+        ". Choose larger loads in 'Loading' and 'Boundary conditions', or a "
+        "system of units in which moduli and displacements are larger "
+        "numbers.");
 
     step.n_active = problem.n_active();
-    step.energy   = current_energy;
+    step.energy   = current_energy.value;
     step.residual = (force_norm > 0 ? free_norm / force_norm : 0.);
     step.feasible = feasible;
   }
@@ -131,10 +175,31 @@ namespace ElastoPlastic
   // the new set as well as the old one (a node that touches without force),
   // the solution has been found.
   bool
-  NewtonIteration::has_converged() const
+  NewtonIteration::has_converged()
   {
     return step.iteration > 0 && held_unknowns_at_place &&
-           free_norm <= parameters.tolerance * force_norm;
+           (free_norm <= parameters.tolerance * force_norm ||
+            (free_norm > 0.5 * previous_free_norm && is_rounding()));
+  }
+
+
+
+  // (Forces that have been reduced already must be subtracted: a given force on
+  // the indenter is part of both.)
+  bool
+  NewtonIteration::is_rounding()
+  {
+    if (free_norm > largest_rounding * force_norm)
+      return false;
+    trial = u;
+    for (double &number : trial)
+      number = round_off(number);
+    problem.compute_residual(work, trial);
+    problem.reduce(work);
+    compute_free_norm();
+    work -= free_residual;
+    return free_norm <=
+           rounding_factor * std::ldexp(work.l2_norm(), -n_lost_bits);
   }
 
 
@@ -213,15 +278,14 @@ namespace ElastoPlastic
                                const Vector &direction,
                                const double  slope)
   {
-    const double start_energy = current_energy;
+    const Energy start = current_energy;
     for (double fraction = 1.; fraction > smallest_step_length; fraction *= 0.5)
       {
         u = base;
         u.add(fraction, direction);
         current_energy = problem.energy(u);
-        if (current_energy <= start_energy + 1e-4 * fraction * slope ||
-            (current_energy <=
-               start_energy + energy_noise * std::abs(start_energy) &&
+        if (current_energy.value <= start.value + 1e-4 * fraction * slope ||
+            (has_not_grown(current_energy, start) &&
              slope_has_shrunk(direction, slope)))
           {
             problem.compute_residual(residual, u);
@@ -287,7 +351,7 @@ namespace ElastoPlastic
             trial = u;
             trial.add(damping, free_residual);
             problem.project(trial);
-            if (problem.energy(trial) <= current_energy)
+            if (problem.energy(trial).value <= current_energy.value)
               {
                 u = trial;
                 break;
@@ -317,8 +381,7 @@ namespace ElastoPlastic
         u = work;
         u.add(step.step_length, increment);
         problem.project(u);
-        if (problem.energy(u) <=
-            current_energy + energy_noise * std::abs(current_energy))
+        if (has_not_grown(problem.energy(u), current_energy))
           {
             evaluate();
             return;

@@ -15,8 +15,9 @@ namespace ElastoPlastic
       tolerance,
       "The iteration ends when the active set no longer changes and the norm "
       "of the forces on the free unknowns has fallen below this fraction of "
-      "the norm of all nodal forces (those of contact and supports included). "
-      "Between 1e-14 and 1e-2. No unit.",
+      "the norm of all nodal forces (those of contact, supports and tractions), "
+      "or, where a load history passes through zero load, of the norm that "
+      "follows from the largest ones so far. Between 1e-14 and 1e-2. No unit.",
       Patterns::Double());
     prm.add_parameter("Maximum number of iterations",
                       maximum_iterations,
