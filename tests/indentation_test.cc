@@ -13,8 +13,8 @@
 #include <cmath>
 
 #include "contact/indenter_library.h"
-#include "evaluation/modelled_part.h"
 #include "evaluation/indentation_test.h"
+#include "evaluation/modelled_part.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -200,6 +200,51 @@ namespace
 
 
 
+  /// The same imprint, while every step of a softer and softer mesh presses the
+  /// indenter deeper, or loses force.
+  void
+  check_mesh_changes(const std::string &title,
+                     const double       deeper,
+                     const double       softer)
+  {
+    IndentationTest test(make_indenter<2>(indenter("sphere")).shape, 0., 1.);
+    std::optional<UnloadingResult> result;
+    double                         depth_shift = 0, force_scale = 1;
+    const auto                     on_mesh = [&](IndentationPoint point) {
+      point.depth += depth_shift;
+      point.force *= force_scale;
+      return point;
+    };
+    const std::vector<IndentationPoint> points = unloading(1., 0., 20);
+    test.add({0, 0., 0.0099, 0.9 * points[0].force, 1e-3});
+    for (const IndentationPoint &point : points)
+      {
+        if (!result)
+          result = test.add(on_mesh(point));
+        const IndentationPoint before = on_mesh(point);
+        depth_shift += deeper;
+        force_scale *= softer;
+        test.change_mesh(before, on_mesh(point));
+      }
+    verify(title + ": has a result", result.has_value());
+    if (!result)
+      return;
+    verify(title + ": from the largest force",
+           relative_error(result->maximum.force, points[0].force),
+           1e-14);
+    verify(title + ": largest depth",
+           relative_error(result->maximum.depth, points[0].depth),
+           1e-14);
+    verify(title + ": exponent",
+           relative_error(result->law.exponent, 1.4),
+           1e-6);
+    verify(title + ": final depth",
+           relative_error(result->law.final_depth, 0.006),
+           1e-6);
+  }
+
+
+
   void
   check_sections()
   {
@@ -265,6 +310,8 @@ main(int argc, char *argv[])
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_sneddon();
   check_histories();
+  check_mesh_changes("deeper on each mesh", 2e-4, 1.);
+  check_mesh_changes("less force on each mesh", 0., 0.9);
   check_sections();
   check_modelled_part();
 }

@@ -12,49 +12,14 @@
 #include <fstream>
 #include <iostream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "program.h"
+#include "table.h"
 
 namespace
 {
-  using Row = std::map<std::string, double>;
-
-  std::vector<std::string>
-  split(const std::string &line)
-  {
-    std::vector<std::string> cells;
-    std::istringstream       stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');)
-      cells.push_back(cell);
-    return cells;
-  }
-
-
-
-  std::vector<Row>
-  read_table(const std::string &name)
-  {
-    std::ifstream file(name);
-    std::string   line;
-    std::getline(file, line);
-    const auto       columns = split(line);
-    std::vector<Row> rows;
-    while (std::getline(file, line))
-      {
-        const auto cells = split(line);
-        Row        row;
-        for (unsigned int i = 0; i < cells.size(); ++i)
-          row[columns.at(i)] = std::stod(cells[i]);
-        rows.push_back(row);
-      }
-    return rows;
-  }
-
-
-
   void
   require(const bool holds, const std::string &what, const Row &row)
   {
@@ -135,6 +100,30 @@ namespace
                       << axis << " leave " << sum / scale << std::endl;
       }
   }
+
+
+
+  /// They begin where the force is larger than before and after, whatever the
+  /// mesh has done there, with the numbers of history.csv.
+  void
+  check_unloadings(const std::vector<Row> &history,
+                   const std::vector<Row> &unloadings)
+  {
+    for (const Row &unloading : unloadings)
+      {
+        const auto maximum = history.begin() + unloading.at("step") - 1;
+        for (const std::string column : {"depth", "force"})
+          if (unloading.at("max_" + column) != maximum->at(column))
+            std::cout << "FAILED: an unloading from the " << column << " "
+                      << unloading.at("max_" + column) << std::endl;
+        for (const auto neighbour : {maximum - 1, maximum + 1})
+          if (neighbour->at("force") > maximum->at("force"))
+            std::cout << "FAILED: an unloading from " << maximum->at("force")
+                      << ", which is not the largest force" << std::endl;
+      }
+    if (!unloadings.empty())
+      std::cout << unloadings.size() << " unloadings checked" << std::endl;
+  }
 } // namespace
 
 
@@ -154,6 +143,8 @@ main(int argc, char *argv[])
         check_solve(row);
       check_reactions(read_table("results/history.csv"),
                       read_table("results/reactions.csv"));
+      check_unloadings(read_table("results/history.csv"),
+                       read_table("results/indentation.csv"));
       for (const auto &entry : std::filesystem::directory_iterator("results"))
         if (entry.path().extension() == ".vtu")
           check_fields(entry.path());

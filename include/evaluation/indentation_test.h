@@ -65,6 +65,10 @@ namespace ElastoPlastic
   /// steps between the two shares of the largest force below; with fewer than
   /// three such steps there is no result.
   ///
+  /// Where the mesh changes on the way, the indenter does not move, but its
+  /// depth or its force jumps. The curve is put together again: what follows is
+  /// shifted in depth and scaled in force, which leaves the exponent of the law
+  /// alone, to where the curve has been left.
   class IndentationTest
   {
   public:
@@ -85,6 +89,11 @@ namespace ElastoPlastic
     std::optional<UnloadingResult>
     add(const IndentationPoint &point);
 
+    /// The mesh has changed: the end of the last step, @p before, is @p after
+    /// on the new one.
+    void
+    change_mesh(const IndentationPoint &before, const IndentationPoint &after);
+
     /// The test is over. @return the result of an unloading that goes on until
     /// then and has not been returned yet.
     std::optional<UnloadingResult>
@@ -93,15 +102,19 @@ namespace ElastoPlastic
     /// What this object remembers.
     struct Progress
     {
-      /// The last maximum and the steps of the unloading from there.
+      /// The last maximum and the steps of the unloading from there, as if the
+      /// mesh had not changed since the maximum.
       std::vector<IndentationPoint> unloading;
       bool                          evaluated = false;
+      /// What brings the next point to this mesh.
+      double depth_shift = 0;
+      double force_scale = 1;
 
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int /* version */)
       {
-        archive &unloading &evaluated;
+        archive &unloading &evaluated &depth_shift &force_scale;
       }
     };
 

@@ -42,19 +42,34 @@ namespace ElastoPlastic
   std::optional<UnloadingResult>
   IndentationTest::add(const IndentationPoint &point)
   {
+    IndentationPoint next = point;
+    next.depth += memory.depth_shift;
+    next.force *= memory.force_scale;
     if (!memory.unloading.empty() &&
-        point.force < memory.unloading.back().force &&
-        point.depth < memory.unloading.back().depth)
+        next.force < memory.unloading.back().force &&
+        next.depth < memory.unloading.back().depth)
       {
-        memory.unloading.push_back(point);
-        if (point.force < lowest_share * memory.unloading.front().force)
+        memory.unloading.push_back(next);
+        if (next.force < lowest_share * memory.unloading.front().force)
           return finish();
         return {};
       }
     const auto result = finish();
+    memory            = Progress();
     memory.unloading  = {point};
-    memory.evaluated  = false;
     return result;
+  }
+
+
+
+  // Without force there is nothing that could be scaled, nor unloaded.
+  void
+  IndentationTest::change_mesh(const IndentationPoint &before,
+                               const IndentationPoint &after)
+  {
+    memory.depth_shift += before.depth - after.depth;
+    if (before.force > 0 && after.force > 0)
+      memory.force_scale *= before.force / after.force;
   }
 
 

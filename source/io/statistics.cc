@@ -14,6 +14,14 @@ namespace ElastoPlastic
       columns.insert(columns.end(), names.begin(), names.end());
       return columns;
     }
+
+
+
+    IndentationPoint
+    indentation_point(const SolveResult &r)
+    {
+      return {r.step, r.time, r.depth, r.force, r.contact_area};
+    }
   } // namespace
 
 
@@ -181,8 +189,7 @@ namespace ElastoPlastic
     reactions.add_row(row);
 
     if (indentation_test)
-      add_unloading(indentation_test->add(
-        {r.step, r.time, r.depth, r.force, r.contact_area}));
+      add_unloading(indentation_test->add(indentation_point(r)));
   }
 
 
@@ -272,5 +279,8 @@ namespace ElastoPlastic
                           after.max_equivalent_plastic_strain,
                           after.plastic_work,
                           after.dissipation});
+    if (indentation_test)
+      indentation_test->change_mesh(indentation_point(before),
+                                    indentation_point(after));
   }
 } // namespace ElastoPlastic
