@@ -81,6 +81,8 @@ namespace ElastoPlastic
     solve_on_mesh_sequence(Statistics &statistics);
     [[noreturn]] void
     give_up(const ConvergenceError &error) const;
+    bool
+    tractions_grow() const;
 
     // A load step (load_step.cc): it ends with commit_step(), or it fails and
     // is taken back.

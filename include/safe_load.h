@@ -16,7 +16,8 @@ namespace ElastoPlastic
   /// the indenter that satisfy the yield condition. Where the equilibrium
   /// method can look for them (plane strain and plane stress, no tractions),
   /// the largest force that is prescribed is compared with the bounds of the
-  /// limit load; otherwise, nothing is done.
+  /// limit load; a warning says why, if there are no such bounds. Otherwise,
+  /// nothing is done.
   /// @throws EquilibriumError if the force is not safe.
   template <int dim>
   void

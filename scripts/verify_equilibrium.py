@@ -42,13 +42,20 @@ def limit_load(runner):
 
 
 def safe_load(runner):
-    """A force of 99.5 % of a lower bound of the limit load has an equilibrium."""
+    """A force of 99.5 % of a lower bound of the limit load has an equilibrium.
+
+    So has a small one after a depth that is a larger number than the limit load.
+    """
     lower = runner.tables("limit_load/strip_punch.prm",
                           "Refinement/Number of cycles=6")["limit_load"][-1]["lower_bound"]
     row = runner.run("limit_load/strip_punch.prm", "Analysis=contact", "Loading/Control=force",
                      f"Loading/Force={0.995 * lower}", "Refinement/Number of cycles=3", *QUADRATIC)[-1]
     runner.compare("force", row["force"], 0.995 * lower, 1e-9)
     runner.compare("forces on free nodes", row["residual"], 0, 1e-8, absolute=True)
+    row = runner.run("limit_load/strip_punch.prm", "Analysis=contact", "Indenter/Initial gap=9.99",
+                     "Loading/History=1: depth 10 | 2: force 1", "Loading/Number of steps=8",
+                     "Refinement/Number of cycles=1")[-1]
+    runner.compare("force after a depth", row["force"], 1, 1e-9)
 
 
 def uniform_meshes(runner, law, n_meshes):

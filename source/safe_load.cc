@@ -5,7 +5,9 @@
 
 #include "base/exceptions.h"
 #include "equilibrium/hencky_material.h"
+#include "io/screen.h"
 #include "limit_load_analysis.h"
+#include "loading/time_steps.h"
 #include "safe_load.h"
 
 namespace ElastoPlastic
@@ -33,20 +35,19 @@ namespace ElastoPlastic
 
 
 
-    /// At the ends of the segments of the load history, and of its steps.
+    /// Of all that are prescribed at the ends of the load steps. A force that
+    /// a depth has reached, and from which the next segment begins, is safe.
     double
     largest_force(const LoadProgram &program, const unsigned int n_steps)
     {
-      std::vector<double> times = program.segment_ends();
-      for (unsigned int step = 1; step < n_steps; ++step)
-        times.push_back(program.final_time() * step / n_steps);
-
       double largest = 0;
-      for (const double time : times)
+      for (TimeSteps steps(program.segment_ends(), n_steps, 0);
+           !steps.finished();
+           steps.advance())
         {
-          const Load load = program.load(time);
-          if (load.control == Control::force)
-            largest = std::max(largest, load.value);
+          const auto load = program.load(steps.next_time());
+          if (load && load->control == Control::force)
+            largest = std::max(largest, load->value);
         }
       return largest;
     }
@@ -54,7 +55,10 @@ namespace ElastoPlastic
 
 
 
-  // A body from which the indenter cannot displace material has no limit load.
+  // What the conic programs cannot find says nothing about the force: the body
+  // may be enclosed and have no limit load at all, or have no mechanism that
+  // bounds it; the rounding errors may be too large. Then it is for the load
+  // steps to find out.
   template <>
   void
   require_safe_load(const Model<2>   &model,
@@ -85,8 +89,14 @@ namespace ElastoPlastic
               coarse_model.geometry.with_initial_refinements(n - 1);
           }
       }
-    catch (const ConvergenceError &)
-      {}
+    catch (const ConvergenceError &error)
+      {
+        Screen(communicator, Verbosity::quiet)
+          .warn("There is no bound of the limit load to compare the force " +
+                Patterns::Tools::to_string(force) + " with. " + error.what() +
+                " The load is applied all the same; beyond a limit load, it "
+                "finds no equilibrium.");
+      }
   }
 
 

@@ -255,6 +255,8 @@ add_message_test(no_error_bound 3 "Error: The contact problem has been solved, b
   ${_no_bound} --output-directory no_error_bound --set "Refinement/Number of cycles=1")
 add_message_test(no_error_bound_yet 3 "Warning: The contact problem has been solved, but there is no error bound on this mesh"
   ${_no_bound} --output-directory no_error_bound_yet --set "Refinement/Number of cycles=2")
+add_message_test(no_limit_load_to_compare 0 "Warning: There is no bound of the limit load to compare the force 1 with. There is no limit load: the supports enclose the body, which bears any force."
+  ${_full_width} --output-directory no_limit_load_to_compare --set "Analysis=contact" --set "Loading/Control=force" --set "Output/Fields=never")
 # Elsewhere, the program comes to the limit itself. Steps that are taken back and
 # cut come closer: under a circular punch, the exact one is 10.3.
 add_message_test(beyond_limit_load 4 "No equilibrium has been found for the force 30 .t = 1.: it seems to be beyond the limit load of the body, whose material stops hardening. The largest force reached is 0"
@@ -262,6 +264,8 @@ add_message_test(beyond_limit_load 4 "No equilibrium has been found for the forc
 add_message_test(close_to_limit_load 4 "Error: No equilibrium .* The largest force reached is 10.*, at the depth 0.0"
   ${_punch_force} --output-directory close_to_limit_load --set "Loading/Force=20" --set "Kinematics=axisymmetric"
   --set "Loading/Number of steps=4" --set "Loading/Maximum number of cuts=3")
+add_message_test(tractions_beyond_limit 4 "Error: No equilibrium has been found under the tractions at t = 0.57[0-9]*: they seem to be beyond the limit load of the body, whose material stops hardening. The last equilibrium is that at t = 0.57[0-9]*. Prescribe smaller tractions"
+  ${_files}/pulled_too_far.prm --quiet --overwrite --output-directory tractions_beyond_limit)
 add_message_test(sinks_without_end 3 "The indenter sinks without end: its depth exceeds the size of the body by far"
   ${_base} --output-directory sinks_without_end --overwrite --quiet --set "Loading/Control=force" --set "Loading/Force=1e12")
 

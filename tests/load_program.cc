@@ -3,7 +3,11 @@
 
 // The load over time, and the steps that follow it: segments, cutting, growing.
 
+#include <boost/archive/text_iarchive.hpp>
+#include <boost/archive/text_oarchive.hpp>
+
 #include <cmath>
+#include <sstream>
 
 #include "loading/load_program.h"
 #include "loading/time_steps.h"
@@ -14,10 +18,12 @@ using namespace ElastoPlastic;
 namespace
 {
   std::string
-  text(const Load &load)
+  text(const std::optional<Load> &load)
   {
-    return (load.control == Control::depth ? "depth " : "force ") +
-           std::to_string(load.value);
+    if (!load)
+      return "not known yet";
+    return (load->control == Control::depth ? "depth " : "force ") +
+           std::to_string(load->value);
   }
 
 
@@ -53,6 +59,21 @@ namespace
 
 
 
+  LoadProgram
+  from_checkpoint(const LoadProgram       &program,
+                  const LoadingParameters &parameters)
+  {
+    std::stringstream             state;
+    boost::archive::text_oarchive out(state);
+    out << program;
+    boost::archive::text_iarchive in(state);
+    LoadProgram                   copy(parameters);
+    in >> copy;
+    return copy;
+  }
+
+
+
   void
   check_history()
   {
@@ -63,13 +84,19 @@ namespace
     output() << "A table; it begins at zero" << std::endl;
     verify("  final time", program.final_time() == 3);
     print_loads(program, {0.5, 1});
-    output() << "  changes of control start from what has been reached"
+    output() << "  where the control changes, it depends on what is reached"
              << std::endl;
+    print_loads(program, {1.25, 1.5, 1.75, 2, 2.5, 3});
     program.reached(0.5, 0.1, 20.);
     program.reached(1., 0.2, 30.);
-    print_loads(program, {1.25, 1.5, 1.75, 2});
+    print_loads(program, {1.25, 1.5, 1.75, 2, 2.5});
+    output() << "  the same from a checkpoint" << std::endl;
+    print_loads(from_checkpoint(program, parameters), {1.25, 2.5});
     program.reached(1.5, 0.15, 0.);
     program.reached(2., 0.4, 8.);
+    print_loads(program, {2.5, 3});
+    output() << "  and from a changed mesh" << std::endl;
+    program.reached(2., 0.6, 8.);
     print_loads(program, {2.5, 3});
   }
 

@@ -5,6 +5,7 @@
 #define loading_load_program_h
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,12 +37,14 @@ namespace ElastoPlastic
     is_segment_end(const double time) const;
 
     /// The load at @p time > 0, at a segment's end that of the segment that
-    /// ends.
-    Load
+    /// ends. None as long as it depends on what will be reached at the
+    /// beginning of its segment: where the control changes, in the interior of
+    /// the segment that follows.
+    std::optional<Load>
     load(const double time) const;
 
-    /// Tells what has been reached at @p time. If a segment ends then, the next
-    /// one starts from there.
+    /// Tells what has been reached at @p time. If a segment ends then, and the
+    /// next one has another control, it starts from there.
     void
     reached(const double time, const double depth, const double force);
 
@@ -51,7 +54,13 @@ namespace ElastoPlastic
     serialize(Archive &archive, const unsigned int /* version */)
     {
       for (Segment &segment : segments)
-        archive &segment.begin_value;
+        {
+          bool               is_known = segment.begin_value.has_value();
+          double             value    = segment.begin_value.value_or(0.);
+          archive &is_known &value;
+          if (is_known)
+            segment.begin_value = value;
+        }
     }
 
   private:
@@ -59,8 +68,9 @@ namespace ElastoPlastic
     {
       double  end_time;
       Control control;
-      double  end_value   = 0;
-      double  begin_value = 0;
+      double  end_value = 0;
+      /// None if it is still to be reached.
+      std::optional<double> begin_value = 0.;
       /// Instead of the two values, if there is one.
       std::shared_ptr<const Expression<1>> expression = nullptr;
     };

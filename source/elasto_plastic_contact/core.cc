@@ -8,6 +8,7 @@
 #include "base/termination.h"
 #include "elasto_plastic_contact.h"
 #include "io/output_directory.h"
+#include "mechanics/external_forces.h"
 
 namespace ElastoPlastic
 {
@@ -162,26 +163,62 @@ namespace ElastoPlastic
 
 
   // A body of materials that stop hardening has a limit load. Steps that fail,
-  // however short, when the force is to grow tell that it has been reached.
+  // however short, when force or tractions are to grow tell that it has been
+  // reached.
   template <int dim>
   void
   ElastoPlasticContact<dim>::give_up(const ConvergenceError &error) const
   {
-    const auto &materials = model.materials;
-    if (contact.force() <= last_step.force ||
-        std::none_of(materials.begin(), materials.end(), has_limit))
+    const bool  force_grows = contact.force() > last_step.force;
+    const auto &materials   = model.materials;
+    if (std::none_of(materials.begin(), materials.end(), has_limit) ||
+        !(force_grows || tractions_grow()))
       throw error;
 
+    const std::string where =
+      "to be beyond the limit load of the body, whose material stops "
+      "hardening. ";
     std::ostringstream message;
     message.precision(10);
-    message << "No equilibrium has been found for the force " << contact.force()
-            << " (t = " << time_steps.next_time()
-            << "): it seems to be beyond the limit load of the body, whose "
-               "material stops hardening. The largest force reached is "
-            << last_step.force << ", at the depth " << last_step.depth
-            << ". Prescribe the depth, or a smaller force; several load steps "
-               "come closer to the limit.";
+    message << "No equilibrium has been found ";
+    if (force_grows)
+      message << "for the force " << contact.force()
+              << " (t = " << time_steps.next_time() << "): it seems " << where
+              << "The largest force reached is " << last_step.force
+              << ", at the depth " << last_step.depth
+              << ". Prescribe the depth, or a smaller force";
+    else
+      message << "under the tractions at t = " << time_steps.next_time()
+              << ": they seem " << where
+              << "The last equilibrium is that at t = " << last_step.time
+              << ". Prescribe smaller tractions ('Boundary "
+                 "conditions/Traction'), or displacements instead";
+    message << "; several load steps come closer to the limit.";
     throw EquilibriumError(message.str());
+  }
+
+
+
+  // Those of the step under way, since the last one: they do not if they only
+  // become smaller. The virgin body bears none. Collective.
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::tractions_grow() const
+  {
+    VectorType growth = external_forces;
+    if (time_steps.number() > 1)
+      {
+        VectorType before;
+        solid->initialize_vector(before);
+        compute_external_forces(before,
+                                dof_handler,
+                                supports.constraints(),
+                                model.boundary_conditions,
+                                model.strain_model.kinematics,
+                                time_steps.time());
+        growth -= before;
+      }
+    return growth * external_forces > 0;
   }
 
 

@@ -19,7 +19,7 @@ namespace ElastoPlastic
                             model.boundary_conditions,
                             model.strain_model.kinematics,
                             time);
-    contact.set_load(load_program.load(time));
+    contact.set_load(load_program.load(time).value());
   }
 
 

@@ -51,7 +51,7 @@ namespace ElastoPlastic
             const auto [bound, of_cells] =
               error_bound->evaluate({dof_handler,
                                      displacement,
-                                     load_program.load(result.time),
+                                     load_program.load(result.time).value(),
                                      result.depth,
                                      result.force,
                                      result.time,

@@ -136,9 +136,10 @@ namespace ElastoPlastic
     bool         touches = false;
     for (TimeSteps step = time_steps; !step.finished(); step.advance())
       {
-        const Load load = load_program.load(step.next_time());
+        const auto load = load_program.load(step.next_time());
         touches =
-          touches || load.control == Control::force || load.value > min_gap;
+          touches ||
+          (load && (load->control == Control::force || load->value > min_gap));
       }
     const auto &loading = parameters.loading;
     if (!touches)

@@ -78,7 +78,11 @@ namespace ElastoPlastic
           parts[2] == "depth" ? Control::depth : Control::force;
         if (control == Control::force)
           check_force(path, row, *value);
-        const double begin = segments.empty() ? 0. : segments.back().end_value;
+        std::optional<double> begin;
+        if (segments.empty())
+          begin = 0.;
+        else if (segments.back().control == control)
+          begin = segments.back().end_value;
         segments.push_back({*time, control, *value, begin});
       }
   }
@@ -148,7 +152,7 @@ namespace ElastoPlastic
 
 
 
-  Load
+  std::optional<Load>
   LoadProgram::load(const double time) const
   {
     double begin_time = 0;
@@ -164,13 +168,17 @@ namespace ElastoPlastic
                       "at t = " + Patterns::Tools::to_string(time) + ": " +
                         Patterns::Tools::to_string(value),
                       value);
-        return {segment->control, value};
+        return Load{segment->control, value};
       }
+    if (time == segment->end_time)
+      return Load{segment->control, segment->end_value};
+    if (!segment->begin_value)
+      return {};
     const double fraction =
       (time - begin_time) / (segment->end_time - begin_time);
-    return {segment->control,
-            (1 - fraction) * segment->begin_value +
-              fraction * segment->end_value};
+    return Load{segment->control,
+                (1 - fraction) * *segment->begin_value +
+                  fraction * segment->end_value};
   }
 
 
@@ -181,7 +189,8 @@ namespace ElastoPlastic
                        const double force)
   {
     for (unsigned int i = 0; i + 1 < segments.size(); ++i)
-      if (segments[i].end_time == time)
+      if (segments[i].end_time == time &&
+          segments[i].control != segments[i + 1].control)
         segments[i + 1].begin_value =
           segments[i + 1].control == Control::depth ? depth : force;
   }
