@@ -181,12 +181,15 @@ namespace ElastoPlastic
 
 
 
+    /// Earlier flags are forgotten: what is asked for does not depend on meshes
+    /// that have been marked, but not made.
     template <int dim>
     void
     set_flags(const RefinementParameters                &parameters,
               const Vector<float>                       &error_indicators,
               parallel::distributed::Triangulation<dim> &triangulation)
     {
+      clear_flags(triangulation);
       if (parameters.strategy == RefinementStrategy::global)
         triangulation.set_all_refine_flags();
       else
@@ -227,7 +230,6 @@ namespace ElastoPlastic
         smooth_flags(triangulation);
         if (n_cells_after_refinement(triangulation) <= max_cells)
           return true;
-        clear_flags(triangulation);
       }
     return false;
   }
