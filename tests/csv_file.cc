@@ -40,7 +40,7 @@ namespace
       {
         action();
       }
-    catch (const FileError &error)
+    catch (const Error &error)
       {
         message = error.what();
       }
@@ -50,6 +50,22 @@ namespace
       if (other != message)
         message = "FAILED, the ranks disagree: " + message + " / " + other;
     output() << title << ": " << message << std::endl;
+  }
+
+
+
+  /// Goes on after two rows of a table that holds @p text.
+  void
+  go_on(const std::string &title, const std::string &text)
+  {
+    const std::string name = "continued.csv";
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::ofstream(name) << text;
+    MPI_Barrier(MPI_COMM_WORLD);
+    print_error_of_all_ranks(title, [&] {
+      CsvFile table(MPI_COMM_WORLD, name, {"step", "force"}, 2);
+      table.add_row({3, 0.75});
+    });
   }
 
 
@@ -88,4 +104,17 @@ main(int argc, char *argv[])
                            [&] { write_on_rank(last_rank, "/dev/full"); });
   print_error_of_all_ranks("text on a disk with room",
                            [&] { write_on_rank(last_rank, "text.txt"); });
+
+  const std::string header = "step,force\n";
+  go_on("continued", header + "1,0.25\n2,inf\n3,1\n4,1\n");
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    output() << std::ifstream("continued.csv").rdbuf();
+  MPI_Barrier(MPI_COMM_WORLD);
+  go_on("too few rows", header + "1,0.25\n");
+  go_on("cut in the last number", header + "1,0.25\n2,0.");
+  go_on("cut in the last row", header + "1,0.25\n2,\n");
+  go_on("one number too many", header + "1,0.25,3\n2,0.5\n");
+  go_on("zeroed", header + "1,0.25\n" + std::string(6, '\0') + "\n");
+  go_on("another header", "step,depth\n1,0.25\n2,0.5\n");
+  go_on("empty", "");
 }

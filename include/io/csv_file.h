@@ -20,7 +20,8 @@ namespace ElastoPlastic
   public:
     /// Creates the file with the names of its columns, or goes on after the
     /// first @p n_rows rows of the one that is there.
-    /// @throws FileError, on all ranks, if that is not possible.
+    /// @throws FileError, on all ranks, if that is not possible; InputError,
+    /// likewise, if there are not as many rows, complete and of these columns.
     CsvFile(const MPI_Comm                  communicator,
             const std::string              &name,
             const std::vector<std::string> &columns,

@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cstdio>
 
+#include "base/as_number.h"
+#include "base/exceptions.h"
+#include "base/throw_together.h"
 #include "io/checked_write.h"
 #include "io/csv_file.h"
 
@@ -14,17 +19,55 @@ namespace ElastoPlastic
 
   namespace
   {
-    /// The first @p n_rows lines after the first one of the file @p name.
     std::string
-    first_rows(const std::string &name, const unsigned int n_rows)
+    header(const std::vector<std::string> &columns)
     {
-      if (n_rows == 0)
-        return "";
+      std::string line;
+      for (const std::string &column : columns)
+        line += (line.empty() ? "" : ",") + column;
+      return line;
+    }
+
+
+
+    /// Whether @p line consists of @p n_columns numbers.
+    bool
+    is_row(const std::string &line, const std::size_t n_columns)
+    {
+      const auto cells = Utilities::split_string_list(line, ',');
+      return cells.size() == n_columns &&
+             std::all_of(cells.begin(), cells.end(), as_number);
+    }
+
+
+
+    /// The lines of the first @p n_rows rows of the file @p name.
+    /// @throws InputError if they are not there.
+    std::string
+    first_rows(const std::string              &name,
+               const std::vector<std::string> &columns,
+               const unsigned int              n_rows)
+    {
       std::ifstream file(name);
       std::string   line, rows;
-      std::getline(file, line);
-      for (unsigned int i = 0; i < n_rows && std::getline(file, line); ++i)
-        rows += line + '\n';
+      // (A line without an end, which is cut, sets the end of the file.)
+      bool         intact = std::getline(file, line) && line == header(columns);
+      unsigned int row    = 0;
+      for (; intact && row < n_rows; ++row)
+        {
+          intact = std::getline(file, line) && !file.eof() &&
+                   is_row(line, columns.size());
+          rows += line + '\n';
+        }
+      if (!intact)
+        throw InputError(
+          "The table '" + name +
+          "' is not what the interrupted run has left: " +
+          (row == 0 ?
+             "its header" :
+             "row " + std::to_string(row) + " of " + std::to_string(n_rows)) +
+          " is missing or damaged. Put the table back, or begin anew with the "
+          "option --overwrite instead of --resume.");
       return rows;
     }
   } // namespace
@@ -41,15 +84,18 @@ namespace ElastoPlastic
     , name(name)
     , row_count(n_rows)
   {
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    const bool first_rank = Utilities::MPI::this_mpi_process(communicator) == 0;
+    std::string rows;
+    throw_together(communicator, [&]() {
+      if (first_rank && n_rows > 0)
+        rows = first_rows(name, columns, n_rows);
+    });
+    if (first_rank)
       {
-        const std::string rows      = first_rows(name, n_rows);
         const std::string temporary = name + ".new";
         file.open(n_rows > 0 ? temporary : name);
         file.precision(15);
-        for (unsigned int i = 0; i < columns.size(); ++i)
-          file << (i > 0 ? "," : "") << columns[i];
-        file << '\n' << rows << std::flush;
+        file << header(columns) << '\n' << rows << std::flush;
         if (file && n_rows > 0 &&
             std::rename(temporary.c_str(), name.c_str()) != 0)
           file.setstate(std::ios::failbit);

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A run that is resumed gives the tables of one that was not interrupted: with
+// meshes that follow the contact, where the control changes, and after a first
+// step whose next mesh would have been too large. Tables that are not what the
+// interrupted run has left are refused.
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <set>
+
+#include "program.h"
+#include "table.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+namespace fs = std::filesystem;
+
+namespace
+{
+  /// Six steps; the last checkpoint is that of the third.
+  const std::string input = R"(
+set Dimension = 2
+subsection Geometry
+  set Type                = box
+  set Lower corner        = 0, -4
+  set Upper corner        = 4, 0
+  set Initial refinements = 3
+end
+subsection Boundary conditions
+  set Fixed   = bottom
+  set Roller  = left
+  set Free    = right
+  set Contact = top
+end
+subsection Material
+  set Law                         = combined hardening
+  set Isotropic hardening modulus = 1000
+  set Kinematic hardening modulus = 1000
+end
+subsection Indenter
+  set Type     = cylinder
+  set Radius   = 5
+  set Position = 0
+end
+subsection Loading
+  set History         = 1: depth 0.03 | 2: force 10 | 3: depth 0.04
+  set Number of steps = 6
+end
+subsection Refinement
+  set Strategy                   = Kelly
+  set Refinement fraction        = 0.1
+  set Coarsening fraction        = 0.3
+  set Number of cycles           = 5
+  set Maximum number of unknowns = 260
+end
+subsection Nonlinear solver
+  set Tolerance = 1e-12
+end
+subsection Output
+  set Directory                 = results
+  set Steps between checkpoints = 3
+  set Fields                    = never
+end
+)";
+
+
+
+  template <typename Task>
+  void
+  on_first_rank(const Task &task)
+  {
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      task();
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+
+
+
+  /// @return the exit status, and what the program has to say on standard
+  /// error.
+  std::pair<int, std::string>
+  run(const std::string &option, const std::string &entry)
+  {
+    std::ostringstream    errors;
+    std::streambuf *const buffer      = std::cerr.rdbuf(errors.rdbuf());
+    const char *const     arguments[] = {"elasto_plastic_contact",
+                                         "resume.prm",
+                                         "--quiet",
+                                         option.c_str(),
+                                         "--set",
+                                         entry.c_str()};
+    const int             status      = run_program(6, arguments);
+    std::cerr.rdbuf(buffer);
+    return {status, errors.str()};
+  }
+
+
+
+  /// What a clock says, what would be zero without rounding, and numbers of
+  /// iterations.
+  const std::set<std::string> not_compared = {"wall_seconds",
+                                              "memory_mb",
+                                              "residual",
+                                              "force_balance_error",
+                                              "max_penetration",
+                                              "max_hanging_penetration",
+                                              "complementarity_error",
+                                              "newton_iterations",
+                                              "linear_iterations"};
+
+
+
+  double
+  difference(const std::vector<Row> &a, const std::vector<Row> &b)
+  {
+    if (a.size() != b.size() || a.empty())
+      return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (const auto &[column, value] : a.front())
+      if (not_compared.count(column) == 0)
+        {
+          double scale = 1e-300, deviation = 0;
+          for (unsigned int i = 0; i < a.size(); ++i)
+            {
+              scale     = std::max(scale, std::abs(a[i].at(column)));
+              deviation = std::max(deviation,
+                                   std::abs(a[i].at(column) - b[i].at(column)));
+            }
+          largest = std::max(largest, deviation / scale);
+        }
+    return largest;
+  }
+
+
+
+  const std::vector<std::string> tables = {"history",
+                                           "statistics",
+                                           "reactions",
+                                           "mesh_changes"};
+
+  fs::path
+  file(const std::string &table)
+  {
+    return "results/" + table + ".csv";
+  }
+
+
+
+  /// (Estimated errors are computed in single precision.)
+  void
+  check_same_results(const std::string &entry)
+  {
+    output() << entry << std::endl;
+    verify("  the run", run("--overwrite", entry).first == 0);
+    std::map<std::string, std::vector<Row>> straight;
+    for (const std::string &table : tables)
+      straight[table] = read_table(file(table));
+    output() << "  mesh changes: " << straight["mesh_changes"].size()
+             << std::endl;
+    verify("  the resumed run", run("--resume", entry).first == 0);
+    for (const std::string &table : tables)
+      verify("  " + table,
+             difference(straight[table], read_table(file(table))),
+             1e-6);
+  }
+
+
+
+  void
+  report_resume(const std::string &situation, const std::string &entry)
+  {
+    const auto [status, message] = run("--resume", entry);
+    output() << "  " << situation << ": exit status " << status << std::endl
+             << "  " << message;
+  }
+
+
+
+  void
+  check_refusals(const std::string &entry)
+  {
+    for (const std::string &table : tables)
+      {
+        output() << table << std::endl;
+        const fs::path name = file(table), saved = "saved.csv";
+        const auto     with_damage = [&](const std::string &damage,
+                                     const auto        &task) {
+          on_first_rank([&]() {
+            fs::rename(name, saved);
+            task();
+          });
+          report_resume(damage, entry);
+          on_first_rank([&]() { fs::rename(saved, name); });
+        };
+        const auto without_end_of_first_row = [&]() {
+          std::ifstream original(saved);
+          std::string   header, row;
+          std::getline(original, header);
+          std::getline(original, row);
+          return header + '\n' + row.substr(0, row.size() / 2);
+        };
+        with_damage("deleted", []() {});
+        with_damage("cut", [&]() {
+          std::ofstream(name) << without_end_of_first_row();
+        });
+        with_damage("zeroed", [&]() {
+          std::ofstream(name) << std::string(fs::file_size(saved), '\0');
+        });
+      }
+    report_resume("put back", entry);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  on_first_rank([]() { std::ofstream("resume.prm") << input; });
+  check_same_results("Refinement/Steps between adaptations=4");
+  check_same_results("Refinement/Steps between adaptations=2");
+  check_refusals("Refinement/Steps between adaptations=2");
+}
