@@ -139,6 +139,10 @@ namespace ElastoPlastic
     refine_mesh();
     void
     adapt_mesh(Statistics &statistics);
+    void
+    equilibrate_adapted_mesh(Statistics &statistics);
+    void
+    commit_interpolated_state();
     bool
     mark_adapted_mesh();
 
@@ -198,6 +202,8 @@ namespace ElastoPlastic
     VectorType                          residual;
     Vector<float>                       error_indicators;
     std::optional<ErrorBoundAnalysis>   error_bound;
+    /// Why the last mesh has none; empty if it has.
+    std::string missing_bound;
 
     // The end of the last load step: what it has found, the displacement, and
     // the nodal forces of the stresses (both empty before the second step); and

@@ -251,7 +251,7 @@ add_message_test(unsafe_history 4 "There is no equilibrium under the force 4: th
 set(_no_bound ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --overwrite --quiet
   --set "Analysis=contact with error bound" --set "Geometry/Initial refinements=0" --set "Loading/Control=force"
   --set "Loading/Force=2.9" --set "Output/Fields=never")
-add_message_test(no_error_bound 3 "Error: The contact problem has been solved, but there is no error bound on this mesh"
+add_message_test(no_error_bound 3 "Error: The contact problem has been solved, and the results are written, but there is no error bound on the last mesh"
   ${_no_bound} --output-directory no_error_bound --set "Refinement/Number of cycles=1")
 add_message_test(no_error_bound_yet 3 "Warning: The contact problem has been solved, but there is no error bound on this mesh"
   ${_no_bound} --output-directory no_error_bound_yet --set "Refinement/Number of cycles=2")
@@ -266,6 +266,11 @@ add_message_test(close_to_limit_load 4 "Error: No equilibrium .* The largest for
   --set "Loading/Number of steps=4" --set "Loading/Maximum number of cuts=3")
 add_message_test(tractions_beyond_limit 4 "Error: No equilibrium has been found under the tractions at t = 0.57[0-9]*: they seem to be beyond the limit load of the body, whose material stops hardening. The last equilibrium is that at t = 0.57[0-9]*. Prescribe smaller tractions"
   ${_files}/pulled_too_far.prm --quiet --overwrite --output-directory tractions_beyond_limit)
+# The exact limit of the punch is 10.3: what the first mesh bears, the next one does not.
+add_message_test(adapted_mesh_too_soft 0 "Warning: No equilibrium has been found on the adapted mesh under the load of step 5. the next step begins with the interpolated state"
+  ${_punch_force} --output-directory adapted_mesh_too_soft --set "Kinematics=axisymmetric" --set "Loading/History=1: force 10.5 | 2: force 0"
+  --set "Loading/Number of steps=10" --set "Loading/Maximum number of cuts=2"
+  --set "Refinement/Steps between adaptations=5" --set "Refinement/Refinement fraction=0.1")
 add_message_test(sinks_without_end 3 "The indenter sinks without end: its depth exceeds the size of the body by far"
   ${_base} --output-directory sinks_without_end --overwrite --quiet --set "Loading/Control=force" --set "Loading/Force=1e12")
 

@@ -113,6 +113,11 @@ namespace ElastoPlastic
       }
     timer.print_summary();
     screen.remark("Results are in " + parameters.output.directory);
+    if (!missing_bound.empty())
+      throw ConvergenceError(
+        "The contact problem has been solved, and the results are written, but "
+        "there is no error bound on the last mesh. " +
+        missing_bound);
   }
 
 
@@ -238,6 +243,11 @@ namespace ElastoPlastic
         output_results(is_last);
         if (is_last)
           return result;
+        if (!missing_bound.empty())
+          screen.warn(
+            "The contact problem has been solved, but there is no "
+            "error bound on this mesh. " +
+            missing_bound);
         refine_mesh();
       }
   }
@@ -271,7 +281,7 @@ namespace ElastoPlastic
        error_indicators},
       every_time ? Utilities::int_to_string(number, 3) : "last",
       single_step ? cycle : time_steps.next_time());
-    if (error_bound)
+    if (error_bound && missing_bound.empty())
       error_bound->write_fields(cycle);
   }
 

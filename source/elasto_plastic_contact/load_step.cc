@@ -47,7 +47,7 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::take_back_step()
   {
-    if (time_steps.number() > 1)
+    if (committed_displacement.size() > 0)
       displacement = committed_displacement;
     else
       displacement = 0.;
