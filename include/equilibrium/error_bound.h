@@ -39,7 +39,8 @@ namespace ElastoPlastic
 
   /// Lowers @p displacement near the contact surface until no point of a side
   /// penetrates the indenter, which has moved down by @p depth. A solution of
-  /// the displacement method does so between its nodes.
+  /// the displacement method does so between its nodes. The gap is enclosed as
+  /// SideGap says, which is certain for convex indenters.
   void
   remove_penetration(QuadraticField  &displacement,
                      const PlaneBody &body,
@@ -48,7 +49,8 @@ namespace ElastoPlastic
   /// @p displacement must be zero at the supports, and not penetrate; @p stress
   /// must satisfy equilibrium and yield condition. Tractions of the body that
   /// are not linear on a side are taken as the linear ones with the same
-  /// moments. The energy W, which is no polynomial, is bounded from above.
+  /// moments. The energy W, which is no polynomial, is bounded from above, as
+  /// is the gap (see SideGap).
   ErrorBound
   bound_error(const PlaneBody      &body,
               const QuadraticField &displacement,

@@ -26,19 +26,22 @@ namespace ElastoPlastic
 
     /// Plastic work less that of the given tractions, per unit of depth.
     double force = 0;
-    /// The largest divergence in plane strain, where there should be none,
-    /// relative to the largest rate of strain.
+    /// The relative_divergence() in plane strain, where there should be none.
     double       divergence   = 0;
     unsigned int n_iterations = 0;
   };
 
 
 
+  /// The largest divergence of a @p velocity, whatever its sign, relative to
+  /// its largest rate of strain; zero if it is rigid.
+  double
+  relative_divergence(const SplitMesh &mesh, const QuadraticField &velocity);
+
   /// The norm |e| of a plastic strain rate whose in-plane components are
   /// @p rate: out of plane it is zero, or, in plane stress, keeps the volume.
   double
   plastic_rate(const PlaneBody &body, const SymmetricTensor<2, 2> &rate);
-
 } // namespace ElastoPlastic
 
 #endif

@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "contact/indenter_library.h"
 #include "elasto_plastic_contact.h"
 #include "mechanics/ghosted_copy.h"
 #include "mechanics/state_transfer.h"
@@ -62,7 +63,11 @@ namespace ElastoPlastic
               error_indicators = of_cells;
             screen.remark(
               "The error of the stresses in equilibrium is at most " +
-              Patterns::Tools::to_string(bound));
+              Patterns::Tools::to_string(bound) +
+              (is_convex(parameters.indenter.type) ?
+                 "" :
+                 ", provided that the sides of the mesh resolve the indenter, "
+                 "which is not known to be convex"));
           }
         catch (const ConvergenceError &error)
           {

@@ -1,25 +1,21 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "equilibrium/error_bound.h"
 #include "equilibrium/hencky_material.h"
+#include "equilibrium/integration.h"
 #include "equilibrium/johnson_mercier.h"
+#include "equilibrium/side_gap.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// Whether a side penetrates is looked at in so many points.
-    constexpr unsigned int n_samples = 32;
-
-
-
     double
     sum(const std::vector<double> &values)
     {
@@ -28,59 +24,71 @@ namespace ElastoPlastic
 
 
 
-    /// The sides that the indenter reaches, with their ends.
-    template <typename Action>
-    void
-    for_each_reached_side(const PlaneBody &body, const Action &action)
+    /// A component of the displacement of a side, at its ends and in its
+    /// middle.
+    struct OnSide
     {
-      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-        if (body.conditions[s].is_reached)
-          action(s, body.mesh.sides[s].vertices);
+      double a, b, middle;
+
+      double
+      linear(const double t) const
+      {
+        return (1. - t) * a + t * b;
+      }
+
+      double
+      bubble() const
+      {
+        return middle - 0.5 * (a + b);
+      }
+
+      double
+      operator()(const double t) const
+      {
+        return linear(t) + 4. * t * (1. - t) * bubble();
+      }
+    };
+
+
+
+    OnSide
+    vertical(const QuadraticField  &displacement,
+             const SplitMesh::Side &side,
+             const unsigned int     s)
+    {
+      return {displacement.at_vertices[side.vertices[0]][1],
+              displacement.at_vertices[side.vertices[1]][1],
+              displacement.at_sides[s][1]};
     }
 
 
 
-    /// A point of a side, 0 <= t <= 1.
-    Point<2>
-    point_on(const SplitMesh                   &mesh,
-             const std::array<unsigned int, 2> &ends,
-             const double                       t)
+    SideGap
+    gap_of(const PlaneBody &body, const SplitMesh::Side &side)
     {
-      const Point<2> &a = mesh.vertices[ends[0]], &b = mesh.vertices[ends[1]];
-      return a + t * (b - a);
+      return {body.gap,
+              body.mesh.vertices[side.vertices[0]],
+              body.mesh.vertices[side.vertices[1]]};
     }
 
 
 
-    /// What is left between the indenter and a point of a side.
+    /// The largest factor c for which the indenter, moved down by @p depth, is
+    /// not penetrated by linear(t) + 4 t (1 - t) c; the ends do not penetrate.
+    /// In an interval of SideGap, what is left above the linear part is linear.
+    /// If at both ends that is r times 4 t (1 - t), it is not less than r times
+    /// the chord of this function, which is above (1 - 2 / n_intervals) times
+    /// the function itself, and below the function.
     double
-    clearance(const PlaneBody      &body,
-              const QuadraticField &displacement,
-              const double          depth,
-              const unsigned int    s,
-              const double          t)
+    largest_bubble(const SideGap &gap, const OnSide &v, const double depth)
     {
-      const auto  &ends = body.mesh.sides[s].vertices;
-      const double v =
-        (1. - t) * (1. - 2. * t) * displacement.at_vertices[ends[0]][1] +
-        t * (2. * t - 1.) * displacement.at_vertices[ends[1]][1] +
-        4. * t * (1. - t) * displacement.at_sides[s][1];
-      return body.gap(point_on(body.mesh, ends, t)) - depth - v;
-    }
-
-
-
-    /// The integral of the product of two linear functions on a triangle of
-    /// the size 1, given by their values at the corners.
-    template <typename Product>
-    double
-    integrate(const Product &product)
-    {
-      double result = 0;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          result += (i == j ? 1. / 6. : 1. / 12.) * product(i, j);
-      return result;
+      double ratio = std::numeric_limits<double>::max();
+      for (unsigned int i = 0; i <= SideGap::n_intervals; ++i)
+        if (const double t = gap.position(i); t > 0. && t < 1.)
+          ratio = std::min(ratio,
+                           (gap.values[i] - gap.below - depth - v.linear(t)) /
+                             (4. * t * (1. - t)));
+      return ratio * (ratio > 0. ? 1. - 2. / SideGap::n_intervals : 1.);
     }
 
 
@@ -112,11 +120,12 @@ namespace ElastoPlastic
       double
       elastic_part() const
       {
-        return integrate([this](const unsigned int i, const unsigned int j) {
-          const auto &a = elastic_difference[i], &b = elastic_difference[j];
-          return 0.5 * material.bulk_modulus * trace(a) * trace(b) +
-                 material.shear_modulus * (deviator(a) * deviator(b));
-        });
+        return integrate_product(
+          [this](const unsigned int i, const unsigned int j) {
+            const auto &a = elastic_difference[i], &b = elastic_difference[j];
+            return 0.5 * material.bulk_modulus * trace(a) * trace(b) +
+                   material.shear_modulus * (deviator(a) * deviator(b));
+          });
       }
 
       // R |e_p| + h/2 |e_p|^2 + zeta^2 / (2 h) - tau : e_p. The first term is
@@ -133,8 +142,8 @@ namespace ElastoPlastic
             zeta[i] =
               std::max(0., deviator(stress[i]).norm() - material.yield_radius);
           }
-        return result +
-               integrate([&](const unsigned int i, const unsigned int j) {
+        return result + integrate_product([&](const unsigned int i,
+                                              const unsigned int j) {
                  double density =
                    0.5 * hardening * (plastic_strain[i] * plastic_strain[j]) -
                    stress[i] * plastic_strain[j];
@@ -145,10 +154,10 @@ namespace ElastoPlastic
       }
 
     private:
-      const Material<double>                     &material;
-      const std::array<SymmetricTensor<2, 3>, 3> &stress;
-      std::array<SymmetricTensor<2, 3>, 3>        elastic_difference;
-      std::array<SymmetricTensor<2, 3>, 3>        plastic_strain;
+      const Material<double>                    &material;
+      const std::array<SymmetricTensor<2, 3>, 3> stress;
+      std::array<SymmetricTensor<2, 3>, 3>       elastic_difference;
+      std::array<SymmetricTensor<2, 3>, 3>       plastic_strain;
     };
 
 
@@ -177,7 +186,8 @@ namespace ElastoPlastic
 
 
 
-    /// int p (g - V - v_2) ds, p being linear.
+    /// int p (g - V - v_2) ds, p being linear. With the upper bound of g, this
+    /// is a cubic function on each interval, which Simpson's rule integrates.
     double
     bound_on_side(const PlaneBody             &body,
                   const QuadraticField        &displacement,
@@ -185,17 +195,24 @@ namespace ElastoPlastic
                   const std::array<double, 2> &pressure,
                   const unsigned int           s)
     {
-      static const QGauss<1> quadrature(5);
-
-      double result = 0;
-      for (unsigned int q = 0; q < quadrature.size(); ++q)
+      const SplitMesh::Side &side = body.mesh.sides[s];
+      const SideGap          gap  = gap_of(body, side);
+      const OnSide           v    = vertical(displacement, side, s);
+      const auto density          = [&](const double t, const double gap_at_t) {
+        return ((1. - t) * pressure[0] + t * pressure[1]) *
+               (gap_at_t + gap.above - depth - v(t));
+      };
+      double sum = 0;
+      for (unsigned int i = 0; i + 1 < gap.values.size(); ++i)
         {
-          const double t = quadrature.point(q)[0];
-          result += quadrature.weight(q) *
-                    ((1. - t) * pressure[0] + t * pressure[1]) *
-                    clearance(body, displacement, depth, s, t);
+          const double t0 = gap.position(i), t1 = gap.position(i + 1),
+                       g0 = gap.values[i], g1 = gap.values[i + 1];
+          sum +=
+            (t1 - t0) / 6. *
+            (density(t0, g0) + 4. * density(0.5 * (t0 + t1), 0.5 * (g0 + g1)) +
+             density(t1, g1));
         }
-      return body.mesh.length(body.mesh.sides[s]) * result;
+      return body.mesh.length(side) * sum;
     }
   } // namespace
 
@@ -237,29 +254,38 @@ namespace ElastoPlastic
 
 
 
-  // First the ends of the sides, then their middles: the quadratic function of
-  // the middle, 4 t (1 - t), is zero at the ends.
+  // First the ends of the sides, if the indenter reaches them but for rounding,
+  // then their middles: the quadratic function of the middle, 4 t (1 - t), is
+  // zero at the ends.
   void
   remove_penetration(QuadraticField  &displacement,
                      const PlaneBody &body,
                      const double     depth)
   {
-    const auto penetration = [&](const unsigned int s, const double t) {
-      return std::max(0., -clearance(body, displacement, depth, s, t));
-    };
-    for_each_reached_side(body, [&](const unsigned int s, const auto &ends) {
-      displacement.at_vertices[ends[0]][1] -= penetration(s, 0.);
-      displacement.at_vertices[ends[1]][1] -= penetration(s, 1.);
-    });
-    for_each_reached_side(body, [&](const unsigned int s, const auto &) {
-      double excess = 0;
-      for (unsigned int i = 1; i < n_samples; ++i)
-        {
-          const double t = static_cast<double>(i) / n_samples;
-          excess = std::max(excess, penetration(s, t) / (4. * t * (1. - t)));
-        }
-      displacement.at_sides[s][1] -= excess;
-    });
+    std::vector<std::pair<unsigned int, SideGap>> gaps;
+    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      if (body.conditions[s].is_reached)
+        if (SideGap gap = gap_of(body, body.mesh.sides[s]); !gap.values.empty())
+          gaps.emplace_back(s, std::move(gap));
+
+    for (const auto &[s, gap] : gaps)
+      {
+        const auto &ends  = body.mesh.sides[s].vertices;
+        const auto  lower = [&](const unsigned int vertex, const double value) {
+          double &v = displacement.at_vertices[vertex][1];
+          v         = std::min(v, value - gap.below - depth);
+        };
+        if (gap.begin < 1. / SideGap::n_intervals)
+          lower(ends[0], gap.values.front());
+        if (gap.end > 1. - 1. / SideGap::n_intervals)
+          lower(ends[1], gap.values.back());
+      }
+    for (const auto &[s, gap] : gaps)
+      {
+        const OnSide v = vertical(displacement, body.mesh.sides[s], s);
+        displacement.at_sides[s][1] -=
+          std::max(0., v.bubble() - largest_bubble(gap, v, depth));
+      }
   }
 
 

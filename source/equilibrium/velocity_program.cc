@@ -324,23 +324,18 @@ namespace ElastoPlastic
     void
     VelocityProgram::add_work(VelocityField &field) const
     {
-      double largest_rate = 0;
       for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
         {
           double sum = 0;
           for (const auto &rate : strains(body.mesh, field.velocity, t))
-            {
-              largest_rate     = std::max(largest_rate, rate.norm());
-              field.divergence = std::max(field.divergence, trace(rate));
-              sum += plastic_rate(body, rate);
-            }
+            sum += plastic_rate(body, rate);
           field.dissipation.push_back(
             body.materials[t].yield_radius *
             area(body.mesh.corners(body.mesh.triangles[t])) / 3. * sum);
           field.force += field.dissipation.back();
         }
-      field.divergence =
-        body.plane_stress ? 0. : field.divergence / largest_rate;
+      if (!body.plane_stress)
+        field.divergence = relative_divergence(body.mesh, field.velocity);
     }
   } // namespace
 
