@@ -125,6 +125,8 @@ add_entry_test(grading_centre_repetitions "'Geometry/Grading centre' is '0.5', b
 add_entry_test(ball_radius "'Geometry/Radius' is '0', but it must be greater than 0" "Geometry/Type=half ball" "Geometry/Radius=0")
 add_entry_test(ball_part "'Geometry/Part' is 'quarter', but in two dimensions" "Geometry/Type=half ball" "Geometry/Part=quarter")
 
+add_message_test(unused_material 0 "Warning: No cell of the mesh consists of the material 1, .* 'Geometry/Material id'" ${_base} --validate --set "Geometry/Material id=if(y > 0.99, 1, 0)" --set "Material/Yield stress=1,2")
+
 # Mesh files
 add_entry_test(mesh_missing "no.msh', but there is no such file" "Geometry/Type=file" "Geometry/File=no.msh")
 add_entry_test(mesh_no_mesh "base.prm', but in line 1 of this file '.MeshFormat' is missing" "Geometry/Type=file" "Geometry/File=${_base}")
@@ -132,6 +134,7 @@ add_entry_test(mesh_truncated "truncated.msh', but in line .* it ends too early"
 add_entry_test(mesh_broken "broken.msh', but in line 21 .* where a whole number should be" "Geometry/Type=file" "Geometry/File=${_files}/broken.msh")
 add_entry_test(mesh_of_triangles "triangle.msh', but in line 20 .* there are triangles, but only quadrilaterals" "Geometry/Type=file" "Geometry/File=${_files}/triangle.msh")
 add_entry_test(mesh_without_boundary "no_boundary.msh', but no part of its boundary is in a physical group" "Geometry/Type=file" "Geometry/File=${_files}/no_boundary.msh")
+add_entry_test(mesh_hanging_node "hanging_node.msh', but the corner \\(1 0.5\\) of a cell lies inside an edge of another one" "Geometry/Type=file" "Geometry/File=${_files}/hanging_node.msh")
 add_entry_test(mesh_dimension "square.msh', but this mesh is two-dimensional .* while 'Dimension' is 3" "Dimension=3" "Geometry/Type=file" "Geometry/File=${_files}/square.msh")
 
 # Boundary conditions

@@ -117,6 +117,30 @@ $Elements
 $EndElements
 )";
 
+  /// One square on the left, two half as high on the right.
+  const std::string hanging_node = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+8
+1 0 0 0
+2 1 0 0
+3 2 0 0
+4 0 1 0
+5 1 0.5 0
+6 2 0.5 0
+7 1 1 0
+8 2 1 0
+$EndNodes
+$Elements
+4
+1 1 2 1 1 1 2
+2 3 2 3 1 1 2 7 4
+3 3 2 3 1 2 3 6 5
+4 3 2 3 1 5 6 8 7
+$EndElements
+)";
+
 
 
   template <int dim>
@@ -195,6 +219,7 @@ $EndElements
     print_error<2>(change(two_squares, "top side", "top:side"));
     print_error<2>(change(two_squares, "top side", "foot"));
     print_error<2>(change(one_square, "1 7 4", "2 7 8 4"));
+    print_error<2>(hanging_node);
   }
 
 
@@ -226,6 +251,14 @@ $EndElements
     print_error<2>(change(one_square, "3 3 1 3", "3 4 1 3"));
     print_error<2>(change(one_square, "$EndComments", ""));
     print_error<2>(change(cube, "", "\x89PNG\r\n"));
+    print_error<2>(
+      change(two_squares, "2 1 2 1 1 1 2", "2 1 2 4294967295 1 1 2"));
+    print_error<2>(
+      change(two_squares, "2 1 2 1 1 1 2", "2 1 2 4294967299 1 1 2"));
+    print_error<2>(
+      change(two_squares, "1 1 \"foot\"", "1 -4294967295 \"foot\""));
+    print_error<2>(change(one_square, "1 7 4", "1 4294967299 4"));
+    print_error<2>(change(two_squares, "7 3 2", "7 4294967299 2"));
   }
 } // namespace
 

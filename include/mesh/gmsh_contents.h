@@ -33,6 +33,7 @@ namespace ElastoPlastic
     {
       unsigned int              type;         ///< Gmsh's number
       unsigned int              physical_tag; ///< 0: in no physical group
+      long                      entity;       ///< of the geometry; 0: unknown
       std::vector<unsigned int> nodes;        ///< indices into nodes
     };
 
@@ -64,6 +65,11 @@ namespace ElastoPlastic
 
     void
     read_node_block(GmshScanner &scanner);
+
+    /// The number of a physical group without its sign, which tells the
+    /// orientation.
+    static unsigned int
+    read_physical_tag(GmshScanner &scanner);
 
     void
     add_node(const long tag, GmshScanner &scanner);

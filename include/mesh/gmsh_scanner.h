@@ -27,8 +27,8 @@ namespace ElastoPlastic
     long
     integer();
 
-    /// The next word as an integer >= 0.
-    unsigned long
+    /// The next word as an integer >= 0 that fits into 32 bits.
+    unsigned int
     count();
 
     /// The next word as a finite number.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "mesh/gmsh_contents.h"
 
@@ -70,10 +71,10 @@ namespace ElastoPlastic
   void
   GmshContents::read_physical_names(GmshScanner &scanner)
   {
-    for (unsigned long n = scanner.count(); n > 0; --n)
+    for (unsigned int n = scanner.count(); n > 0; --n)
       {
         const unsigned int dimension        = scanner.count();
-        const long         tag              = std::abs(scanner.integer());
+        const unsigned int tag              = read_physical_tag(scanner);
         physical_names[Tag(dimension, tag)] = scanner.word();
       }
   }
@@ -83,11 +84,11 @@ namespace ElastoPlastic
   void
   GmshContents::read_entities(GmshScanner &scanner)
   {
-    std::vector<unsigned long> n_entities;
+    std::vector<unsigned int> n_entities;
     for (unsigned int dimension = 0; dimension <= 3; ++dimension)
       n_entities.push_back(scanner.count());
     for (unsigned int dimension = 0; dimension <= 3; ++dimension)
-      for (unsigned long n = n_entities[dimension]; n > 0; --n)
+      for (unsigned int n = n_entities[dimension]; n > 0; --n)
         read_entity(dimension, scanner);
   }
 
@@ -101,16 +102,16 @@ namespace ElastoPlastic
     for (unsigned int i = 0; i < n_coordinates; ++i)
       scanner.number();
 
-    const unsigned long n_groups = scanner.count();
+    const unsigned int n_groups = scanner.count();
     if (n_groups > 1)
       scanner.fail("the entity " + std::to_string(tag) + " of dimension " +
                    std::to_string(dimension) +
                    " is in several physical groups, but one is allowed.");
     if (n_groups == 1)
-      physical_tags[Tag(dimension, tag)] = std::abs(scanner.integer());
+      physical_tags[Tag(dimension, tag)] = read_physical_tag(scanner);
 
     if (dimension > 0)
-      for (unsigned long n = scanner.count(); n > 0; --n)
+      for (unsigned int n = scanner.count(); n > 0; --n)
         scanner.integer();
   }
 
@@ -121,7 +122,7 @@ namespace ElastoPlastic
   {
     if (version == "2.2")
       {
-        for (unsigned long n = scanner.count(); n > 0; --n)
+        for (unsigned int n = scanner.count(); n > 0; --n)
           {
             const long tag = scanner.integer();
             add_node(tag, scanner);
@@ -129,11 +130,11 @@ namespace ElastoPlastic
         return;
       }
 
-    const unsigned long n_blocks = scanner.count();
-    const unsigned long n_nodes  = scanner.count();
+    const unsigned int n_blocks = scanner.count();
+    const unsigned int n_nodes  = scanner.count();
     scanner.integer();
     scanner.integer();
-    for (unsigned long block = 0; block < n_blocks; ++block)
+    for (unsigned int block = 0; block < n_blocks; ++block)
       read_node_block(scanner);
     if (nodes.size() != n_nodes)
       scanner.fail("the nodes end, and there are " +
@@ -146,21 +147,36 @@ namespace ElastoPlastic
   void
   GmshContents::read_node_block(GmshScanner &scanner)
   {
-    const unsigned long dimension = scanner.count();
+    const unsigned int dimension = scanner.count();
     scanner.integer();
-    const bool          parametric = (scanner.count() != 0);
-    const unsigned long n_nodes    = scanner.count();
+    const bool         parametric = (scanner.count() != 0);
+    const unsigned int n_nodes    = scanner.count();
 
     std::vector<long> tags;
-    for (unsigned long n = 0; n < n_nodes; ++n)
+    for (unsigned int n = 0; n < n_nodes; ++n)
       tags.push_back(scanner.integer());
     for (const long tag : tags)
       {
         add_node(tag, scanner);
         if (parametric)
-          for (unsigned long d = 0; d < dimension; ++d)
+          for (unsigned int d = 0; d < dimension; ++d)
             scanner.number();
       }
+  }
+
+
+
+  // deal.II keeps the largest number of 32 bits for what is in no group.
+  unsigned int
+  GmshContents::read_physical_tag(GmshScanner &scanner)
+  {
+    constexpr long largest = std::numeric_limits<unsigned int>::max() - 1;
+    const long     tag     = scanner.integer();
+    if (tag > largest || tag < -largest)
+      scanner.fail("a physical group has the number " + std::to_string(tag) +
+                   ", but at most " + std::to_string(largest) +
+                   " is allowed. Give it another number in Gmsh.");
+    return std::abs(tag);
   }
 
 
@@ -183,11 +199,11 @@ namespace ElastoPlastic
   {
     if (version == "4.1")
       {
-        const unsigned long n_blocks   = scanner.count();
-        const unsigned long n_elements = scanner.count();
+        const unsigned int n_blocks   = scanner.count();
+        const unsigned int n_elements = scanner.count();
         scanner.integer();
         scanner.integer();
-        for (unsigned long block = 0; block < n_blocks; ++block)
+        for (unsigned int block = 0; block < n_blocks; ++block)
           read_element_block(scanner);
         if (elements.size() != n_elements)
           scanner.fail("the elements end, and there are " +
@@ -197,17 +213,18 @@ namespace ElastoPlastic
         return;
       }
 
-    for (unsigned long n = scanner.count(); n > 0; --n)
+    for (unsigned int n = scanner.count(); n > 0; --n)
       {
         scanner.integer();
-        const unsigned int  type         = scanner.count();
-        unsigned int        physical_tag = 0;
-        const unsigned long n_tags       = scanner.count();
-        for (unsigned long i = 0; i < n_tags; ++i)
-          if (const long tag = scanner.integer(); i == 0)
-            physical_tag = std::abs(tag);
+        const unsigned int type   = scanner.count();
+        const unsigned int n_tags = scanner.count();
+        const unsigned int physical_tag =
+          n_tags > 0 ? read_physical_tag(scanner) : 0;
+        const long entity = n_tags > 1 ? scanner.integer() : 0;
+        for (unsigned int i = 2; i < n_tags; ++i)
+          scanner.integer();
         elements.push_back(
-          {type, physical_tag, read_nodes_of_element(type, scanner)});
+          {type, physical_tag, entity, read_nodes_of_element(type, scanner)});
       }
   }
 
@@ -216,19 +233,19 @@ namespace ElastoPlastic
   void
   GmshContents::read_element_block(GmshScanner &scanner)
   {
-    const unsigned int  dimension  = scanner.count();
-    const long          entity     = scanner.integer();
-    const unsigned int  type       = scanner.count();
-    const unsigned long n_elements = scanner.count();
+    const unsigned int dimension  = scanner.count();
+    const long         entity     = scanner.integer();
+    const unsigned int type       = scanner.count();
+    const unsigned int n_elements = scanner.count();
 
     const auto         group = physical_tags.find(Tag(dimension, entity));
     const unsigned int physical_tag =
       (group == physical_tags.end() ? 0 : group->second);
-    for (unsigned long n = 0; n < n_elements; ++n)
+    for (unsigned int n = 0; n < n_elements; ++n)
       {
         scanner.integer();
         elements.push_back(
-          {type, physical_tag, read_nodes_of_element(type, scanner)});
+          {type, physical_tag, entity, read_nodes_of_element(type, scanner)});
       }
   }
 

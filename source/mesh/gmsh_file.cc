@@ -14,6 +14,7 @@
 #include "base/exceptions.h"
 #include "mesh/gmsh_contents.h"
 #include "mesh/gmsh_file.h"
+#include "mesh/hanging_vertex.h"
 
 namespace ElastoPlastic
 {
@@ -185,6 +186,16 @@ namespace ElastoPlastic
                  "its cells do not fit together; are there degenerate or "
                  "overlapping ones? deal.II says: " +
                    Utilities::trim(reason.str()));
+        }
+      if (const auto vertex = find_hanging_vertex(triangulation))
+        {
+          std::ostringstream corner;
+          corner << *vertex;
+          reject(file,
+                 "the corner (" + corner.str() +
+                   ") of a cell lies inside an edge of another one. Cells must "
+                   "meet at whole faces; smaller ones beside larger ones are "
+                   "made by 'Local refinements' and 'Refinement'.");
         }
     }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include "base/exceptions.h"
 #include "mesh/gmsh_scanner.h"
@@ -101,11 +102,11 @@ namespace ElastoPlastic
 
 
 
-  unsigned long
+  unsigned int
   GmshScanner::count()
   {
     const long value = integer();
-    if (value < 0)
+    if (value < 0 || value > std::numeric_limits<unsigned int>::max())
       fail("there is '" + std::to_string(value) +
            "' where a number of things should be.");
     return value;
