@@ -66,6 +66,29 @@ namespace
 
 
 
+  /// A row of cells on a slope, held under every third of them, so that the
+  /// supports meet at many nodes, some of them beside other ranks.
+  BoundaryNames
+  row_on_slope(Mesh<2> &mesh)
+  {
+    GridGenerator::subdivided_hyper_rectangle(mesh,
+                                              {8, 1},
+                                              Point<2>(),
+                                              Point<2>(8., 1.));
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary())
+          face->set_boundary_id(face->center()[1] > 0 ? 2 :
+                                static_cast<int>(face->center()[0]) % 3 == 2 ?
+                                                        1 :
+                                                        0);
+    GridTools::transform(
+      [](const Point<2> &x) { return Point<2>(x[0], x[1] + 2. * x[0]); }, mesh);
+    return {{"slope", 0}, {"held", 1}, {"rest", 2}};
+  }
+
+
+
   template <int dim>
   MeshMaker<dim>
   part_of_ball(const HalfBallPart part)
@@ -159,6 +182,24 @@ namespace
       Vector marks(u.locally_owned_elements(), MPI_COMM_WORLD);
       supports.set_fixed_entries(marks, 1.);
       return marks.l1_norm();
+    }
+
+    /// Whether all ranks state the same conditions for the nodes that they
+    /// know.
+    bool
+    ranks_agree() const
+    {
+      return supports.constraints().is_consistent_in_parallel(
+        Utilities::MPI::all_gather(MPI_COMM_WORLD,
+                                   dof_handler.locally_owned_dofs()),
+        supports.constraints().get_local_lines(),
+        MPI_COMM_WORLD);
+    }
+
+    double
+    norm() const
+    {
+      return u.l2_norm();
     }
 
     std::string
@@ -295,6 +336,21 @@ namespace
 
 
 
+  void
+  check_partition()
+  {
+    const SupportedBody<2> body(row_on_slope,
+                                1,
+                                "set Roller = slope\nset Fixed = held\n"
+                                "set Free = rest");
+    output() << "row of cells on a slope" << std::endl;
+    verify("  all ranks state the same conditions", body.ranks_agree());
+    const double norm = body.norm();
+    output() << "  norm of the displacement: " << norm << std::endl;
+  }
+
+
+
   template <int dim>
   void
   print_free_motion(const MeshMaker<dim> &make_mesh,
@@ -351,5 +407,6 @@ main(int argc, char *argv[])
       check_half_balls(degree);
     }
   check_wedge();
+  check_partition();
   check_free_motions();
 }

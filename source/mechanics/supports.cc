@@ -81,12 +81,14 @@ namespace ElastoPlastic
 
 
     /// Adds the condition that @p line states to @p constraints, solved for the
-    /// degree of freedom with the largest coefficient of those that no other
-    /// support holds. Where there is none, the other supports decide.
+    /// degree of freedom with the largest coefficient of those that neither
+    /// another support nor @p hanging_nodes hold. Where there is none, the
+    /// other supports decide.
     void
     add_sliding_condition(
       const AffineConstraints<double>::ConstraintLine &line,
       const std::map<types::global_dof_index, double> &fixed_values,
+      const AffineConstraints<double>                 &hanging_nodes,
       AffineConstraints<double>                       &constraints)
     {
       const double rounding_noise = 1e-10;
@@ -96,7 +98,9 @@ namespace ElastoPlastic
       std::pair<types::global_dof_index, double> solved_for(line.index, 0.);
       for (const auto &[dof, coefficient] : terms)
         if (std::abs(coefficient) > std::abs(solved_for.second) &&
-            fixed_values.count(dof) == 0 && !constraints.is_constrained(dof))
+            fixed_values.count(dof) == 0 &&
+            !hanging_nodes.is_constrained(dof) &&
+            !constraints.is_constrained(dof))
           solved_for = {dof, coefficient};
       if (std::abs(solved_for.second) < rounding_noise)
         return;
@@ -256,17 +260,26 @@ namespace ElastoPlastic
 
 
 
+  // The rank that owns a node sees all faces that meet there, and so the
+  // normals and the other supports. What it decides, the others take over.
   template <int dim>
   void
   Supports<dim>::add_skew_rollers(const DoFHandler<dim> &dof_handler,
                                   const std::set<types::boundary_id> &rollers)
   {
-    AffineConstraints<double> sliding(combined.get_local_lines());
+    const IndexSet           &relevant = combined.get_local_lines();
+    const IndexSet           &owned    = dof_handler.locally_owned_dofs();
+    AffineConstraints<double> sliding(relevant), conditions(relevant);
     VectorTools::compute_no_normal_flux_constraints(
       dof_handler, 0, rollers, sliding, MappingQ1<dim>());
     sliding.close();
     for (const auto &line : sliding.get_lines())
-      add_sliding_condition(line, fixed_values, combined);
+      if (owned.is_element(line.index))
+        add_sliding_condition(line, fixed_values, hanging, conditions);
+    conditions.make_consistent_in_parallel(owned,
+                                           relevant,
+                                           dof_handler.get_communicator());
+    combined.merge(conditions);
     vertical.add_indices(DoFTools::extract_boundary_dofs(
       dof_handler, mask_of_component<dim>(dim - 1), rollers));
   }
