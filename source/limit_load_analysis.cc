@@ -68,12 +68,11 @@ namespace ElastoPlastic
     , gap_function(make_mesh_and_place_indenter(model, triangulation))
   {
     check_is_perfect(model.materials);
-    if (model.materials.size() > 1)
-      throw_together(communicator, [&]() {
-        for (const auto &cell : triangulation.active_cell_iterators())
-          if (cell->is_locally_owned())
-            check_material_id(*cell, model.materials.size());
-      });
+    check_material_ids(triangulation, model.materials.size());
+    if (const std::string warning =
+          warning_of_unused_materials(triangulation, model.materials.size());
+        !warning.empty())
+      screen.warn(warning);
   }
 
 
@@ -243,6 +242,7 @@ namespace ElastoPlastic
   {
     flag_cells(parameters.refinement, error_indicators, triangulation);
     triangulation.execute_coarsening_and_refinement();
+    check_material_ids(triangulation, model.materials.size());
     setup_body();
     ++cycle;
   }

@@ -279,6 +279,9 @@ main(int argc, char **argv)
   print_material_volume<3>(
     "set Initial refinements = 1\n"
     "set Material id = if(x < 0.3, 1.2, 0)");
+  print_material_volume<2>(
+    "set Local refinements = 4\n"
+    "set Material id = if(x + y < 0.1, 1, 0)");
   if (on_first_rank())
     std::cout << std::endl;
 

@@ -12,6 +12,7 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include "mechanics/state_transfer.h"
+#include "mesh/material_ids.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -145,7 +146,7 @@ namespace
 
     const CellStates   old_states    = sample_states(mesh, degree);
     const auto         old_integrals = integrals(mesh, degree, old_states);
-    StateTransfer<dim> transfer(mesh, degree);
+    StateTransfer<dim> transfer(mesh, degree, /* n_materials = */ 1);
     change(mesh, transfer, old_states);
     const CellStates states = transfer.take();
 
@@ -160,14 +161,69 @@ namespace
              std::abs(new_integrals[1] - old_integrals[1]) < 1e-12 &&
              std::abs(old_integrals[1]) > 1e-3);
 
-    StateTransfer<dim> saving(mesh, degree);
+    StateTransfer<dim> saving(mesh, degree, 1);
     saving.prepare(states);
     mesh.save("mesh");
     Mesh<dim> loaded_mesh(MPI_COMM_WORLD);
     GridGenerator::hyper_cube(loaded_mesh);
     loaded_mesh.load("mesh");
     verify("the same after loading",
-           StateTransfer<dim>(loaded_mesh, degree).load() == states);
+           StateTransfer<dim>(loaded_mesh, degree, 1).load() == states);
+  }
+
+
+
+  /// A layer of another material above y = 0.9, which the first mesh, of cells
+  /// of 1/4, does not see, and one to the left of x = 0.2, which it sees as one
+  /// column of cells. Each point has one number, which is 1.
+  void
+  test_change_of_material()
+  {
+    output() << "change of material" << std::endl;
+    Mesh<2> mesh(MPI_COMM_WORLD);
+    GridGenerator::hyper_cube(mesh);
+    mesh.refine_global(2);
+    set_material_ids("Material id", "if(y > 0.9 || x < 0.2, 1, 0)", mesh);
+
+    const auto n_points_with = [&mesh](const CellStates        &states,
+                                       const types::material_id material,
+                                       const double             value) {
+      unsigned int n = 0;
+      for_each_cell(mesh, 1, [&](const auto &cell, const auto &) {
+        for (const double entry : states[cell->active_cell_index()])
+          if (cell->material_id() == material &&
+              std::abs(entry - value) < 1e-12)
+            ++n;
+      });
+      return Utilities::MPI::sum(n, MPI_COMM_WORLD);
+    };
+    CellStates states(mesh.n_active_cells());
+    for_each_cell(mesh, 1, [&](const auto &cell, const auto &) {
+      states[cell->active_cell_index()].assign(4, 1.);
+    });
+    verify("a column of 4 cells of the other material",
+           n_points_with(states, 1, 1.) == 4 * 4 &&
+             n_points_with(states, 0, 1.) == 12 * 4);
+
+    StateTransfer<2> to_finer(mesh, 1, /* n_materials = */ 2);
+    to_finer.prepare(states);
+    mesh.refine_global(1);
+    states = to_finer.take();
+    // 8 cells at the left were of that material before, 6 cells at the top were
+    // not; those beside the column at the left have changed to the first one.
+    output() << "  second material: " << n_points_with(states, 1, 1.)
+             << " points with a past, " << n_points_with(states, 1, 0.)
+             << " virgin\n  first material: " << n_points_with(states, 0, 1.)
+             << " points with a past, " << n_points_with(states, 0, 0.)
+             << " virgin" << std::endl;
+
+    StateTransfer<2> to_coarser(mesh, 1, 2);
+    to_coarser.prepare(states);
+    mesh.coarsen_global(1);
+    states = to_coarser.take();
+    output() << "  and back: " << n_points_with(states, 1, 1.) << ", "
+             << n_points_with(states, 0, 1.)
+             << " points with the past of whole cells" << std::endl;
   }
 } // namespace
 
@@ -182,4 +238,5 @@ main(int argc, char *argv[])
       test<2>(degree);
       test<3>(degree);
     }
+  test_change_of_material();
 }

@@ -22,15 +22,20 @@ namespace ElastoPlastic
   /// a cell alone as long as it is a parallelogram in plane or in space, and
   /// tensors without trace; but the stresses may leave the yield surface
   /// (doc/theory.md, "Meshes that follow the contact").
+  ///
+  /// Where a cell is of another material than the one that it comes from, its
+  /// points are virgin: it has no past as what it is.
   template <int dim>
   class StateTransfer
   {
   public:
-    /// For QGauss<dim>(@p degree + 1). @p triangulation must outlive this
-    /// object.
+    /// For QGauss<dim>(@p degree + 1). If there is only one material
+    /// (@p n_materials), it is that of all cells, whatever their ids.
+    /// @p triangulation must outlive this object.
     StateTransfer(
       const parallel::distributed::Triangulation<dim> &triangulation,
-      const unsigned int                               degree);
+      const unsigned int                               degree,
+      const unsigned int                               n_materials);
 
     /// Hands in the states before the mesh changes or is saved. @p states must
     /// live until then.
@@ -47,13 +52,21 @@ namespace ElastoPlastic
     load();
 
   private:
+    using Cell = typename Triangulation<dim>::cell_iterator;
+
+    /// Whether a child of @p cell is of the same material.
+    bool
+    keeps_material(const Cell &cell, const unsigned int child) const;
+
     std::vector<std::vector<double>>
-    to_children(const std::vector<double> &parent) const;
+    to_children(const Cell &cell, const std::vector<double> &parent) const;
 
     std::vector<double>
-    to_parent(const std::vector<std::vector<double>> &children) const;
+    to_parent(const Cell                             &cell,
+              const std::vector<std::vector<double>> &children) const;
 
     const parallel::distributed::Triangulation<dim> &triangulation;
+    const unsigned int                               n_materials;
     /// The polynomials that are one at one of the points.
     const FE_DGQArbitraryNodes<dim>                               polynomials;
     parallel::distributed::CellDataTransfer<dim, dim, CellStates> transfer;

@@ -68,11 +68,9 @@ namespace ElastoPlastic
     /// of the body: coarse mesh, manifolds, boundary ids, material ids and the
     /// initial and local refinements.
     ///
-    /// The material id of a cell is the value of the expression at its centre
-    /// on the mesh after the initial refinements, rounded; later refinement
-    /// inherits it. The rule stays connected to the triangulation, so that it
-    /// survives coarsening, repartitioning and loading from a checkpoint.
-    /// Without an expression it is 0, or what the mesh file says.
+    /// The material id of a cell, whenever it has been made, is the value of
+    /// the expression at its centre, see set_material_ids(). Without an
+    /// expression it is 0, or what the mesh file says.
     ///
     /// Before Triangulation::load() call coarsen_to_coarse_mesh().
     ///

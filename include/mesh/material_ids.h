@@ -15,20 +15,30 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// Set the material ids of all cells of all levels, now and after each later
-  /// change of the mesh: up to @p level the value of the expression @p text at
-  /// the cell's centre, rounded; beyond it that of the parent. So a material
-  /// id depends on the place of a cell only, whatever rank it is on and
-  /// whatever has been coarsened in between.
+  /// Sets the material id of each cell to the value of the expression @p text
+  /// at its centre, rounded: now, and after each later change of the mesh. So a
+  /// material id depends on the place and the size of a cell only, whatever
+  /// rank it is on and whatever has been coarsened in between. That goes for
+  /// the cells of all levels: a cell that has been divided keeps the id that it
+  /// had.
   ///
-  /// Collective. @throws InputError naming the entry @p path if the expression
-  /// cannot be evaluated or its value is negative somewhere.
+  /// Collective, and so are all changes of a distributed @p triangulation from
+  /// then on. @throws InputError naming the entry @p path, now or then, if the
+  /// expression cannot be evaluated or its value is negative somewhere.
   template <int dim>
   void
   set_material_ids(const std::string  &path,
                    const std::string  &text,
-                   const int           level,
                    Triangulation<dim> &triangulation);
+
+
+
+  /// A warning that names those of the materials 0 to @p n_materials - 1 that
+  /// no active cell consists of; empty if there are none. Collective.
+  template <int dim>
+  std::string
+  warning_of_unused_materials(const Triangulation<dim> &triangulation,
+                              const unsigned int        n_materials);
 
 
 
@@ -49,6 +59,15 @@ namespace ElastoPlastic
                "'Geometry/Material id'.";
     throw InputError(message.str());
   }
+
+
+
+  /// The same for all cells of all ranks. A single material stands for every
+  /// id. Collective.
+  template <int dim>
+  void
+  check_material_ids(const Triangulation<dim> &triangulation,
+                     const unsigned int        n_materials);
 } // namespace ElastoPlastic
 
 #endif

@@ -57,7 +57,9 @@ namespace ElastoPlastic
         dof_handler);
       transfer.prepare_for_serialization(fields.pointers());
       const CellStates   states = solid->states();
-      StateTransfer<dim> state_transfer(triangulation, fe.degree);
+      StateTransfer<dim> state_transfer(triangulation,
+                                        fe.degree,
+                                        model.materials.size());
       state_transfer.prepare(states);
       triangulation.save(mesh_file);
     });
@@ -90,7 +92,9 @@ namespace ElastoPlastic
     parallel::distributed::SolutionTransfer<dim, VectorType> transfer(
       dof_handler);
     transfer.deserialize(fields);
-    solid->set_states(StateTransfer<dim>(triangulation, fe.degree).load());
+    solid->set_states(
+      StateTransfer<dim>(triangulation, fe.degree, model.materials.size())
+        .load());
     committed_displacement = displacement;
 
     setup_contact();

@@ -9,6 +9,7 @@
 #include "elasto_plastic_contact.h"
 #include "io/output_directory.h"
 #include "mechanics/external_forces.h"
+#include "mesh/material_ids.h"
 
 namespace ElastoPlastic
 {
@@ -58,6 +59,10 @@ namespace ElastoPlastic
     check_supports();
     check_reach();
     check_size();
+    if (const std::string warning =
+          warning_of_unused_materials(triangulation, model.materials.size());
+        !warning.empty())
+      screen.warn(warning);
   }
 
 

@@ -128,7 +128,9 @@ namespace ElastoPlastic
       dof_handler);
     transfer.prepare_for_coarsening_and_refinement(old_fields.pointers());
     const CellStates   states = is_virgin ? CellStates() : solid->states();
-    StateTransfer<dim> state_transfer(triangulation, fe.degree);
+    StateTransfer<dim> state_transfer(triangulation,
+                                      fe.degree,
+                                      model.materials.size());
     if (!is_virgin)
       state_transfer.prepare(states);
     {

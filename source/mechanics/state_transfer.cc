@@ -31,17 +31,19 @@ namespace ElastoPlastic
   template <int dim>
   StateTransfer<dim>::StateTransfer(
     const parallel::distributed::Triangulation<dim> &triangulation,
-    const unsigned int                               degree)
+    const unsigned int                               degree,
+    const unsigned int                               n_materials)
     : triangulation(triangulation)
+    , n_materials(n_materials)
     , polynomials(QGauss<1>(degree + 1))
     , transfer(
         triangulation,
         /* transfer_variable_size_data = */ false,
-        [this](const auto &, const std::vector<double> parent) {
-          return to_children(parent);
+        [this](const Cell &cell, const std::vector<double> parent) {
+          return to_children(cell, parent);
         },
-        [this](const auto &, const CellStates &children) {
-          return to_parent(children);
+        [this](const Cell &cell, const CellStates &children) {
+          return to_parent(cell, children);
         })
   {}
 
@@ -79,16 +81,29 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  bool
+  StateTransfer<dim>::keeps_material(const Cell        &cell,
+                                     const unsigned int child) const
+  {
+    return n_materials == 1 ||
+           cell->child(child)->material_id() == cell->material_id();
+  }
+
+
+
+  template <int dim>
   std::vector<std::vector<double>>
-  StateTransfer<dim>::to_children(const std::vector<double> &parent) const
+  StateTransfer<dim>::to_children(const Cell                &cell,
+                                  const std::vector<double> &parent) const
   {
     std::vector<std::vector<double>> children(
       GeometryInfo<dim>::max_children_per_cell,
       std::vector<double>(parent.size(), 0.));
     for (unsigned int child = 0; child < children.size(); ++child)
-      add_product(children[child],
-                  polynomials.get_prolongation_matrix(child),
-                  parent);
+      if (keeps_material(cell, child))
+        add_product(children[child],
+                    polynomials.get_prolongation_matrix(child),
+                    parent);
     return children;
   }
 
@@ -99,13 +114,14 @@ namespace ElastoPlastic
   template <int dim>
   std::vector<double>
   StateTransfer<dim>::to_parent(
-    const std::vector<std::vector<double>> &children) const
+    const Cell &cell, const std::vector<std::vector<double>> &children) const
   {
     std::vector<double> parent(children[0].size(), 0.);
     for (unsigned int child = 0; child < children.size(); ++child)
-      add_product(parent,
-                  polynomials.get_restriction_matrix(child),
-                  children[child]);
+      if (keeps_material(cell, child))
+        add_product(parent,
+                    polynomials.get_restriction_matrix(child),
+                    children[child]);
     return parent;
   }
 

@@ -185,10 +185,10 @@ namespace ElastoPlastic
       "Material id",
       material_id,
       "Which of the materials each cell consists of: an expression in x, y "
-      "(, z), evaluated at the centres of the cells after the initial "
-      "refinements and rounded to a whole number >= 0; conditions are written "
-      "if(y > -0.1, 1, 0). Empty stands for 0, or with the type file for the "
-      "number of the physical group in the file.",
+      "(, z), evaluated at the centre of each cell of the mesh that is solved, "
+      "also after each refinement, and rounded to a whole number >= 0; "
+      "conditions are written if(y > -0.1, 1, 0). Empty stands for 0, or with "
+      "the type file for the number of the physical group in the file.",
       Patterns::Anything());
     prm.leave_subsection();
   }
@@ -267,12 +267,11 @@ namespace ElastoPlastic
   {
     triangulation.copy_triangulation(*coarse_mesh);
     triangulation.refine_global(parameters.initial_refinements);
+    refine_locally(parameters, triangulation);
     if (!parameters.material_id.empty())
       set_material_ids("Geometry/Material id",
                        parameters.material_id,
-                       parameters.initial_refinements,
                        triangulation);
-    refine_locally(parameters, triangulation);
   }
 
 

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
+#include <deal.II/distributed/tria_base.h>
+
 #include <cmath>
 #include <memory>
 #include <sstream>
@@ -18,24 +21,19 @@ namespace ElastoPlastic
     class MaterialIds
     {
     public:
-      MaterialIds(const std::string &path,
-                  const std::string &text,
-                  const int          level)
+      MaterialIds(const std::string &path, const std::string &text)
         : path(path)
         , text(text)
         , expression(path, text)
-        , level(level)
       {}
 
-      /// Cells come level by level, so that a parent has its id before its
-      /// children.
       void
       apply_to(Triangulation<dim> &triangulation) const
       {
-        for (const auto &cell : triangulation.cell_iterators())
-          cell->set_material_id(cell->level() <= level ?
-                                  value(cell->center()) :
-                                  cell->parent()->material_id());
+        throw_together(triangulation.get_communicator(), [&]() {
+          for (const auto &cell : triangulation.cell_iterators())
+            cell->set_material_id(value(cell->center()));
+        });
       }
 
     private:
@@ -57,25 +55,79 @@ namespace ElastoPlastic
       const std::string     path;
       const std::string     text;
       const Expression<dim> expression;
-      const int             level;
     };
   } // namespace
 
 
 
+  // A distributed mesh reaches its next state in steps, not as many on each
+  // rank, and tells when it is there.
   template <int dim>
   void
   set_material_ids(const std::string  &path,
                    const std::string  &text,
-                   const int           level,
                    Triangulation<dim> &triangulation)
   {
-    const auto ids = std::make_shared<MaterialIds<dim>>(path, text, level);
+    const auto ids    = std::make_shared<MaterialIds<dim>>(path, text);
+    const auto update = [ids, &triangulation]() {
+      ids->apply_to(triangulation);
+    };
+    update();
 
-    throw_together(triangulation.get_communicator(),
-                   [&]() { ids->apply_to(triangulation); });
-    triangulation.signals.post_refinement.connect(
-      [ids, &triangulation]() { ids->apply_to(triangulation); });
+    auto &signals = triangulation.signals;
+    if (dynamic_cast<parallel::DistributedTriangulationBase<dim> *>(
+          &triangulation) == nullptr)
+      signals.post_refinement.connect(update);
+    else
+      for (auto *const signal : {&signals.post_distributed_refinement,
+                                 &signals.post_distributed_repartition,
+                                 &signals.post_distributed_load})
+        signal->connect(update);
+  }
+
+
+
+  template <int dim>
+  std::string
+  warning_of_unused_materials(const Triangulation<dim> &triangulation,
+                              const unsigned int        n_materials)
+  {
+    if (n_materials == 1)
+      return "";
+    std::vector<unsigned int> n_cells(n_materials, 0);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->material_id() < n_materials)
+        ++n_cells[cell->material_id()];
+    Utilities::MPI::sum(n_cells, triangulation.get_communicator(), n_cells);
+
+    std::string unused;
+    for (unsigned int id = 0; id < n_materials; ++id)
+      if (n_cells[id] == 0)
+        unused += (unused.empty() ? "" : ", ") + std::to_string(id);
+    return unused.empty() ?
+             "" :
+             "No cell of the mesh consists of the material " + unused +
+               ", though the entries of 'Material' describe " +
+               std::to_string(n_materials) + " materials: 0 to " +
+               std::to_string(n_materials - 1) +
+               ". A cell is of the material that 'Geometry/Material id' gives "
+               "at its centre: is the mesh too coarse for a thin layer?";
+  }
+
+
+
+  template <int dim>
+  void
+  check_material_ids(const Triangulation<dim> &triangulation,
+                     const unsigned int        n_materials)
+  {
+    if (n_materials == 1)
+      return;
+    throw_together(triangulation.get_communicator(), [&]() {
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned())
+          check_material_id(*cell, n_materials);
+    });
   }
 
 
@@ -83,11 +135,17 @@ namespace ElastoPlastic
   template void
   set_material_ids(const std::string &,
                    const std::string &,
-                   const int,
                    Triangulation<2> &);
   template void
   set_material_ids(const std::string &,
                    const std::string &,
-                   const int,
                    Triangulation<3> &);
+  template std::string
+  warning_of_unused_materials(const Triangulation<2> &, const unsigned int);
+  template std::string
+  warning_of_unused_materials(const Triangulation<3> &, const unsigned int);
+  template void
+  check_material_ids(const Triangulation<2> &, const unsigned int);
+  template void
+  check_material_ids(const Triangulation<3> &, const unsigned int);
 } // namespace ElastoPlastic
