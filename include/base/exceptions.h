@@ -51,8 +51,18 @@ namespace ElastoPlastic
     InputError(const std::string &path,
                const std::string &value,
                const std::string &remedy)
-      : InputError("The entry '" + path + "' is '" + value + "', but " + remedy)
+      : InputError("The entry '" + path + "' is '" + abbreviated(value) +
+                   "', but " + remedy)
     {}
+
+  private:
+    /// A message is to be read.
+    static std::string
+    abbreviated(const std::string &value)
+    {
+      constexpr std::size_t longest = 500;
+      return value.size() <= longest ? value : value.substr(0, longest) + "...";
+    }
   };
 
   /// The iteration has not converged after every remedy.

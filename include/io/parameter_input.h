@@ -6,25 +6,31 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <map>
 #include <string>
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// Reads a parameter file into @p prm. deal.II reads it; what it has to say
-  /// against the file is said in our own words.
+  /// Reads a parameter file, and those that it includes, into @p prm.
   /// @throws InputError with file, line, section, entry, value and what is
   /// allowed.
   void
   read_parameter_file(ParameterHandler &prm, const std::string &file);
 
   /// Sets the entry @p path, for instance "Geometry/Type".
-  /// @throws InputError if there is no such entry or it cannot have this value.
+  /// @throws InputError if there is no such entry or it cannot have this value,
+  /// or if a parameter file could not say the value: whatever @p prm prints can
+  /// be read again.
   void
   set_entry(ParameterHandler  &prm,
             const std::string &path,
             const std::string &value);
+
+  /// The values of all entries, by paths like "Geometry/Type".
+  std::map<std::string, std::string>
+  all_entries(const ParameterHandler &prm);
 } // namespace ElastoPlastic
 
 #endif

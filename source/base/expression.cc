@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cmath>
 #include <iostream>
-#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -42,14 +41,18 @@ namespace ElastoPlastic
     std::string
     reason(const ExceptionBase &exception)
     {
-      static const std::regex parser_message("The parser said: ([^\n]*)");
-      std::ostringstream      text;
+      static const std::string before = "The parser said: ";
+      std::ostringstream       text;
       exception.print_info(text);
       const std::string message = text.str();
-      std::smatch       found;
-      return std::regex_search(message, found, parser_message) ?
-               " (" + found.str(1) + ")" :
-               "";
+      const auto        begin   = message.rfind(before);
+      if (begin == std::string::npos)
+        return "";
+      const auto end = message.find('\n', begin);
+      return " (" +
+             message.substr(begin + before.size(),
+                            end - begin - before.size()) +
+             ")";
     }
 
 

@@ -4,10 +4,12 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <regex>
+#include <functional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "base/exceptions.h"
@@ -18,150 +20,226 @@ namespace ElastoPlastic
 {
   namespace
   {
+    namespace fs = std::filesystem;
+
+    using Sections = std::vector<std::string>;
+
     const std::string see_reference =
       " All sections and entries are listed by elasto_plastic_contact "
       "--print-parameters.";
 
 
 
-    /// deal.II's own words on what is wrong, in one line.
     std::string
-    reason(const ExceptionBase &exception)
+    path_of(const Sections &sections, const std::string &entry)
     {
-      std::ostringstream text;
-      exception.print_info(text);
-      return Utilities::trim(
-        std::regex_replace(text.str(), std::regex("\\s+"), " "));
-    }
-
-
-
-    std::string
-    must_be(const std::string &pattern_description)
-    {
-      return "it must be: " + allowed_values(pattern_description) + ".";
-    }
-
-
-
-    /// The sections that a line of a file lies in, written "Section/".
-    std::string
-    section_of_line(const std::string &file, const unsigned int line_number)
-    {
-      std::ifstream            stream(file);
-      std::vector<std::string> sections;
-      std::string              line;
-      for (unsigned int i = 1; i < line_number && std::getline(stream, line);
-           ++i)
-        {
-          std::istringstream words(line.substr(0, line.find('#')));
-          std::string        keyword, name;
-          words >> keyword;
-          std::getline(words, name);
-          if (keyword == "subsection" || keyword == "SUBSECTION")
-            sections.push_back(Utilities::trim(name) + "/");
-          else if ((keyword == "end" || keyword == "END") && !sections.empty())
-            sections.pop_back();
-        }
-
       std::string path;
       for (const std::string &section : sections)
-        path += section;
-      return path;
+        path += section + "/";
+      return path + entry;
     }
 
 
 
-    /// What is wrong with one line, if deal.II's @p complaint is about the
-    /// entries, or else an empty string.
-    std::string
-    wrong_entry(const std::string &complaint, const std::string &section)
+    /// The language of deal.II's parameter files, line by line. deal.II's own
+    /// reader follows a file that includes itself until the stack is full, does
+    /// not say which of several files is wrong, and takes a brace for the
+    /// beginning of a list of variants, which it ignores.
+    class ParameterFileReader
     {
-      static const std::regex no_section(
-        "There is no such subsection to be entered: (.*)");
-      static const std::regex no_entry(
-        "No entry with name <(.*)> was declared in the current subsection\\.");
-      static const std::regex wrong_value(
-        "The entry value (.*) for the entry named (.*) does not match the "
-        "given pattern: (.*)");
+    public:
+      using SetEntry = std::function<
+        void(const Sections &, const std::string &, const std::string &)>;
 
-      std::smatch found;
-      if (std::regex_match(complaint, found, no_section))
-        return "There is no section '" + found.str(1) + "'." + see_reference;
-      if (std::regex_match(complaint, found, no_entry))
-        return "There is no entry '" + section + found.str(1) + "'." +
-               see_reference;
-      if (std::regex_match(complaint, found, wrong_value))
-        return InputError(section + found.str(2), found[1], must_be(found[3]))
-          .what();
-      return "";
-    }
+      /// @p prm knows the sections; what is read goes to @p set_entry.
+      ParameterFileReader(const ParameterHandler &prm,
+                          const SetEntry         &set_entry)
+        : prm(prm)
+        , set_entry(set_entry)
+      {}
+
+      void
+      read_file(const std::string &name)
+      {
+        std::ifstream stream(name);
+        if (!stream || fs::is_directory(name))
+          throw InputError("The file '" + name +
+                           "' does not exist or cannot be read.");
+        const fs::path file = fs::canonical(name);
+        if (std::count(open_files.begin(), open_files.end(), file) > 0)
+          throw InputError("The file '" + name +
+                           "' is included while it is being read.");
+        open_files.push_back(file);
+        read(stream, name);
+        open_files.pop_back();
+      }
+
+      /// A backslash at the end of a line joins it with the next.
+      void
+      read(std::istream &stream, const std::string &name)
+      {
+        const auto  n_sections = sections.size();
+        std::string line, text;
+        for (unsigned int number = 1; std::getline(stream, line); ++number)
+          {
+            text += Utilities::trim(line);
+            if (!text.empty() && text.back() == '\\')
+              text.pop_back();
+            else
+              interpret(std::exchange(text, ""),
+                        name + ", line " + std::to_string(number));
+          }
+        interpret(text, name);
+        if (sections.size() != n_sections)
+          throw InputError(name +
+                           ": The number of lines 'subsection' and 'end' is "
+                           "not the same. Close each section with 'end'.");
+      }
+
+    private:
+      void
+      interpret(const std::string &line, const std::string &place)
+      {
+        const std::string text =
+          Utilities::trim(line.substr(0, line.find('#')));
+        if (text.empty())
+          return;
+        const auto end = std::min(text.find_first_of(" \t"), text.size());
+        const std::string keyword = text.substr(0, end);
+        const std::string rest    = Utilities::trim(text.substr(end));
+        const auto is = [&](const char *const lower, const char *const upper) {
+          return keyword == lower || keyword == upper;
+        };
+        try
+          {
+            if (is("set", "SET"))
+              set(rest);
+            else if (is("subsection", "SUBSECTION"))
+              enter(rest);
+            else if (is("end", "END"))
+              leave(rest);
+            else if (is("include", "INCLUDE"))
+              include(rest);
+            else
+              throw InputError(
+                "This is none of 'set Entry = value', 'subsection Name', "
+                "'end', 'include FILE', and a comment that begins with '#'.");
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(place + ": " + error.what());
+          }
+      }
+
+      void
+      set(const std::string &text)
+      {
+        const auto equal_sign = text.find('=');
+        if (equal_sign == std::string::npos)
+          throw InputError("An entry must look like 'set Entry = value'.");
+        set_entry(sections,
+                  Utilities::trim(text.substr(0, equal_sign)),
+                  Utilities::trim(text.substr(equal_sign + 1)));
+      }
+
+      void
+      enter(const std::string &name)
+      {
+        sections.push_back(name);
+        if (!prm.subsection_path_exists(sections))
+          throw InputError("There is no section '" + name + "'." +
+                           see_reference);
+      }
+
+      void
+      leave(const std::string &rest)
+      {
+        if (!rest.empty())
+          throw InputError("After 'end' nothing can follow but a comment.");
+        if (sections.empty())
+          throw InputError("This 'end' closes no 'subsection'.");
+        sections.pop_back();
+      }
+
+      void
+      include(const std::string &name)
+      {
+        if (!fs::is_regular_file(name))
+          throw InputError(
+            "The file '" + name +
+            "' to be included does not exist or cannot be opened. A relative "
+            "name starts in the working directory.");
+        read_file(name);
+      }
+
+      const ParameterHandler &prm;
+      const SetEntry          set_entry;
+      Sections                sections;
+      std::vector<fs::path>   open_files;
+    };
 
 
 
-    /// The same for mistakes in the way the line is written. Text that deal.II
-    /// says in another way is left as it is.
-    std::string
-    wrong_syntax(const std::string &complaint)
+    /// What parameters.prm could not say.
+    bool
+    can_be_written(const std::string &value)
     {
-      static const std::vector<std::pair<std::regex, std::string>> own_words = {
-        {std::regex("Invalid format of 'set' or 'SET' statement\\."),
-         "An entry must look like 'set Entry = value'."},
-        {std::regex("Invalid content after 'end' or 'END' statement\\."),
-         "After 'end' nothing can follow but a comment."},
-        {std::regex("There is no subsection to leave here\\."),
-         "This 'end' closes no 'subsection'."},
-        {std::regex("This line contains an 'include' .* <(.*)> cannot be "
-                    "opened\\."),
-         "The file '$1' to be included does not exist or cannot be opened. A "
-         "relative name starts in the working directory."},
-        {std::regex("The line .* could not be parsed: .*"),
-         "This is none of 'set Entry = value', 'subsection Name', 'end', "
-         "'include FILE', and a comment that begins with '#'."}};
-
-      for (const auto &[pattern, words] : own_words)
-        if (std::regex_match(complaint, pattern))
-          return std::regex_replace(complaint, pattern, words);
-      return complaint;
+      return value.find('#') == std::string::npos &&
+             std::none_of(value.begin(),
+                          value.end(),
+                          [](const unsigned char c) {
+                            return c != '\t' && std::iscntrl(c);
+                          }) &&
+             (value.empty() || value.back() != '\\');
     }
 
 
 
     std::string
-    in_our_words(const std::string &complaint, const std::string &file)
+    what_matches(const ParameterHandler::ExcValueDoesNotMatchPattern &exception)
     {
-      static const std::regex about_line(
-        "Line <(\\d+)> of file <(.*?)>?: (.*)");
-      static const std::regex unbalanced("There are unequal numbers of .*");
-
-      std::smatch found;
-      if (std::regex_match(complaint, unbalanced))
-        return file +
-               ": The number of lines 'subsection' and 'end' is not the "
-               "same. Close each section with 'end'.";
-      if (!std::regex_match(complaint, found, about_line))
-        return file + ": " + complaint;
-
-      const std::string section =
-        section_of_line(found[2], std::stoul(found[1]));
-      const std::string entry_message = wrong_entry(found[3], section);
-      return found.str(2) + ", line " + found.str(1) + ": " +
-             (entry_message.empty() ? wrong_syntax(found[3]) : entry_message);
+      static const std::string before = "the given pattern <";
+      std::ostringstream       stream;
+      exception.print_info(stream);
+      const std::string text  = stream.str();
+      const auto        begin = text.rfind(before) + before.size();
+      return allowed_values(text.substr(begin, text.rfind('>') - begin));
     }
 
 
 
-    /// deal.II takes a value with a brace for a list of variants, and leaves
-    /// the entry as it was.
+    /// @p sections exist.
     void
-    reject_braces(ParameterHandler &prm, const std::string &file)
+    set_entry(ParameterHandler  &prm,
+              const Sections    &sections,
+              const std::string &entry,
+              const std::string &value)
     {
-      std::stringstream text;
-      prm.print_parameters(text, ParameterHandler::ShortPRM);
-      for (std::string line; std::getline(text, line);)
-        if (line.find('{') != std::string::npos)
-          throw InputError(file + ": A value cannot contain braces: '" +
-                           Utilities::trim(line) + "'.");
+      const std::string path = path_of(sections, entry);
+      if (!can_be_written(value))
+        throw InputError(path,
+                         value,
+                         "a value cannot contain '#' or a control character, "
+                         "nor end with a backslash: parameters.prm could not "
+                         "be read again. Rename the file or folder.");
+      try
+        {
+          for (const std::string &section : sections)
+            prm.enter_subsection(section);
+          prm.set(entry, value);
+          for (unsigned int i = 0; i < sections.size(); ++i)
+            prm.leave_subsection();
+        }
+      catch (const ParameterHandler::ExcEntryUndeclared &)
+        {
+          throw InputError("There is no entry '" + path + "'." + see_reference);
+        }
+      catch (const ParameterHandler::ExcValueDoesNotMatchPattern &exception)
+        {
+          throw InputError(path,
+                           value,
+                           "it must be: " + what_matches(exception) + ".");
+        }
     }
   } // namespace
 
@@ -170,19 +248,13 @@ namespace ElastoPlastic
   void
   read_parameter_file(ParameterHandler &prm, const std::string &file)
   {
-    std::ifstream stream(file);
-    if (!stream || std::filesystem::is_directory(file))
-      throw InputError("The parameter file '" + file +
-                       "' does not exist or cannot be read.");
-    try
-      {
-        prm.parse_input(stream, file);
-      }
-    catch (const ExceptionBase &exception)
-      {
-        throw InputError(in_our_words(reason(exception), file));
-      }
-    reject_braces(prm, file);
+    ParameterFileReader(prm,
+                        [&prm](const Sections    &sections,
+                               const std::string &entry,
+                               const std::string &value) {
+                          set_entry(prm, sections, entry, value);
+                        })
+      .read_file(file);
   }
 
 
@@ -192,33 +264,32 @@ namespace ElastoPlastic
             const std::string &path,
             const std::string &value)
   {
-    std::vector<std::string> names = Utilities::split_string_list(path, '/');
-    const std::string        entry = names.back();
-    names.pop_back();
+    Sections          sections = Utilities::split_string_list(path, '/');
+    const std::string entry    = sections.back();
+    sections.pop_back();
     // deal.II creates unknown sections on entering: ask before
-    if (std::count(names.begin(), names.end(), "") > 0 ||
-        !prm.subsection_path_exists(names))
+    if (std::count(sections.begin(), sections.end(), "") > 0 ||
+        !prm.subsection_path_exists(sections))
       throw InputError("There is no section for the entry '" + path + "'." +
                        see_reference);
-    try
-      {
-        for (const std::string &section : names)
-          prm.enter_subsection(section);
-        prm.set(entry, Utilities::trim(value));
-        for (unsigned int i = 0; i < names.size(); ++i)
-          prm.leave_subsection();
-      }
-    catch (const ParameterHandler::ExcEntryUndeclared &)
-      {
-        throw InputError("There is no entry '" + path + "'." + see_reference);
-      }
-    catch (const ParameterHandler::ExcValueDoesNotMatchPattern &exception)
-      {
-        static const std::regex pattern(".* the given pattern <(.*)>\\.");
-        throw InputError(
-          path,
-          value,
-          must_be(std::regex_replace(reason(exception), pattern, "$1")));
-      }
+    set_entry(prm, sections, entry, Utilities::trim(value));
+  }
+
+
+
+  std::map<std::string, std::string>
+  all_entries(const ParameterHandler &prm)
+  {
+    std::stringstream text;
+    prm.print_parameters(text, ParameterHandler::ShortPRM);
+    std::map<std::string, std::string> entries;
+    ParameterFileReader(prm,
+                        [&entries](const Sections    &sections,
+                                   const std::string &entry,
+                                   const std::string &value) {
+                          entries[path_of(sections, entry)] = value;
+                        })
+      .read(text, "parameters.prm");
+    return entries;
   }
 } // namespace ElastoPlastic

@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#define BOOST_BIND_GLOBAL_PLACEHOLDERS // property_tree uses them
-#include <boost/property_tree/json_parser.hpp>
-
 #include <filesystem>
 #include <sstream>
 
@@ -45,34 +42,6 @@ namespace ElastoPlastic
       return text.str();
     }
 
-
-
-    void
-    collect_entries(const std::string                  &path,
-                    const boost::property_tree::ptree  &tree,
-                    std::map<std::string, std::string> &entries)
-    {
-      for (const auto &[name, branch] : tree)
-        if (branch.empty())
-          entries[path + name] = branch.data();
-        else
-          collect_entries(path + name + "/", branch, entries);
-    }
-
-
-
-    /// (A ParameterHandler does not list its entries, but it writes JSON.)
-    std::map<std::string, std::string>
-    all_entries(const ParameterHandler &prm)
-    {
-      std::stringstream json;
-      prm.print_parameters(json, ParameterHandler::ShortJSON);
-      boost::property_tree::ptree tree;
-      boost::property_tree::read_json(json, tree);
-      std::map<std::string, std::string> entries;
-      collect_entries("", tree, entries);
-      return entries;
-    }
   } // namespace
 
 

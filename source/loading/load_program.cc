@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
+#include <sstream>
 
 #include "base/as_number.h"
 #include "base/exceptions.h"
@@ -23,6 +23,22 @@ namespace ElastoPlastic
                          text,
                          "a force cannot be negative: the indenter presses, it "
                          "does not pull.");
+    }
+
+
+
+    /// Separated by blanks; the first colon is one of them.
+    std::vector<std::string>
+    words_of(std::string row)
+    {
+      const auto colon = row.find(':');
+      if (colon != std::string::npos)
+        row.replace(colon, 1, " : ");
+      std::istringstream       stream(row);
+      std::vector<std::string> words;
+      for (std::string word; stream >> word;)
+        words.push_back(word);
+      return words;
     }
   } // namespace
 
@@ -48,17 +64,15 @@ namespace ElastoPlastic
   LoadProgram::read_history(const std::string &table)
   {
     static const std::string path = "Loading/History";
-    static const std::regex  row_format(
-      "\\s*([^:\\s]+)\\s*:\\s*(depth|force)\\s+(\\S+)\\s*");
-
     for (const std::string &row : Utilities::split_string_list(table, '|'))
       {
-        std::smatch           parts;
-        std::optional<double> time, value;
-        if (std::regex_match(row, parts, row_format))
+        const std::vector<std::string> words = words_of(row);
+        std::optional<double>          time, value;
+        if (words.size() == 4 && words[1] == ":" &&
+            (words[2] == "depth" || words[2] == "force"))
           {
-            time  = as_number(parts[1]);
-            value = as_number(parts[3]);
+            time  = as_number(words[0]);
+            value = as_number(words[3]);
           }
         if (!time || !value)
           throw InputError(path,
@@ -75,7 +89,7 @@ namespace ElastoPlastic
                            "the times must increase, and the first must be "
                            "greater than 0.");
         const Control control =
-          parts[2] == "depth" ? Control::depth : Control::force;
+          words[2] == "depth" ? Control::depth : Control::force;
         if (control == Control::force)
           check_force(path, row, *value);
         std::optional<double> begin;
