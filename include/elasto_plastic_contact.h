@@ -156,7 +156,7 @@ namespace ElastoPlastic
     void
     output_results(const bool last_cycle);
     void
-    save_checkpoint(Statistics::Progress progress);
+    save_checkpoint(Statistics &statistics);
     Statistics::Progress
     load_checkpoint();
     void

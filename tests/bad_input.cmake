@@ -323,10 +323,11 @@ function(add_disk_full_test _name _limit _file)
       sh -c "trap '' XFSZ && ulimit -f ${_limit} && exec \"$@\"" sh
       env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_btl=self PMIX_MCA_gds=hash
       $<TARGET_FILE:elasto_plastic_contact> ${_base} --output-directory ${_name} --overwrite
-      --set "Geometry/Initial refinements=5"
+      --set "Geometry/Initial refinements=5" ${ARGN}
     WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   set_tests_properties(messages/${_name} PROPERTIES LABELS messages TIMEOUT 60)
 endfunction()
 
 add_disk_full_test(disk_full_at_start 8 parameters.prm)
 add_disk_full_test(disk_full_at_fields 64 solution-.*.vtu)
+add_disk_full_test(disk_full_at_checkpoint 64 checkpoint.new/mesh-0000 --set "Output/Fields=never" --set "Loading/Number of steps=3")

@@ -5,8 +5,11 @@
 // meanwhile; and what is damaged, of another version or of another problem is
 // refused.
 
+#include <boost/crc.hpp>
+
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "io/checked_write.h"
 #include "io/checkpoint.h"
@@ -124,6 +127,27 @@ namespace
 
 
 
+  /// With the checksum that belongs to it.
+  void
+  write_state(const std::string &text)
+  {
+    boost::crc_32_type checksum;
+    checksum.process_bytes(text.data(), text.size());
+    std::ifstream      index("results/checkpoint/index");
+    std::ostringstream new_index;
+    for (std::string line; std::getline(index, line);)
+      if (line.rfind("state ", 0) == 0)
+        new_index << "state " << text.size() << ' ' << checksum.checksum()
+                  << '\n';
+      else
+        new_index << line << '\n';
+    MPI_Barrier(MPI_COMM_WORLD);
+    write("results/checkpoint/index", new_index.str());
+    write("results/checkpoint/state", text);
+  }
+
+
+
   void
   test_refusals()
   {
@@ -143,6 +167,15 @@ namespace
     save("step 5");
     write("results/checkpoint/mesh.more", "");
     report("more than there was");
+    on_first_rank([]() { fs::remove("results/checkpoint/mesh.more"); });
+    on_first_rank([]() { fs::create_directory("results/checkpoint/notes"); });
+    report("a folder in it");
+    verify("it is not the program's alone",
+           !is_checkpoint("results/checkpoint"));
+    on_first_rank([]() { fs::remove("results/checkpoint/notes"); });
+    verify("it is the program's alone", is_checkpoint("results/checkpoint"));
+    write_state("22 serialization::archive 99 0 0 0\n");
+    report("other version of Boost");
     write("results/checkpoint/index", "ElastoPlasticContact 0.0.1\n");
     report("other version");
     on_first_rank([]() { fs::remove("results/checkpoint/index"); });

@@ -23,6 +23,11 @@ namespace ElastoPlastic
                 const std::string                         &name,
                 const std::function<void(std::ostream &)> &write);
 
+  /// Waits until the file or folder @p name is on the disk, so that not even a
+  /// power failure takes it away. @return false if that is not possible.
+  bool
+  write_to_disk(const std::string &name);
+
   /// Throws a FileError about @p name on all ranks if @p success is false on
   /// any of them.
   void

@@ -12,15 +12,21 @@
 
 namespace ElastoPlastic
 {
+  /// Whether the program has written @p folder as a checkpoint, complete or
+  /// not.
+  bool
+  is_checkpoint(const std::string &folder);
+
+
+
   /// The folder "checkpoint" in an output directory: everything that is needed
-  /// to go on from the end of a load step. It holds the mesh with the data
-  /// attached to its cells (files of p4est and deal.II, called mesh*), the rest
-  /// of the state (state), and a list of these files with sizes and checksums
-  /// (index).
+  /// to go on from the end of a load step. It holds the mesh with the values in
+  /// its cells (a file mesh-* of each rank, see save_mesh()), the rest of the
+  /// state (state), and a list of these files with sizes and checksums (index).
   ///
   /// A checkpoint is written in a folder beside the last one and renamed into
-  /// its place when it is complete, so that there is a complete one at any
-  /// moment after the first.
+  /// its place when it is complete and on the disk, so that there is a complete
+  /// one at any moment after the first.
   ///
   /// All ranks call all functions. Errors are thrown on all ranks.
   class Checkpoint

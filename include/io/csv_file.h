@@ -13,8 +13,8 @@
 namespace ElastoPlastic
 {
   /// A table that grows row by row: comma separated, a header line, 15
-  /// significant digits, every row on disk before the program goes on. Written
-  /// by the first rank; all ranks call all functions.
+  /// significant digits, every row handed to the system before the program goes
+  /// on. Written by the first rank; all ranks call all functions.
   class CsvFile
   {
   public:
@@ -31,6 +31,11 @@ namespace ElastoPlastic
     /// written.
     void
     add_row(const std::vector<double> &values);
+
+    /// Waits until all rows are on the disk. @throws FileError, on all ranks,
+    /// if that is not possible.
+    void
+    write_to_disk() const;
 
     /// The number of rows so far.
     unsigned int

@@ -49,6 +49,10 @@ namespace ElastoPlastic
     Progress
     progress() const;
 
+    /// Waits until all rows are on the disk. @throws FileError
+    void
+    write_to_disk() const;
+
     void
     add_solve(const SolveResult &result);
 

@@ -12,8 +12,7 @@
 
 namespace ElastoPlastic
 {
-  /// Takes the states of the material points from one mesh to the next, or to
-  /// a checkpoint and back.
+  /// Takes the states of the material points from one mesh to the next.
   ///
   /// In a cell that is divided, the values at its points are taken for those of
   /// a polynomial, of the degree that they determine, which is evaluated at the
@@ -37,8 +36,8 @@ namespace ElastoPlastic
       const unsigned int                               degree,
       const unsigned int                               n_materials);
 
-    /// Hands in the states before the mesh changes or is saved. @p states must
-    /// live until then.
+    /// Hands in the states before the mesh changes. @p states must live until
+    /// then.
     void
     prepare(const CellStates &states);
 
@@ -46,10 +45,6 @@ namespace ElastoPlastic
     /// made.
     CellStates
     take();
-
-    /// The states on the mesh that load() has restored, without prepare().
-    CellStates
-    load();
 
   private:
     using Cell = typename Triangulation<dim>::cell_iterator;

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/distributed/solution_transfer.h>
-
 #include <boost/archive/text_iarchive.hpp>
 #include <boost/archive/text_oarchive.hpp>
 #include <boost/serialization/map.hpp>
@@ -10,12 +8,13 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <array>
 #include <sstream>
 
 #include "base/termination.h"
 #include "elasto_plastic_contact.h"
+#include "io/saved_mesh.h"
 #include "mechanics/ghosted_copy.h"
-#include "mechanics/state_transfer.h"
 
 namespace ElastoPlastic
 {
@@ -31,16 +30,18 @@ namespace ElastoPlastic
 
 
 
-  // What the next load step begins with: the mesh, to whose cells the fields
-  // are attached, and where the history is.
+  // What the next load step begins with: the mesh, with the states of the
+  // material points and the fields in its cells, and where the history is.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::save_checkpoint(Statistics::Progress progress)
+  ElastoPlasticContact<dim>::save_checkpoint(Statistics &statistics)
   {
     TimerOutput::Scope scope(timer, "Checkpoint");
+    statistics.write_to_disk();
 
     std::ostringstream            state;
     boost::archive::text_oarchive archive(state);
+    Statistics::Progress          progress = statistics.progress();
     serialize_progress(archive, progress);
 
     VectorType response = tangent_solver->known_response();
@@ -52,16 +53,18 @@ namespace ElastoPlastic
                                      &response},
                                     dof_handler);
 
+    CellValues                           values = solid->states();
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(dofs);
+          for (const VectorType *field : fields.pointers())
+            for (const auto dof : dofs)
+              values[cell->active_cell_index()].push_back((*field)(dof));
+        }
     checkpoint.save(state.str(), [&](const std::string &mesh_file) {
-      parallel::distributed::SolutionTransfer<dim, VectorType> transfer(
-        dof_handler);
-      transfer.prepare_for_serialization(fields.pointers());
-      const CellStates   states = solid->states();
-      StateTransfer<dim> state_transfer(triangulation,
-                                        fe.degree,
-                                        model.materials.size());
-      state_transfer.prepare(states);
-      triangulation.save(mesh_file);
+      save_mesh(triangulation, values, mesh_file);
     });
   }
 
@@ -80,21 +83,31 @@ namespace ElastoPlastic
     serialize_progress(archive, progress);
 
     coarsen_to_coarse_mesh(triangulation);
-    triangulation.load(contents.mesh_file);
+    CellValues values = load_mesh(triangulation, contents.mesh_file);
     setup_body();
-    VectorType response;
-    for (VectorType *field : {&displacement_rate, &committed_forces, &response})
+    VectorType                        response;
+    const std::array<VectorType *, 4> fields = {
+      {&displacement, &displacement_rate, &committed_forces, &response}};
+    for (VectorType *field : fields)
       solid->initialize_vector(*field);
-    std::vector<VectorType *> fields = {&displacement,
-                                        &displacement_rate,
-                                        &committed_forces,
-                                        &response};
-    parallel::distributed::SolutionTransfer<dim, VectorType> transfer(
-      dof_handler);
-    transfer.deserialize(fields);
-    solid->set_states(
-      StateTransfer<dim>(triangulation, fe.degree, model.materials.size())
-        .load());
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(dofs);
+          auto      &of_cell  = values[cell->active_cell_index()];
+          const auto n_states = of_cell.size() - fields.size() * dofs.size();
+          auto       value    = of_cell.begin() + n_states;
+          for (VectorType *field : fields)
+            for (const auto dof : dofs)
+              {
+                if (field->in_local_range(dof))
+                  (*field)(dof) = *value;
+                ++value;
+              }
+          of_cell.resize(n_states);
+        }
+    solid->set_states(values);
     committed_displacement = displacement;
 
     setup_contact();

@@ -112,7 +112,7 @@ namespace ElastoPlastic
         if (time_steps.number() > 1)
           {
             take_back_step();
-            save_checkpoint(statistics.progress());
+            save_checkpoint(statistics);
           }
         throw;
       }
@@ -165,7 +165,7 @@ namespace ElastoPlastic
         cut = false;
         if (interval > 0 && (time_steps.number() - 1) % interval == 0 &&
             !time_steps.finished())
-          save_checkpoint(statistics.progress());
+          save_checkpoint(statistics);
       }
     statistics.finish();
   }

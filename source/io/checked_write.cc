@@ -3,14 +3,32 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cerrno>
 #include <fstream>
 
 #include "base/exceptions.h"
 #include "io/checked_write.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+  // (What has no place on a disk, like a pipe, says that it is invalid.)
+  bool
+  write_to_disk(const std::string &name)
+  {
+    const int file = open(name.c_str(), O_RDONLY);
+    if (file < 0)
+      return false;
+    const bool success = fsync(file) == 0 || errno == EINVAL;
+    close(file);
+    return success;
+  }
+
+
 
   void
   check_written(const MPI_Comm     communicator,
@@ -49,7 +67,7 @@ namespace ElastoPlastic
           {
             file.setstate(std::ios::failbit); // deal.II noticed first
           }
-        success = static_cast<bool>(file);
+        success = file && write_to_disk(name);
       }
     check_written(communicator, name, success);
   }

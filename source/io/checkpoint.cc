@@ -13,7 +13,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
+#include <sstream>
 #include <vector>
 
 #include "base/exceptions.h"
@@ -30,10 +32,11 @@ namespace ElastoPlastic
   {
     namespace fs = std::filesystem;
 
+    const std::string program_name = "ElastoPlasticContact ";
+
     /// The first line of the index. What a checkpoint means is only known to
     /// the version that has written it.
-    const std::string signature =
-      std::string("ElastoPlasticContact ") + ELASTO_PLASTIC_CONTACT_VERSION;
+    const std::string signature = program_name + ELASTO_PLASTIC_CONTACT_VERSION;
 
     /// Sections whose entries may change when a run is resumed.
     const std::array<std::string, 3> free_sections = {
@@ -41,10 +44,17 @@ namespace ElastoPlastic
 
 
 
+    const std::string remedy =
+      " Begin anew with the option --overwrite instead of --resume.";
+
+
+
     /// A line of the index: name, size and checksum of @p file.
     std::string
     description(const fs::path &file)
     {
+      if (!fs::is_regular_file(file))
+        return file.filename().string() + " is no file";
       std::ifstream           stream(file, std::ios::binary);
       boost::crc_32_type      checksum;
       std::array<char, 65536> buffer;
@@ -86,11 +96,13 @@ namespace ElastoPlastic
     void
     check_index(const fs::path &folder)
     {
-      const std::string remedy =
-        " Begin anew with the option --overwrite instead of --resume.";
       std::ifstream index(folder / "index");
       std::string   line;
-      std::getline(index, line);
+      if (!std::getline(index, line))
+        throw InputError("The checkpoint '" + folder.string() +
+                         "' is damaged: the list of its files, 'index', is "
+                         "missing." +
+                         remedy);
       if (line != signature)
         throw InputError("The checkpoint '" + folder.string() +
                          "' has been written by another version of the program "
@@ -129,18 +141,46 @@ namespace ElastoPlastic
 
 
 
-    /// Renames the complete new checkpoint into its place.
-    void
+    /// Renames the complete new checkpoint into its place. The old one is
+    /// removed when the new one is on the disk, its name included.
+    /// @return false if that is not possible.
+    bool
     put_into_place(const fs::path &place)
     {
-      const fs::path old = place.string() + ".old";
+      const fs::path next = place.string() + ".new";
+      const fs::path old  = place.string() + ".old";
+      if (!write_to_disk(next))
+        return false;
       fs::remove_all(old);
       if (fs::exists(place))
         fs::rename(place, old);
-      fs::rename(place.string() + ".new", place);
+      fs::rename(next, place);
+      if (!write_to_disk(place.parent_path()))
+        return false;
       fs::remove_all(old);
+      return true;
     }
   } // namespace
+
+
+
+  // (The index is written last. Version 0.1.0 has had other names of meshes.)
+  bool
+  is_checkpoint(const std::string &folder)
+  {
+    if (!fs::is_directory(folder))
+      return false;
+    static const std::regex names(
+      "index|state|mesh(-[0-9]{4,}|\\.info|_fixed\\.data|_variable\\.data)?");
+    for (const auto &entry : fs::directory_iterator(folder))
+      if (!entry.is_regular_file() ||
+          !std::regex_match(entry.path().filename().string(), names))
+        return false;
+    std::ifstream index(fs::path(folder) / "index");
+    std::string   line;
+    std::getline(index, line);
+    return line.empty() || line.rfind(program_name, 0) == 0;
+  }
 
 
 
@@ -161,12 +201,12 @@ namespace ElastoPlastic
   {
     const bool first_rank = Utilities::MPI::this_mpi_process(communicator) == 0;
     const std::string folder        = directory + ".new";
-    const auto        on_first_rank = [&](const std::function<void()> &task) {
+    const auto        on_first_rank = [&](const std::function<bool()> &task) {
       bool success = true;
       if (first_rank)
         try
           {
-            task();
+            success = task();
           }
         catch (const fs::filesystem_error &)
           {
@@ -176,22 +216,21 @@ namespace ElastoPlastic
     };
 
     on_first_rank([&]() {
-      if (last_checkpoint(directory) == folder)
-        put_into_place(directory);
+      if (last_checkpoint(directory) == folder && !put_into_place(directory))
+        return false;
       fs::remove_all(folder);
-      fs::create_directory(folder);
+      return fs::create_directory(folder);
     });
     save_mesh(folder + "/mesh");
+    std::ostringstream text; // (an archive would throw if a file cannot grow)
+    boost::archive::text_oarchive(text) << entries << state;
     checked_write(communicator,
                   first_rank ? folder + "/state" : "",
-                  [&](std::ostream &file) {
-                    boost::archive::text_oarchive archive(file);
-                    archive << entries << state;
-                  });
+                  [&](std::ostream &file) { file << text.str(); });
     checked_write(communicator,
                   first_rank ? folder + "/index" : "",
                   [&](std::ostream &file) { write_index(folder, file); });
-    on_first_rank([&]() { put_into_place(directory); });
+    on_first_rank([&]() { return put_into_place(directory); });
   }
 
 
@@ -211,10 +250,21 @@ namespace ElastoPlastic
                          "load histories write a checkpoint after every "
                          "'Output/Steps between checkpoints' steps.");
       check_index(folder);
-      std::ifstream                 file(fs::path(folder) / "state");
-      boost::archive::text_iarchive archive(file);
-      Entries                       saved;
-      archive >> saved >> contents.state;
+      std::ifstream file(fs::path(folder) / "state");
+      Entries       saved;
+      try
+        {
+          boost::archive::text_iarchive archive(file);
+          archive >> saved >> contents.state;
+        }
+      catch (const boost::archive::archive_exception &error)
+        {
+          throw InputError("The checkpoint '" + folder + "' cannot be read (" +
+                           error.what() +
+                           "): it may have been written with another version "
+                           "of the library Boost." +
+                           remedy);
+        }
       check_entries(saved);
     });
     contents.state = Utilities::MPI::broadcast(communicator, contents.state);

@@ -117,4 +117,15 @@ namespace ElastoPlastic
       }
     check_written(communicator, name, static_cast<bool>(file));
   }
+
+
+
+  void
+  CsvFile::write_to_disk() const
+  {
+    const bool first_rank = Utilities::MPI::this_mpi_process(communicator) == 0;
+    check_written(communicator,
+                  name,
+                  !first_rank || ElastoPlastic::write_to_disk(name));
+  }
 } // namespace ElastoPlastic

@@ -132,6 +132,18 @@ namespace ElastoPlastic
 
 
   void
+  Statistics::write_to_disk() const
+  {
+    for (const CsvFile *table :
+         {&statistics, &history, &reactions, &mesh_changes})
+      table->write_to_disk();
+    if (indentation)
+      indentation->write_to_disk();
+  }
+
+
+
+  void
   Statistics::add_solve(const SolveResult &r)
   {
     statistics.add_row({static_cast<double>(r.step),

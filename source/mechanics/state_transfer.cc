@@ -70,17 +70,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  CellStates
-  StateTransfer<dim>::load()
-  {
-    CellStates states(triangulation.n_active_cells());
-    transfer.deserialize(states);
-    return states;
-  }
-
-
-
-  template <int dim>
   bool
   StateTransfer<dim>::keeps_material(const Cell        &cell,
                                      const unsigned int child) const
