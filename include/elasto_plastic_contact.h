@@ -19,6 +19,7 @@
 #include "evaluation/indentation_test.h"
 #include "io/checkpoint.h"
 #include "io/field_output.h"
+#include "io/output_directory.h"
 #include "io/parameters.h"
 #include "io/screen.h"
 #include "io/statistics.h"
@@ -218,8 +219,9 @@ namespace ElastoPlastic
     // ones are measured against.
     double largest_forces = 0;
 
-    // The last of them on disk; and whether a step is under way that can be
-    // taken back when the user wants to stop.
+    // The folder of the results, and the last checkpoint in it; and whether a
+    // step is under way that can be taken back when the user wants to stop.
+    OutputDirectory  output_directory;
     const Checkpoint checkpoint;
     bool             step_is_under_way = false;
   };

@@ -82,10 +82,8 @@ namespace ElastoPlastic
   {
     screen.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     setup_body();
-    prepare_output_directory(communicator,
-                             parameters.output.directory,
-                             overwrite,
-                             parameters.effective_input);
+    OutputDirectory directory(communicator, parameters.output.directory);
+    directory.begin_run(overwrite, parameters.effective_input);
     CsvFile table(communicator,
                   parameters.output.directory + "/limit_load.csv",
                   limit_load_columns);
@@ -93,6 +91,7 @@ namespace ElastoPlastic
       {
         find_bounds();
         write_results(table);
+        directory.accept_results();
         if (is_last_cycle())
           break;
         refine_mesh();

@@ -3,7 +3,10 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <chrono>
+#include <filesystem>
 #include <iostream>
+#include <thread>
 
 #include "base/exceptions.h"
 #include "elasto_plastic_contact.h"
@@ -99,6 +102,18 @@ namespace
           break;
       }
   }
+
+
+
+  /// Where memory ends on one rank, it mostly ends on all at the same time: the
+  /// first one says so and takes the others down while they wait for it.
+  void
+  let_others_speak_first()
+  {
+    const unsigned int rank = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500) *
+                                std::min(rank, 10u));
+  }
 } // namespace
 
 
@@ -122,8 +137,15 @@ ElastoPlastic::run_program(const int argc, const char *const *const argv)
         std::cerr << "Error: " << error.what() << std::endl;
       return static_cast<int>(error.status);
     }
+  catch (const std::filesystem::filesystem_error &error)
+    {
+      std::cerr << "Error: a file or folder cannot be used: " << error.what()
+                << std::endl;
+      MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitStatus::io_failure));
+    }
   catch (const std::bad_alloc &)
     {
+      let_others_speak_first();
       std::cerr << "Error: there is not enough memory. Choose a coarser mesh, "
                    "or more processes on more machines."
                 << std::endl;

@@ -314,7 +314,17 @@ add_message_test(results_exist 2 "results' holds results already \\(history.csv\
 add_message_test(output_is_file 5 "base.prm' cannot be used: Not a directory" ${_base} --output-directory ${_base})
 add_message_test(output_below_file 5 "base.prm/results' cannot be used: Not a directory" ${_base} --output-directory ${_base}/results)
 
-# A full disk is played by a limit on the size of files, in units of 512 bytes.
+# Another run in the folder
+add_test(NAME messages/output_in_use
+  COMMAND ${CMAKE_COMMAND} -DSTATUS=5 "-DMESSAGE=^Error: The output directory 'output_in_use' is in use by another run of the program"
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/expect_message.cmake --
+    $<TARGET_FILE:Python3::Interpreter> ${CMAKE_CURRENT_SOURCE_DIR}/with_lock.py output_in_use/.lock
+    $<TARGET_FILE:elasto_plastic_contact> ${_base} --output-directory output_in_use --overwrite
+  WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+set_tests_properties(messages/output_in_use PROPERTIES LABELS messages TIMEOUT 60)
+
+# A full disk is played by a limit on the size of files, in units of 512 bytes;
+# scripts/full_disk_test.py fills a real one.
 # Open MPI needs larger ones, unless it is told that the process is alone.
 function(add_disk_full_test _name _limit _file)
   add_test(NAME messages/${_name}

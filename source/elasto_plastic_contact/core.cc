@@ -7,7 +7,6 @@
 #include "base/exceptions.h"
 #include "base/termination.h"
 #include "elasto_plastic_contact.h"
-#include "io/output_directory.h"
 #include "mechanics/external_forces.h"
 #include "mesh/material_ids.h"
 
@@ -48,6 +47,7 @@ namespace ElastoPlastic
                 model.strain_model.kinematics)
     , contact([this](const Point<dim> &x) { return gap_function.value(x); },
               model.strain_model.kinematics)
+    , output_directory(communicator, parameters.output.directory)
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
     if constexpr (dim == 2)
@@ -72,10 +72,7 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::run(const bool overwrite)
   {
     screen.print_banner(Utilities::MPI::n_mpi_processes(communicator));
-    prepare_output_directory(communicator,
-                             parameters.output.directory,
-                             overwrite,
-                             parameters.effective_input);
+    output_directory.begin_run(overwrite, parameters.effective_input);
     run_load_history(Statistics::Progress());
   }
 
@@ -86,6 +83,7 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::resume()
   {
     screen.print_banner(Utilities::MPI::n_mpi_processes(communicator));
+    output_directory.resume_run();
     run_load_history(load_checkpoint());
   }
 
@@ -246,6 +244,7 @@ namespace ElastoPlastic
         const bool        is_last = !mark_next_mesh();
         statistics.add_solve(result);
         output_results(is_last);
+        output_directory.accept_results();
         if (is_last)
           return result;
         if (!missing_bound.empty())

@@ -3,13 +3,16 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
 #include <vector>
 
 #include "base/exceptions.h"
+#include "base/throw_together.h"
 #include "io/checked_write.h"
+#include "io/checkpoint.h"
 #include "io/output_directory.h"
 
 namespace ElastoPlastic
@@ -20,80 +23,232 @@ namespace ElastoPlastic
   {
     namespace fs = std::filesystem;
 
-    /// The files and folders in @p directory that a run has written.
-    std::vector<fs::path>
+    /// Where earlier results are; and, while they are on their way there or
+    /// back, and while they are removed.
+    const std::string aside    = ".earlier_results";
+    const std::string moved    = aside + ".moved";
+    const std::string obsolete = aside + ".obsolete";
+
+
+
+    /// Whether a run writes files of this name.
+    bool
+    is_name_of_result(const std::string &name)
+    {
+      static const std::regex names(
+        "parameters\\.prm|"
+        "(history|statistics|reactions|mesh_changes|indentation|limit_load|error_bound)"
+        "\\.csv(\\.new)?|"
+        "(solution|surface|limit_load|equilibrium)\\.pvd|"
+        "(solution|surface)-([0-9]{3,}|last)(\\.pvtu|\\.[0-9]{4,}\\.vtu)|"
+        "(limit_load|equilibrium)-[0-9]{3,}\\.vtu");
+      return std::regex_match(name, names);
+    }
+
+
+
+    bool
+    is_name_of_checkpoint(const std::string &name)
+    {
+      return name == "checkpoint" || name == "checkpoint.new" ||
+             name == "checkpoint.old";
+    }
+
+
+
+    /// The files and folders in @p directory that a run has written, by name.
+    /// @throws FileError if there is a folder of the user's own that stands in
+    /// the way.
+    std::vector<std::string>
     results_in(const fs::path &directory)
     {
-      const std::regex result_names(
-        "parameters\\.prm|"
-        "(history|statistics|mesh_changes|reactions|indentation|limit_load)\\.csv(\\.new)?|"
-        "checkpoint(\\.new|\\.old)?|"
-        "(solution|surface|limit_load)(\\.pvd|-.*\\.p?vtu)");
-      std::vector<fs::path> results;
+      std::vector<std::string> results;
       for (const auto &entry : fs::directory_iterator(directory))
-        if (std::regex_match(entry.path().filename().string(), result_names))
-          results.push_back(entry.path());
+        {
+          const std::string name           = entry.path().filename().string();
+          const bool        is_checkpoints = is_name_of_checkpoint(name);
+          if (!is_checkpoints && !is_name_of_result(name))
+            continue;
+          if (is_checkpoints ? !is_checkpoint(entry.path().string()) :
+                               !entry.is_regular_file())
+            throw FileError("'" + entry.path().string() +
+                            "' stands in the way of the results: the program "
+                            "has not written it, or not all that it holds. "
+                            "Move it elsewhere, or choose another "
+                            "'Output/Directory'.");
+          results.push_back(name);
+        }
+      std::sort(results.begin(), results.end());
       return results;
     }
 
 
 
-    /// @return an empty string, or what is wrong.
-    std::string
-    prepare(const fs::path &directory, const bool overwrite)
+    void
+    remove_results(const fs::path &directory)
     {
-      fs::create_directories(directory);
-      const auto results = results_in(directory);
-      if (!results.empty() && !overwrite)
-        return "The output directory '" + directory.string() +
-               "' holds results already (" +
-               results.front().filename().string() +
-               "). Choose another 'Output/Directory' or add the option "
-               "--overwrite to replace them.";
-      for (const fs::path &result : results)
-        fs::remove_all(result);
-      return "";
+      for (const std::string &result : results_in(directory))
+        fs::remove_all(directory / result);
+    }
+
+
+
+    void
+    set_aside(const fs::path &directory)
+    {
+      fs::create_directory(directory / moved);
+      for (const std::string &result : results_in(directory))
+        fs::rename(directory / result, directory / moved / result);
+      fs::rename(directory / moved, directory / aside);
+    }
+
+
+
+    /// Undoes set_aside(), wherever that, a later run or this function itself
+    /// has been stopped.
+    void
+    bring_back(const fs::path &directory)
+    {
+      fs::remove_all(directory / obsolete);
+      if (fs::exists(directory / aside))
+        {
+          remove_results(directory);
+          fs::rename(directory / aside, directory / moved);
+        }
+      if (!fs::exists(directory / moved))
+        return;
+      for (const auto &entry : fs::directory_iterator(directory / moved))
+        fs::rename(entry.path(), directory / entry.path().filename());
+      fs::remove(directory / moved);
     }
   } // namespace
 
 
 
-  void
-  prepare_output_directory(const MPI_Comm     communicator,
-                           const std::string &directory,
-                           const bool         overwrite,
-                           const std::string &effective_input)
+  OutputDirectory::OutputDirectory(const MPI_Comm     communicator,
+                                   const std::string &name)
+    : communicator(communicator)
+    , name(name)
+  {}
+
+
+
+  // (If the disk does not let us, the next run will do it.)
+  OutputDirectory::~OutputDirectory()
   {
-    std::string refusal, failure;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
+    if (earlier_results_are_aside &&
+        Utilities::MPI::this_mpi_process(communicator) == 0)
+      try
+        {
+          bring_back(name);
+        }
+      catch (const std::exception &)
+        {}
+  }
+
+
+
+  void
+  OutputDirectory::begin_run(const bool         overwrite,
+                             const std::string &effective_input)
+  {
+    const auto check_results = [&]() {
+      const auto results = results_in(name);
+      if (!results.empty() && !overwrite)
+        throw InputError("The output directory '" + name +
+                         "' holds results already (" + results.front() +
+                         "). Choose another 'Output/Directory' or add the "
+                         "option --overwrite to replace them.");
+      return !results.empty();
+    };
+    on_first_rank([&]() {
+      fs::create_directories(name);
+      check_results();
+      lock();
+      bring_back(name);
+      earlier_results_are_aside = check_results();
+      if (earlier_results_are_aside)
+        set_aside(name);
+    });
+    earlier_results_are_aside =
+      Utilities::MPI::broadcast(communicator, earlier_results_are_aside);
+    checked_write(communicator,
+                  Utilities::MPI::this_mpi_process(communicator) == 0 ?
+                    name + "/parameters.prm" :
+                    "",
+                  [&](std::ostream &file) { file << effective_input; });
+  }
+
+
+
+  void
+  OutputDirectory::resume_run()
+  {
+    on_first_rank([&]() {
+      if (!fs::is_directory(name))
+        return;
+      lock();
+      bring_back(name);
+    });
+  }
+
+
+
+  // The renaming makes it sure that they do not come back in part.
+  void
+  OutputDirectory::accept_results()
+  {
+    if (!earlier_results_are_aside)
+      return;
+    earlier_results_are_aside = false;
+    on_first_rank([&]() {
+      const fs::path directory = name;
+      fs::rename(directory / aside, directory / obsolete);
+      fs::remove_all(directory / obsolete);
+    });
+  }
+
+
+
+  void
+  OutputDirectory::on_first_rank(const std::function<void()> &task) const
+  {
+    throw_together(communicator, [&]() {
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
         try
           {
-            refusal = prepare(directory, overwrite);
-            if (refusal.empty())
-              {
-                const fs::path probe = fs::path(directory) / "parameters.prm";
-                if (!std::ofstream(probe))
-                  failure = "writing is not allowed there";
-              }
+            task();
           }
         catch (const fs::filesystem_error &error)
           {
-            failure = error.code().message();
+            throw FileError("The output directory '" + name +
+                            "' cannot be used: " + error.code().message() +
+                            ". Choose another 'Output/Directory'.");
           }
+    });
+  }
+
+
+
+  void
+  OutputDirectory::lock()
+  {
+    const std::string file = name + "/.lock";
+    if (!std::ofstream(file, std::ios::app))
+      throw FileError("The output directory '" + name +
+                      "' cannot be used: writing is not allowed there. Choose "
+                      "another 'Output/Directory'.");
+    bool is_free = true;
+    try
+      {
+        file_lock = boost::interprocess::file_lock(file.c_str());
+        is_free   = file_lock.try_lock();
       }
-    refusal = Utilities::MPI::broadcast(communicator, refusal);
-    failure = Utilities::MPI::broadcast(communicator, failure);
-    if (!refusal.empty())
-      throw InputError(refusal);
-    if (!failure.empty())
-      throw FileError("The output directory '" + directory +
-                      "' cannot be used: " + failure +
-                      ". Choose another 'Output/Directory'.");
-    checked_write(communicator,
-                  Utilities::MPI::this_mpi_process(communicator) == 0 ?
-                    directory + "/parameters.prm" :
-                    "",
-                  [&](std::ostream &file) { file << effective_input; });
+    catch (const boost::interprocess::interprocess_exception &)
+      {} // this file system knows no locks
+    if (!is_free)
+      throw FileError("The output directory '" + name +
+                      "' is in use by another run of the program. Wait until "
+                      "it has ended, or choose another 'Output/Directory'.");
   }
 } // namespace ElastoPlastic
