@@ -102,6 +102,7 @@ add_message_test(huge_number 2 "'Loading/Depth' is '1e999', but this is not an e
 add_message_test(empty_value 2 "'Material/Yield stress' is '', but it must be: list" ${_base} --set "Material/Yield stress=")
 add_message_test(unknown_choice 2 "'Linear solver/Type' is 'gmres', but it must be: .*AMG.*direct" ${_base} --set "Linear solver/Type=gmres")
 add_message_test(too_many_cuts 2 "'Loading/Maximum number of cuts' is '31', but it must be" ${_base} --set "Loading/Maximum number of cuts=31")
+add_message_test(too_many_steps 2 "'Loading/Number of steps' is '2147483647', but it must be: integer from 1 to 1000000" ${_base} --validate --set "Loading/Number of steps=2147483647")
 add_message_test(no_steps 2 "'Loading/Number of steps' is '0', but it must be" ${_base} --set "Loading/Number of steps=0")
 
 # Material
@@ -142,6 +143,7 @@ add_entry_test(no_cells "'Geometry/Repetitions' is '0', but there must be at lea
 add_entry_test(repetitions_components "'Geometry/Repetitions' is '1, 1, 1', but it must have one number, or one per dimension" "Geometry/Repetitions=1,1,1")
 add_entry_test(too_many_coarse_cells "'Geometry/Repetitions' is '100000', but .* more than 1e7 cells" "Geometry/Repetitions=100000")
 add_entry_test(too_many_cells "'Geometry/Initial refinements' is '20', but the mesh would have .* cells" "Geometry/Initial refinements=20")
+add_entry_test(too_many_local_cells "'Geometry/Local refinements' is '20', but the mesh would have .* cells or more. At most .* are possible here" "Geometry/Local refinements=20" "Geometry/Local radius=1e6")
 add_entry_test(grading "'Geometry/Grading' is '0.5', but it must not be less than 1" "Geometry/Grading=0.5")
 add_entry_test(grading_centre_components "'Geometry/Grading centre' is '0, 0', but it must be empty or have one coordinate" "Geometry/Grading centre=0,0")
 add_entry_test(grading_centre_outside "'Geometry/Grading centre' is '2', but it must lie between" "Geometry/Grading centre=2")

@@ -47,7 +47,7 @@ namespace ElastoPlastic
       "Johnson's stationary problem (Hencky's deformation theory), which is a "
       "different problem from that of many steps. The segments of a 'History' "
       "share the steps in proportion to their lengths, each gets at least one.",
-      Patterns::Integer(1));
+      Patterns::Integer(1, 1000000));
     prm.add_parameter("Final time",
                       final_time,
                       "The time t at the end of the last step. Greater than 0. "

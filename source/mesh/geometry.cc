@@ -4,6 +4,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/patterns.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <sstream>
@@ -12,6 +13,8 @@
 #include "base/exceptions.h"
 #include "mesh/geometry.h"
 #include "mesh/material_ids.h"
+
+#include <unistd.h>
 
 namespace ElastoPlastic
 {
@@ -84,24 +87,39 @@ namespace ElastoPlastic
 
 
 
-    /// The limit is what 32 bits can number of the unknowns of quadratic
-    /// elements in three dimensions.
-    template <int dim>
-    void
-    check_n_cells(const GeometryParameters &parameters,
-                  const unsigned int        n_coarse_cells)
+    /// What 32 bits can number of the unknowns of quadratic elements in three
+    /// dimensions, and what all machines together have room for, with two
+    /// kilobytes for a cell, which is less than any problem takes. Collective.
+    double
+    max_n_cells(const MPI_Comm communicator)
     {
-      const double n_cells =
-        n_coarse_cells * std::pow(2., dim * parameters.initial_refinements);
-      if (n_cells > 1e8)
-        {
-          std::ostringstream remedy;
-          remedy << "the mesh would have " << n_cells
-                 << " cells. At most 1e8 are allowed.";
-          throw InputError("Geometry/Initial refinements",
-                           std::to_string(parameters.initial_refinements),
-                           remedy.str());
-        }
+      MPI_Comm machine;
+      MPI_Comm_split_type(
+        communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+      const double memory_of_rank =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE) /
+        Utilities::MPI::n_mpi_processes(machine);
+      MPI_Comm_free(&machine);
+      return std::min(1e8,
+                      Utilities::MPI::sum(memory_of_rank, communicator) / 2048);
+    }
+
+
+
+    /// @p value of the entry @p path asks for at least @p n_cells.
+    void
+    check_n_cells(const std::string &path,
+                  const unsigned int value,
+                  const double       n_cells,
+                  const double       max_n_cells)
+    {
+      if (n_cells <= max_n_cells)
+        return;
+      std::ostringstream remedy;
+      remedy.precision(3);
+      remedy << "the mesh would have " << n_cells << " cells or more. At most "
+             << max_n_cells << " are possible here.";
+      throw InputError(path, std::to_string(value), remedy.str());
     }
 
 
@@ -110,19 +128,33 @@ namespace ElastoPlastic
     template <int dim>
     void
     refine_locally(const GeometryParameters &parameters,
+                   const double              max_n_cells,
                    Triangulation<dim>       &triangulation)
     {
       Point<dim> centre;
       for (unsigned int d = 0; d < parameters.local_centre.size(); ++d)
         centre[d] = parameters.local_centre[d];
+      constexpr unsigned int n_new_cells =
+        GeometryInfo<dim>::max_children_per_cell - 1;
       double radius = parameters.local_radius;
       for (unsigned int i = 0; i < parameters.local_refinements; ++i)
         {
+          types::global_cell_index n_flagged = 0;
           for (const auto &cell : triangulation.active_cell_iterators())
             if (cell->is_locally_owned() &&
                 cell->center().distance(centre) - 0.5 * cell->diameter() <
                   radius)
-              cell->set_refine_flag();
+              {
+                cell->set_refine_flag();
+                ++n_flagged;
+              }
+          check_n_cells("Geometry/Local refinements",
+                        parameters.local_refinements,
+                        triangulation.n_global_active_cells() +
+                          n_new_cells *
+                            Utilities::MPI::sum(
+                              n_flagged, triangulation.get_communicator()),
+                        max_n_cells);
           triangulation.execute_coarsening_and_refinement();
           radius *= 0.5;
         }
@@ -225,8 +257,7 @@ namespace ElastoPlastic
       std::make_shared<Triangulation<dim>>(Triangulation<dim>::none,
                                            /* check_for_distorted_cells = */
                                            true);
-    names = make_coarse_mesh(parameters, *mesh);
-    check_n_cells<dim>(parameters, mesh->n_active_cells());
+    names       = make_coarse_mesh(parameters, *mesh);
     coarse_mesh = mesh;
   }
 
@@ -265,9 +296,15 @@ namespace ElastoPlastic
   void
   Geometry<dim>::make_mesh(Triangulation<dim> &triangulation) const
   {
+    const double max_cells = max_n_cells(triangulation.get_communicator());
+    check_n_cells("Geometry/Initial refinements",
+                  parameters.initial_refinements,
+                  coarse_mesh->n_active_cells() *
+                    std::pow(2., dim * parameters.initial_refinements),
+                  max_cells);
     triangulation.copy_triangulation(*coarse_mesh);
     triangulation.refine_global(parameters.initial_refinements);
-    refine_locally(parameters, triangulation);
+    refine_locally(parameters, max_cells, triangulation);
     if (!parameters.material_id.empty())
       set_material_ids("Geometry/Material id",
                        parameters.material_id,
