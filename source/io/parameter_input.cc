@@ -210,10 +210,10 @@ namespace ElastoPlastic
 
     /// @p sections exist.
     void
-    set_entry(ParameterHandler  &prm,
-              const Sections    &sections,
-              const std::string &entry,
-              const std::string &value)
+    set_entry_in(ParameterHandler  &prm,
+                 const Sections    &sections,
+                 const std::string &entry,
+                 const std::string &value)
     {
       const std::string path = path_of(sections, entry);
       if (!can_be_written(value))
@@ -252,7 +252,7 @@ namespace ElastoPlastic
                         [&prm](const Sections    &sections,
                                const std::string &entry,
                                const std::string &value) {
-                          set_entry(prm, sections, entry, value);
+                          set_entry_in(prm, sections, entry, value);
                         })
       .read_file(file);
   }
@@ -272,7 +272,7 @@ namespace ElastoPlastic
         !prm.subsection_path_exists(sections))
       throw InputError("There is no section for the entry '" + path + "'." +
                        see_reference);
-    set_entry(prm, sections, entry, Utilities::trim(value));
+    set_entry_in(prm, sections, entry, Utilities::trim(value));
   }
 
 

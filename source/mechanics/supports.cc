@@ -362,9 +362,8 @@ namespace ElastoPlastic
     if (is_of_type(Type::prescribed_displacement))
       for (unsigned int d = 0; d < dim; ++d)
         held.set(d,
-                 boundary_conditions.prescribed_displacements()
-                   .at(boundary)[d]
-                   .has_value());
+                 boundary_conditions.prescribed_displacements().at(
+                   boundary)[d] != nullptr);
     return held;
   }
 
