@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "evaluation/modelled_part.h"
 #include "elasto_plastic_contact.h"
+#include "evaluation/modelled_part.h"
 #include "mechanics/external_forces.h"
 
 namespace ElastoPlastic
