@@ -15,8 +15,8 @@ import sys
 
 import uniaxial as exact_uniaxial
 from verification_runner import E, E_STAR, NU, ROOT, Runner
-from verify_equilibrium import (equilibrium_hertz, equilibrium_limit, error_bound, error_bound_ranks,
-                                error_bound_refinement, limit_load, safe_load)
+from verify_equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, error_bound,
+                                error_bound_ranks, error_bound_refinement, limit_load, safe_load)
 from verify_hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from verify_indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
                                 johnson_limit, load_cycles)
@@ -271,8 +271,8 @@ ALL = {
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space,
                      sphere_indentation, cone_indentation, strip_punch, strip_punch_locks,
-                     limit_load, safe_load, error_bound, error_bound_ranks, error_bound_refinement,
-                     equilibrium_hertz, equilibrium_limit, zero_stress, zero_force, far_indenter,
+                     limit_load, blas_kernels, safe_load, error_bound, error_bound_ranks,
+                     error_bound_refinement, equilibrium_hertz, equilibrium_limit, zero_stress, zero_force, far_indenter,
                      contrast, nearly_incompressible)
 }
 

@@ -3,6 +3,7 @@
 """Cases of verify.py: stresses in equilibrium, limit loads, guaranteed error bounds."""
 
 import math
+import os
 
 from stress_distance import stress_distance
 from verification_runner import E, E_STAR, NU, Runner
@@ -41,8 +42,43 @@ def limit_load(runner):
                   f"{strip['upper_bound']:.7g}", 1.999 < strip["lower_bound"] <= 2 <= strip["upper_bound"] < 2.03)
 
 
+def openblas_kernels():
+    """Names of some kernels of OpenBLAS that this processor can run; without OpenBLAS, they are ignored."""
+    with open("/proc/cpuinfo", encoding="ascii") as file:
+        flags = file.read().split()
+    return ["Prescott"] + ["Haswell", "Zen"] * ("avx2" in flags) + ["SkylakeX"] * ("avx512f" in flags)
+
+
+def blas_kernels(runner):
+    """Bounds do not depend on the order in which a BLAS kernel adds up: rounding errors decide on none."""
+    cycles = "Refinement/Number of cycles=2"
+    cases = {"two layers": ("limit_load/two_layer_block.prm", cycles),
+             "two layers, edge of the punch inside a side":
+                 ("limit_load/two_layer_block.prm", cycles, "Indenter/Half width=0.83"),
+             "parabola": ("error_bound/parabola.prm", cycles)}
+    for name, case in cases.items():
+        rows = {}
+        for kernel in openblas_kernels():
+            os.environ["OPENBLAS_CORETYPE"] = kernel
+            tables = runner.tables(*case)
+            del os.environ["OPENBLAS_CORETYPE"]
+            rows[kernel] = (tables.get("limit_load") or tables["error_bound"])[-1]
+        first = next(iter(rows.values()))
+        for kernel, row in rows.items():
+            title = f"{name}, {kernel}: "
+            if "lower_bound" in row:
+                runner.verify(f"{title}{row['lower_bound']:.8g} <= {row['upper_bound']:.8g}",
+                              row["lower_bound"] <= row["upper_bound"])
+                runner.compare(title + "lower bound", row["lower_bound"], first["lower_bound"], 1e-6)
+                runner.compare(title + "upper bound", row["upper_bound"], first["upper_bound"], 1e-6)
+            else:
+                runner.verify(f"{title}bound {row['bound']:.8g}", row["bound"] > 0)
+                runner.compare(title + "complementary energy", row["complementary_energy"],
+                               first["complementary_energy"], 1e-9)
+
+
 def safe_load(runner):
-    """A force of 99.5 % of a lower bound of the limit load has an equilibrium.
+    """A force of 0.995 times a lower bound of the limit load has an equilibrium.
 
     So has a small one after a depth that is a larger number than the limit load.
     """

@@ -180,10 +180,12 @@ namespace ElastoPlastic
   LimitLoadAnalysis::find_bounds()
   {
     const Timer timer;
+    bool        are_optimal = true;
     throw_together(communicator, [&]() {
       if (!first_rank)
         return;
-      bounds             = bound_limit_load(body);
+      bounds      = bound_limit_load(body);
+      are_optimal = bounds.stress.is_optimal && bounds.velocity.is_optimal;
       const double error = require_admissible(body, bounds.stress);
       const double lower = bounds.stress.force, upper = bounds.velocity.force;
       row = {static_cast<double>(cycle),
@@ -207,6 +209,10 @@ namespace ElastoPlastic
             << lower_bound() << " and " << upper_bound() << " ("
             << 100. * row[5] << " %), " << row[10] << " s";
     screen.remark(message.str());
+    if (!are_optimal)
+      screen.warn(
+        "Rounding errors have ended the interior point method early. "
+        "The bounds hold, but this mesh has closer ones.");
   }
 
 

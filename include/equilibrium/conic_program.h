@@ -115,6 +115,9 @@ namespace ElastoPlastic
     double       primal_error = 0; ///< of A x = b and G x + s = h
     double       dual_error   = 0; ///< of the first equation, relative
     unsigned int n_iterations = 0;
+    /// Whether gap and errors have come below their tolerances before rounding
+    /// errors have ended the iteration.
+    bool is_optimal = false;
   };
 } // namespace ElastoPlastic
 

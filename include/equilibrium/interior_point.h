@@ -11,9 +11,11 @@ namespace ElastoPlastic
   /// Solves a ConicProgram by a primal-dual interior point method: Nesterov
   /// and Todd's scaling, Mehrotra's predictor and corrector
   /// @cite vandenberghe_2010. The data should be of the order 1.
-  /// @param tolerance for the gap, relative to the cost, and for all residuals.
-  /// @throws ConvergenceError if the tolerance cannot be reached, in particular
-  /// if the program has no solution.
+  /// @param tolerance for the gap, relative to the cost. If rounding errors end
+  /// the iteration before, the solution is the best iterate. In any case,
+  /// make_admissible() has restored its equations.
+  /// @throws ConvergenceError if the gap has not even come below 1 %, in
+  /// particular if the program has no solution.
   ConicSolution
   minimize(const ConicProgram &program, const double tolerance);
 } // namespace ElastoPlastic

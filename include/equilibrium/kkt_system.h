@@ -47,11 +47,12 @@ namespace ElastoPlastic
     KktSystem(const ConicProgram &program, const ConicLayout &layout);
 
     /// Eliminates and factorises; @p scalings must live as long as solve() is
-    /// called. To the H of blocks without quadratic cost, a small multiple of
-    /// the identity is added, because they may be singular: a rigid-plastic
+    /// called. Blocks without quadratic cost may be singular: a rigid-plastic
     /// body has no compliance, and no yield condition bounds the mean stress.
-    /// The diagonals of the others grow by the order of rounding errors.
-    /// @return false if rounding has made the matrix indefinite.
+    /// Their H gets a small compliance in the directions that no cone sees, and
+    /// in no others. All diagonals grow by the order of rounding errors, that
+    /// of the sum by more if it could not be factorised else.
+    /// @return false if rounding has made the matrix indefinite all the same.
     bool
     factorize(const Scalings &scalings);
 
@@ -65,8 +66,15 @@ namespace ElastoPlastic
     subtract_product(KktVector &residual, const KktVector &solution) const;
 
   private:
+    /// Finds the directions that no cone sees.
+    void
+    find_kernels();
+
     bool
     eliminate(const unsigned int block);
+
+    bool
+    factorize_sum();
 
     void
     add_to_matrix(const std::vector<unsigned int> &rows,
@@ -90,6 +98,10 @@ namespace ElastoPlastic
     /// Of each block: L with H = L L^T, and A L^-T.
     std::vector<FullMatrix<double>> local_factors;
     std::vector<FullMatrix<double>> local_couplings;
+
+    /// Of each block without quadratic cost: an orthonormal basis of the
+    /// directions that no cone sees, one per row.
+    std::vector<FullMatrix<double>> kernels;
 
     SparsityPattern                 sparsity_pattern;
     SparseMatrix<double>            matrix;

@@ -5,7 +5,10 @@
 #define equilibrium_local_algebra_h
 
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/lapack_templates.h>
+
+#include <algorithm>
 
 /// Products and factors of the small matrices of a ConicBlock. The functions of
 /// FullMatrix are made for larger ones: they take three times as long.
@@ -95,6 +98,31 @@ namespace ElastoPlastic::LocalAlgebra
     const types::blas_int n = factor.m(), one = 1;
     types::blas_int       info = 0;
     trtrs("U", "N", "N", &n, &one, &factor(0, 0), &n, x, &n, &info);
+  }
+
+
+
+  /// An orthonormal basis of the vectors x with A x = 0, one per row: of the
+  /// singular vectors of A^T A, those whose singular values are rounding
+  /// errors.
+  inline FullMatrix<double>
+  kernel(const FullMatrix<double> &a)
+  {
+    const unsigned int n = a.n();
+    FullMatrix<double> square(n, n);
+    a.Tmmult(square, a);
+    LAPACKFullMatrix<double> decomposition(n, n);
+    decomposition = square;
+    decomposition.compute_svd();
+    unsigned int rank = 0;
+    while (rank < n && decomposition.singular_value(rank) >
+                         1e-12 * decomposition.singular_value(0))
+      ++rank;
+    FullMatrix<double> basis(n - rank, n);
+    for (unsigned int i = rank; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        basis(i - rank, j) = decomposition.get_svd_vt()(i, j);
+    return basis;
   }
 } // namespace ElastoPlastic::LocalAlgebra
 

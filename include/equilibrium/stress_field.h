@@ -41,6 +41,8 @@ namespace ElastoPlastic
     /// Between the cost and its lower bound in the space of these stresses.
     double       relative_gap = 0;
     unsigned int n_iterations = 0;
+    /// False if rounding errors have ended the minimisation early.
+    bool is_optimal = true;
 
     /// The stress at a @p corner of a @p third of a triangle.
     SymmetricTensor<2, 3>

@@ -29,6 +29,8 @@ namespace ElastoPlastic
     /// The relative_divergence() in plane strain, where there should be none.
     double       divergence   = 0;
     unsigned int n_iterations = 0;
+    /// False if rounding errors have ended the minimisation early.
+    bool is_optimal = true;
   };
 
 

@@ -7,9 +7,9 @@
 
 #include "base/exceptions.h"
 #include "equilibrium/certificate.h"
+#include "equilibrium/conic_evaluation.h"
 #include "equilibrium/interior_point.h"
 #include "equilibrium/kkt_system.h"
-#include "equilibrium/local_algebra.h"
 
 namespace ElastoPlastic
 {
@@ -17,18 +17,19 @@ namespace ElastoPlastic
   {
     constexpr unsigned int max_iterations = 100;
 
+    /// So many iterations without a better iterate are the last.
+    constexpr unsigned int max_idle_iterations = 15;
+
+    /// If rounding errors end the iteration early, its best iterate is returned
+    /// unless the gap is larger than this.
+    constexpr double largest_gap = 1e-2;
+
     /// How much of the way to the boundary of the cones a step goes.
     constexpr double largest_part = 0.99;
 
-    /// So well must the equations be satisfied in the iteration, relative to
-    /// the largest of their terms, and the first of them in the end. The
-    /// difference is made up by a last linear system.
-    constexpr double       equation_tolerance = 1e-6;
-    constexpr double       primal_tolerance   = 1e-10;
-    constexpr unsigned int max_restorations   = 5;
-
-    /// Costs and their derivatives below this count as zero: nothing is loaded.
-    constexpr double smallest_cost = 1e-12;
+    /// So well must the equations be satisfied, relative to the largest of
+    /// their terms. The difference is made up in the end.
+    constexpr double equation_tolerance = 1e-6;
 
     using SecondOrderCone::ConstView;
     using SecondOrderCone::View;
@@ -60,20 +61,20 @@ namespace ElastoPlastic
       void
       move_into_cones(Vector<double> &values,
                       const double ConeScale::*scale) const;
-      void
-      compute_residuals();
       bool
       converged() const;
+      double
+      distance_from_solution() const;
       void
+      look_at_iterate();
+      bool
       scale();
-      void
+      bool
       step();
       void
       find_direction(const Vector<double> &complementarity, const double part);
       double
       largest_step() const;
-      void
-      restore_equations();
 
       View
       cone(Vector<double> &values, const unsigned int c) const
@@ -96,7 +97,9 @@ namespace ElastoPlastic
       KktSystem::Scalings scalings;
 
       ConicSolution  current;
-      double         gap = 0; ///< s^T z
+      ConicSolution  best;     ///< of all iterates
+      ConicSolution  interior; ///< far inside the cones, satisfies A x = b
+      double         best_distance = 0;
       KktVector      residual;
       KktVector      change;
       Vector<double> scaled;   ///< lambda = W z = W^-1 s
@@ -129,18 +132,20 @@ namespace ElastoPlastic
     InteriorPoint::run()
     {
       begin();
-      compute_residuals();
-      while (!converged())
+      while (!converged() && current.n_iterations < max_iterations &&
+             current.n_iterations <= best.n_iterations + max_idle_iterations &&
+             step())
         {
-          if (current.n_iterations == max_iterations)
-            throw ConvergenceError(
-              "The interior point method has not converged.");
           ++current.n_iterations;
-          step();
-          compute_residuals();
+          look_at_iterate();
           check_solvability(program, layout, current, residual);
         }
-      restore_equations();
+      current            = best;
+      current.is_optimal = converged();
+      if (interior.x.size() == 0 ||
+          current.relative_gap > std::max(tolerance, largest_gap))
+        throw ConvergenceError("The interior point method has not converged.");
+      make_admissible(program, layout, system, interior, current);
       return current;
     }
 
@@ -151,23 +156,20 @@ namespace ElastoPlastic
     void
     InteriorPoint::begin()
     {
-      for (unsigned int c = 0; c < n_cones; ++c)
-        {
-          cone(current.s, c)[0] = layout.scales[c].slack;
-          cone(current.z, c)[0] = layout.scales[c].multiplier;
-        }
-      scale();
-
-      current.s = current.z = 0.;
-      compute_residuals();
+      scalings = expected_scalings(layout);
+      if (!system.factorize(scalings))
+        throw ConvergenceError(
+          "The interior point method cannot begin: "
+          "rounding errors are too large.");
+      residual = evaluate(program, layout, system, current);
       system.solve(change, residual);
       current.x = change.x;
       current.y = change.y;
       current.z = change.z;
-      compute_residuals();
-      current.s = residual.z;
+      current.s = evaluate(program, layout, system, current).z;
       move_into_cones(current.s, &ConeScale::slack);
       move_into_cones(current.z, &ConeScale::multiplier);
+      look_at_iterate();
     }
 
 
@@ -191,46 +193,13 @@ namespace ElastoPlastic
 
 
 
-    void
-    InteriorPoint::compute_residuals()
+    /// Not more than 1 if the iterate is a solution.
+    double
+    InteriorPoint::distance_from_solution() const
     {
-      residual.x.reinit(current.x.size());
-      residual.z.reinit(current.z.size());
-      residual.y = program.right_hand_side;
-      residual.z -= current.s;
-      double         quadratic_cost = 0, linear_cost = 0, dual_size = 0;
-      Vector<double> product;
-      for (unsigned int b = 0; b < program.blocks.size(); ++b)
-        {
-          const ConicBlock   &block = program.blocks[b];
-          const double *const x     = current.x.begin() + layout.unknowns[b];
-          const unsigned int  n     = block.linear_cost.size();
-          product.reinit(n);
-          LocalAlgebra::add_product(product.begin(), block.quadratic_cost, x);
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              residual.x[layout.unknowns[b] + i] = -block.linear_cost[i];
-              quadratic_cost += x[i] * product[i];
-              linear_cost += x[i] * block.linear_cost[i];
-              dual_size = std::max({dual_size,
-                                    std::abs(product[i]),
-                                    std::abs(block.linear_cost[i])});
-            }
-          for (unsigned int i = 0; i < block.cone_offset.size(); ++i)
-            residual.z[layout.rows[b] + i] += block.cone_offset[i];
-        }
-      const double primal_size = std::max(1., residual.y.linfty_norm());
-      system.subtract_product(residual, {current.x, current.z, current.y});
-
-      gap          = current.s * current.z;
-      current.cost = 0.5 * quadratic_cost + linear_cost;
-      current.relative_gap =
-        gap / std::max(smallest_cost, std::abs(current.cost));
-      current.primal_error =
-        std::max(residual.y.linfty_norm(), residual.z.linfty_norm()) /
-        primal_size;
-      current.dual_error =
-        residual.x.linfty_norm() / std::max(smallest_cost, dual_size);
+      return std::max(current.relative_gap / tolerance,
+                      std::max(current.primal_error, current.dual_error) /
+                        equation_tolerance);
     }
 
 
@@ -238,39 +207,53 @@ namespace ElastoPlastic
     bool
     InteriorPoint::converged() const
     {
-      return current.relative_gap <= tolerance &&
-             std::max(current.primal_error, current.dual_error) <=
-               equation_tolerance;
+      return distance_from_solution() <= 1.;
     }
 
 
 
     void
+    InteriorPoint::look_at_iterate()
+    {
+      residual = evaluate(program, layout, system, current);
+      if (current.n_iterations == 0 || distance_from_solution() < best_distance)
+        {
+          best          = current;
+          best_distance = distance_from_solution();
+        }
+      if (interior.x.size() == 0 && current.primal_error <= equation_tolerance)
+        interior = current;
+    }
+
+
+
+    bool
     InteriorPoint::scale()
     {
       scalings.clear();
       for (unsigned int c = 0; c < n_cones; ++c)
         {
-          scalings.emplace_back(cone(std::as_const(current.s), c),
-                                cone(std::as_const(current.z), c));
+          const ConstView s = cone(std::as_const(current.s), c),
+                          z = cone(std::as_const(current.z), c);
+          if (!(SecondOrderCone::determinant(s) > 0 &&
+                SecondOrderCone::determinant(z) > 0))
+            return false;
+          scalings.emplace_back(s, z);
           const View lambda = cone(scaled, c);
-          std::copy_n(cone(current.z, c).begin(),
-                      lambda.size(),
-                      lambda.begin());
+          std::copy_n(z.begin(), lambda.size(), lambda.begin());
           scalings[c].multiply(lambda);
         }
-      if (!system.factorize(scalings))
-        throw ConvergenceError(
-          "The interior point method has not converged: "
-          "rounding errors are too large.");
+      return system.factorize(scalings);
     }
 
 
 
-    void
+    /// @return false if rounding errors do not allow another one.
+    bool
     InteriorPoint::step()
     {
-      scale();
+      if (!scale())
+        return false;
 
       // The predictor tells how much smaller the gap can become in one step,
       Vector<double> complementarity(scaled.size());
@@ -279,6 +262,7 @@ namespace ElastoPlastic
                                   cone(std::as_const(scaled), c),
                                   cone(std::as_const(scaled), c));
       find_direction(complementarity, 1.);
+      const double gap       = current.s * current.z;
       const double centering = std::pow(1. - std::min(1., largest_step()), 3);
 
       // the corrector adds its second-order terms, and goes to the central
@@ -299,6 +283,7 @@ namespace ElastoPlastic
       for (unsigned int c = 0; c < n_cones; ++c)
         scalings[c].multiply(cone(scaled_s, c));
       current.s.add(length, scaled_s);
+      return true;
     }
 
 
@@ -348,30 +333,6 @@ namespace ElastoPlastic
            SecondOrderCone::inverse_step(cone(scaled, c), cone(scaled_s, c)),
            SecondOrderCone::inverse_step(cone(scaled, c), cone(scaled_z, c))});
       return 1. / inverse;
-    }
-
-
-
-    // What rounding errors have left of the equations: the unknowns change so
-    // little that the cones need not be looked at again.
-    void
-    InteriorPoint::restore_equations()
-    {
-      for (unsigned int k = 0;
-           k < max_restorations && current.primal_error > primal_tolerance;
-           ++k)
-        {
-          system.solve(change, residual);
-          current.x += change.x;
-          current.y += change.y;
-          current.s.add(1., residual.z);
-          for (unsigned int b = 0; b < program.blocks.size(); ++b)
-            LocalAlgebra::add_product(current.s.begin() + layout.rows[b],
-                                      program.blocks[b].cone_matrix,
-                                      change.x.begin() + layout.unknowns[b],
-                                      -1.);
-          compute_residuals();
-        }
     }
   } // namespace
 

@@ -61,6 +61,7 @@ namespace ElastoPlastic
                  body.length_unit * body.length_unit;
     field.relative_gap = solution.relative_gap;
     field.n_iterations = solution.n_iterations;
+    field.is_optimal   = solution.is_optimal;
     return field;
   }
 

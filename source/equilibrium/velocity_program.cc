@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/patterns.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,10 @@ namespace ElastoPlastic
   namespace
   {
     constexpr double gap_tolerance = 1e-6;
+
+    /// Relative to the largest rate of strain.
+    constexpr double largest_divergence = 1e-8;
+
     /// Stresses at the corners of a triangle: 11, 22, 12.
     constexpr unsigned int n_stresses = 9;
 
@@ -289,6 +295,7 @@ namespace ElastoPlastic
       field.velocity.at_sides.assign(velocities.begin() + n_vertices,
                                      velocities.end());
       field.n_iterations = solution.n_iterations;
+      field.is_optimal   = solution.is_optimal;
       add_work(field);
       for (unsigned int i = 0; i < nodes.size(); ++i)
         for (unsigned int c = 0; c < 2; ++c)
@@ -334,8 +341,14 @@ namespace ElastoPlastic
             area(body.mesh.corners(body.mesh.triangles[t])) / 3. * sum);
           field.force += field.dissipation.back();
         }
-      if (!body.plane_stress)
-        field.divergence = relative_divergence(body.mesh, field.velocity);
+      if (body.plane_stress)
+        return;
+      field.divergence = relative_divergence(body.mesh, field.velocity);
+      if (field.divergence > largest_divergence)
+        throw ConvergenceError(
+          "The mechanism of collapse changes the volume: its divergence is " +
+          Patterns::Tools::to_string(field.divergence) +
+          " of the rate of strain, because of rounding errors.");
     }
   } // namespace
 

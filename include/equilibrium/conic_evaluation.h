@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_conic_evaluation_h
+#define equilibrium_conic_evaluation_h
+
+#include "equilibrium/kkt_system.h"
+
+namespace ElastoPlastic
+{
+  /// Computes cost, gap and errors of a @p solution from its unknowns.
+  /// @return what is missing to its first three equations, in the order x, z, y
+  /// of their multipliers.
+  KktVector
+  evaluate(const ConicProgram &program,
+           const ConicLayout  &layout,
+           const KktSystem    &system,
+           ConicSolution      &solution);
+
+  /// The scalings of cones whose slacks and multipliers are of the expected
+  /// size: the system that they make is well conditioned.
+  KktSystem::Scalings
+  expected_scalings(const ConicLayout &layout);
+
+  /// Removes what rounding errors, and an iteration that they have ended, have
+  /// left of the equations of a @p solution: A x = b and G x + s = h with s in
+  /// the cones, and the first equation. Linear systems with the
+  /// expected scalings do so with the least changes of the unknowns. If x is
+  /// outside the cones then, it goes towards @p interior as far as necessary,
+  /// provided that this iterate, whose equations are restored as well, is
+  /// inside; otherwise it stays outside by the change. z may leave the cones.
+  /// @throws ConvergenceError
+  void
+  make_admissible(const ConicProgram  &program,
+                  const ConicLayout   &layout,
+                  KktSystem           &system,
+                  const ConicSolution &interior,
+                  ConicSolution       &solution);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/exceptions.h"
+#include "equilibrium/conic_evaluation.h"
+#include "equilibrium/local_algebra.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// Costs and their derivatives below this count as zero: nothing is loaded.
+    constexpr double smallest_cost = 1e-12;
+
+    /// So well are the equations satisfied in the end, relative to the largest
+    /// of their terms.
+    constexpr double       final_tolerance  = 1e-10;
+    constexpr unsigned int max_restorations = 5;
+
+
+
+    bool
+    satisfies_equations(const ConicSolution &solution)
+    {
+      return std::max(solution.primal_error, solution.dual_error) <=
+             final_tolerance;
+    }
+
+
+
+    void
+    restore_equations(const ConicProgram &program,
+                      const ConicLayout  &layout,
+                      const KktSystem    &system,
+                      ConicSolution      &solution)
+    {
+      KktVector residual = evaluate(program, layout, system, solution), change;
+      for (unsigned int k = 0;
+           k < max_restorations && !satisfies_equations(solution);
+           ++k)
+        {
+          residual.z = 0.;
+          system.solve(change, residual);
+          solution.x += change.x;
+          solution.y += change.y;
+          solution.z += change.z;
+          solution.s += evaluate(program, layout, system, solution).z;
+          residual = evaluate(program, layout, system, solution);
+        }
+    }
+
+
+
+    /// How much of the way from the slacks @p inside the cones to @p s remains
+    /// in them; zero if the former are not inside.
+    double
+    part_in_cones(const ConicLayout    &layout,
+                  const Vector<double> &inside,
+                  const Vector<double> &s)
+    {
+      double         inverse = 1.;
+      Vector<double> way     = s;
+      way -= inside;
+      for (const auto [begin, size] : layout.cones)
+        {
+          const SecondOrderCone::ConstView of_s(s.begin() + begin, size),
+            from(inside.begin() + begin, size), to(way.begin() + begin, size);
+          if (of_s[0] >= SecondOrderCone::norm_of_tail(of_s))
+            continue;
+          if (!(from[0] > SecondOrderCone::norm_of_tail(from)))
+            return 0.;
+          inverse = std::max(inverse, SecondOrderCone::inverse_step(from, to));
+        }
+      return 1. / inverse;
+    }
+  } // namespace
+
+
+
+  KktVector
+  evaluate(const ConicProgram &program,
+           const ConicLayout  &layout,
+           const KktSystem    &system,
+           ConicSolution      &solution)
+  {
+    KktVector residual;
+    residual.x.reinit(solution.x.size());
+    residual.z.reinit(solution.z.size());
+    residual.y = program.right_hand_side;
+    residual.z -= solution.s;
+    double         quadratic_cost = 0, linear_cost = 0, dual_size = 0;
+    Vector<double> product;
+    for (unsigned int b = 0; b < program.blocks.size(); ++b)
+      {
+        const ConicBlock   &block = program.blocks[b];
+        const double *const x     = solution.x.begin() + layout.unknowns[b];
+        const unsigned int  n     = block.linear_cost.size();
+        product.reinit(n);
+        LocalAlgebra::add_product(product.begin(), block.quadratic_cost, x);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            residual.x[layout.unknowns[b] + i] = -block.linear_cost[i];
+            quadratic_cost += x[i] * product[i];
+            linear_cost += x[i] * block.linear_cost[i];
+            dual_size = std::max({dual_size,
+                                  std::abs(product[i]),
+                                  std::abs(block.linear_cost[i])});
+          }
+        for (unsigned int i = 0; i < block.cone_offset.size(); ++i)
+          residual.z[layout.rows[b] + i] += block.cone_offset[i];
+      }
+    const double primal_size = std::max(1., residual.y.linfty_norm());
+    system.subtract_product(residual, {solution.x, solution.z, solution.y});
+
+    solution.cost         = 0.5 * quadratic_cost + linear_cost;
+    solution.relative_gap = (solution.s * solution.z) /
+                            std::max(smallest_cost, std::abs(solution.cost));
+    solution.primal_error =
+      std::max(residual.y.linfty_norm(), residual.z.linfty_norm()) /
+      primal_size;
+    solution.dual_error =
+      residual.x.linfty_norm() / std::max(smallest_cost, dual_size);
+    return residual;
+  }
+
+
+
+  KktSystem::Scalings
+  expected_scalings(const ConicLayout &layout)
+  {
+    KktSystem::Scalings scalings;
+    for (unsigned int c = 0; c < layout.cones.size(); ++c)
+      {
+        const ConeScale   &scale = layout.scales[c];
+        const unsigned int size  = layout.cones[c].size;
+        const std::array<double, SecondOrderCone::max_size> s = {{scale.slack}};
+        const std::array<double, SecondOrderCone::max_size> z = {
+          {scale.multiplier}};
+        scalings.emplace_back(SecondOrderCone::ConstView(s.data(), size),
+                              SecondOrderCone::ConstView(z.data(), size));
+      }
+    return scalings;
+  }
+
+
+
+  void
+  make_admissible(const ConicProgram  &program,
+                  const ConicLayout   &layout,
+                  KktSystem           &system,
+                  const ConicSolution &interior,
+                  ConicSolution       &solution)
+  {
+    ConicSolution inside = interior;
+    if (!satisfies_equations(solution))
+      {
+        const auto scalings = expected_scalings(layout);
+        if (!system.factorize(scalings))
+          throw ConvergenceError("Rounding errors are too large.");
+        restore_equations(program, layout, system, inside);
+        restore_equations(program, layout, system, solution);
+      }
+    inside.s += evaluate(program, layout, system, inside).z;
+    solution.s += evaluate(program, layout, system, solution).z;
+
+    const double part = part_in_cones(layout, inside.s, solution.s);
+    if (part > 0 && part < 1)
+      {
+        solution.x.sadd(part, 1. - part, inside.x);
+        solution.s.sadd(part, 1. - part, inside.s);
+      }
+    evaluate(program, layout, system, solution);
+  }
+} // namespace ElastoPlastic
