@@ -117,7 +117,7 @@ namespace
     newton.tolerance = 1e-12;
     contact.activate_touching(u);
     ContactProblem<dim> problem(
-      *solid, supports, no_forces, contact, *tangent_solver, 1., timer);
+      *solid, supports, no_forces, contact, *tangent_solver, 1., 0., timer);
     SemismoothNewton(newton, [](const NewtonStep &) {}).solve(problem, u);
     problem.compute_residual(residual, u);
     contact.settle(u);
