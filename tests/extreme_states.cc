@@ -24,7 +24,7 @@ namespace
   chaboche()
   {
     MaterialParameters parameters;
-    parameters.laws               = {"nonlinear hardening"};
+    parameters.laws               = {MaterialLaw::nonlinear_hardening};
     parameters.young_moduli       = {2.};
     parameters.poisson_ratios     = {0.3};
     parameters.yield_stresses     = {0.2};
