@@ -5,6 +5,7 @@
 // bound on the last mesh, or the equilibrium on a mesh that has been adapted.
 
 #include <cmath>
+#include <iostream>
 
 #include "program.h"
 #include "table.h"
@@ -14,7 +15,8 @@ using namespace ElastoPlastic;
 
 namespace
 {
-  /// Runs a punch on a perfectly plastic body. @return the exit status.
+  /// Runs a punch on a perfectly plastic body, without its messages. @return
+  /// the exit status.
   int
   press(const std::vector<std::string> &entries)
   {
@@ -31,7 +33,10 @@ namespace
         arguments.push_back("--set");
         arguments.push_back(entry.c_str());
       }
-    return run_program(arguments.size(), arguments.data());
+    std::streambuf *const messages = std::cerr.rdbuf(nullptr);
+    const int status = run_program(arguments.size(), arguments.data());
+    std::cerr.rdbuf(messages);
+    return status;
   }
 
 
