@@ -163,7 +163,6 @@ namespace ElastoPlastic
     };
     on_first_rank([&]() {
       fs::create_directories(name);
-      check_results();
       lock();
       bring_back(name);
       earlier_results_are_aside = check_results();
