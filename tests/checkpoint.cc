@@ -33,18 +33,6 @@ namespace
 
 
 
-  /// Does something to the files, and lets all ranks wait for it.
-  template <typename Task>
-  void
-  on_first_rank(const Task &task)
-  {
-    if (first_rank())
-      task();
-    MPI_Barrier(MPI_COMM_WORLD);
-  }
-
-
-
   void
   write(const std::string &name, const std::string &text)
   {

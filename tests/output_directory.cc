@@ -20,18 +20,6 @@ namespace
 {
   const std::string directory = "output_directory_results";
 
-  template <typename Task>
-  void
-  on_first_rank(const Task &task)
-  {
-    MPI_Barrier(MPI_COMM_WORLD);
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      task();
-    MPI_Barrier(MPI_COMM_WORLD);
-  }
-
-
-
   void
   write(const std::string &name, const std::string &text)
   {

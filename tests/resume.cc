@@ -68,18 +68,6 @@ end
 
 
 
-  template <typename Task>
-  void
-  on_first_rank(const Task &task)
-  {
-    MPI_Barrier(MPI_COMM_WORLD);
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      task();
-    MPI_Barrier(MPI_COMM_WORLD);
-  }
-
-
-
   /// @return the exit status, and what the program has to say on standard
   /// error.
   std::pair<int, std::string>

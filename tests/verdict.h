@@ -48,6 +48,19 @@ verify(const std::string &property, const double error, const double tolerance)
 
 
 
+/// Does on the first rank what the others wait for.
+template <typename Task>
+void
+on_first_rank(const Task &task)
+{
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    task();
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+
+
 /// Prints with which exit status and message @p action fails, if it does.
 template <typename Action>
 void

@@ -28,6 +28,11 @@ namespace ElastoPlastic
     virtual double
     profile(const Point<dim - 1> &x) const = 0;
 
+    /// Whether the profile is certainly a convex function where it is finite:
+    /// false, unless a shape knows better.
+    virtual bool
+    is_convex() const;
+
     /// 0.75, unless a shape knows better.
     double
     depth_factor() const override;

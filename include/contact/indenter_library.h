@@ -15,11 +15,6 @@ namespace ElastoPlastic
   std::string
   indenter_types();
 
-  /// Whether an indenter of this @p type is certainly a convex function where
-  /// it reaches.
-  bool
-  is_convex(const std::string &type);
-
   /// The indenter that the parameters describe, without a shape for type
   /// "none". The parameters must have passed their check. Reads the file that
   /// they name, if any. @throws InputError for what is wrong in an expression

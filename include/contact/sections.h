@@ -13,6 +13,7 @@ namespace ElastoPlastic
   /// the edge. IndenterSymmetric turns a section into a body.
   struct Section
   {
+    /// Convex, and growing, where it is finite.
     std::function<double(const double r)> profile;
     /// TipShape::depth_factor().
     double depth_factor = 0.75;

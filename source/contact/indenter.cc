@@ -45,6 +45,15 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  bool
+  Indenter<dim>::is_convex() const
+  {
+    return false;
+  }
+
+
+
+  template <int dim>
   double
   Indenter<dim>::depth_factor() const
   {

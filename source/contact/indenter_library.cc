@@ -178,14 +178,6 @@ namespace ElastoPlastic
 
 
 
-  bool
-  is_convex(const std::string &type)
-  {
-    return type != "expression" && type != "image" && type != "height matrix";
-  }
-
-
-
   template <int dim>
   PlacedIndenter<dim>
   make_indenter(const IndenterParameters &parameters)

@@ -33,6 +33,15 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  bool
+  IndenterRectangularPunch<dim>::is_convex() const
+  {
+    return true;
+  }
+
+
+
+  template <int dim>
   double
   IndenterRectangularPunch<dim>::depth_factor() const
   {

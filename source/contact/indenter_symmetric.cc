@@ -27,6 +27,15 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  bool
+  IndenterSymmetric<dim>::is_convex() const
+  {
+    return true;
+  }
+
+
+
+  template <int dim>
   double
   IndenterSymmetric<dim>::depth_factor() const
   {

@@ -7,7 +7,6 @@
 
 #include <limits>
 
-#include "contact/indenter_library.h"
 #include "elasto_plastic_contact.h"
 #include "mechanics/ghosted_copy.h"
 #include "mechanics/state_transfer.h"
@@ -64,7 +63,7 @@ namespace ElastoPlastic
             screen.remark(
               "The error of the stresses in equilibrium is at most " +
               Patterns::Tools::to_string(bound) +
-              (is_convex(parameters.indenter.type) ?
+              (!model.indenter.shape || model.indenter.shape->is_convex() ?
                  "" :
                  ", provided that the sides of the mesh resolve the indenter, "
                  "which is not known to be convex"));
