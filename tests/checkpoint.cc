@@ -25,14 +25,6 @@ namespace
                                                "linear elastic"},
                                               {"Output/Screen", "full"}};
 
-  bool
-  first_rank()
-  {
-    return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  }
-
-
-
   void
   write(const std::string &name, const std::string &text)
   {
