@@ -7,6 +7,7 @@
 
 #include <boost/crc.hpp>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -14,6 +15,8 @@
 #include "io/checked_write.h"
 #include "io/checkpoint.h"
 #include "verdict.h"
+
+#include <sys/resource.h>
 
 using namespace ElastoPlastic;
 namespace fs = std::filesystem;
@@ -80,10 +83,40 @@ namespace
 
 
 
+  /// As on a disk that is full when only the list of many files is missing.
+  void
+  save_where_no_index_fits()
+  {
+    rlimit unlimited;
+    getrlimit(RLIMIT_FSIZE, &unlimited);
+    const rlimit limited = {200, unlimited.rlim_max};
+    std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &limited);
+    bool refused = false;
+    try
+      {
+        Checkpoint(MPI_COMM_WORLD, "results", {})
+          .save("short", [](const std::string &mesh_file) {
+            for (unsigned int i = 1000; i < 1020; ++i)
+              write(mesh_file + "-" + std::to_string(i), "");
+          });
+      }
+    catch (const FileError &)
+      {
+        refused = true;
+      }
+    setrlimit(RLIMIT_FSIZE, &unlimited);
+    verify("no room for the index", refused);
+  }
+
+
+
   void
   test_kills()
   {
     report("nothing yet");
+    save_where_no_index_fits();
+    report("killed while writing the index of the first");
     on_first_rank([]() { fs::create_directory("results/checkpoint.new"); });
     report("killed while writing the first");
     save("step 1");

@@ -75,7 +75,7 @@ namespace ElastoPlastic
     {
       std::set<std::string> descriptions;
       for (const auto &entry : fs::directory_iterator(folder))
-        if (entry.path().filename() != "index")
+        if (entry.path().stem() != "index")
           descriptions.insert(description(entry.path()));
       return descriptions;
     }
@@ -129,7 +129,8 @@ namespace ElastoPlastic
 
 
     /// The folder with the last complete checkpoint; empty if there is none.
-    /// A new one is complete when it has its index, before it is renamed.
+    /// A new one is complete when its index has got its name, which is before
+    /// the folder gets its own.
     fs::path
     last_checkpoint(const fs::path &place)
     {
@@ -164,14 +165,14 @@ namespace ElastoPlastic
 
 
 
-  // (The index is written last. Version 0.1.0 has had other names of meshes.)
+  // (The index comes last. Version 0.1.0 has had other names of meshes.)
   bool
   is_checkpoint(const std::string &folder)
   {
     if (!fs::is_directory(folder))
       return false;
     static const std::regex names(
-      "index|state|mesh(-[0-9]{4,}|\\.info|_fixed\\.data|_variable\\.data)?");
+      "index(\\.new)?|state|mesh(-[0-9]{4,}|\\.info|_fixed\\.data|_variable\\.data)?");
     for (const auto &entry : fs::directory_iterator(folder))
       if (!entry.is_regular_file() ||
           !std::regex_match(entry.path().filename().string(), names))
@@ -228,9 +229,12 @@ namespace ElastoPlastic
                   first_rank ? folder + "/state" : "",
                   [&](std::ostream &file) { file << text.str(); });
     checked_write(communicator,
-                  first_rank ? folder + "/index" : "",
+                  first_rank ? folder + "/index.new" : "",
                   [&](std::ostream &file) { write_index(folder, file); });
-    on_first_rank([&]() { return put_into_place(directory); });
+    on_first_rank([&]() {
+      fs::rename(folder + "/index.new", folder + "/index");
+      return put_into_place(directory);
+    });
   }
 
 
