@@ -20,6 +20,11 @@ readonly n_processors
 # One thread per MPI rank.
 export OMP_NUM_THREADS=1
 
+# (Of a sanitizer build. MPI never frees some memory; deal.II's own library knows
+# nothing of the marks beyond the end of a vector.)
+export ASAN_OPTIONS=detect_leaks=0:detect_container_overflow=0:max_allocation_size_mb=1600
+export UBSAN_OPTIONS=print_stacktrace=1
+
 # Open MPI refuses to start as root, which is who one is in a container.
 if [ "$(id -u)" -eq 0 ]; then
   export OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_sharedfp=^sm
@@ -66,14 +71,26 @@ install_missing()
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# build TYPE [CMAKE_OPTION ...]
-# Configures and compiles build/release or build/debug; TYPE is Release or Debug.
-build()
+# configure TYPE [CMAKE_OPTION ...]
+# Sets up build/release, build/debug or build/sanitize; TYPE is Release, Debug, or
+# Sanitize: Debug with sanitizers.
+configure()
 {
   local type=$1
   shift
-  cmake -S . -B "build/${type,,}" -DCMAKE_BUILD_TYPE="$type" "$@"
-  cmake --build "build/${type,,}" --parallel "$n_processors"
+  if [ "$type" = Sanitize ]; then
+    cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug -DSANITIZE=ON "$@"
+  else
+    cmake -S . -B "build/${type,,}" -DCMAKE_BUILD_TYPE="$type" "$@"
+  fi
+}
+
+# build TYPE [CMAKE_OPTION ...]
+# Configures and compiles.
+build()
+{
+  configure "$@"
+  cmake --build "build/${1,,}" --parallel "$n_processors"
 }
 
 # on_ranks NUMBER COMMAND [ARGUMENT ...]
