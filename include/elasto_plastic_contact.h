@@ -114,8 +114,8 @@ namespace ElastoPlastic
     check_supports() const;
     void
     check_reach() const;
-    void
-    check_size() const;
+    double
+    estimated_unknowns(const double n_cells) const;
 
     // One solve (solve.cc): contact and plasticity in one Newton loop, and
     // what its solution says.

@@ -8,6 +8,8 @@
 #include <deal.II/distributed/tria.h>
 #include <deal.II/lac/vector.h>
 
+#include <cstdint>
+
 #include "base/enum_names.h"
 
 namespace ElastoPlastic
@@ -52,12 +54,21 @@ namespace ElastoPlastic
              strategy == RefinementStrategy::kelly;
     }
 
+    /// Whether a mesh may have so many unknowns: as far as the user allows, and
+    /// as the indices of deal.II and Trilinos reach, which have 32 bits.
+    bool
+    allows(const double n_unknowns) const;
+
     void
     add_parameters(ParameterHandler &prm);
 
     /// @throws InputError
     void
     check() const;
+
+    /// @throws InputError if @p n_unknowns are too many for the first mesh.
+    void
+    check_first_mesh(const double n_unknowns) const;
   };
 
 
@@ -73,13 +84,14 @@ namespace ElastoPlastic
 
 
   /// The same for a mesh that is to follow its load over many steps: halves the
-  /// refinement fraction until the next mesh has at most @p max_cells cells,
-  /// all ranks together. @return whether any cell is to be refined.
+  /// refinement fraction until the next mesh, with @p unknowns_per_cell, has as
+  /// many unknowns as are allowed, all ranks together. @return whether any cell
+  /// is to be refined.
   template <int dim>
   bool
-  flag_cells_within(const double                               max_cells,
-                    RefinementParameters                       parameters,
-                    const Vector<float>                       &error_indicators,
+  flag_cells_within(const double         unknowns_per_cell,
+                    RefinementParameters parameters,
+                    const Vector<float> &error_indicators,
                     parallel::distributed::Triangulation<dim> &triangulation);
 
 
@@ -87,7 +99,7 @@ namespace ElastoPlastic
   /// The number of cells that the mesh will have, all ranks together, when the
   /// flags have been obeyed.
   template <int dim>
-  types::global_cell_index
+  std::uint64_t
   n_cells_after_refinement(
     const parallel::distributed::Triangulation<dim> &triangulation);
 } // namespace ElastoPlastic

@@ -53,12 +53,14 @@ namespace ElastoPlastic
     if constexpr (dim == 2)
       if (parameters.analysis == Analysis::contact_with_error_bound)
         error_bound.emplace(model, parameters, communicator, gap_function);
+    parameters.refinement.check_first_mesh(
+      estimated_unknowns(triangulation.n_global_active_cells()));
     setup_body();
     setup_contact();
     check_loads();
     check_supports();
     check_reach();
-    check_size();
+    parameters.refinement.check_first_mesh(dof_handler.n_dofs());
     if (const std::string warning =
           warning_of_unused_materials(triangulation, model.materials.size());
         !warning.empty())

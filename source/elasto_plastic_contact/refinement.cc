@@ -93,10 +93,8 @@ namespace ElastoPlastic
     const double n_new_cells =
       n_cells_after_refinement(triangulation) -
       static_cast<double>(triangulation.n_global_active_cells());
-    const double unknowns_per_cell = dim * std::pow(fe.degree, dim);
-    if (refinement.max_unknowns == 0 ||
-        dof_handler.n_dofs() + unknowns_per_cell * n_new_cells <=
-          refinement.max_unknowns)
+    if (refinement.allows(dof_handler.n_dofs() +
+                          estimated_unknowns(n_new_cells)))
       return true;
 
     screen.remark(
@@ -230,12 +228,8 @@ namespace ElastoPlastic
   bool
   ElastoPlasticContact<dim>::mark_adapted_mesh()
   {
-    const double n_cells  = triangulation.n_global_active_cells();
-    const double n_dofs   = dof_handler.n_dofs();
-    const double max_dofs = parameters.refinement.max_unknowns > 0 ?
-                              parameters.refinement.max_unknowns :
-                              std::numeric_limits<double>::infinity();
-    return flag_cells_within(n_cells * max_dofs / n_dofs,
+    return flag_cells_within(static_cast<double>(dof_handler.n_dofs()) /
+                               triangulation.n_global_active_cells(),
                              parameters.refinement,
                              error_indicators,
                              triangulation);

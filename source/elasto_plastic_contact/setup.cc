@@ -155,18 +155,12 @@ namespace ElastoPlastic
 
 
 
+  // As many as a new cell has in the interior of a mesh.
   template <int dim>
-  void
-  ElastoPlasticContact<dim>::check_size() const
+  double
+  ElastoPlasticContact<dim>::estimated_unknowns(const double n_cells) const
   {
-    const unsigned int max_unknowns = parameters.refinement.max_unknowns;
-    if (max_unknowns > 0 && dof_handler.n_dofs() > max_unknowns)
-      throw InputError("Refinement/Maximum number of unknowns",
-                       std::to_string(max_unknowns),
-                       "the first mesh has " +
-                         std::to_string(dof_handler.n_dofs()) +
-                         " unknowns already. Allow more, or start with "
-                         "a coarser mesh.");
+    return dim * std::pow(fe.degree, dim) * n_cells;
   }
 
 

@@ -4,11 +4,31 @@
 #include <deal.II/distributed/grid_refinement.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <iomanip>
+#include <sstream>
+
 #include "base/exceptions.h"
 #include "mesh/refinement.h"
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// Trilinos numbers with 31 bits; the rest is for what an estimate misses.
+    constexpr double n_indices = 2e9;
+  } // namespace
+
+
+
+  bool
+  RefinementParameters::allows(const double n_unknowns) const
+  {
+    return n_unknowns <= n_indices &&
+           (max_unknowns == 0 || n_unknowns <= max_unknowns);
+  }
+
+
+
   void
   RefinementParameters::add_parameters(ParameterHandler &prm)
   {
@@ -32,7 +52,8 @@ namespace ElastoPlastic
                       max_unknowns,
                       "No further mesh is begun that would have more "
                       "displacement unknowns than this, as far as can be told "
-                      "in advance (within some per cent). 0: no limit.",
+                      "in advance (within some per cent). 0: no limit below "
+                      "2000000000, which indices of 32 bits reach.",
                       Patterns::Integer(0));
     prm.add_parameter(
       "Refinement fraction",
@@ -78,6 +99,27 @@ namespace ElastoPlastic
                        Patterns::Tools::to_string(coarsening_fraction),
                        "together with 'Refinement/Refinement fraction' it must "
                        "not exceed 1.");
+  }
+
+
+
+  void
+  RefinementParameters::check_first_mesh(const double n_unknowns) const
+  {
+    if (allows(n_unknowns))
+      return;
+    std::ostringstream number;
+    number << std::fixed << std::setprecision(0) << n_unknowns;
+    if (n_unknowns > n_indices)
+      throw InputError("The first mesh has " + number.str() +
+                       " unknowns or more, but indices of 32 bits reach to "
+                       "2000000000 only. Start with a coarser mesh: reduce "
+                       "'Geometry/Initial refinements'.");
+    throw InputError("Refinement/Maximum number of unknowns",
+                     std::to_string(max_unknowns),
+                     "the first mesh has " + number.str() +
+                       " unknowns or more already. Allow more, or start with a "
+                       "coarser mesh.");
   }
 
 
@@ -217,9 +259,9 @@ namespace ElastoPlastic
 
   template <int dim>
   bool
-  flag_cells_within(const double                               max_cells,
-                    RefinementParameters                       parameters,
-                    const Vector<float>                       &error_indicators,
+  flag_cells_within(const double         unknowns_per_cell,
+                    RefinementParameters parameters,
+                    const Vector<float> &error_indicators,
                     parallel::distributed::Triangulation<dim> &triangulation)
   {
     const double one_cell = 1. / triangulation.n_global_active_cells();
@@ -228,7 +270,8 @@ namespace ElastoPlastic
       {
         set_flags(parameters, error_indicators, triangulation);
         smooth_flags(triangulation);
-        if (n_cells_after_refinement(triangulation) <= max_cells)
+        if (parameters.allows(unknowns_per_cell *
+                              n_cells_after_refinement(triangulation)))
           return true;
       }
     return false;
@@ -237,13 +280,13 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  types::global_cell_index
+  std::uint64_t
   n_cells_after_refinement(
     const parallel::distributed::Triangulation<dim> &triangulation)
   {
-    constexpr unsigned int n_children =
+    constexpr std::uint64_t n_children =
       GeometryInfo<dim>::max_children_per_cell;
-    types::global_cell_index n_refined = 0, n_coarsened = 0;
+    std::uint64_t n_refined = 0, n_coarsened = 0;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -268,7 +311,7 @@ namespace ElastoPlastic
                     RefinementParameters,
                     const Vector<float> &,
                     parallel::distributed::Triangulation<2> &);
-  template types::global_cell_index
+  template std::uint64_t
   n_cells_after_refinement(const parallel::distributed::Triangulation<2> &);
   template void
   flag_cells(const RefinementParameters &,
@@ -279,6 +322,6 @@ namespace ElastoPlastic
                     RefinementParameters,
                     const Vector<float> &,
                     parallel::distributed::Triangulation<3> &);
-  template types::global_cell_index
+  template std::uint64_t
   n_cells_after_refinement(const parallel::distributed::Triangulation<3> &);
 } // namespace ElastoPlastic
