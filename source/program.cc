@@ -4,11 +4,11 @@
 #include <deal.II/base/mpi.h>
 
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <thread>
 
 #include "base/exceptions.h"
+#include "base/machine_error.h"
 #include "elasto_plastic_contact.h"
 #include "io/command_line.h"
 #include "io/parameters.h"
@@ -120,7 +120,8 @@ namespace
 
 // The dimension is an entry of the parameter file. Errors that the user can act
 // on arrive here as exceptions, with the same message on all ranks; anything
-// else is a bug, and a single rank that has met one must take the others down.
+// else is a limit of the machine or a bug, and a single rank that has met one
+// must take the others down.
 int
 ElastoPlastic::run_program(const int argc, const char *const *const argv)
 {
@@ -137,24 +138,16 @@ ElastoPlastic::run_program(const int argc, const char *const *const argv)
         std::cerr << "Error: " << error.what() << std::endl;
       return static_cast<int>(error.status);
     }
-  catch (const std::filesystem::filesystem_error &error)
+  catch (const std::exception &exception)
     {
-      std::cerr << "Error: a file or folder cannot be used: " << error.what()
-                << std::endl;
-      MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitStatus::io_failure));
-    }
-  catch (const std::bad_alloc &)
-    {
-      let_others_speak_first();
-      std::cerr << "Error: there is not enough memory. Choose a coarser mesh, "
-                   "or more processes on more machines."
-                << std::endl;
-      MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitStatus::io_failure));
-    }
-  catch (const std::exception &bug)
-    {
+      if (const auto error = machine_error(exception))
+        {
+          let_others_speak_first();
+          std::cerr << "Error: " << error->what() << std::endl;
+          MPI_Abort(MPI_COMM_WORLD, static_cast<int>(error->status));
+        }
       std::cerr << "Error: this should not have happened, please report it:\n"
-                << bug.what() << std::endl;
+                << exception.what() << std::endl;
       MPI_Abort(MPI_COMM_WORLD, 1);
     }
   return 1; // not reached

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/exceptions.h"
+#include "base/machine_error.h"
 #include "base/throw_together.h"
 
 namespace ElastoPlastic
@@ -66,6 +67,14 @@ namespace ElastoPlastic
       {
         error  = exception.what();
         status = static_cast<int>(exception.status);
+      }
+    catch (const std::exception &exception)
+      {
+        const auto known = machine_error(exception);
+        if (!known)
+          throw;
+        error  = known->what();
+        status = static_cast<int>(known->status);
       }
     const unsigned int rank   = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int nobody = Utilities::MPI::n_mpi_processes(communicator);
