@@ -125,8 +125,6 @@ namespace ElastoPlastic
     evaluate_contact(SolveResult &result);
     void
     evaluate_plasticity(SolveResult &result) const;
-    double
-    vertical_reaction() const;
 
     // The next mesh (refinement.cc), if there is to be one, in the first load
     // step or after any other.
@@ -150,6 +148,8 @@ namespace ElastoPlastic
     // What a test in a laboratory would measure (evaluation.cc).
     std::vector<double>
     support_forces() const;
+    VectorType
+    loads_on_body() const;
     std::optional<IndentationTest>
     make_indentation_test() const;
 

@@ -117,6 +117,16 @@ namespace
           result[columns[i]] = forces[i];
         }
       output() << std::endl;
+      double vertical = 0, all = 0;
+      for (const auto &[name, force] : result)
+        {
+          vertical += name.back() == "xyz"[dim - 1] ? force : 0.;
+          all += std::abs(force);
+        }
+      verify("  the vertical force is their sum",
+             std::abs(evaluation.vertical_force(*solid, u, loads) - vertical) /
+               all,
+             1e-12);
       return result;
     }
 

@@ -45,6 +45,12 @@ namespace ElastoPlastic
             const VectorType         &displacement,
             const VectorType         &loads) const;
 
+    /// The sum of all vertical ones, at the cost of one. Collective.
+    double
+    vertical_force(const SolidOperator<dim> &solid,
+                   const VectorType         &displacement,
+                   const VectorType         &loads) const;
+
   private:
     struct Component
     {
@@ -59,6 +65,14 @@ namespace ElastoPlastic
     /// The unknowns of this rank that a component is about.
     IndexSet
     unknowns(const Component &component) const;
+
+    /// What all forces but @p loads do on the field that @p motion gives on the
+    /// supports, which becomes continuous.
+    double
+    work(const SolidOperator<dim> &solid,
+         const VectorType         &displacement,
+         const VectorType         &loads,
+         VectorType               &motion) const;
 
     const DoFHandler<dim>         &dof_handler;
     const BoundaryNames           &boundary_names;

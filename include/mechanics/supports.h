@@ -65,11 +65,6 @@ namespace ElastoPlastic
     IndexSet
     fixed_dofs() const;
 
-    /// All locally relevant degrees of freedom of the vertical displacement
-    /// that feel a support: fixed ones, and those on skew rollers.
-    const IndexSet &
-    vertical_supports() const;
-
     /// The components of the displacement that @p boundary holds, alone or (on
     /// skew rollers) together.
     ComponentMask
@@ -111,7 +106,6 @@ namespace ElastoPlastic
     AffineConstraints<double>                 hanging;
     AffineConstraints<double>                 combined;
     std::map<types::global_dof_index, double> fixed_values;
-    IndexSet                                  vertical;
   };
 } // namespace ElastoPlastic
 

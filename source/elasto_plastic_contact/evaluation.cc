@@ -8,11 +8,21 @@
 namespace ElastoPlastic
 {
   // The forces of the supports at the end of the load step under way, in the
-  // order of reactions.names(). The loads must not be condensed with skew
-  // rollers, which are supports.
+  // order of reactions.names().
   template <int dim>
   std::vector<double>
   ElastoPlasticContact<dim>::support_forces() const
+  {
+    return reactions.compute(*solid, displacement, loads_on_body());
+  }
+
+
+
+  // All nodal forces but those of the supports; so they must not be condensed
+  // with skew rollers.
+  template <int dim>
+  VectorType
+  ElastoPlasticContact<dim>::loads_on_body() const
   {
     VectorType loads;
     solid->initialize_vector(loads);
@@ -24,7 +34,7 @@ namespace ElastoPlastic
                             time_steps.next_time());
     for (const unsigned int i : contact.active_entries())
       loads.local_element(i) -= residual.local_element(i);
-    return reactions.compute(*solid, displacement, loads);
+    return loads;
   }
 
 

@@ -82,9 +82,9 @@ namespace ElastoPlastic
 
   // The contact force is the sum of the residual over the active nodes. It is
   // compared with what the supports feel, which is computed in an independent
-  // way; the difference is relative to the sum of all nodal forces, because
-  // those of the supports may cancel, and to its largest value so far, because
-  // after unloading there may be none.
+  // way (Reactions); the difference is relative to the sum of all nodal forces,
+  // because those of the supports may cancel, and to its largest value so far,
+  // because after unloading there may be none.
   template <int dim>
   void
   ElastoPlasticContact<dim>::evaluate_contact(SolveResult &result)
@@ -100,8 +100,9 @@ namespace ElastoPlastic
     result.max_hanging_penetration = state.max_hanging_penetration;
     result.complementarity_error   = state.complementarity_error;
 
-    const double reaction = vertical_reaction();
-    double       load     = 0;
+    const double reaction =
+      reactions.vertical_force(*solid, displacement, loads_on_body());
+    double load = 0;
     if (external_forces.l1_norm() > 0)
       load = external_forces * rigid_body_modes(dof_handler, residual)[dim - 1];
     largest_forces =
@@ -109,25 +110,6 @@ namespace ElastoPlastic
     if (largest_forces > 0)
       result.force_balance_error =
         std::abs(state.force - reaction - load) / largest_forces;
-  }
-
-
-
-  // The vertical force of all supports on the body, from the virtual work on a
-  // displacement field that is one at them and zero elsewhere.
-  template <int dim>
-  double
-  ElastoPlasticContact<dim>::vertical_reaction() const
-  {
-    VectorType translation;
-    solid->initialize_vector(translation);
-    for (const auto dof : supports.vertical_supports())
-      if (translation.in_local_range(dof))
-        translation(dof) = 1.;
-    contact.set_candidate_entries(translation, 0.);
-    supports.hanging_nodes().distribute(translation);
-    return solid->virtual_work(displacement, translation) -
-           external_forces * translation;
   }
 
 

@@ -87,11 +87,39 @@ namespace ElastoPlastic
         solid.initialize_vector(translation);
         for (const auto dof : unknowns(component))
           translation(dof) = 1. / n_boundaries(dof);
-        supports.hanging_nodes().distribute(translation);
-        forces.push_back(solid.virtual_work(displacement, translation) -
-                         loads * translation);
+        forces.push_back(work(solid, displacement, loads, translation));
       }
     return forces;
+  }
+
+
+
+  template <int dim>
+  double
+  Reactions<dim>::vertical_force(const SolidOperator<dim> &solid,
+                                 const VectorType         &displacement,
+                                 const VectorType         &loads) const
+  {
+    VectorType translation;
+    solid.initialize_vector(translation);
+    for (const Component &component : components())
+      if (component.direction == dim - 1)
+        for (const auto dof : unknowns(component))
+          translation(dof) = 1.;
+    return work(solid, displacement, loads, translation);
+  }
+
+
+
+  template <int dim>
+  double
+  Reactions<dim>::work(const SolidOperator<dim> &solid,
+                       const VectorType         &displacement,
+                       const VectorType         &loads,
+                       VectorType               &motion) const
+  {
+    supports.hanging_nodes().distribute(motion);
+    return solid.virtual_work(displacement, motion) - loads * motion;
   }
 
 

@@ -147,17 +147,10 @@ namespace ElastoPlastic
         skew_rollers.insert(id);
 
     find_fixed_values(dof_handler, boundary_conditions, time);
-    vertical = IndexSet(dof_handler.n_dofs());
     if (!skew_rollers.empty())
       add_skew_rollers(dof_handler, skew_rollers);
     combined.close();
     drop_constrained_values();
-
-    const IndexSet vertical_dofs =
-      DoFTools::extract_dofs(dof_handler, mask_of_component<dim>(dim - 1));
-    for (const auto &dof_and_value : fixed_values)
-      if (vertical_dofs.is_element(dof_and_value.first))
-        vertical.add_index(dof_and_value.first);
   }
 
 
@@ -280,8 +273,6 @@ namespace ElastoPlastic
                                            relevant,
                                            dof_handler.get_communicator());
     combined.merge(conditions);
-    vertical.add_indices(DoFTools::extract_boundary_dofs(
-      dof_handler, mask_of_component<dim>(dim - 1), rollers));
   }
 
 
@@ -322,19 +313,10 @@ namespace ElastoPlastic
   IndexSet
   Supports<dim>::fixed_dofs() const
   {
-    IndexSet dofs(vertical.size());
+    IndexSet dofs(combined.get_local_lines().size());
     for (const auto &dof_and_value : fixed_values)
       dofs.add_index(dof_and_value.first);
     return dofs;
-  }
-
-
-
-  template <int dim>
-  const IndexSet &
-  Supports<dim>::vertical_supports() const
-  {
-    return vertical;
   }
 
 
