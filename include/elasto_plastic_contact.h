@@ -112,6 +112,8 @@ namespace ElastoPlastic
     check_loads() const;
     void
     check_supports() const;
+    bool
+    is_pressed_against_indenter(const VectorType &motion) const;
     void
     check_reach() const;
     double

@@ -69,6 +69,8 @@ namespace ElastoPlastic
   {
     check_is_perfect(model.materials);
     check_material_ids(triangulation, model.materials.size());
+    for (const std::string &warning : model.geometry.warnings())
+      screen.warn(warning);
     if (const std::string warning =
           warning_of_unused_materials(triangulation, model.materials.size());
         !warning.empty())

@@ -177,6 +177,10 @@ add_entry_test(traction_expression "'Boundary conditions/Traction' is '2.x.', bu
 add_entry_test(traction_variable "'Boundary conditions/Traction' is 'z', but this is not an expression in x,y,t" "Boundary conditions/Free=" "Boundary conditions/Traction=right: z@ 0")
 add_entry_test(traction_nan "'Boundary conditions/Traction' is 'log.y-0.5.', but at .* its value is not a number" "Boundary conditions/Free=" "Boundary conditions/Traction=right: 0@ log(y-0.5)")
 add_entry_test(displacement_infinite "'Boundary conditions/Prescribed displacement' is '1/y', but at .* its value is infinite" "Boundary conditions/Free=" "Boundary conditions/Prescribed displacement=right: 1/y@ free")
+add_entry_test(no_support_but_indenter "nothing prevents its rigid body motion 'translation along y'" "Boundary conditions/Fixed=" "Boundary conditions/Roller=left,right" "Boundary conditions/Free=bottom")
+add_entry_test(no_support_but_indenter_3d "nothing prevents its rigid body motion 'translation along z'" "Dimension=3" "Boundary conditions/Fixed=" "Boundary conditions/Roller=left,front" "Boundary conditions/Free=bottom,right,back")
+add_entry_test(no_support_of_island "nothing prevents its rigid body motion 'translation along x' of the part between \\(3 0\\) and \\(4 1\\)" "Geometry/Type=file" "Geometry/File=${_files}/island.msh" "Boundary conditions/Roller=" "Boundary conditions/Free=0")
+add_entry_test(no_support_of_hinged_cell "nothing prevents its rigid body motion 'translation along x' of the part between \\(1 1\\) and \\(2 2\\)" "Geometry/Type=file" "Geometry/File=${_files}/hinge.msh" "Boundary conditions/Roller=" "Boundary conditions/Free=0")
 add_entry_test(no_support "supports do not hold the body: nothing prevents its rigid body motion 'translation along x'" "Boundary conditions/Fixed=" "Boundary conditions/Roller=" "Boundary conditions/Free=bottom,left,right")
 
 # Indenter

@@ -78,7 +78,8 @@ namespace
     parameters.file = input_file;
     const auto read = [&](auto &&triangulation) {
       parameters.check(triangulation.dimension);
-      make_mesh_from_gmsh_file(parameters, triangulation);
+      make_mesh_from_gmsh_file(
+        parameters, [](const std::string &) {}, triangulation);
     };
     try
       {

@@ -10,7 +10,7 @@
 #include <iostream>
 
 #include "base/exceptions.h"
-#include "mesh/gmsh_file.h"
+#include "gmsh_text.h"
 
 using namespace ElastoPlastic;
 
@@ -117,6 +117,31 @@ $Elements
 $EndElements
 )";
 
+  /// Two squares that have the corner (1, 1) in common.
+  const std::string hinge = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+7
+1 0 0 0
+2 1 0 0
+3 0 1 0
+4 1 1 0
+5 2 1 0
+6 1 2 0
+7 2 2 0
+$EndNodes
+$Elements
+4
+1 1 2 1 1 1 2
+2 1 2 2 2 4 5
+3 3 2 3 1 1 2 4 3
+4 3 2 3 1 4 5 7 6
+$EndElements
+)";
+
+
+
   /// One square on the left, two half as high on the right.
   const std::string hanging_node = R"($MeshFormat
 2.2 0 8
@@ -144,23 +169,12 @@ $EndElements
 
 
   template <int dim>
-  BoundaryNames
-  make_mesh_from_text(const std::string &text, Triangulation<dim> &mesh)
-  {
-    const GmshFileParameters parameters = {"mesh.msh"};
-    std::ofstream(parameters.file) << text;
-    parameters.check(dim);
-    return make_mesh_from_gmsh_file(parameters, mesh);
-  }
-
-
-
-  template <int dim>
   void
   print_mesh(const std::string &text)
   {
     Triangulation<dim>  mesh;
     const BoundaryNames names = make_mesh_from_text(text, mesh);
+    std::cout << mesh.n_used_vertices() << " vertices" << std::endl;
     for (const auto &cell : mesh.active_cell_iterators())
       std::cout << "cell: centre " << cell->center() << ", measure "
                 << cell->measure() << ", material " << cell->material_id()
@@ -272,6 +286,7 @@ main(int argc, char **argv)
   print_mesh<2>(two_squares);
   print_mesh<2>(one_square);
   print_mesh<3>(cube);
+  print_mesh<2>(hinge);
   std::cout << std::endl;
 
   print_meshes_that_do_not_fit();

@@ -4,10 +4,12 @@
 #ifndef mechanics_rigid_body_modes_h
 #define mechanics_rigid_body_modes_h
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,15 +26,28 @@ namespace ElastoPlastic
   rigid_body_modes(const DoFHandler<dim> &dof_handler,
                    const LinearAlgebra::distributed::Vector<double> &layout);
 
-  /// Names a rigid body motion that the supports do not prevent, such as
-  /// "rotation about z"; empty if there is none. @p held has ones at the held
-  /// degrees of freedom, zeros elsewhere; @p constraints hold the rest.
+  /// A rigid body motion that nothing prevents.
   template <int dim>
-  std::string
-  find_free_motion(
-    const std::vector<LinearAlgebra::distributed::Vector<double>> &modes,
-    const LinearAlgebra::distributed::Vector<double>              &held,
-    const AffineConstraints<double>                               &constraints);
+  struct FreeMotion
+  {
+    std::string      name; ///< such as "rotation about z"
+    BoundingBox<dim> part; ///< around what moves
+    bool             whole_body;
+    /// The motion as a nodal field of order one; zero in other parts.
+    LinearAlgebra::distributed::Vector<double> displacement;
+  };
+
+
+
+  /// A rigid body motion that the supports do not prevent, of the first one of
+  /// the ConnectedParts of the body that has one: each must be held by itself.
+  /// @p held has ones at the held degrees of freedom, zeros elsewhere;
+  /// @p constraints hold the rest. Collective.
+  template <int dim>
+  std::optional<FreeMotion<dim>>
+  find_free_motion(const DoFHandler<dim> &dof_handler,
+                   const LinearAlgebra::distributed::Vector<double> &held,
+                   const AffineConstraints<double> &constraints);
 } // namespace ElastoPlastic
 
 #endif

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mesh/boundary_names.h"
 #include "mesh/box.h"
@@ -57,6 +58,10 @@ namespace ElastoPlastic
     const BoundaryNames &
     boundary_names() const;
 
+    /// What does not prevent the mesh from being used, but may not be meant.
+    const std::vector<std::string> &
+    warnings() const;
+
     unsigned int
     n_initial_refinements() const;
 
@@ -82,6 +87,7 @@ namespace ElastoPlastic
     GeometryParameters                        parameters;
     std::shared_ptr<const Triangulation<dim>> coarse_mesh;
     BoundaryNames                             names;
+    std::vector<std::string>                  warning_texts;
   };
 
 

@@ -7,6 +7,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/tria.h>
 
+#include <functional>
 #include <string>
 
 #include "mesh/boundary_names.h"
@@ -15,12 +16,13 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// The entry of the section "Geometry" that names a mesh file.
+  /// The entries of the section "Geometry" about a mesh file.
   struct GmshFileParameters
   {
     std::string file;
+    std::string curves = "followed"; ///< or straight
 
-    /// Declare the entry in the current section.
+    /// Declare the entries in the current section.
     void
     add_parameters(ParameterHandler &prm);
 
@@ -32,14 +34,18 @@ namespace ElastoPlastic
   /// Fill @p triangulation with the mesh of a file that Gmsh has written.
   /// Boundary ids and material ids are the numbers of the physical groups, 0
   /// for what is in none. A boundary is called by the name of its group, or by
-  /// its number if there is no name.
+  /// its number if there is no name. Cells that meet at a corner or an edge
+  /// only are not connected (see separate_pinched_vertices()), and curves are
+  /// followed if that is wanted (see follow_curved_boundaries(), which uses
+  /// @p warn).
   /// @throws InputError if the file is damaged or does not hold a mesh of
   /// quadrilaterals (2D, in the plane z = const) or hexahedra (3D) with at
   /// least one physical group on its boundary.
   template <int dim>
   BoundaryNames
   make_mesh_from_gmsh_file(const GmshFileParameters &parameters,
-                           Triangulation<dim>       &triangulation);
+                           const std::function<void(const std::string &)> &warn,
+                           Triangulation<dim> &triangulation);
 } // namespace ElastoPlastic
 
 #endif

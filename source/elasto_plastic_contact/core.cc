@@ -61,6 +61,8 @@ namespace ElastoPlastic
     check_supports();
     check_reach();
     parameters.refinement.check_first_mesh(dof_handler.n_dofs());
+    for (const std::string &warning : model.geometry.warnings())
+      screen.warn(warning);
     if (const std::string warning =
           warning_of_unused_materials(triangulation, model.materials.size());
         !warning.empty())

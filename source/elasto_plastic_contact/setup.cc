@@ -3,6 +3,8 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
+#include <sstream>
+
 #include "base/exceptions.h"
 #include "base/throw_together.h"
 #include "elasto_plastic_contact.h"
@@ -89,9 +91,9 @@ namespace ElastoPlastic
 
 
 
-  // Supports and indenter together must prevent every rigid body motion. The
-  // indenter, free of friction, holds the vertical displacement of the nodes
-  // it can touch.
+  // The supports must prevent every rigid body motion. The indenter, free of
+  // friction and adhesion, helps them only where it is kept in its place and
+  // the tractions press the body against it.
   template <int dim>
   void
   ElastoPlasticContact<dim>::check_supports() const
@@ -99,21 +101,46 @@ namespace ElastoPlastic
     VectorType held;
     solid->initialize_vector(held);
     supports.set_fixed_entries(held, 1.);
-    contact.set_candidate_entries(held, 1.);
     if (model.strain_model.kinematics == Kinematics::axisymmetric)
       for (const auto dof : DoFTools::extract_dofs(
              dof_handler, ComponentMask(std::vector<bool>{true, false})))
         held(dof) = 1.; // rings resist all but the vertical motion
-    const std::string motion =
-      find_free_motion<dim>(rigid_body_modes(dof_handler, residual),
-                            held,
-                            supports.constraints());
-    if (!motion.empty())
-      throw InputError(
-        "The supports do not hold the body: nothing prevents its rigid body "
-        "motion '" +
-        motion +
-        "'. Add a fixed boundary or rollers to 'Boundary conditions'.");
+
+    auto motion = find_free_motion(dof_handler, held, supports.constraints());
+    if (motion && is_pressed_against_indenter(motion->displacement))
+      {
+        contact.set_candidate_entries(held, 1.);
+        motion = find_free_motion(dof_handler, held, supports.constraints());
+      }
+    if (!motion)
+      return;
+
+    std::ostringstream what;
+    what << "its rigid body motion '" << motion->name << "'";
+    if (!motion->whole_body)
+      what << " of the part between ("
+           << motion->part.get_boundary_points().first << ") and ("
+           << motion->part.get_boundary_points().second
+           << "), which no face of a cell connects with the rest";
+    throw InputError(
+      "The supports do not hold the body: nothing prevents " + what.str() +
+      ". Add a fixed boundary or rollers to 'Boundary conditions'. The indenter "
+      "is no support: it only presses.");
+  }
+
+
+
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::is_pressed_against_indenter(
+    const VectorType &motion) const
+  {
+    if (contact.is_force_driven())
+      return false;
+    VectorType candidates;
+    solid->initialize_vector(candidates);
+    contact.set_candidate_entries(candidates, 1.);
+    return (candidates * motion) * (external_forces * motion) > 0;
   }
 
 

@@ -6,10 +6,13 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "mechanics/rigid_body_modes.h"
+#include "mesh/connected_parts.h"
 
 namespace ElastoPlastic
 {
@@ -59,6 +62,124 @@ namespace ElastoPlastic
       return std::string("rotation about ") +
              (dim == 2 ? 'z' : axes[mode - dim]);
     }
+
+
+    /// The rigid body motions of the cells that @p moves accepts, zero at the
+    /// nodes of no such cell. Rotations are about the midpoint of @p box and
+    /// relative to its diagonal.
+    template <int dim>
+    std::vector<Vector>
+    modes_of_cells(
+      const DoFHandler<dim>  &dof_handler,
+      const BoundingBox<dim> &box,
+      const std::function<bool(const typename DoFHandler<dim>::cell_iterator &)>
+                   &moves,
+      const Vector &layout)
+    {
+      const Point<dim> centre = box.center();
+      const double     size   = box.get_boundary_points().first.distance(
+        box.get_boundary_points().second);
+
+      const auto          planes = rotation_planes<dim>();
+      std::vector<Vector> modes(dim + planes.size());
+      for (Vector &mode : modes)
+        mode.reinit(layout);
+
+      const auto          &fe    = dof_handler.get_fe();
+      const auto          &owned = dof_handler.locally_owned_dofs();
+      const MappingQ1<dim> mapping;
+      std::vector<types::global_dof_index> dof_indices(fe.n_dofs_per_cell());
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (!cell->is_artificial() && moves(cell))
+          {
+            cell->get_dof_indices(dof_indices);
+            for (unsigned int i = 0; i < dof_indices.size(); ++i)
+              if (owned.is_element(dof_indices[i]))
+                {
+                  const Point<dim> x = mapping.transform_unit_to_real_cell(
+                    cell, fe.unit_support_point(i));
+                  const unsigned int component =
+                    fe.system_to_component_index(i).first;
+                  modes[component](dof_indices[i]) = 1.;
+                  for (unsigned int r = 0; r < planes.size(); ++r)
+                    {
+                      const auto [first, second] = planes[r];
+                      if (component == first)
+                        modes[dim + r](dof_indices[i]) =
+                          -(x[second] - centre[second]) / size;
+                      else if (component == second)
+                        modes[dim + r](dof_indices[i]) =
+                          (x[first] - centre[first]) / size;
+                    }
+                }
+          }
+      return modes;
+    }
+
+
+
+    /// What each of @p modes violates the supports by: its entries at the held
+    /// unknowns, and its distance to what the constraints make of it.
+    std::vector<Vector>
+    violations_by(const std::vector<Vector>       &modes,
+                  const Vector                    &held,
+                  const AffineConstraints<double> &constraints)
+    {
+      std::vector<Vector> violations = modes;
+      for (unsigned int j = 0; j < modes.size(); ++j)
+        {
+          Vector constrained = modes[j];
+          constraints.distribute(constrained);
+          violations[j].scale(held);
+          violations[j] += modes[j];
+          violations[j] -= constrained;
+        }
+      return violations;
+    }
+
+
+
+    /// The factors c of a motion sum_j c_j m_j of the modes m_j that nothing
+    /// prevents, because sum_j c_j v_j = 0 for their violations v_j of the
+    /// supports: one mode alone if possible. Empty if there is none.
+    std::vector<double>
+    free_combination(const std::vector<Vector> &violations)
+    {
+      const unsigned int       n = violations.size();
+      LAPACKFullMatrix<double> gram(n, n);
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          gram(i, j) = violations[i] * violations[j];
+
+      const double        scale = gram.frobenius_norm();
+      std::vector<double> factors(n, 0.);
+      if (scale == 0)
+        {
+          factors[0] = 1.;
+          return factors;
+        }
+      dealii::Vector<double> eigenvalues;
+      FullMatrix<double>     eigenvectors;
+      gram.compute_eigenvalues_symmetric(
+        -scale, 1e-10 * scale, 0., eigenvalues, eigenvectors);
+      if (eigenvalues.size() == 0)
+        return {};
+
+      for (unsigned int mode = 0; mode < n; ++mode)
+        {
+          double share = 0;
+          for (unsigned int k = 0; k < eigenvalues.size(); ++k)
+            share += eigenvectors(mode, k) * eigenvectors(mode, k);
+          if (share > 1 - 1e-8)
+            {
+              factors[mode] = 1.;
+              return factors;
+            }
+        }
+      for (unsigned int mode = 0; mode < n; ++mode)
+        factors[mode] = eigenvectors(mode, 0);
+      return factors;
+    }
   } // namespace
 
 
@@ -67,89 +188,49 @@ namespace ElastoPlastic
   std::vector<Vector>
   rigid_body_modes(const DoFHandler<dim> &dof_handler, const Vector &layout)
   {
-    const BoundingBox<dim> box    = global_bounding_box(dof_handler);
-    const Point<dim>       centre = box.center();
-    const double           size   = box.get_boundary_points().first.distance(
-      box.get_boundary_points().second);
-
-    const auto          planes = rotation_planes<dim>();
-    std::vector<Vector> modes(dim + planes.size());
-    for (Vector &mode : modes)
-      mode.reinit(layout);
-
-    const auto          &fe    = dof_handler.get_fe();
-    const auto          &owned = dof_handler.locally_owned_dofs();
-    const MappingQ1<dim> mapping;
-    std::vector<types::global_dof_index> dof_indices(fe.n_dofs_per_cell());
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (!cell->is_artificial())
-        {
-          cell->get_dof_indices(dof_indices);
-          for (unsigned int i = 0; i < dof_indices.size(); ++i)
-            if (owned.is_element(dof_indices[i]))
-              {
-                const Point<dim> x =
-                  mapping.transform_unit_to_real_cell(cell,
-                                                      fe.unit_support_point(i));
-                const unsigned int component =
-                  fe.system_to_component_index(i).first;
-                modes[component](dof_indices[i]) = 1.;
-                for (unsigned int r = 0; r < planes.size(); ++r)
-                  {
-                    const auto [first, second] = planes[r];
-                    if (component == first)
-                      modes[dim + r](dof_indices[i]) =
-                        -(x[second] - centre[second]) / size;
-                    else if (component == second)
-                      modes[dim + r](dof_indices[i]) =
-                        (x[first] - centre[first]) / size;
-                  }
-              }
-        }
-    return modes;
+    return modes_of_cells<dim>(
+      dof_handler,
+      global_bounding_box(dof_handler),
+      [](const auto &) { return true; },
+      layout);
   }
 
 
 
-  // A combination c of the modes is free if sum_j c_j v_j = 0, where v_j is
-  // what mode j violates the supports by: its entries at the held unknowns, and
-  // its distance to what the constraints make of it.
   template <int dim>
-  std::string
-  find_free_motion(const std::vector<Vector>       &modes,
+  std::optional<FreeMotion<dim>>
+  find_free_motion(const DoFHandler<dim>           &dof_handler,
                    const Vector                    &held,
                    const AffineConstraints<double> &constraints)
   {
-    const unsigned int  n          = modes.size();
-    std::vector<Vector> violations = modes;
-    Vector              constrained;
-    for (unsigned int j = 0; j < n; ++j)
+    const ConnectedParts<dim> parts(dof_handler.get_triangulation());
+    for (unsigned int part = 0; part < parts.size(); ++part)
       {
-        constrained = modes[j];
-        constraints.distribute(constrained);
-        violations[j].scale(held);
-        violations[j] += modes[j];
-        violations[j] -= constrained;
+        const auto modes = modes_of_cells<dim>(
+          dof_handler,
+          parts.box(part),
+          [&](const auto &cell) { return parts.part_of(cell) == part; },
+          held);
+        const std::vector<double> factors =
+          free_combination(violations_by(modes, held, constraints));
+        if (factors.empty())
+          continue;
+
+        const auto magnitude = [](const double a, const double b) {
+          return std::abs(a) < std::abs(b);
+        };
+        const auto largest =
+          std::max_element(factors.begin(), factors.end(), magnitude);
+        Vector displacement;
+        displacement.reinit(held);
+        for (unsigned int mode = 0; mode < modes.size(); ++mode)
+          displacement.add(factors[mode], modes[mode]);
+        return FreeMotion<dim>{name_of_mode<dim>(largest - factors.begin()),
+                               parts.box(part),
+                               parts.size() == 1,
+                               displacement};
       }
-
-    LAPACKFullMatrix<double> gram(n, n);
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int i = 0; i < n; ++i)
-        gram(i, j) = violations[i] * violations[j];
-
-    const double           scale = std::max(gram.frobenius_norm(), 1e-300);
-    dealii::Vector<double> eigenvalues;
-    FullMatrix<double>     eigenvectors;
-    gram.compute_eigenvalues_symmetric(
-      -scale, 1e-10 * scale, 0., eigenvalues, eigenvectors);
-    if (eigenvalues.size() == 0)
-      return "";
-
-    unsigned int largest = 0;
-    for (unsigned int i = 0; i < n; ++i)
-      if (std::abs(eigenvectors(i, 0)) > std::abs(eigenvectors(largest, 0)))
-        largest = i;
-    return name_of_mode<dim>(largest);
+    return {};
   }
 
 
@@ -158,12 +239,12 @@ namespace ElastoPlastic
   rigid_body_modes(const DoFHandler<2> &, const Vector &);
   template std::vector<Vector>
   rigid_body_modes(const DoFHandler<3> &, const Vector &);
-  template std::string
-  find_free_motion<2>(const std::vector<Vector> &,
-                      const Vector &,
-                      const AffineConstraints<double> &);
-  template std::string
-  find_free_motion<3>(const std::vector<Vector> &,
-                      const Vector &,
-                      const AffineConstraints<double> &);
+  template std::optional<FreeMotion<2>>
+  find_free_motion(const DoFHandler<2> &,
+                   const Vector &,
+                   const AffineConstraints<double> &);
+  template std::optional<FreeMotion<3>>
+  find_free_motion(const DoFHandler<3> &,
+                   const Vector &,
+                   const AffineConstraints<double> &);
 } // namespace ElastoPlastic

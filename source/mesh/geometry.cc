@@ -20,6 +20,10 @@ namespace ElastoPlastic
 {
   namespace
   {
+    using Warn = std::function<void(const std::string &)>;
+
+
+
     /// A kind of body: the name a user types, how its entries are checked and
     /// how its coarse mesh is made.
     template <int dim>
@@ -27,9 +31,11 @@ namespace ElastoPlastic
     {
       using P = GeometryParameters;
 
-      std::string                                                   name;
-      std::function<void(const P &)>                                check;
-      std::function<BoundaryNames(const P &, Triangulation<dim> &)> make;
+      std::string                    name;
+      std::function<void(const P &)> check;
+      std::function<
+        BoundaryNames(const P &, const Warn &, Triangulation<dim> &)>
+        make;
     };
 
 
@@ -45,9 +51,9 @@ namespace ElastoPlastic
 
       // clang-format off
       static const std::vector<GeometryType<dim>> list = {
-        {"box",       [](const P &p) { p.box.check(dim); },       [](const P &p, T &t) { return make_box(p.box, t); }},
-        {"half ball", [](const P &p) { p.half_ball.check(dim); }, [](const P &p, T &t) { return make_half_ball(p.half_ball, t); }},
-        {"file",      [](const P &p) { p.gmsh_file.check(dim); }, [](const P &p, T &t) { return make_mesh_from_gmsh_file(p.gmsh_file, t); }}};
+        {"box",       [](const P &p) { p.box.check(dim); },       [](const P &p, const Warn &, T &t) { return make_box(p.box, t); }},
+        {"half ball", [](const P &p) { p.half_ball.check(dim); }, [](const P &p, const Warn &, T &t) { return make_half_ball(p.half_ball, t); }},
+        {"file",      [](const P &p) { p.gmsh_file.check(dim); }, [](const P &p, const Warn &w, T &t) { return make_mesh_from_gmsh_file(p.gmsh_file, w, t); }}};
       // clang-format on
       return list;
     }
@@ -70,11 +76,13 @@ namespace ElastoPlastic
     template <int dim>
     BoundaryNames
     make_coarse_mesh(const GeometryParameters &parameters,
+                     const Warn               &warn,
                      Triangulation<dim>       &coarse_mesh)
     {
       try
         {
-          return find_type<dim>(parameters.type).make(parameters, coarse_mesh);
+          return find_type<dim>(parameters.type)
+            .make(parameters, warn, coarse_mesh);
         }
       catch (const ExceptionBase &)
         {
@@ -257,7 +265,10 @@ namespace ElastoPlastic
       std::make_shared<Triangulation<dim>>(Triangulation<dim>::none,
                                            /* check_for_distorted_cells = */
                                            true);
-    names       = make_coarse_mesh(parameters, *mesh);
+    names = make_coarse_mesh(
+      parameters,
+      [this](const std::string &warning) { warning_texts.push_back(warning); },
+      *mesh);
     coarse_mesh = mesh;
   }
 
@@ -268,6 +279,15 @@ namespace ElastoPlastic
   Geometry<dim>::boundary_names() const
   {
     return names;
+  }
+
+
+
+  template <int dim>
+  const std::vector<std::string> &
+  Geometry<dim>::warnings() const
+  {
+    return warning_texts;
   }
 
 

@@ -12,9 +12,11 @@
 #include <vector>
 
 #include "base/exceptions.h"
+#include "mesh/curved_boundaries.h"
 #include "mesh/gmsh_contents.h"
 #include "mesh/gmsh_file.h"
 #include "mesh/hanging_vertex.h"
+#include "mesh/pinched_vertices.h"
 
 namespace ElastoPlastic
 {
@@ -87,6 +89,7 @@ namespace ElastoPlastic
         for (const auto &element : contents.elements)
           if (element.type == cell_type<dim>)
             add_cell(element, contents.nodes);
+        original_vertices = separate_pinched_vertices(vertices, cells);
       }
 
       /// Gmsh numbers the nodes of a cell around, deal.II lexicographically.
@@ -116,6 +119,7 @@ namespace ElastoPlastic
       std::map<unsigned int, unsigned int> vertex_of_node;
       std::vector<Point<dim>>              vertices;
       std::vector<CellData<dim>>           cells;
+      std::vector<unsigned int> original_vertices; ///< those of the nodes
     };
 
 
@@ -201,12 +205,17 @@ namespace ElastoPlastic
 
 
 
-    /// The physical groups of faces, which are found by their vertices.
+    /// The physical group and the geometric entity that a face belongs to.
+    using FaceGroup = std::pair<unsigned int, long>;
+
+
+
+    /// The groups of faces, which are found by the vertices of their nodes.
     template <int dim>
-    std::map<std::vector<unsigned int>, unsigned int>
+    std::map<std::vector<unsigned int>, FaceGroup>
     groups_of_faces(const GmshContents &contents, const CoarseMesh<dim> &mesh)
     {
-      std::map<std::vector<unsigned int>, unsigned int> groups;
+      std::map<std::vector<unsigned int>, FaceGroup> groups;
       for (const auto &element : contents.elements)
         if (element.type == face_type<dim> && element.physical_tag != 0)
           {
@@ -215,7 +224,7 @@ namespace ElastoPlastic
               if (const auto vertex = mesh.vertex_of_node.find(node);
                   vertex != mesh.vertex_of_node.end())
                 vertices.push_back(vertex->second);
-            groups[sorted(vertices)] = element.physical_tag;
+            groups[sorted(vertices)] = {element.physical_tag, element.entity};
           }
       return groups;
     }
@@ -223,37 +232,43 @@ namespace ElastoPlastic
 
 
     /// Give each boundary face the number of its group, or 0.
-    /// @return the numbers there are.
+    /// @return the faces by group and entity.
     template <int dim>
-    std::set<types::boundary_id>
+    std::map<FaceGroup, BoundarySurface<dim>>
     set_boundary_ids(
-      const std::map<std::vector<unsigned int>, unsigned int> &groups,
-      Triangulation<dim>                                      &triangulation)
+      const std::map<std::vector<unsigned int>, FaceGroup> &groups,
+      const std::vector<unsigned int>                      &original_vertices,
+      Triangulation<dim>                                   &triangulation)
     {
-      std::set<types::boundary_id> ids;
+      std::map<FaceGroup, BoundarySurface<dim>> surfaces;
       for (const auto &cell : triangulation.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary())
             {
               std::vector<unsigned int> vertices;
               for (const unsigned int v : face->vertex_indices())
-                vertices.push_back(face->vertex_index(v));
-              const auto group = groups.find(sorted(vertices));
-              face->set_all_boundary_ids(group == groups.end() ? 0 :
-                                                                 group->second);
-              ids.insert(face->boundary_id());
+                vertices.push_back(original_vertices[face->vertex_index(v)]);
+              const auto      found = groups.find(sorted(vertices));
+              const FaceGroup group =
+                found == groups.end() ? FaceGroup(0, 0) : found->second;
+              face->set_all_boundary_ids(group.first);
+              surfaces[group].boundary = group.first;
+              surfaces[group].faces.push_back(face);
             }
-      return ids;
+      return surfaces;
     }
 
 
 
+    template <int dim>
     BoundaryNames
-    name_boundaries(const std::string                  &file,
-                    const std::set<types::boundary_id> &ids,
-                    const GmshContents                 &contents,
-                    const unsigned int                  dim)
+    name_boundaries(const std::string                               &file,
+                    const std::map<FaceGroup, BoundarySurface<dim>> &surfaces,
+                    const GmshContents                              &contents)
     {
+      std::set<types::boundary_id> ids;
+      for (const auto &[group, surface] : surfaces)
+        ids.insert(surface.boundary);
       BoundaryNames names;
       for (const types::boundary_id id : ids)
         {
@@ -290,6 +305,15 @@ namespace ElastoPlastic
       "Physical surfaces or volumes give the material ids. A relative name "
       "starts in the folder of the parameter file.",
       Patterns::Anything());
+    prm.add_parameter(
+      "Curves",
+      curves,
+      "Type file: followed: refinement follows the circles (2D), spheres "
+      "and circular cylinders (3D) that the vertices of a curve or surface "
+      "of the geometry lie on, if there are at least two faces of the mesh "
+      "on it; only boundaries in physical groups are looked at. straight: "
+      "the boundary remains that of the mesh in the file.",
+      Patterns::Selection("followed|straight"));
   }
 
 
@@ -309,7 +333,8 @@ namespace ElastoPlastic
   template <int dim>
   BoundaryNames
   make_mesh_from_gmsh_file(const GmshFileParameters &parameters,
-                           Triangulation<dim>       &triangulation)
+                           const std::function<void(const std::string &)> &warn,
+                           Triangulation<dim> &triangulation)
   {
     const std::string &file = parameters.file;
     const GmshContents contents(file);
@@ -318,20 +343,34 @@ namespace ElastoPlastic
     CoarseMesh<dim> mesh(contents);
     check_faces(file, mesh);
     create_mesh(file, mesh, triangulation);
-    const auto ids =
-      set_boundary_ids(groups_of_faces(contents, mesh), triangulation);
-    if (ids.empty() || *ids.rbegin() == 0)
+    const auto surfaces = set_boundary_ids(groups_of_faces(contents, mesh),
+                                           mesh.original_vertices,
+                                           triangulation);
+    if (surfaces.empty() || surfaces.rbegin()->second.boundary == 0)
       reject(file,
              "no part of its boundary is in a physical group. In Gmsh, put "
              "the parts of the boundary into physical curves (2D) or surfaces "
              "(3D) with names.");
-    return name_boundaries(file, ids, contents, dim);
+    const BoundaryNames names = name_boundaries(file, surfaces, contents);
+    if (parameters.curves == "followed")
+      {
+        std::vector<BoundarySurface<dim>> named_surfaces;
+        for (const auto &[group, surface] : surfaces)
+          if (surface.boundary != 0)
+            named_surfaces.push_back(surface);
+        follow_curved_boundaries(named_surfaces, names, warn, triangulation);
+      }
+    return names;
   }
 
 
 
   template BoundaryNames
-  make_mesh_from_gmsh_file(const GmshFileParameters &, Triangulation<2> &);
+  make_mesh_from_gmsh_file(const GmshFileParameters &,
+                           const std::function<void(const std::string &)> &,
+                           Triangulation<2> &);
   template BoundaryNames
-  make_mesh_from_gmsh_file(const GmshFileParameters &, Triangulation<3> &);
+  make_mesh_from_gmsh_file(const GmshFileParameters &,
+                           const std::function<void(const std::string &)> &,
+                           Triangulation<3> &);
 } // namespace ElastoPlastic
