@@ -40,7 +40,7 @@ namespace ElastoPlastic
                    const Supports<dim> &supports,
                    const Vector        &external_forces,
                    ContactSet<dim>     &contact,
-                   TangentSolver<dim>  &tangent_solver,
+                   TangentSolver       &tangent_solver,
                    const double         largest_depth,
                    const double         largest_forces,
                    TimerOutput         &timer);
@@ -115,7 +115,7 @@ namespace ElastoPlastic
     const Supports<dim> &supports;
     const Vector        &external_forces;
     ContactSet<dim>     &contact;
-    TangentSolver<dim>  &tangent_solver;
+    TangentSolver       &tangent_solver;
     const double         largest_depth;
     const double         scale_of_forces;
     TimerOutput         &timer;

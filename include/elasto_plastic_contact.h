@@ -199,12 +199,12 @@ namespace ElastoPlastic
 
     // Linear algebra. The residual is the force that the supports and the
     // indenter take from the body; it vanishes at all other unknowns.
-    std::unique_ptr<TangentSolver<dim>> tangent_solver;
-    VectorType                          external_forces;
-    VectorType                          displacement;
-    VectorType                          residual;
-    Vector<float>                       error_indicators;
-    std::optional<ErrorBoundAnalysis>   error_bound;
+    std::unique_ptr<TangentSolver>    tangent_solver;
+    VectorType                        external_forces;
+    VectorType                        displacement;
+    VectorType                        residual;
+    Vector<float>                     error_indicators;
+    std::optional<ErrorBoundAnalysis> error_bound;
     /// Why the last mesh has none; empty if it has.
     std::string missing_bound;
 

@@ -8,19 +8,21 @@
 #include <memory>
 #include <string>
 
+#include "mechanics/solid_operator.h"
 #include "mesh/boundary_conditions.h"
 #include "solver/linear_solver_parameters.h"
 #include "solver/tangent_solver.h"
 
 namespace ElastoPlastic
 {
-  /// The solver that @p parameters ask for, for the problem on one mesh.
-  /// @p layout is a vector of the problem. @p warn is told when the
-  /// solver falls back to another. The mesh, its unknowns and the boundary
-  /// conditions must outlive the solver.
+  /// The solver that @p parameters ask for, for the tangent of @p solid on one
+  /// mesh. @p layout is a vector of the problem. @p warn is told when the
+  /// solver falls back to another. The body, the mesh, its unknowns and the
+  /// boundary conditions must outlive the solver.
   template <int dim>
-  std::unique_ptr<TangentSolver<dim>>
+  std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters    &parameters,
+                      const SolidOperator<dim>        &solid,
                       const DoFHandler<dim>           &dof_handler,
                       const AffineConstraints<double> &constraints,
                       const BoundaryConditions<dim>   &boundary_conditions,

@@ -14,7 +14,7 @@ namespace ElastoPlastic
                                       const Supports<dim> &supports,
                                       const Vector        &external_forces,
                                       ContactSet<dim>     &contact,
-                                      TangentSolver<dim>  &tangent_solver,
+                                      TangentSolver       &tangent_solver,
                                       const double         largest_depth,
                                       const double         largest_forces,
                                       TimerOutput         &timer)
@@ -151,7 +151,7 @@ namespace ElastoPlastic
 
     {
       TimerOutput::Scope scope(timer, "Newton: prepare linear solver");
-      tangent_solver.prepare(solid, unknowns);
+      tangent_solver.prepare(unknowns);
     }
     TimerOutput::Scope scope(timer, "Newton: solve linear system");
     const unsigned int n_iterations =

@@ -4,7 +4,6 @@
 #include "make_tangent_solver.h"
 #include "mechanics/rigid_body_modes.h"
 #include "multigrid/multigrid_preconditioner.h"
-#include "solver/assembled_preconditioner.h"
 
 namespace ElastoPlastic
 {
@@ -17,8 +16,9 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  std::unique_ptr<TangentSolver<dim>>
+  std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters    &parameters,
+                      const SolidOperator<dim>        &solid,
                       const DoFHandler<dim>           &dof_handler,
                       const AffineConstraints<double> &constraints,
                       const BoundaryConditions<dim>   &boundary_conditions,
@@ -26,23 +26,27 @@ namespace ElastoPlastic
                       const VectorType                &layout,
                       const std::function<void(const std::string &)> &warn)
   {
-    using Method = typename TangentSolver<dim>::Method;
+    using Method = TangentSolver::Method;
     const auto with_matrix =
       [&](const std::string                                            &name,
           const std::function<std::unique_ptr<MatrixPreconditioner>()> &make)
       -> Method {
       return {name,
-              [make, &dof_handler, &constraints]() {
+              [make, &solid, &dof_handler, &constraints]() {
                 return std::make_unique<AssembledPreconditioner<dim>>(
-                  make(), dof_handler, constraints);
+                  solid, make(), dof_handler, constraints);
               },
               parameters.maximum_iterations};
     };
     const Method geometric = {
       "geometric multigrid",
-      [strain_model, &dof_handler, &constraints, &boundary_conditions]() {
+      [strain_model,
+       &solid,
+       &dof_handler,
+       &constraints,
+       &boundary_conditions]() {
         return std::make_unique<MultigridPreconditioner<dim>>(
-          dof_handler, constraints, boundary_conditions, strain_model);
+          solid, dof_handler, constraints, boundary_conditions, strain_model);
       },
       std::min(parameters.maximum_iterations, patience_with_multigrid)};
     const Method algebraic =
@@ -63,21 +67,23 @@ namespace ElastoPlastic
           methods = {with_matrix("a factorisation", make_factorization)};
           break;
       }
-    return std::make_unique<TangentSolver<dim>>(methods, warn);
+    return std::make_unique<TangentSolver>(solid, methods, warn);
   }
 
 
 
-  template std::unique_ptr<TangentSolver<2>>
+  template std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters &,
+                      const SolidOperator<2> &,
                       const DoFHandler<2> &,
                       const AffineConstraints<double> &,
                       const BoundaryConditions<2> &,
                       const StrainModel &,
                       const VectorType &,
                       const std::function<void(const std::string &)> &);
-  template std::unique_ptr<TangentSolver<3>>
+  template std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters &,
+                      const SolidOperator<3> &,
                       const DoFHandler<3> &,
                       const AffineConstraints<double> &,
                       const BoundaryConditions<3> &,

@@ -43,10 +43,9 @@ namespace
       , mesh(MPI_COMM_WORLD)
       , fe(FE_Q<2>(1), 2)
       , dof_handler(mesh)
-      , solid(make_solid_operator<2>(1,
-                                     {VolumetricTreatment::standard,
-                                      Kinematics::plane_stress},
-                                     {material}))
+      , solid(1,
+              {VolumetricTreatment::standard, Kinematics::plane_stress},
+              {material})
     {
       GridGenerator::subdivided_hyper_cube(mesh, 4);
       dof_handler.distribute_dofs(fe);
@@ -54,24 +53,24 @@ namespace
       DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
       constraints.reinit(relevant);
       constraints.close();
-      solid->reinit(dof_handler, constraints);
-      solid->initialize_vector(u);
+      solid.reinit(dof_handler, constraints);
+      solid.initialize_vector(u);
       VectorTools::interpolate(dof_handler, SampleField<2>(0, 0.5), u);
-      solid->commit(u);
+      solid.commit(u);
     }
 
     void
     check_states()
     {
       const double     scale  = 300.;
-      const CellStates before = solid->states();
+      const CellStates before = solid.states();
       CellStates       states = before;
       for (auto &values : states)
         for (double &value : values)
           value *= -scale;
-      solid->set_states(states);
+      solid.set_states(states);
       for_each_point(states,
-                     solid->states(),
+                     solid.states(),
                      [&](const auto &given, const auto &taken) {
                        verify_point(given, taken);
                      });
@@ -80,8 +79,8 @@ namespace
       verify("plastic strains and linear back stresses stay", rest_stays);
       verify("there have been states that were not", found_large);
 
-      solid->set_states(before);
-      verify("states of a history stay as they are", solid->states() == before);
+      solid.set_states(before);
+      verify("states of a history stay as they are", solid.states() == before);
     }
 
     /// The displacement of one node is beyond all bounds.
@@ -93,15 +92,15 @@ namespace
       if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == last)
         u.local_element(u.locally_owned_size() - 1) = 1e300;
       VectorType forces;
-      solid->initialize_vector(forces);
-      solid->internal_forces(forces, u);
+      solid.initialize_vector(forces);
+      solid.internal_forces(forces, u);
       bool forces_are_finite = true;
       for (const double force : forces)
         forces_are_finite = forces_are_finite && std::isfinite(force);
       verify("forces are no numbers",
              Utilities::MPI::min(int(forces_are_finite), MPI_COMM_WORLD) == 0);
       verify("all ranks see an energy that is none",
-             Utilities::MPI::max(int(std::isfinite(solid->energy(u))),
+             Utilities::MPI::max(int(std::isfinite(solid.energy(u))),
                                  MPI_COMM_WORLD) == 0);
     }
 
@@ -148,7 +147,7 @@ namespace
     const FESystem<2>                       fe;
     DoFHandler<2>                           dof_handler;
     AffineConstraints<double>               constraints;
-    std::unique_ptr<SolidOperator<2>>       solid;
+    SolidOperator<2>                        solid;
     VectorType                              u;
 
     bool admissible = true, parallel = true, rest_stays = true,

@@ -72,8 +72,8 @@ namespace
                     const Tensor                &increment) const
     {
       return with_pressure(
-        in_plane<dim>(in_plane_tangent(at(strain).tangent().with_flow(flow)) *
-                      in_space<dim>(increment, 0.)),
+        in_plane<dim>(in_plane_tangent(at(strain).tangent().with_flow(flow))
+                        .product(in_space<dim>(increment, 0.), 0.5)),
         increment);
     }
 
@@ -85,7 +85,7 @@ namespace
     {
       return with_pressure(
         in_plane<dim>(in_plane_tangent(at(strain).tangent().with_flow(flow))
-                        .unsymmetric_product(in_space<dim>(increment, 0.))),
+                        .product(in_space<dim>(increment, 0.), 0.)),
         increment);
     }
 

@@ -11,10 +11,11 @@
 
 #include "material/material_parameters.h"
 #include "mechanics/rigid_body_modes.h"
-#include "mechanics/tangent_matrix.h"
+#include "mechanics/solid_operator.h"
 #include "sample_mesh.h"
-#include "solver/conjugate_gradients.h"
+#include "solver/krylov_methods.h"
 #include "solver/matrix_preconditioner.h"
+#include "solver/tangent_preconditioner.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -32,9 +33,8 @@ namespace
       : mesh(MPI_COMM_WORLD)
       , fe(FE_Q<dim>(1), dim)
       , dof_handler(mesh)
-      , solid(make_solid_operator<dim>(1,
-                                       VolumetricTreatment::standard,
-                                       MaterialParameters().materials()))
+      , solid(std::make_unique<SolidOperator<dim>>(
+          1, VolumetricTreatment::standard, MaterialParameters().materials()))
     {
       GridGenerator::subdivided_hyper_cube(mesh, 9, 0., 1., true);
       refine_corner(mesh);

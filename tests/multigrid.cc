@@ -34,9 +34,8 @@ namespace
       , fe(FE_Q<dim>(degree), dim)
       , dof_handler(mesh)
       , supports(strain_model.kinematics)
-      , solid(make_solid_operator<dim>(degree,
-                                       strain_model,
-                                       MaterialParameters().materials()))
+      , solid(std::make_unique<SolidOperator<dim>>(
+          degree, strain_model, MaterialParameters().materials()))
     {
       // (p4est orders the 3^2 cells differently from deal.II)
       GridGenerator::subdivided_hyper_cube(
@@ -135,21 +134,21 @@ namespace
     n_iterations() const
     {
       const BoundaryConditions<dim> boundary_conditions = conditions();
-      TangentSolver<dim>            solver(
+      TangentSolver                 solver(
+        *solid,
         {{"multigrid",
-                     [&]() {
+                          [&]() {
             return std::make_unique<MultigridPreconditioner<dim>>(
+              *solid,
               dof_handler,
               supports.constraints(),
               boundary_conditions,
               strain_model);
           },
-                     1000}},
+                          1000}},
         [](const std::string &) {});
-      solver.prepare(*solid,
-                     ReducedUnknowns(supports.fixed_entries(zero),
-                                     {},
-                                     MPI_COMM_WORLD));
+      solver.prepare(
+        ReducedUnknowns(supports.fixed_entries(zero), {}, MPI_COMM_WORLD));
       VectorType rhs = field(), solution = zero, product = zero;
       supports.set_fixed_entries(rhs, 0.);
       const unsigned int n = solver.solve(solution, rhs, 1e-8);

@@ -84,7 +84,8 @@ namespace
     supports.reinit(dof_handler, boundary_conditions, 0.);
 
     const auto materials = MaterialParameters().materials();
-    const auto solid = make_solid_operator<dim>(degree, treatment, materials);
+    const auto solid =
+      std::make_unique<SolidOperator<dim>>(degree, treatment, materials);
     solid->reinit(dof_handler, supports.constraints());
     VectorType u, residual, no_forces;
     solid->initialize_vector(u);
@@ -104,6 +105,7 @@ namespace
 
     const auto tangent_solver =
       make_tangent_solver(LinearSolverParameters(),
+                          *solid,
                           dof_handler,
                           supports.constraints(),
                           boundary_conditions,

@@ -89,11 +89,10 @@ namespace
       const BoundaryConditions<dim> conditions(parameters, names);
       Supports<dim>                 supports(kinematics);
       supports.reinit(dof_handler, conditions, 1.);
-      const auto solid =
-        make_solid_operator<dim>(fe.degree,
-                                 StrainModel(VolumetricTreatment::standard,
-                                             kinematics),
-                                 {sample_material("linear elastic")});
+      const auto solid = std::make_unique<SolidOperator<dim>>(
+        fe.degree,
+        StrainModel(VolumetricTreatment::standard, kinematics),
+        std::vector<Material<double>>{sample_material("linear elastic")});
       solid->reinit(dof_handler, supports.constraints());
 
       VectorType u, loads;

@@ -14,9 +14,9 @@
 
 #include "material/material_parameters.h"
 #include "mechanics/rigid_body_modes.h"
+#include "mechanics/solid_operator.h"
 #include "sample_mesh.h"
-#include "solver/assembled_preconditioner.h"
-#include "solver/conjugate_gradients.h"
+#include "solver/krylov_methods.h"
 #include "solver/tangent_solver.h"
 #include "verdict.h"
 
@@ -28,7 +28,7 @@ namespace
 
   /// Multiplies by a number, or fails if that is 0, and says when it is
   /// prepared, which fails if the number is negative.
-  class Scaling : public TangentPreconditioner<dim>
+  class Scaling : public TangentPreconditioner
   {
   public:
     Scaling(const std::string &name, const double factor)
@@ -37,7 +37,7 @@ namespace
     {}
 
     void
-    prepare(const SolidOperator<dim> &, const VectorType &held) override
+    prepare(const VectorType &held) override
     {
       output() << "  " << name << " is prepared, " << held.l1_norm() << " held"
                << std::endl;
@@ -76,15 +76,14 @@ namespace
   class Block
   {
   public:
-    using Method = TangentSolver<dim>::Method;
+    using Method = TangentSolver::Method;
 
     explicit Block(const MaterialParameters &material)
       : mesh(MPI_COMM_WORLD)
       , fe(FE_Q<dim>(1), dim)
       , dof_handler(mesh)
-      , solid(make_solid_operator<dim>(1,
-                                       VolumetricTreatment::standard,
-                                       material.materials()))
+      , solid(std::make_unique<SolidOperator<dim>>(
+          1, VolumetricTreatment::standard, material.materials()))
     {
       GridGenerator::subdivided_hyper_cube(mesh, 12, 0., 1., true);
       dof_handler.distribute_dofs(fe);
@@ -115,13 +114,13 @@ namespace
     check_fallback(const std::string &title, const std::vector<Method> &methods)
     {
       output() << title << std::endl;
-      TangentSolver<dim>    solver(methods, [](const std::string &warning) {
+      TangentSolver solver(*solid, methods, [](const std::string &warning) {
         output() << "  warning: " << warning << std::endl;
       });
       const ReducedUnknowns unknowns(held, {}, MPI_COMM_WORLD);
       for (unsigned int i = 0; i < 2; ++i)
         {
-          solver.prepare(*solid, unknowns);
+          solver.prepare(unknowns);
           check_solve(solver, unknowns, 1e-6);
         }
     }
@@ -130,20 +129,20 @@ namespace
     check_ties(const std::string &title, const unsigned int allowed_surplus)
     {
       output() << title << std::endl;
-      const Method       amg = {"AMG", [&]() { return make_amg(); }, 1000};
-      TangentSolver<dim> solver({amg}, [](const std::string &) {});
+      const Method  amg = {"AMG", [&]() { return make_amg(); }, 1000};
+      TangentSolver solver(*solid, {amg}, [](const std::string &) {});
 
       std::vector<unsigned int> all_held = held;
       all_held.insert(all_held.end(), top.begin(), top.end());
       const ReducedUnknowns without_ties(all_held, {}, MPI_COMM_WORLD);
-      solver.prepare(*solid, without_ties);
+      solver.prepare(without_ties);
       const unsigned int n_without = check_solve(solver, without_ties, 1e-9);
 
       const ReducedUnknowns ties(held, top, MPI_COMM_WORLD);
-      solver.prepare(*solid, ties);
+      solver.prepare(ties);
       verify("  not much worse than held ones, the response unknown",
              check_solve(solver, ties, 1e-9) <= n_without + 5);
-      solver.prepare(*solid, ties);
+      solver.prepare(ties);
       verify("  as good as held ones, the response known",
              check_solve(solver, ties, 1e-9) <= n_without + allowed_surplus);
     }
@@ -170,17 +169,18 @@ namespace
       return entries;
     }
 
-    std::unique_ptr<TangentPreconditioner<dim>>
+    std::unique_ptr<TangentPreconditioner>
     make_amg() const
     {
       return std::make_unique<AssembledPreconditioner<dim>>(
+        *solid,
         make_algebraic_multigrid(rigid_body_modes(dof_handler, rhs)),
         dof_handler,
         constraints);
     }
 
     unsigned int
-    check_solve(TangentSolver<dim>    &solver,
+    check_solve(TangentSolver         &solver,
                 const ReducedUnknowns &unknowns,
                 const double           reduction) const
     {

@@ -26,14 +26,19 @@ namespace ElastoPlastic
 
   /// The components of a three-dimensional @p tensor in the space of the mesh.
   template <int dim, typename Number>
-  SymmetricTensor<2, dim, Number>
+  DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, dim, Number>
   in_plane(const SymmetricTensor<2, 3, Number> &tensor)
   {
-    SymmetricTensor<2, dim, Number> result;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = i; j < dim; ++j)
-        result[i][j] = tensor[i][j];
-    return result;
+    if constexpr (dim == 3)
+      return tensor;
+    else
+      {
+        SymmetricTensor<2, dim, Number> result;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = i; j < dim; ++j)
+            result[i][j] = tensor[i][j];
+        return result;
+      }
   }
 
 
@@ -42,7 +47,7 @@ namespace ElastoPlastic
   /// components @p tensor in the space of the mesh and, in two dimensions, the
   /// out-of-plane component @p out_of_plane.
   template <int dim, typename Number>
-  SymmetricTensor<2, 3, Number>
+  DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
   in_space(const SymmetricTensor<2, dim, Number> &tensor,
            [[maybe_unused]] const Number         &out_of_plane)
   {

@@ -26,24 +26,18 @@ namespace ElastoPlastic
     SymmetricTensor<2, dim, Number> normal;
     SymmetricTensor<2, dim, Number> flow;
 
-    /// The deviatoric stress increment that belongs to the increment @p strain.
-    DEAL_II_ALWAYS_INLINE SymmetricTensor<2, 3, Number>
-    operator*(const SymmetricTensor<2, 3, Number> &strain) const
+    /// The deviatoric stress increment that belongs to the increment @p strain:
+    /// a de - share m (l : de) - (1 - share) l (m : de), with the @p share 1/2
+    /// if the tangent is symmetric, and else 0.
+    DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
+    product(const SymmetricTensor<2, 3, Number> &strain,
+            const Number                        &share) const
     {
       const auto m      = normal_in_space();
       const auto l      = flow_in_space();
       auto       stress = elastic_product(strain);
-      stress -= (0.5 * (l * strain)) * m;
-      stress -= (0.5 * (m * strain)) * l;
-      return stress;
-    }
-
-    /// The same if the tangent is unsymmetric.
-    DEAL_II_ALWAYS_INLINE SymmetricTensor<2, 3, Number>
-    unsymmetric_product(const SymmetricTensor<2, 3, Number> &strain) const
-    {
-      auto stress = elastic_product(strain);
-      stress -= (normal_in_space() * strain) * flow_in_space();
+      stress -= (share * (l * strain)) * m;
+      stress -= ((Number(1.) - share) * (m * strain)) * l;
       return stress;
     }
 
@@ -60,7 +54,7 @@ namespace ElastoPlastic
       return in_space<dim>(flow, Number(-trace(flow)));
     }
 
-    DEAL_II_ALWAYS_INLINE SymmetricTensor<2, 3, Number>
+    DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
     elastic_product(const SymmetricTensor<2, 3, Number> &strain) const
     {
       const Number                  mean   = shear * trace(strain) * (1. / 3.);

@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "mechanics/solid_operator.h"
 #include "mechanics/supports.h"
 #include "multigrid/level_operator.h"
 #include "multigrid/two_level_transfer.h"

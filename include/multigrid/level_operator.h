@@ -6,9 +6,11 @@
 
 #include <deal.II/base/subscriptor.h>
 
+#include <array>
 #include <memory>
+#include <vector>
 
-#include "mechanics/solid_operator.h"
+#include "mechanics/cell_kernel.h"
 
 namespace ElastoPlastic
 {
@@ -19,91 +21,83 @@ namespace ElastoPlastic
 
 
 
-  /// The tangent operator on one level of multigrid. It differs from
-  /// SolidOperator in what a preconditioner may leave out: single precision,
-  /// and a tangent that is constant on each cell. Held unknowns are cut off:
-  /// their rows and columns are those of the identity.
+  /// The tangent on one level of multigrid: the kernel of SolidOperator with
+  /// what a preconditioner may leave out, in single precision and with a
+  /// tangent that is constant on each cell. Held unknowns are cut off: like
+  /// those of constrained ones, their rows and columns are those of the
+  /// identity.
   template <int dim>
   class LevelOperator : public Subscriptor
   {
   public:
     using value_type = float;
 
-    virtual ~LevelOperator() = default;
+    /// For the elements of @p dof_handler, which like @p constraints must
+    /// outlive this object. Collective.
+    LevelOperator(const StrainModel               &strain_model,
+                  const DoFHandler<dim>           &dof_handler,
+                  const AffineConstraints<double> &constraints);
 
-    /// Prepares everything that depends on the mesh. The arguments must outlive
-    /// this object or the next call.
-    virtual void
-    reinit(const DoFHandler<dim>           &dof_handler,
-           const AffineConstraints<double> &constraints) = 0;
-
-    virtual void
-    initialize_vector(LevelVector &vector) const = 0;
+    void
+    initialize_vector(LevelVector &vector) const;
 
     /// Takes one of the numbers that describe the cells' tangents: entry
-    /// @p index of CellTangent::values(), for all OwnedCells.
-    virtual void
-    set_tangent_value(const unsigned int index, const LevelVector &values) = 0;
+    /// @p index of Tangent::value(), for all OwnedCells.
+    void
+    set_tangent_value(const unsigned int index, const LevelVector &values);
 
     /// Cuts off the unknowns at which @p held is 1 (and not those where it
     /// is 0).
-    virtual void
-    set_held(const LevelVector &held) = 0;
+    void
+    set_held(const LevelVector &held);
 
-    virtual void
-    vmult(LevelVector &result, const LevelVector &vector) const = 0;
+    void
+    vmult(LevelVector &result, const LevelVector &vector) const;
 
     /// The same: the operator is symmetric.
     void
-    Tvmult(LevelVector &result, const LevelVector &vector) const
-    {
-      vmult(result, vector);
-    }
+    Tvmult(LevelVector &result, const LevelVector &vector) const;
 
-    /// PreconditionChebyshev reads the diagonal in this way, entry by entry, if
-    /// it has not been handed its inverse.
+    /// The number of unknowns, and a locally owned entry of the diagonal:
+    /// PreconditionChebyshev asks for them if it has not been handed the
+    /// inverse of the diagonal.
     types::global_dof_index
-    m() const
-    {
-      LevelVector vector;
-      initialize_vector(vector);
-      return vector.size();
-    }
+    m() const;
 
-    /// A locally owned entry of the diagonal.
     float
-    el(const types::global_dof_index                  row,
-       [[maybe_unused]] const types::global_dof_index column) const
-    {
-      AssertDimension(row, column);
-      LevelVector inverse;
-      inverse_diagonal(inverse);
-      return 1.f / inverse(row);
-    }
+    el(const types::global_dof_index row,
+       const types::global_dof_index column) const;
 
-    /// The reciprocal of the diagonal; for the masters of constrained unknowns,
-    /// it is an approximation.
-    virtual void
-    inverse_diagonal(LevelVector &values) const = 0;
+    /// The reciprocal of the diagonal, see CellKernel.
+    void
+    inverse_diagonal(LevelVector &values) const;
 
     /// Sets the entries of the unknowns that are cut off to zero.
-    virtual void
-    zero_held(LevelVector &vector) const = 0;
+    void
+    zero_held(LevelVector &vector) const;
 
     /// Adds the tangent to @p matrix, condensed with @p all_constraints, as
     /// SolidOperator does.
-    virtual void
+    void
     add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
-               const AffineConstraints<double> &all_constraints) const = 0;
+               const AffineConstraints<double> &all_constraints) const;
+
+  private:
+    using Number = typename CellTangents<dim>::Number;
+    using Kernel = CellKernel<dim, CellTangents<dim>>;
+
+    const std::unique_ptr<Kernel> kernel;
+
+    /// The cell batches' tangents, and where set_tangent_value() finds the
+    /// values of each lane.
+    CellTangents<dim>                                     tangents;
+    std::vector<std::array<unsigned int, Number::size()>> cells;
+
+    /// Local indices of held unknowns, and of those and the constrained ones.
+    std::vector<unsigned int>  held_indices;
+    std::vector<unsigned int>  cut_off_indices;
+    mutable std::vector<float> cut_off_values;
   };
-
-
-
-  /// The level operator for FE_Q(@p degree)^dim.
-  template <int dim>
-  std::unique_ptr<LevelOperator<dim>>
-  make_level_operator(const unsigned int degree,
-                      const StrainModel &strain_model);
 } // namespace ElastoPlastic
 
 #endif

@@ -11,9 +11,7 @@
 #include <deal.II/multigrid/mg_smoother.h>
 #include <deal.II/multigrid/multigrid.h>
 
-#include "mechanics/tangent_matrix.h"
 #include "multigrid/level_hierarchy.h"
-#include "solver/matrix_preconditioner.h"
 #include "solver/tangent_preconditioner.h"
 
 namespace ElastoPlastic
@@ -22,17 +20,19 @@ namespace ElastoPlastic
   /// @cite adams_brezina_hu_tuminaro_2003 on all levels of a LevelHierarchy,
   /// a direct or algebraic multigrid solver on the coarsest one.
   template <int dim>
-  class MultigridPreconditioner : public TangentPreconditioner<dim>
+  class MultigridPreconditioner : public TangentPreconditioner
   {
   public:
-    /// The arguments are those of LevelHierarchy.
-    MultigridPreconditioner(const DoFHandler<dim>           &dof_handler,
+    /// For the tangent that @p solid stores; the other arguments are those of
+    /// LevelHierarchy.
+    MultigridPreconditioner(const SolidOperator<dim>        &solid,
+                            const DoFHandler<dim>           &dof_handler,
                             const AffineConstraints<double> &constraints,
                             const BoundaryConditions<dim> &boundary_conditions,
                             const StrainModel             &strain_model);
 
     void
-    prepare(const SolidOperator<dim> &solid, const VectorType &held) override;
+    prepare(const VectorType &held) override;
 
     void
     vmult(VectorType &result, const VectorType &vector) const override;
@@ -66,8 +66,9 @@ namespace ElastoPlastic
     void
     prepare_smoother();
 
-    LevelHierarchy<dim> hierarchy;
-    CoarseSolver        coarse_solver;
+    const SolidOperator<dim> &solid;
+    LevelHierarchy<dim>       hierarchy;
+    CoarseSolver              coarse_solver;
 
     mg::Matrix<LevelVector>                              level_matrices;
     mg::SmootherRelaxation<Smoother, LevelVector>        smoother;

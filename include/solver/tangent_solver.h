@@ -13,9 +13,9 @@
 
 namespace ElastoPlastic
 {
-  /// Solves linear systems with the stored tangent of a body, without a matrix,
-  /// by preconditioned conjugate gradients, or GMRES if the body has no energy
-  /// and so its tangent is unsymmetric.
+  /// Solves linear systems with a stored tangent, without a matrix, by
+  /// preconditioned conjugate gradients, or GMRES if the tangent is
+  /// unsymmetric.
   ///
   /// If some unknowns are tied, all of them count as held in the
   /// preconditioner, and their common motion is treated by deflation
@@ -23,7 +23,6 @@ namespace ElastoPlastic
   /// motion of the tied unknowns, as far as it is known from earlier systems,
   /// is eliminated exactly. What is left is as easy as without ties, but for
   /// one outlying eigenvalue if the response is inaccurate.
-  template <int dim>
   class TangentSolver
   {
   public:
@@ -31,21 +30,23 @@ namespace ElastoPlastic
     struct Method
     {
       /// for the user, such as "geometric multigrid"
-      std::string                                                  name;
-      std::function<std::unique_ptr<TangentPreconditioner<dim>>()> make;
+      std::string                                             name;
+      std::function<std::unique_ptr<TangentPreconditioner>()> make;
       unsigned int maximum_iterations;
     };
 
-    /// The first of @p methods is used; it has failed if it cannot be prepared,
-    /// its result is not finite or it needs all its iterations. Then @p warn
-    /// gets a sentence for the user, and the next one takes over for good.
-    TangentSolver(const std::vector<Method>                      &methods,
+    /// @p tangent must outlive this object. The first of @p methods is used; it
+    /// has failed if it cannot be prepared, its result is not finite or it
+    /// needs all its iterations. Then @p warn gets a sentence for the user, and
+    /// the next one takes over for good.
+    TangentSolver(const TangentOperator                          &tangent,
+                  const std::vector<Method>                      &methods,
                   const std::function<void(const std::string &)> &warn);
 
-    /// Takes the stored tangent of @p solid, which must outlive the solves, and
-    /// which unknowns are held and tied. @throws ConvergenceError
+    /// Takes the tangent that is stored now, and which unknowns are held and
+    /// tied. @throws ConvergenceError
     void
-    prepare(const SolidOperator<dim> &solid, const ReducedUnknowns &unknowns);
+    prepare(const ReducedUnknowns &unknowns);
 
     /// Solves until the residual has fallen by the factor @p reduction. Both
     /// vectors are reduced, and zero at constrained unknowns. @return the
@@ -96,14 +97,14 @@ namespace ElastoPlastic
     void
     learn_response(const VectorType &solution, const VectorType &rhs);
 
+    const TangentOperator                         &tangent;
     const std::vector<Method>                      methods;
     const std::function<void(const std::string &)> warn;
 
-    typename std::vector<Method>::const_iterator method;
-    std::unique_ptr<TangentPreconditioner<dim>>  preconditioner;
+    std::vector<Method>::const_iterator    method;
+    std::unique_ptr<TangentPreconditioner> preconditioner;
 
-    const SolidOperator<dim> *solid = nullptr;
-    ReducedUnknowns           unknowns;
+    ReducedUnknowns unknowns;
 
     /// To a unit motion of the tied unknowns: expanded, between the systems;
     /// the tangent times the response; and their product, the response's

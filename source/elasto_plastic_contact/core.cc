@@ -37,9 +37,9 @@ namespace ElastoPlastic
     , fe(FE_Q<dim>(model.degree), dim)
     , dof_handler(triangulation)
     , supports(model.strain_model.kinematics)
-    , solid(make_solid_operator<dim>(model.degree,
-                                     model.strain_model,
-                                     model.materials))
+    , solid(std::make_unique<SolidOperator<dim>>(model.degree,
+                                                 model.strain_model,
+                                                 model.materials))
     , reactions(dof_handler,
                 model.geometry.boundary_names(),
                 model.boundary_conditions,

@@ -51,6 +51,7 @@ namespace ElastoPlastic
     apply_load();
 
     tangent_solver = make_tangent_solver(parameters.linear_solver,
+                                         *solid,
                                          dof_handler,
                                          supports.constraints(),
                                          model.boundary_conditions,

@@ -107,13 +107,12 @@ namespace ElastoPlastic
         const unsigned int level_degree = level.dof_handler->get_fe().degree;
         // Quadratic elements do not lock, so the linear ones that correct them
         // must not either.
-        level_operators[l] =
-          make_level_operator<dim>(level_degree,
-                                   level_degree < degree ?
-                                     StrainModel(VolumetricTreatment::b_bar,
-                                                 strain_model.kinematics) :
-                                     strain_model);
-        level_operators[l]->reinit(*level.dof_handler, *level.constraints);
+        level_operators[l] = std::make_unique<LevelOperator<dim>>(
+          level_degree < degree ?
+            StrainModel(VolumetricTreatment::b_bar, strain_model.kinematics) :
+            strain_model,
+          *level.dof_handler,
+          *level.constraints);
         if (l > 0)
           two_level_transfers[l] =
             std::make_unique<TwoLevelTransfer<dim>>(*level.dof_handler,
@@ -177,14 +176,13 @@ namespace ElastoPlastic
   LevelHierarchy<dim>::update_tangents(const SolidOperator<dim> &solid)
   {
     const OwnedCells<dim> cells(*levels.back().mesh);
-    std::array<LevelVector, CellTangent<dim>::n_values> values;
+    std::array<LevelVector, Tangent<dim, double>::n_values> values;
     for (LevelVector &value : values)
       value.reinit(cells.size());
     solid.for_each_cell_tangent(
-      [&](const auto &cell, const CellTangent<dim> &tangent) {
-        const auto numbers = tangent.values();
+      [&](const auto &cell, const Tangent<dim, double> &tangent) {
         for (unsigned int i = 0; i < values.size(); ++i)
-          values[i].local_element(cells.number(*cell)) = numbers[i];
+          values[i].local_element(cells.number(*cell)) = tangent.value(i);
       });
 
     for (unsigned int i = 0; i < values.size(); ++i)

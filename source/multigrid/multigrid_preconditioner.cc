@@ -3,7 +3,7 @@
 
 #include "mechanics/rigid_body_modes.h"
 #include "multigrid/multigrid_preconditioner.h"
-#include "solver/conjugate_gradients.h"
+#include "solver/krylov_methods.h"
 
 namespace ElastoPlastic
 {
@@ -83,11 +83,13 @@ namespace ElastoPlastic
 
   template <int dim>
   MultigridPreconditioner<dim>::MultigridPreconditioner(
+    const SolidOperator<dim>        &solid,
     const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &constraints,
     const BoundaryConditions<dim>   &boundary_conditions,
     const StrainModel               &strain_model)
-    : hierarchy(dof_handler,
+    : solid(solid)
+    , hierarchy(dof_handler,
                 constraints,
                 boundary_conditions,
                 strain_model,
@@ -108,8 +110,7 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  MultigridPreconditioner<dim>::prepare(const SolidOperator<dim> &solid,
-                                        const VectorType         &held)
+  MultigridPreconditioner<dim>::prepare(const VectorType &held)
   {
     hierarchy.update(solid, held);
     prepare_smoother();

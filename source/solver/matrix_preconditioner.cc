@@ -7,7 +7,7 @@
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
 
-#include "solver/krylov_method.h"
+#include "solver/krylov_methods.h"
 #include "solver/matrix_preconditioner.h"
 
 namespace ElastoPlastic

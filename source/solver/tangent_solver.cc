@@ -1,20 +1,18 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "solver/conjugate_gradients.h"
-#include "solver/minimal_residuals.h"
+#include "solver/krylov_methods.h"
 #include "solver/tangent_solver.h"
 
 namespace ElastoPlastic
 {
   /// E^T A E, on reduced vectors.
-  template <int dim>
-  class TangentSolver<dim>::ReducedTangent
+  class TangentSolver::ReducedTangent
   {
   public:
-    ReducedTangent(const SolidOperator<dim> &solid,
-                   const ReducedUnknowns    &unknowns)
-      : solid(solid)
+    ReducedTangent(const TangentOperator &tangent,
+                   const ReducedUnknowns &unknowns)
+      : tangent(tangent)
       , unknowns(unknowns)
     {}
 
@@ -25,17 +23,17 @@ namespace ElastoPlastic
         {
           expanded = vector;
           unknowns.expand(expanded);
-          solid.vmult(result, expanded);
+          tangent.vmult(result, expanded);
         }
       else
-        solid.vmult(result, vector);
+        tangent.vmult(result, vector);
       unknowns.contract(result);
     }
 
   private:
-    const SolidOperator<dim> &solid;
-    const ReducedUnknowns    &unknowns;
-    mutable VectorType        expanded;
+    const TangentOperator &tangent;
+    const ReducedUnknowns &unknowns;
+    mutable VectorType     expanded;
   };
 
 
@@ -43,11 +41,10 @@ namespace ElastoPlastic
   /// Q + (1 - Q A) M (1 - A Q), where M is the given preconditioner and Q = d
   /// d^T / (d^T A d) solves exactly along the response d. (If A is unsymmetric,
   /// (A d)^T stands for d^T A.)
-  template <int dim>
-  class TangentSolver<dim>::DeflatedPreconditioner
+  class TangentSolver::DeflatedPreconditioner
   {
   public:
-    explicit DeflatedPreconditioner(const TangentSolver<dim> &solver)
+    explicit DeflatedPreconditioner(const TangentSolver &solver)
       : solver(solver)
     {}
 
@@ -71,17 +68,18 @@ namespace ElastoPlastic
     }
 
   private:
-    const TangentSolver<dim> &solver;
-    mutable VectorType        remainder;
+    const TangentSolver &solver;
+    mutable VectorType   remainder;
   };
 
 
 
-  template <int dim>
-  TangentSolver<dim>::TangentSolver(
+  TangentSolver::TangentSolver(
+    const TangentOperator                          &tangent,
     const std::vector<Method>                      &methods,
     const std::function<void(const std::string &)> &warn)
-    : methods(methods)
+    : tangent(tangent)
+    , methods(methods)
     , warn(warn)
     , method(this->methods.begin())
     , preconditioner(method->make())
@@ -89,12 +87,9 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
   void
-  TangentSolver<dim>::prepare(const SolidOperator<dim> &new_solid,
-                              const ReducedUnknowns    &new_unknowns)
+  TangentSolver::prepare(const ReducedUnknowns &new_unknowns)
   {
-    solid    = &new_solid;
     unknowns = new_unknowns;
     prepare_preconditioner();
     if (unknowns.has_ties())
@@ -103,9 +98,8 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
   void
-  TangentSolver<dim>::set_response(const VectorType &known_response)
+  TangentSolver::set_response(const VectorType &known_response)
   {
     response = known_response;
     tangent_times_response.reinit(response);
@@ -113,17 +107,16 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
   void
-  TangentSolver<dim>::prepare_preconditioner()
+  TangentSolver::prepare_preconditioner()
   {
     VectorType held;
-    solid->initialize_vector(held);
+    tangent.initialize_vector(held);
     unknowns.set_entries(held, 1.);
     while (true)
       try
         {
-          preconditioner->prepare(*solid, held);
+          preconditioner->prepare(held);
           return;
         }
       catch (const ConvergenceError &)
@@ -136,14 +129,14 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
   void
-  TangentSolver<dim>::take_next_method()
+  TangentSolver::take_next_method()
   {
     const std::string failed = method->name;
     ++method;
-    warn((solid->has_energy() ? "Conjugate gradients with " + failed + " do" :
-                                "GMRES with " + failed + " does") +
+    warn((tangent.is_symmetric() ?
+            "Conjugate gradients with " + failed + " do" :
+            "GMRES with " + failed + " does") +
          " not converge here: " + method->name + " takes over on this mesh.");
     preconditioner = method->make();
   }
@@ -152,27 +145,25 @@ namespace ElastoPlastic
 
   // As long as nothing better is known, the response is that of the tied
   // unknowns alone.
-  template <int dim>
   void
-  TangentSolver<dim>::prepare_response()
+  TangentSolver::prepare_response()
   {
     if (response.size() == 0)
       {
-        solid->initialize_vector(response);
-        solid->initialize_vector(tangent_times_response);
+        tangent.initialize_vector(response);
+        tangent.initialize_vector(tangent_times_response);
       }
     unknowns.set_leading_value(response, 1.);
-    ReducedTangent(*solid, unknowns).vmult(tangent_times_response, response);
+    ReducedTangent(tangent, unknowns).vmult(tangent_times_response, response);
     response_stiffness = response * tangent_times_response;
   }
 
 
 
-  template <int dim>
   unsigned int
-  TangentSolver<dim>::solve(VectorType       &solution,
-                            const VectorType &rhs,
-                            const double      reduction)
+  TangentSolver::solve(VectorType       &solution,
+                       const VectorType &rhs,
+                       const double      reduction)
   {
     while (!is_last_method())
       {
@@ -192,20 +183,19 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
   unsigned int
-  TangentSolver<dim>::try_to_solve(VectorType       &solution,
-                                   const VectorType &rhs,
-                                   const double      reduction)
+  TangentSolver::try_to_solve(VectorType       &solution,
+                              const VectorType &rhs,
+                              const double      reduction)
   {
-    const ReducedTangent         tangent(*solid, unknowns);
+    const ReducedTangent         reduced(tangent, unknowns);
     const DeflatedPreconditioner deflated(*this);
     const unsigned int           max_n = method->maximum_iterations;
     const unsigned int           n =
-      solid->has_energy() ?
+      tangent.is_symmetric() ?
                   conjugate_gradients(
-          tangent, solution, rhs, deflated, reduction, max_n) :
-                  minimal_residuals(tangent, solution, rhs, deflated, reduction, max_n);
+          reduced, solution, rhs, deflated, reduction, max_n) :
+                  flexible_gmres(reduced, solution, rhs, deflated, reduction, max_n);
     if (unknowns.has_ties())
       learn_response(solution, rhs);
     return n;
@@ -215,10 +205,9 @@ namespace ElastoPlastic
 
   // CG is a Galerkin method: solution^T A solution = solution^T rhs. (With
   // GMRES, both sides agree as far as the residual has fallen.)
-  template <int dim>
   void
-  TangentSolver<dim>::learn_response(const VectorType &solution,
-                                     const VectorType &rhs)
+  TangentSolver::learn_response(const VectorType &solution,
+                                const VectorType &rhs)
   {
     const double motion    = unknowns.leading_value(solution);
     const double stiffness = (solution * rhs) / (motion * motion);
@@ -226,9 +215,4 @@ namespace ElastoPlastic
       response.equ(1. / motion, solution);
     unknowns.expand(response);
   }
-
-
-
-  template class TangentSolver<2>;
-  template class TangentSolver<3>;
 } // namespace ElastoPlastic

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef solver_krylov_method_h
-#define solver_krylov_method_h
+#ifndef solver_krylov_methods_h
+#define solver_krylov_methods_h
 
 #include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
 
 #include "base/exceptions.h"
 
@@ -64,6 +66,48 @@ namespace ElastoPlastic
       }
     check_finite(solution.l2_norm());
     return control.last_step();
+  }
+
+
+
+  /// krylov_method() for a symmetric positive definite matrix and
+  /// preconditioner: conjugate gradients.
+  template <typename Matrix, typename Preconditioner>
+  unsigned int
+  conjugate_gradients(const Matrix                               &matrix,
+                      LinearAlgebra::distributed::Vector<double> &solution,
+                      const LinearAlgebra::distributed::Vector<double> &rhs,
+                      const Preconditioner &preconditioner,
+                      const double          reduction,
+                      const unsigned int    maximum_iterations)
+  {
+    using Solver = SolverCG<LinearAlgebra::distributed::Vector<double>>;
+    return krylov_method<Solver>(
+      matrix, solution, rhs, preconditioner, reduction, maximum_iterations);
+  }
+
+
+
+  /// krylov_method() for any regular matrix: flexible GMRES @cite saad_1993,
+  /// restarted after 30 iterations. Flexible, because multigrid solves its
+  /// coarsest systems by an iteration too.
+  template <typename Matrix, typename Preconditioner>
+  unsigned int
+  flexible_gmres(const Matrix                                     &matrix,
+                 LinearAlgebra::distributed::Vector<double>       &solution,
+                 const LinearAlgebra::distributed::Vector<double> &rhs,
+                 const Preconditioner &preconditioner,
+                 const double          reduction,
+                 const unsigned int    maximum_iterations)
+  {
+    using Solver = SolverFGMRES<LinearAlgebra::distributed::Vector<double>>;
+    return krylov_method<Solver>(matrix,
+                                 solution,
+                                 rhs,
+                                 preconditioner,
+                                 reduction,
+                                 maximum_iterations,
+                                 typename Solver::AdditionalData(30));
   }
 } // namespace ElastoPlastic
 

@@ -4,7 +4,7 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
-#include "mechanics/tangent_matrix.h"
+#include "solver/tangent_preconditioner.h"
 
 namespace ElastoPlastic
 {

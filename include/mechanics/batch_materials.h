@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_batch_materials_h
+#define mechanics_batch_materials_h
+
+#include <vector>
+
+#include "material/material.h"
+#include "mechanics/cell_kernel.h"
+
+namespace ElastoPlastic
+{
+  /// The materials of all cell batches: of each cell the one that belongs to
+  /// its material id, or the only one.
+  class BatchMaterials
+  {
+  public:
+    using Number = Simd<double>;
+
+    explicit BatchMaterials(const std::vector<Material<double>> &materials);
+
+    /// Finds the materials of the cells of @p kernel. Collective.
+    /// @throws InputError if a cell's material id has no material.
+    template <int dim>
+    void
+    reinit(const CellKernel<dim, PointTangents<dim>> &kernel,
+           const MPI_Comm                             communicator);
+
+    const Material<Number> &
+    operator[](const unsigned int batch) const
+    {
+      return of_batches[materials.size() == 1 ? 0 : batch];
+    }
+
+    /// The largest number of back stresses that a material has.
+    unsigned int
+    n_back_stresses() const;
+
+    /// Whether a back stress recovers.
+    bool
+    recover() const;
+
+    /// Whether a hardening curve becomes steeper.
+    bool
+    become_steeper() const;
+
+  private:
+    const std::vector<Material<double>> materials;
+    /// One for each cell batch, or only one if there is only one material.
+    std::vector<Material<Number>> of_batches;
+  };
+} // namespace ElastoPlastic
+
+#endif

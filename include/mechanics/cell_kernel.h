@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_cell_kernel_h
+#define mechanics_cell_kernel_h
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/matrix_free/matrix_free.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "base/kinematics.h"
+#include "mechanics/tangents.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The strain, and what belongs to it, at the quadrature points of a batch of
+  /// cells, which are in the order of QGauss<dim>(degree + 1).
+  template <int dim, typename Number>
+  struct CellStrains
+  {
+    /// Of elements of degree 2.
+    static constexpr unsigned int max_points = Utilities::pow(3, dim);
+
+    unsigned int batch, n_points;
+    /// A sheet's has no strain out of plane: the material says what it is.
+    std::array<SymmetricTensor<2, 3, Number>, max_points> strain;
+    /// Point values or, for B-bar, the cell mean.
+    std::array<Number, max_points> volumetric;
+    /// The volume (in plane strain: the area) that the point stands for.
+    std::array<Number, max_points> volume;
+  };
+
+
+
+  /// What the finite element method does with a body: displacements -> strains,
+  /// and stresses -> nodal forces, on the cells of one mesh, with one class of
+  /// tangents (tangents.h). Nothing is known here of materials. The weak form
+  /// is, with the volumetric strain tr of CellStrains,
+  ///   int s(u) : strain(v) + p(u) tr(v) dx.
+  /// For B-bar, the mean of tr(v) may be replaced by the trace of strain(v)
+  /// itself, because the pressure p = K tr(u) is then constant on the cell.
+  ///
+  /// There is one implementation, for all strain models and degrees of the
+  /// elements, which are fixed when it is made: what depends on them is
+  /// virtual here, but nothing is within a loop.
+  ///
+  /// Vectors passed in need no ghost values; displacements must satisfy the
+  /// constraints. Forces come out condensed, and zero at constrained unknowns.
+  template <int dim, typename Tangents>
+  class CellKernel
+  {
+  public:
+    using Number = typename Tangents::Number;
+    using Vector =
+      LinearAlgebra::distributed::Vector<typename Tangents::value_type>;
+    using Strains = CellStrains<dim, Number>;
+    using Stresses =
+      std::array<SymmetricTensor<2, 3, Number>, Strains::max_points>;
+    using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
+
+    explicit CellKernel(const StrainModel &strain_model)
+      : strain_model(strain_model)
+    {}
+
+    virtual ~CellKernel() = default;
+
+    /// Prepares everything that depends on the mesh. The first two arguments
+    /// must outlive this object or the next call. Cells of the same one of
+    /// @p categories, if given, form batches of their own.
+    void
+    reinit(const DoFHandler<dim>           &dof_handler,
+           const AffineConstraints<double> &constraints,
+           const std::vector<unsigned int> &categories = {});
+
+    void
+    initialize_vector(Vector &vector) const;
+
+    /// The number of the mesh's active cells, those of other ranks included.
+    unsigned int
+    n_active_cells() const;
+
+    unsigned int
+    n_batches() const;
+
+    /// The number of cells in a batch.
+    unsigned int
+    n_cells(const unsigned int batch) const;
+
+    CellIterator
+    cell(const unsigned int batch, const unsigned int lane) const;
+
+    /// The local indices of the constrained unknowns.
+    const std::vector<unsigned int> &
+    constrained_entries() const;
+
+    /// Calls @p receive for all cell batches with the strains of the
+    /// displacement fields @p fields.
+    virtual void
+    for_each_batch(const std::vector<const Vector *> &fields,
+                   const std::function<void(const std::vector<Strains> &)>
+                     &receive) const = 0;
+
+    /// The nodal forces int stress : strain(phi_i) dx, where @p law makes
+    /// stresses of the strains of @p u.
+    virtual void
+    integrate(
+      Vector                                                 &forces,
+      const Vector                                           &u,
+      const std::function<void(const Strains &, Stresses &)> &law) const = 0;
+
+    /// The product of the tangent with @p increment.
+    virtual void
+    vmult(Vector         &forces,
+          const Vector   &increment,
+          const Tangents &tangents) const = 0;
+
+    /// The diagonal of the tangent. For the masters of constrained unknowns it
+    /// is an approximation: each gets its share of their entries with the
+    /// square of its weight; the coupling between the two is left out.
+    virtual void
+    diagonal(Vector &values, const Tangents &tangents) const = 0;
+
+    /// Adds the tangent to @p matrix, condensed with @p all_constraints, which
+    /// contain at least those of reinit().
+    virtual void
+    add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
+               const AffineConstraints<double> &all_constraints,
+               const Tangents                  &tangents) const = 0;
+
+  protected:
+    /// Adds the masters' shares in the entries of constrained unknowns to a
+    /// diagonal, and makes these entries zero.
+    void
+    hand_to_masters(Vector &values) const;
+
+    const StrainModel                                      strain_model;
+    MatrixFree<dim, typename Tangents::value_type, Number> matrix_free;
+    const AffineConstraints<double> *constraints = nullptr;
+  };
+
+
+
+  /// The kernel for FE_Q(@p degree)^dim.
+  template <int dim, typename Tangents>
+  std::unique_ptr<CellKernel<dim, Tangents>>
+  make_cell_kernel(const unsigned int degree, const StrainModel &strain_model);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_tangents_h
+#define mechanics_tangents_h
+
+#include <deal.II/base/aligned_vector.h>
+
+#include "base/simd.h"
+#include "base/single_precision_storage.h"
+#include "base/tensors.h"
+#include "material/deviatoric_tangent.h"
+
+namespace ElastoPlastic
+{
+  /// A tangent: the stress increment K tr(strain) 1 + deviatoric * strain.
+  template <int dim, typename Number>
+  struct Tangent
+  {
+    static constexpr unsigned int n_symmetric = dim * (dim + 1) / 2;
+    static constexpr unsigned int n_values    = 2 + 2 * n_symmetric;
+
+    Number                         bulk_modulus = Number(0.);
+    DeviatoricTangent<dim, Number> deviatoric;
+
+    /// One of the n_values numbers that it consists of.
+    Number &
+    value(const unsigned int i)
+    {
+      return i == 0 ? bulk_modulus :
+             i == 1 ? deviatoric.shear :
+             i < 2 + n_symmetric ?
+                      deviatoric.normal.access_raw_entry(i - 2) :
+                      deviatoric.flow.access_raw_entry(i - 2 - n_symmetric);
+    }
+
+    const Number &
+    value(const unsigned int i) const
+    {
+      return const_cast<Tangent &>(*this).value(i);
+    }
+  };
+
+
+
+  /// What makes deviatoric stresses of strains, see
+  /// DeviatoricTangent::product().
+  template <int dim, typename Number>
+  struct TangentLaw
+  {
+    DeviatoricTangent<dim, Number> tangent;
+    Number                         flow_share;
+
+    DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
+    operator()(const SymmetricTensor<2, 3, Number> &strain) const
+    {
+      return tangent.product(strain, flow_share);
+    }
+  };
+
+
+
+  /// The tangents of the problem: at all quadrature points of all cell batches,
+  /// rounded to single precision. The flow directions are those of the
+  /// prediction (doc/theory.md, "Newton's method for plasticity").
+  template <int dim>
+  class PointTangents
+  {
+  public:
+    using value_type = double;
+    using Number     = Simd<double>;
+    using Tensor3    = SymmetricTensor<2, 3, Number>;
+
+    static constexpr bool constant_on_cells = false;
+
+    /// @p recovers tells whether back stresses recover, and so make the
+    /// tangents unsymmetric.
+    PointTangents(const unsigned int n_points_per_cell, const bool recovers)
+      : n_points(n_points_per_cell)
+      , recovers(recovers)
+      , flow_share(recovers ? 0. : 0.5)
+    {}
+
+    /// All tangents and flow directions are zero.
+    void
+    reinit(const unsigned int n_cell_batches)
+    {
+      bulk_moduli.resize_fast(n_cell_batches);
+      bulk_moduli.fill(Number(0.));
+      tangents.reinit(n_points * n_cell_batches);
+      flow_directions.reinit(n_points * n_cell_batches);
+      if (recovers)
+        recoveries.reinit(n_points * n_cell_batches);
+    }
+
+    void
+    set_bulk_modulus(const unsigned int batch, const Number &value)
+    {
+      bulk_moduli[batch] = value;
+    }
+
+    void
+    set(const unsigned int         batch,
+        const unsigned int         point,
+        const OpenTangent<Number> &tangent)
+    {
+      const unsigned int i = n_points * batch + point;
+      tangents.set(
+        i, {tangent.shear, in_plane<dim>(tangent.normal), tangent.flow_length});
+      if (recovers)
+        recoveries.set(i, in_plane<dim>(tangent.recovery));
+    }
+
+    Tensor3
+    flow_direction(const unsigned int batch, const unsigned int point) const
+    {
+      return flow_directions[n_points * batch + point];
+    }
+
+    void
+    set_flow_direction(const unsigned int batch,
+                       const unsigned int point,
+                       const Tensor3     &direction)
+    {
+      flow_directions.set(n_points * batch + point, direction);
+    }
+
+    /// A positive definite approximation: without recovery, and where the flow
+    /// direction is stiff, without it. (If that can be, the flow direction must
+    /// be that of the normal.)
+    DeviatoricTangent<dim, Number>
+    definite(const unsigned int batch, const unsigned int point) const
+    {
+      auto         tangent = without_recovery(n_points * batch + point);
+      const Number is_soft = compare_and_apply_mask<SIMDComparison::less_than>(
+        tangents[n_points * batch + point].flow_length,
+        Number(0.),
+        Number(0.),
+        Number(1.));
+      tangent.normal *= is_soft;
+      tangent.flow *= is_soft;
+      return tangent;
+    }
+
+    /// The tangents of a batch of cells.
+    class OfBatch
+    {
+    public:
+      OfBatch(const PointTangents &all, const unsigned int batch)
+        : bulk_modulus(all.bulk_moduli[batch])
+        , all(all)
+        , first_point(all.n_points * batch)
+      {}
+
+      DEAL_II_ALWAYS_INLINE inline TangentLaw<dim, Number>
+      law(const unsigned int point) const
+      {
+        return {all.complete(first_point + point), all.flow_share};
+      }
+
+      const Number bulk_modulus;
+
+    private:
+      const PointTangents &all;
+      const unsigned int   first_point;
+    };
+
+  private:
+    /// What describes the tangent at a point, but for the flow direction: its
+    /// flow is flow_length times that.
+    struct PointTangent
+    {
+      Number                          shear;
+      SymmetricTensor<2, dim, Number> normal;
+      Number                          flow_length;
+    };
+
+    DEAL_II_ALWAYS_INLINE inline DeviatoricTangent<dim, Number>
+    without_recovery(const unsigned int i) const
+    {
+      const PointTangent tangent = tangents[i];
+      return {tangent.shear,
+              tangent.normal,
+              tangent.flow_length * in_plane<dim>(flow_directions[i])};
+    }
+
+    DEAL_II_ALWAYS_INLINE inline DeviatoricTangent<dim, Number>
+    complete(const unsigned int i) const
+    {
+      auto tangent = without_recovery(i);
+      if (recovers)
+        tangent.flow += recoveries[i];
+      return tangent;
+    }
+
+    const unsigned int n_points;
+    const bool         recovers;
+    /// See DeviatoricTangent::product().
+    const Number flow_share;
+
+    AlignedVector<Number> bulk_moduli;
+
+    /// Of all points. What recovering back stresses add to the flow of the
+    /// tangents takes no memory if none does.
+    SinglePrecisionStorage<PointTangent>                    tangents;
+    SinglePrecisionStorage<Tensor3>                         flow_directions;
+    SinglePrecisionStorage<SymmetricTensor<2, dim, Number>> recoveries;
+  };
+
+
+
+  /// The tangents of a level of multigrid: in single precision, one for each
+  /// cell, symmetric.
+  template <int dim>
+  class CellTangents
+  {
+  public:
+    using value_type = float;
+    using Number     = Simd<float>;
+
+    static constexpr bool constant_on_cells = true;
+
+    void
+    reinit(const unsigned int n_cell_batches)
+    {
+      tangents.resize(n_cell_batches);
+    }
+
+    Tangent<dim, Number> &
+    operator[](const unsigned int batch)
+    {
+      return tangents[batch];
+    }
+
+    /// The tangent of a batch of cells.
+    class OfBatch
+    {
+    public:
+      OfBatch(const CellTangents &all, const unsigned int batch)
+        : bulk_modulus(all.tangents[batch].bulk_modulus)
+        , of_all_points{all.tangents[batch].deviatoric, Number(0.5)}
+      {}
+
+      DEAL_II_ALWAYS_INLINE inline const TangentLaw<dim, Number> &
+      law(const unsigned int) const
+      {
+        return of_all_points;
+      }
+
+      const Number bulk_modulus;
+
+    private:
+      const TangentLaw<dim, Number> of_all_points;
+    };
+
+  private:
+    AlignedVector<Tangent<dim, Number>> tangents;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/mapping_q1.h>
+
+#include "mechanics/matrix_free_kernel.templates.h"
+
+namespace ElastoPlastic
+{
+  template <int dim, typename Tangents>
+  void
+  CellKernel<dim, Tangents>::reinit(
+    const DoFHandler<dim>           &dof_handler,
+    const AffineConstraints<double> &new_constraints,
+    const std::vector<unsigned int> &categories)
+  {
+    constraints = &new_constraints;
+    typename decltype(matrix_free)::AdditionalData settings;
+    settings.mapping_update_flags = update_gradients | update_JxW_values;
+    if (strain_model.kinematics == Kinematics::axisymmetric)
+      settings.mapping_update_flags |= update_quadrature_points;
+    settings.tasks_parallel_scheme       = settings.none;
+    settings.cell_vectorization_category = categories;
+    matrix_free.reinit(MappingQ1<dim>(),
+                       dof_handler,
+                       new_constraints,
+                       QGauss<1>(dof_handler.get_fe().degree + 1),
+                       settings);
+  }
+
+
+
+  template <int dim, typename Tangents>
+  void
+  CellKernel<dim, Tangents>::initialize_vector(Vector &vector) const
+  {
+    matrix_free.initialize_dof_vector(vector);
+  }
+
+
+
+  template <int dim, typename Tangents>
+  unsigned int
+  CellKernel<dim, Tangents>::n_active_cells() const
+  {
+    return matrix_free.get_dof_handler().get_triangulation().n_active_cells();
+  }
+
+
+
+  template <int dim, typename Tangents>
+  unsigned int
+  CellKernel<dim, Tangents>::n_batches() const
+  {
+    return matrix_free.n_cell_batches();
+  }
+
+
+
+  template <int dim, typename Tangents>
+  unsigned int
+  CellKernel<dim, Tangents>::n_cells(const unsigned int batch) const
+  {
+    return matrix_free.n_active_entries_per_cell_batch(batch);
+  }
+
+
+
+  template <int dim, typename Tangents>
+  typename CellKernel<dim, Tangents>::CellIterator
+  CellKernel<dim, Tangents>::cell(const unsigned int batch,
+                                  const unsigned int lane) const
+  {
+    return matrix_free.get_cell_iterator(batch, lane);
+  }
+
+
+
+  template <int dim, typename Tangents>
+  const std::vector<unsigned int> &
+  CellKernel<dim, Tangents>::constrained_entries() const
+  {
+    return matrix_free.get_constrained_dofs();
+  }
+
+
+
+  // (With the weight itself, as in FEEvaluation::distribute_local_to_global(),
+  // the weights of skew rollers, which may be negative, could make the sum
+  // vanish.)
+  template <int dim, typename Tangents>
+  void
+  CellKernel<dim, Tangents>::hand_to_masters(Vector &values) const
+  {
+    Vector shares;
+    initialize_vector(shares);
+    for (const auto &line : constraints->get_lines())
+      if (values.in_local_range(line.index))
+        for (const auto &[master, weight] : line.entries)
+          shares(master) += weight * weight * values(line.index);
+    shares.compress(VectorOperation::add);
+    values += shares;
+    for (const unsigned int i : constrained_entries())
+      values.local_element(i) = 0.;
+  }
+
+
+
+  namespace
+  {
+    template <typename StrainMeasure, int dim, typename Tangents>
+    std::unique_ptr<CellKernel<dim, Tangents>>
+    kernel_of_degree(const unsigned int degree, const StrainModel &strain_model)
+    {
+      if (degree == 1)
+        return std::make_unique<
+          MatrixFreeKernel<dim, 1, StrainMeasure, Tangents>>(strain_model);
+      AssertDimension(degree, 2);
+      return std::make_unique<
+        MatrixFreeKernel<dim, 2, StrainMeasure, Tangents>>(strain_model);
+    }
+  } // namespace
+
+
+
+  template <int dim, typename Tangents>
+  std::unique_ptr<CellKernel<dim, Tangents>>
+  make_cell_kernel(const unsigned int degree, const StrainModel &strain_model)
+  {
+    if constexpr (dim == 2)
+      {
+        if (strain_model.kinematics == Kinematics::axisymmetric)
+          return kernel_of_degree<AxisymmetricStrain, dim, Tangents>(
+            degree, strain_model);
+        if (strain_model.kinematics == Kinematics::plane_stress)
+          return kernel_of_degree<SheetStrain, dim, Tangents>(degree,
+                                                              strain_model);
+      }
+    return kernel_of_degree<CartesianStrain<dim>, dim, Tangents>(degree,
+                                                                 strain_model);
+  }
+
+
+
+  template class CellKernel<2, PointTangents<2>>;
+  template class CellKernel<3, PointTangents<3>>;
+  template class CellKernel<2, CellTangents<2>>;
+  template class CellKernel<3, CellTangents<3>>;
+
+  template std::unique_ptr<CellKernel<2, PointTangents<2>>>
+  make_cell_kernel(const unsigned int, const StrainModel &);
+  template std::unique_ptr<CellKernel<3, PointTangents<3>>>
+  make_cell_kernel(const unsigned int, const StrainModel &);
+  template std::unique_ptr<CellKernel<2, CellTangents<2>>>
+  make_cell_kernel(const unsigned int, const StrainModel &);
+  template std::unique_ptr<CellKernel<3, CellTangents<3>>>
+  make_cell_kernel(const unsigned int, const StrainModel &);
+} // namespace ElastoPlastic

@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "material/plane_stress.h"
+#include "mechanics/solid_operator.h"
+
+namespace ElastoPlastic
+{
+  template <int dim>
+  SolidOperator<dim>::SolidOperator(
+    const unsigned int                   degree,
+    const StrainModel                   &strain_model,
+    const std::vector<Material<double>> &materials)
+    : materials(materials)
+    , is_sheet(strain_model.kinematics == Kinematics::plane_stress)
+    , n_points(Utilities::fixed_power<dim>(degree + 1))
+    , recovers(this->materials.recover())
+    , becomes_steeper(this->materials.become_steeper())
+    , kernel(make_cell_kernel<dim, PointTangents<dim>>(degree, strain_model))
+    , tangents(n_points, recovers)
+    , history(this->materials.n_back_stresses())
+  {}
+
+
+
+  template <int dim>
+  bool
+  SolidOperator<dim>::has_energy() const
+  {
+    return !recovers;
+  }
+
+
+
+  template <int dim>
+  bool
+  SolidOperator<dim>::is_symmetric() const
+  {
+    return has_energy();
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::reinit(const DoFHandler<dim>           &dof_handler,
+                             const AffineConstraints<double> &constraints)
+  {
+    kernel->reinit(dof_handler, constraints);
+    materials.reinit(*kernel, dof_handler.get_communicator());
+
+    tangents.reinit(kernel->n_batches());
+    for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
+      tangents.set_bulk_modulus(batch, materials[batch].bulk_modulus);
+    history.reinit(kernel->n_batches(), n_points);
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::initialize_vector(VectorType &vector) const
+  {
+    kernel->initialize_vector(vector);
+  }
+
+
+
+  template <int dim>
+  SymmetricTensor<2, 3, Simd<double>>
+  SolidOperator<dim>::strain_at(const Strains     &strains,
+                                const unsigned int point) const
+  {
+    Strain strain = strains.strain[point];
+    if (is_sheet)
+      strain[2][2] = out_of_plane_strain(materials[strains.batch],
+                                         strain,
+                                         history.state(strains.batch, point));
+    return strain;
+  }
+
+
+
+  template <int dim>
+  PointResponse<Simd<double>>
+  SolidOperator<dim>::response(const Strains     &strains,
+                               const unsigned int point) const
+  {
+    return PointResponse<Number>(is_sheet,
+                                 materials[strains.batch],
+                                 strain_at(strains, point),
+                                 strains.volumetric[point],
+                                 history.state(strains.batch, point));
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::commit(const VectorType &u)
+  {
+    kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {
+      for (unsigned int q = 0; q < n_points; ++q)
+        history.set_state(strains[0].batch,
+                          q,
+                          response(strains[0], q).plasticity().state());
+    });
+  }
+
+
+
+  template <int dim>
+  CellStates
+  SolidOperator<dim>::states() const
+  {
+    CellStates result(kernel->n_active_cells());
+    for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
+      for (unsigned int lane = 0; lane < kernel->n_cells(batch); ++lane)
+        result[kernel->cell(batch, lane)->active_cell_index()] =
+          history.cell_values(batch, lane);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::set_states(const CellStates &states)
+  {
+    for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
+      {
+        for (unsigned int lane = 0; lane < kernel->n_cells(batch); ++lane)
+          history.set_cell_values(
+            batch,
+            lane,
+            states[kernel->cell(batch, lane)->active_cell_index()]);
+        for (unsigned int q = 0; q < n_points; ++q)
+          {
+            MaterialState<Number> state = history.state(batch, q);
+            make_admissible(state, materials[batch]);
+            history.set_state(batch, q, state);
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  template <typename Density>
+  double
+  SolidOperator<dim>::integral(const std::vector<const VectorType *> &fields,
+                               const Density &density) const
+  {
+    double local_sum = 0;
+    kernel->for_each_batch(fields, [&](const std::vector<Strains> &strains) {
+      Number sum = 0.;
+      for (unsigned int q = 0; q < n_points; ++q)
+        sum += density(strains, q) * strains[0].volume[q];
+      for (unsigned int lane = 0; lane < kernel->n_cells(strains[0].batch);
+           ++lane)
+        local_sum += sum[lane];
+    });
+    return Utilities::MPI::sum(local_sum, fields[0]->get_mpi_communicator());
+  }
+
+
+
+  template <int dim>
+  double
+  SolidOperator<dim>::energy(const VectorType &u) const
+  {
+    return integral(
+      {&u}, [this](const std::vector<Strains> &strains, const unsigned int q) {
+        return response(strains[0], q).incremental_energy(has_energy());
+      });
+  }
+
+
+
+  // (For B-bar, the pressure is constant on a cell, and the trace of the strain
+  // as good as its mean.)
+  template <int dim>
+  double
+  SolidOperator<dim>::virtual_work(const VectorType &u,
+                                   const VectorType &w) const
+  {
+    return integral({&u, &w},
+                    [this](const std::vector<Strains> &strains,
+                           const unsigned int          q) {
+                      return response(strains[0], q).stress() *
+                             strains[1].strain[q];
+                    });
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::internal_forces(VectorType       &forces,
+                                      const VectorType &u) const
+  {
+    kernel->integrate(forces,
+                      u,
+                      [this](const Strains &strains, auto &stresses) {
+                        for (unsigned int q = 0; q < n_points; ++q)
+                          stresses[q] = response(strains, q).stress();
+                      });
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::linearize(const VectorType &u)
+  {
+    kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {
+      const unsigned int batch = strains[0].batch;
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          const auto  at_point   = response(strains[0], q);
+          const auto &plasticity = at_point.plasticity();
+          tangents.set(batch, q, plasticity.tangent());
+          if (becomes_steeper)
+            tangents.set_flow_direction(batch, q, plasticity.flow_direction());
+        }
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::predict_flow(const VectorType &old_u,
+                                   const VectorType &new_u)
+  {
+    kernel->for_each_batch(
+      {&old_u, &new_u}, [&](const std::vector<Strains> &strains) {
+        const unsigned int batch = strains[0].batch;
+        for (unsigned int q = 0; q < n_points; ++q)
+          tangents.set_flow_direction(
+            batch,
+            q,
+            response(strains[0], q)
+              .plasticity()
+              .predicted_flow(tangents.flow_direction(batch, q),
+                              strain_deviator(strain_at(strains[1], q)) -
+                                strain_deviator(strain_at(strains[0], q))));
+      });
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::vmult(VectorType       &forces,
+                            const VectorType &increment) const
+  {
+    kernel->vmult(forces, increment, tangents);
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::diagonal(VectorType &values) const
+  {
+    kernel->diagonal(values, tangents);
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::add_matrix(
+    TrilinosWrappers::SparseMatrix  &matrix,
+    const AffineConstraints<double> &all_constraints) const
+  {
+    kernel->add_matrix(matrix, all_constraints, tangents);
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::for_each_cell_tangent(
+    const std::function<
+      void(const typename DoFHandler<dim>::active_cell_iterator &cell,
+           const Tangent<dim, double> &tangent)> &receive) const
+  {
+    for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
+      {
+        Tangent<dim, Number> mean;
+        mean.bulk_modulus = materials[batch].bulk_modulus;
+        for (unsigned int q = 0; q < n_points; ++q)
+          {
+            const Number weight  = 1. / n_points;
+            const auto   tangent = tangents.definite(batch, q);
+            mean.deviatoric.shear += weight * tangent.shear;
+            mean.deviatoric.normal += weight * tangent.normal;
+            mean.deviatoric.flow += weight * tangent.flow;
+          }
+        for (unsigned int lane = 0; lane < kernel->n_cells(batch); ++lane)
+          {
+            Tangent<dim, double> of_cell;
+            for (unsigned int i = 0; i < of_cell.n_values; ++i)
+              of_cell.value(i) = mean.value(i)[lane];
+            receive(kernel->cell(batch, lane), of_cell);
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::for_each_cell(
+    const VectorType &u,
+    const std::function<
+      void(const typename DoFHandler<dim>::active_cell_iterator &cell,
+           const std::vector<PointResult> &points)> &receive) const
+  {
+    // for each lane, the points of its cell
+    std::array<std::vector<PointResult>, Number::size()> results;
+    results.fill(std::vector<PointResult>(n_points));
+    kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {
+      const unsigned int batch   = strains[0].batch;
+      const unsigned int n_cells = kernel->n_cells(batch);
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          const auto   at_point         = response(strains[0], q);
+          const auto  &plasticity       = at_point.plasticity();
+          const auto   state            = plasticity.state();
+          const Number elastic_energy   = at_point.elastic_energy();
+          const Number hardening_energy = plasticity.hardening_energy();
+          const Number plastic_work     = plasticity.plastic_work();
+          const Number dissipation      = plasticity.dissipation();
+          for (unsigned int lane = 0; lane < n_cells; ++lane)
+            results[lane][q] = {lane_of(at_point.stress(), lane),
+                                lane_of(state.plastic_strain, lane),
+                                state.equivalent_plastic_strain[lane],
+                                state.equivalent_plastic_strain[lane] > 0,
+                                strains[0].volume[q][lane],
+                                elastic_energy[lane],
+                                hardening_energy[lane],
+                                plastic_work[lane],
+                                dissipation[lane]};
+        }
+      for (unsigned int lane = 0; lane < n_cells; ++lane)
+        receive(kernel->cell(batch, lane), results[lane]);
+    });
+  }
+
+
+
+  template class SolidOperator<2>;
+  template class SolidOperator<3>;
+} // namespace ElastoPlastic

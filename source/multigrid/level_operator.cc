@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "mesh/owned_cells.h"
+#include "multigrid/level_operator.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// For each active cell, a bit for each of its vertices that is
+    /// constrained. A hanging node makes work for the whole batch of cells that
+    /// it is in; with these numbers as categories, cells that have the same
+    /// pattern of hanging nodes form batches of their own.
+    template <int dim>
+    std::vector<unsigned int>
+    hanging_node_patterns(const DoFHandler<dim>           &dof_handler,
+                          const AffineConstraints<double> &constraints)
+    {
+      std::vector<unsigned int> patterns(
+        dof_handler.get_triangulation().n_active_cells(), 0);
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int v : cell->vertex_indices())
+            if (constraints.is_constrained(cell->vertex_dof_index(v, 0)))
+              patterns[cell->active_cell_index()] |= 1 << v;
+      return patterns;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  LevelOperator<dim>::LevelOperator(
+    const StrainModel               &strain_model,
+    const DoFHandler<dim>           &dof_handler,
+    const AffineConstraints<double> &constraints)
+    : kernel(
+        make_cell_kernel<dim, CellTangents<dim>>(dof_handler.get_fe().degree,
+                                                 strain_model))
+  {
+    kernel->reinit(dof_handler,
+                   constraints,
+                   hanging_node_patterns(dof_handler, constraints));
+    cut_off_indices = kernel->constrained_entries();
+
+    tangents.reinit(kernel->n_batches());
+    cells.resize(kernel->n_batches());
+    const OwnedCells<dim> owned_cells(dof_handler.get_triangulation());
+    for (unsigned int batch = 0; batch < cells.size(); ++batch)
+      for (unsigned int lane = 0; lane < Number::size(); ++lane)
+        cells[batch][lane] = owned_cells.number(
+          *kernel->cell(batch, std::min(lane, kernel->n_cells(batch) - 1)));
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::initialize_vector(LevelVector &vector) const
+  {
+    kernel->initialize_vector(vector);
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::set_tangent_value(const unsigned int index,
+                                        const LevelVector &values)
+  {
+    for (unsigned int batch = 0; batch < cells.size(); ++batch)
+      {
+        Number &value = tangents[batch].value(index);
+        for (unsigned int lane = 0; lane < Number::size(); ++lane)
+          value[lane] = values.local_element(cells[batch][lane]);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::set_held(const LevelVector &held)
+  {
+    held_indices.clear();
+    for (unsigned int i = 0; i < held.locally_owned_size(); ++i)
+      if (held.local_element(i) > 0.5f)
+        held_indices.push_back(i);
+    cut_off_indices = kernel->constrained_entries();
+    cut_off_indices.insert(cut_off_indices.end(),
+                           held_indices.begin(),
+                           held_indices.end());
+  }
+
+
+
+  // The entries of vector at the unknowns that are cut off are zero for the
+  // time of the loop: the operator is symmetric.
+  template <int dim>
+  void
+  LevelOperator<dim>::vmult(LevelVector       &result,
+                            const LevelVector &vector) const
+  {
+    auto &source = const_cast<LevelVector &>(vector);
+    cut_off_values.resize(cut_off_indices.size());
+    for (unsigned int i = 0; i < cut_off_indices.size(); ++i)
+      std::swap(cut_off_values[i] = 0.f,
+                source.local_element(cut_off_indices[i]));
+
+    kernel->vmult(result, vector, tangents);
+
+    for (unsigned int i = 0; i < cut_off_indices.size(); ++i)
+      {
+        source.local_element(cut_off_indices[i]) = cut_off_values[i];
+        result.local_element(cut_off_indices[i]) = cut_off_values[i];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::Tvmult(LevelVector       &result,
+                             const LevelVector &vector) const
+  {
+    vmult(result, vector);
+  }
+
+
+
+  template <int dim>
+  types::global_dof_index
+  LevelOperator<dim>::m() const
+  {
+    LevelVector vector;
+    initialize_vector(vector);
+    return vector.size();
+  }
+
+
+
+  template <int dim>
+  float
+  LevelOperator<dim>::el(
+    const types::global_dof_index                  row,
+    [[maybe_unused]] const types::global_dof_index column) const
+  {
+    AssertDimension(row, column);
+    LevelVector inverse;
+    inverse_diagonal(inverse);
+    return 1.f / inverse(row);
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::inverse_diagonal(LevelVector &values) const
+  {
+    kernel->diagonal(values, tangents);
+    for (const unsigned int i : cut_off_indices)
+      values.local_element(i) = 1.f;
+    for (unsigned int i = 0; i < values.locally_owned_size(); ++i)
+      values.local_element(i) = 1.f / values.local_element(i);
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::zero_held(LevelVector &vector) const
+  {
+    for (const unsigned int i : held_indices)
+      vector.local_element(i) = 0.f;
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::add_matrix(
+    TrilinosWrappers::SparseMatrix  &matrix,
+    const AffineConstraints<double> &all_constraints) const
+  {
+    kernel->add_matrix(matrix, all_constraints, tangents);
+  }
+
+
+
+  template class LevelOperator<2>;
+  template class LevelOperator<3>;
+} // namespace ElastoPlastic
