@@ -19,13 +19,13 @@ namespace ElastoPlastic
   ///
   ///   Pi(u) = int W(strain(u)) dx - forces . u
   ///
-  /// where supports and active contact nodes are held; or, if the force F on
-  /// the indenter is given,
+  /// where supports and active contact nodes are constrained; or, if the force
+  /// F on the indenter is given,
   ///
   ///   Pi(u, delta) = int W(strain(u)) dx - forces . u - F delta
   ///
-  /// where the active contact nodes are tied: u_i = g_i - delta. Then the depth
-  /// delta need not be kept beside u: it can be read from it.
+  /// where the active contact nodes are coupled: u_i = g_i - delta. Then the
+  /// depth delta need not be kept beside u: it can be read from it.
   template <int dim>
   class ContactProblem : public ConstrainedMinimization
   {
@@ -94,7 +94,7 @@ namespace ElastoPlastic
     n_active() const override;
 
     void
-    move_held(Vector &u) const override;
+    move_constrained(Vector &u) const override;
 
     void
     project(Vector &u) const override;
@@ -103,7 +103,7 @@ namespace ElastoPlastic
     reduce(Vector &residual) const override;
 
   private:
-    /// Finds out which unknowns are held or tied now.
+    /// Finds out which unknowns are constrained or coupled now.
     void
     collect_unknowns();
 

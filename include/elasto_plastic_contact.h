@@ -19,9 +19,9 @@
 #include "evaluation/indentation_test.h"
 #include "io/checkpoint.h"
 #include "io/field_output.h"
+#include "io/log.h"
 #include "io/output_directory.h"
 #include "io/parameters.h"
-#include "io/screen.h"
 #include "io/statistics.h"
 #include "loading/load_program.h"
 #include "loading/time_steps.h"
@@ -180,7 +180,7 @@ namespace ElastoPlastic
     unsigned int cycle = 0;
 
     // What tells the user about it.
-    mutable Screen      screen;
+    mutable Log         log;
     mutable TimerOutput timer;
     FieldOutput<dim>    field_output;
 

@@ -10,8 +10,8 @@
 #include "equilibrium/limit_load.h"
 #include "io/csv_file.h"
 #include "io/equilibrium_output.h"
+#include "io/log.h"
 #include "io/parameters.h"
-#include "io/screen.h"
 #include "model/model.h"
 
 namespace ElastoPlastic
@@ -75,7 +75,7 @@ namespace ElastoPlastic
     const MPI_Comm    communicator;
     const bool        first_rank;
 
-    Screen            screen;
+    Log               log;
     EquilibriumOutput output;
     unsigned int      cycle = 0;
 

@@ -4,7 +4,7 @@
 """Makes the meshes of the thick sphere in parameter_files/verification/.
 
 thick_sphere_2d.msh: the half section x, y >= 0 of a sphere of inner radius 100 and
-outer radius 200, for a body of revolution. thick_sphere_3d.msh: its part x, y, z >= 0,
+outer radius 200, for an axisymmetric body. thick_sphere_3d.msh: its part x, y, z >= 0,
 three faces of a cube that is blown up to a sphere. All nodes lie on spheres whose
 radii form a geometric sequence; the cells between them have straight edges.
 Gmsh format 2.2.

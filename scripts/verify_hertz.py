@@ -21,7 +21,7 @@ def hertz(runner):
 
 
 def hertz_axisymmetric(runner):
-    """Hertz' paraboloid as a body of revolution (exact)."""
+    """Hertz' paraboloid as an axisymmetric body (exact)."""
     row = runner.run(*AXISYMMETRIC, "Material/Law=linear elastic")[-1]
     force = row["force"]
     runner.compare("peak pressure", row["max_pressure"], sphere_peak(force, 1), 0.01)
@@ -37,7 +37,7 @@ def hertz_cylinder(runner):
 
 
 def first_yield(runner):
-    """A sphere, in space and as a body of revolution, and a cylinder: where the body yields first (exact)."""
+    """A sphere, in space and as an axisymmetric body, and a cylinder: where the body yields first (exact)."""
     for name, stress, published in (("sphere", stress_under_sphere, 1.612797),
                                     ("cylinder", stress_under_cylinder, 1.79)):
         runner.compare(f"{name}, p0 / Y at first yield", 1 / largest(stress), published, 5e-3)

@@ -135,7 +135,7 @@ def load_cycles(runner):
 
 
 def axisymmetric_against_space(runner):
-    """The same sphere as a body of revolution and in space, cells of the same size."""
+    """The same sphere as an axisymmetric body and in space, cells of the same size."""
     body = ("Loading/History=", "Loading/Depth=0.01", "Loading/Number of steps=3",
             "Geometry/Initial refinements=3", "Geometry/Local refinements=4", "Geometry/Local radius=1")
     quarter = runner.history("indentation/sphere_3d.prm", *body)[-1]

@@ -11,7 +11,7 @@ INNER, OUTER, E, NU, Y = 100.0, 200.0, 210000.0, 0.3, 240.0
 
 
 def thick_sphere_axisymmetric(runner):
-    """A thick sphere under internal pressure, body of revolution, Q2 and B-bar (exact)."""
+    """A thick sphere under internal pressure, axisymmetric body, Q2 and B-bar (exact)."""
     for elements in (("Discretization/Polynomial degree=2",),
                      ("Discretization/Polynomial degree=1", "Discretization/Volumetric treatment=B-bar")):
         check(runner, 1 / 2, "verification/thick_sphere_axisymmetric.prm", *elements)

@@ -38,15 +38,17 @@ namespace ElastoPlastic
   void
   ContactProblem<dim>::collect_unknowns()
   {
-    std::vector<unsigned int> held = supports.fixed_entries(external_forces);
-    std::vector<unsigned int> tied;
+    std::vector<unsigned int> constrained =
+      supports.fixed_entries(external_forces);
+    std::vector<unsigned int> coupled;
     if (contact.is_force_driven())
-      tied = contact.active_entries();
+      coupled = contact.active_entries();
     else
       for (const unsigned int i : contact.active_entries())
-        held.push_back(i);
-    unknowns =
-      ReducedUnknowns(held, tied, external_forces.get_mpi_communicator());
+        constrained.push_back(i);
+    unknowns = ReducedUnknowns(constrained,
+                               coupled,
+                               external_forces.get_mpi_communicator());
   }
 
 
@@ -223,7 +225,7 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  ContactProblem<dim>::move_held(Vector &u) const
+  ContactProblem<dim>::move_constrained(Vector &u) const
   {
     supports.move_fixed(u);
     contact.move_active(u);
@@ -247,7 +249,7 @@ namespace ElastoPlastic
   ContactProblem<dim>::reduce(Vector &residual) const
   {
     unknowns.contract(residual);
-    if (unknowns.has_ties())
+    if (unknowns.has_coupling())
       unknowns.set_leading_value(residual,
                                  unknowns.leading_value(residual) -
                                    contact.force());

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/exceptions.h"
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "equilibrium/cell_indicators.h"
 #include "equilibrium/stress_check.h"
 #include "equilibrium/stress_problem.h"
@@ -103,7 +103,7 @@ namespace ElastoPlastic
 
     std::vector<double> row(error_bound_columns.size());
     double              total = 0;
-    throw_together(communicator, [&]() {
+    rethrow_collectively(communicator, [&]() {
       if (!has_mesh)
         return;
       body               = make_plane_body(std::move(mesh),
@@ -159,7 +159,7 @@ namespace ElastoPlastic
   void
   ErrorBoundAnalysis::write_fields(const unsigned int cycle)
   {
-    throw_together(communicator, [&]() {
+    rethrow_collectively(communicator, [&]() {
       if (!body.mesh.triangles.empty())
         output.write({body, stress, displacement, errors}, cycle);
     });

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "base/exceptions.h"
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "equilibrium/cell_indicators.h"
 #include "equilibrium/stress_check.h"
 #include "io/output_directory.h"
@@ -62,7 +62,7 @@ namespace ElastoPlastic
     , parameters(parameters)
     , communicator(communicator)
     , first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
-    , screen(communicator, parameters.output.screen)
+    , log(communicator, parameters.output.screen)
     , output(parameters.output.directory, "limit_load", "velocity")
     , triangulation(communicator)
     , gap_function(make_mesh_and_place_indenter(model, triangulation))
@@ -70,11 +70,11 @@ namespace ElastoPlastic
     check_is_perfect(model.materials);
     check_material_ids(triangulation, model.materials.size());
     for (const std::string &warning : model.geometry.warnings())
-      screen.warn(warning);
+      log.warn(warning);
     if (const std::string warning =
           warning_of_unused_materials(triangulation, model.materials.size());
         !warning.empty())
-      screen.warn(warning);
+      log.warn(warning);
   }
 
 
@@ -82,7 +82,7 @@ namespace ElastoPlastic
   void
   LimitLoadAnalysis::run(const bool overwrite)
   {
-    screen.print_banner(Utilities::MPI::n_mpi_processes(communicator));
+    log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     setup_body();
     OutputDirectory directory(communicator, parameters.output.directory);
     directory.begin_run(overwrite, parameters.effective_input);
@@ -98,7 +98,7 @@ namespace ElastoPlastic
           break;
         refine_mesh();
       }
-    screen.remark("Results are in " + parameters.output.directory);
+    log.remark("Results are in " + parameters.output.directory);
   }
 
 
@@ -163,7 +163,7 @@ namespace ElastoPlastic
   LimitLoadAnalysis::setup_body()
   {
     SplitMesh mesh = make_split_mesh(triangulation);
-    throw_together(communicator, [&]() {
+    rethrow_collectively(communicator, [&]() {
       if (first_rank)
         body = make_plane_body(
           std::move(mesh),
@@ -183,7 +183,7 @@ namespace ElastoPlastic
   {
     const Timer timer;
     bool        are_optimal = true;
-    throw_together(communicator, [&]() {
+    rethrow_collectively(communicator, [&]() {
       if (!first_rank)
         return;
       bounds      = bound_limit_load(body);
@@ -210,9 +210,9 @@ namespace ElastoPlastic
     message << row[2] << " triangles: the limit load is between "
             << lower_bound() << " and " << upper_bound() << " ("
             << 100. * row[5] << " %), " << row[10] << " s";
-    screen.remark(message.str());
+    log.remark(message.str());
     if (!are_optimal)
-      screen.warn(
+      log.warn(
         "Rounding errors have ended the interior point method early. "
         "The bounds hold, but this mesh has closer ones.");
   }
@@ -226,7 +226,7 @@ namespace ElastoPlastic
     if (parameters.output.fields == FieldOutputTimes::every_cycle ||
         (parameters.output.fields == FieldOutputTimes::last_cycle &&
          is_last_cycle()))
-      throw_together(communicator, [&]() {
+      rethrow_collectively(communicator, [&]() {
         if (first_rank)
           output.write(
             {body, bounds.stress, bounds.velocity.velocity, bounds.gaps},

@@ -5,7 +5,7 @@
 
 #include "base/exceptions.h"
 #include "equilibrium/hencky_material.h"
-#include "io/screen.h"
+#include "io/log.h"
 #include "limit_load_analysis.h"
 #include "loading/time_steps.h"
 #include "safe_load.h"
@@ -91,7 +91,7 @@ namespace ElastoPlastic
       }
     catch (const ConvergenceError &error)
       {
-        Screen(communicator, Verbosity::quiet)
+        Log(communicator, Verbosity::quiet)
           .warn("There is no bound of the limit load to compare the force " +
                 Patterns::Tools::to_string(force) + " with. " + error.what() +
                 " The load is applied all the same; beyond a limit load, it "

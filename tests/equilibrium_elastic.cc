@@ -144,8 +144,8 @@ namespace
                                        interpolate(corners, stress));
         for (unsigned int k = 0; k < 3; ++k)
           {
-            const auto third        = third_of(corners, k);
-            const auto displacement = on_third(field.displacement[t], k);
+            const auto subtriangle  = subtriangle_of(corners, k);
+            const auto displacement = on_subtriangle(field.displacement[t], k);
             for (unsigned int q = 0; q < quadrature.size(); ++q)
               {
                 const auto                 &x     = quadrature.point(q);
@@ -157,14 +157,14 @@ namespace
                 double                across = 0;
                 for (unsigned int i = 0; i < 3; ++i)
                   {
-                    p += shape[i] * third[i];
+                    p += shape[i] * subtriangle[i];
                     u += shape[i] * displacement[i];
                     computed += shape[i] * stress_at(field.in_plane[t], k, i);
                     interpolation += shape[i] * stress_at(interpolated, k, i);
                     across += shape[i] * field.out_of_plane[t][3 * k + i];
                   }
                 const auto   s = exact.stress(p);
-                const double w = quadrature.weight(q) * 2. * area(third);
+                const double w = quadrature.weight(q) * 2. * area(subtriangle);
                 squares[0] += w * (computed - s).norm() * (computed - s).norm();
                 squares[1] +=
                   w * std::pow(across -
@@ -259,13 +259,14 @@ namespace
         double       mean = 0;
         for (unsigned int k = 0; k < 3; ++k)
           {
-            const auto third = third_of(triangle, k);
+            const auto subtriangle = subtriangle_of(triangle, k);
             for (unsigned int q = 0; q < quadrature.size(); ++q)
               {
                 const auto    &x = quadrature.point(q);
-                const Point<2> p = third[0] + x[0] * (third[1] - third[0]) +
-                                   x[1] * (third[2] - third[0]);
-                const double w = quadrature.weight(q) * 2. * area(third) *
+                const Point<2> p = subtriangle[0] +
+                                   x[0] * (subtriangle[1] - subtriangle[0]) +
+                                   x[1] * (subtriangle[2] - subtriangle[0]);
+                const double w = quadrature.weight(q) * 2. * area(subtriangle) *
                                  (divergence[2 * k + c] - 3. * p[c]);
                 mean += w;
                 moment += w * Tensor<1, 2>(p);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // What an expression may contain, and that it says where it must be evaluated:
-// within throw_together(), if there are several ranks.
+// within rethrow_collectively(), if there are several ranks.
 
 #include "base/expression.h"
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -49,7 +49,7 @@ namespace
     const unsigned int rank = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
     const unsigned int last =
       Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) - 1;
-    throw_together(MPI_COMM_WORLD, [&]() {
+    rethrow_collectively(MPI_COMM_WORLD, [&]() {
       expression.value(Point<2>(rank == last ? -1. : 1., 0.));
     });
   }

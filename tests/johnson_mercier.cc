@@ -35,7 +35,7 @@ namespace
         for (unsigned int k = 0; k < 3; ++k)
           {
             const Tensor<1, 2> normal =
-              cross_product_2d(third_of(triangle, k)[2] - triangle[k]);
+              cross_product_2d(subtriangle_of(triangle, k)[2] - triangle[k]);
             const unsigned int before = (k + 2) % 3;
             largest                   = std::max(
               {largest,

@@ -116,7 +116,7 @@ namespace
              1e-12);
       check_tangent();
       check_matrix();
-      check_held_unknowns();
+      check_constrained_unknowns();
       if (virgin)
         check_rigid_motions();
     }
@@ -275,7 +275,7 @@ namespace
 
     /// Every seventh unknown is held.
     void
-    check_held_unknowns() const
+    check_constrained_unknowns() const
     {
       VectorType held = new_vector(), increment = w;
       for (const auto i : dof_handler.locally_owned_dofs())

@@ -183,7 +183,7 @@ public:
   }
 
   void
-  move_held(Vector &u) const override
+  move_constrained(Vector &u) const override
   {
     for (unsigned int i = 0; i < load.size(); ++i)
       if (active[i])

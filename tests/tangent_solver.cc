@@ -3,8 +3,8 @@
 
 // The solver for tangents: a method that fails, because its result is not
 // finite or its iterations are used up, is replaced by the next for good, with
-// one warning; and tied unknowns move together, at little more than the cost of
-// held ones once the body's response is known; all this also with an
+// one warning; and coupled unknowns move together, at little more than the cost
+// of held ones once the body's response is known; all this also with an
 // unsymmetric tangent.
 
 #include <deal.II/dofs/dof_tools.h>
@@ -232,5 +232,5 @@ main(int argc, char *argv[])
   recovering.check_fallback("Unsymmetric, too many iterations",
                             {Block::scaling("First", 1e-5, 10),
                              Block::scaling("Second", 1e-5, 10000)});
-  recovering.check_ties("Unsymmetric, tied unknowns", 5);
+  recovering.check_ties("Unsymmetric, coupled unknowns", 5);
 }

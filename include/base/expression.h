@@ -26,10 +26,10 @@ namespace ElastoPlastic
     /// @throws InputError if @p text is no such expression.
     Expression(const std::string &path, const std::string &text);
 
-    /// A function of position should be evaluated within throw_together(): each
-    /// rank has points of its own. Elsewhere, a value that is not finite takes
-    /// all ranks down, so that none waits for ever. All ranks take functions of
-    /// time at the same times.
+    /// A function of position should be evaluated within
+    /// rethrow_collectively(): each rank has points of its own. Elsewhere, a
+    /// value that is not finite takes all ranks down, so that none waits for
+    /// ever. All ranks take functions of time at the same times.
     /// @throws InputError if the value is not finite.
     double
     value(const Point<dim> &point, const double time = 0) const;

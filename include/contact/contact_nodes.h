@@ -30,7 +30,7 @@ namespace ElastoPlastic
     double area;
     /// Whether it has no pressure of its own: hanging nodes, those that are
     /// constrained otherwise, and a node without area (that of quadratic
-    /// elements on the axis of a body of revolution).
+    /// elements on the axis of an axisymmetric body).
     bool hanging;
   };
 

@@ -7,7 +7,7 @@
 namespace ElastoPlastic
 {
   /// What the evaluation of an indentation test needs to know of the indenter,
-  /// in three dimensions or as a body of revolution.
+  /// in three dimensions or as an axisymmetric body.
   class TipShape
   {
   public:

@@ -14,15 +14,16 @@
 
 /// The equilibrium element of Johnson and Mercier @cite johnson_mercier_1978:
 /// symmetric stresses on a triangle K that are linear on each of the three
-/// triangles, its thirds, into which its centre of gravity divides it. The
-/// tractions are continuous across the sides of the thirds.
+/// triangles, its subtriangles, into which its centre of gravity divides it.
+/// The tractions are continuous across the sides of the subtriangles.
 ///
-///              2             Third k has the corners k, k + 1 (modulo 3) and
+///              2             Subtriangle k has the corners k, k + 1 (modulo 3)
+///              and
 ///             /|\            the centre of gravity c, in this order. Side k
 ///            / | \           of K belongs to it.
 ///         2 / .c. \ 1
 ///          /.' 0 '.\         A stress is given by its values at the corners
-///         0---------1        of the thirds, see value_index().
+///         0---------1        of the subtriangles, see value_index().
 ///
 /// Its degrees of freedom are the tractions at both ends of each side (dofs 0
 /// to 11, see traction_index()) and the mean values of the components 11, 22
@@ -33,10 +34,11 @@ namespace ElastoPlastic::JohnsonMercier
 
   using Triangle = std::array<Point<2>, 3>;
 
-  /// Numbers by which a stress is given: thirds times corners times components.
+  /// Numbers by which a stress is given: subtriangles times corners times
+  /// components.
   constexpr unsigned int n_values = 27;
-  /// Corners of thirds, of each third its own: a stress has three components at
-  /// each.
+  /// Corners of subtriangles, of each subtriangle its own: a stress has three
+  /// components at each.
   constexpr unsigned int n_points = 9;
   constexpr unsigned int n_dofs   = 15;
   /// Of them, stresses without divergence have so many left.
@@ -46,13 +48,13 @@ namespace ElastoPlastic::JohnsonMercier
 
 
 
-  /// The @p component (0: 11, 1: 22, 2: 12) at a @p corner of a @p third.
+  /// The @p component (0: 11, 1: 22, 2: 12) at a @p corner of a @p subtriangle.
   constexpr unsigned int
-  value_index(const unsigned int third,
+  value_index(const unsigned int subtriangle,
               const unsigned int corner,
               const unsigned int component)
   {
-    return 9 * third + 3 * corner + component;
+    return 9 * subtriangle + 3 * corner + component;
   }
 
 
@@ -69,18 +71,19 @@ namespace ElastoPlastic::JohnsonMercier
 
 
 
-  /// The corners of a third.
+  /// The corners of a subtriangle.
   Triangle
-  third_of(const Triangle &triangle, const unsigned int third);
+  subtriangle_of(const Triangle &triangle, const unsigned int subtriangle);
 
   /// The values at the corners of a third of a function that is linear on the
   /// triangle, and has these @p values at its corners.
   template <typename Value>
   std::array<Value, 3>
-  on_third(const std::array<Value, 3> &values, const unsigned int third)
+  on_subtriangle(const std::array<Value, 3> &values,
+                 const unsigned int          subtriangle)
   {
-    return {{values[third],
-             values[(third + 1) % 3],
+    return {{values[subtriangle],
+             values[(subtriangle + 1) % 3],
              (values[0] + values[1] + values[2]) / 3.}};
   }
 
@@ -89,10 +92,10 @@ namespace ElastoPlastic::JohnsonMercier
   std::array<Tensor<1, 2>, 3>
   gradients(const Triangle &triangle);
 
-  /// The stress at a @p corner of a @p third.
+  /// The stress at a @p corner of a @p subtriangle.
   SymmetricTensor<2, 2>
   stress_at(const Vector<double> &values,
-            const unsigned int    third,
+            const unsigned int    subtriangle,
             const unsigned int    corner);
 
   /// The values of the shape functions, one per column (27 x 15): they are
@@ -109,8 +112,8 @@ namespace ElastoPlastic::JohnsonMercier
   FullMatrix<double>
   traction_matrix(const Triangle &triangle);
 
-  /// What turns values into the divergence on the thirds, which is constant
-  /// there (6 x 27): two components for each.
+  /// What turns values into the divergence on the subtriangles, which is
+  /// constant there (6 x 27): two components for each.
   FullMatrix<double>
   divergence_matrix(const Triangle &triangle);
 

@@ -14,7 +14,7 @@ namespace ElastoPlastic
   struct StressErrors
   {
     double divergence    = 0; ///< times the size of the triangle
-    double traction_jump = 0; ///< between thirds and between triangles
+    double traction_jump = 0; ///< between subtriangles and between triangles
     double boundary_force =
       0;                ///< given tractions, and shear under the indenter
     double tension = 0; ///< under the indenter
@@ -29,8 +29,8 @@ namespace ElastoPlastic
 
 
 
-  /// Looks at every third and every side of the mesh, using nothing but the
-  /// stresses themselves.
+  /// Looks at every subtriangle and every side of the mesh, using nothing but
+  /// the stresses themselves.
   StressErrors
   check_stress(const PlaneBody &body, const StressField &field);
 

@@ -19,10 +19,10 @@ namespace ElastoPlastic
   /// Stresses in exact equilibrium.
   struct StressField
   {
-    /// By triangles: the components 11, 22, 12 at the corners of the thirds,
-    /// see JohnsonMercier::value_index().
+    /// By triangles: the components 11, 22, 12 at the corners of the
+    /// subtriangles, see JohnsonMercier::value_index().
     std::vector<Vector<double>> in_plane;
-    /// By triangles: the component 33 at the corners of the thirds.
+    /// By triangles: the component 33 at the corners of the subtriangles.
     std::vector<std::array<double, 9>> out_of_plane;
     /// By sides: the pressure of the indenter at the two ends, between which it
     /// is linear; zero where it cannot touch.
@@ -44,10 +44,10 @@ namespace ElastoPlastic
     /// False if rounding errors have ended the minimisation early.
     bool is_optimal = true;
 
-    /// The stress at a @p corner of a @p third of a triangle.
+    /// The stress at a @p corner of a @p subtriangle of a triangle.
     SymmetricTensor<2, 3>
     at(const unsigned int triangle,
-       const unsigned int third,
+       const unsigned int subtriangle,
        const unsigned int corner) const;
 
     /// The largest pressure of the indenter.

@@ -20,7 +20,7 @@ namespace ElastoPlastic
   /// body.
   ///
   /// Each triangle is a block. Its unknowns are the coefficients of the
-  /// equilibrated basis; sigma_33 at the corners of the thirds, in plane
+  /// equilibrated basis; sigma_33 at the corners of the subtriangles, in plane
   /// strain; and zeta there, the growth of the yield surface, if the material
   /// hardens. A side under the indenter is a block, too; its two unknowns are
   /// the forces q >= 0 that the linear pressure stands for at its ends. The
@@ -102,12 +102,12 @@ namespace ElastoPlastic
                        const unsigned int component) const;
 
     /// What int C^-1 sigma : tau is as a bilinear form of the stresses at the
-    /// corners of the thirds (36 x 36).
+    /// corners of the subtriangles (36 x 36).
     FullMatrix<double>
     elastic_energy(const unsigned int triangle) const;
 
     /// The derivative of cost and yield conditions with respect to the
-    /// components 11, 22, 12 at the corners of the thirds: moments of the
+    /// components 11, 22, 12 at the corners of the subtriangles: moments of the
     /// strain. @p stress (36) and the multipliers @p z of the yield conditions
     /// are those of the solution.
     Vector<double>
@@ -156,8 +156,8 @@ namespace ElastoPlastic
     /// By sides; invalid where there is none.
     std::vector<ByEnds<unsigned int>> equations;
 
-    /// By triangles: stress at the corners of the thirds, four components each
-    /// (36 x n); and their three sides.
+    /// By triangles: stress at the corners of the subtriangles, four components
+    /// each (36 x n); and their three sides.
     std::vector<FullMatrix<double>>            point_stresses;
     std::vector<std::array<SideOfTriangle, 3>> sides;
 

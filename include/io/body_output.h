@@ -21,7 +21,7 @@ namespace ElastoPlastic
   /// patch: nothing is averaged, and neighbouring cells need not agree. What
   /// cannot be negative, von Mises' stress and the equivalent plastic strain,
   /// is cut off at zero where the polynomial overshoots. Tensors have all three
-  /// dimensions; in a body of revolution, the third is that around the axis.
+  /// dimensions; in an axisymmetric body, the third is that around the axis.
   ///
   /// The cells are written in pieces of a file as they come from the solid, so
   /// that memory for only a few of them is needed.

@@ -28,7 +28,8 @@ namespace ElastoPlastic
 
 
   /// Writes what ParaView shows of the equilibrium method, on one rank: files
-  /// with one triangle for each third, nothing smoothed, and a list of them.
+  /// with one triangle for each subtriangle, nothing smoothed, and a list of
+  /// them.
   class EquilibriumOutput
   {
   public:

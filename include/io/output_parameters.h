@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/enum_names.h"
-#include "io/screen.h"
+#include "io/log.h"
 
 namespace ElastoPlastic
 {

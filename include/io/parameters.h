@@ -39,7 +39,7 @@ namespace ElastoPlastic
 
 
 
-  /// Everything a parameter file can say. Each room of the program declares
+  /// Everything a parameter file can say. Each module of the program declares
   /// and documents its own section; here they are only put together, and what
   /// concerns several of them is checked.
   struct Parameters

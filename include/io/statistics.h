@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "evaluation/indentation_test.h"
+#include "evaluation/solve_result.h"
 #include "io/csv_file.h"
-#include "io/screen.h"
 
 namespace ElastoPlastic
 {

@@ -160,8 +160,9 @@ namespace ElastoPlastic
       return stored_by_hardening(state());
     }
 
-    /// The part of the plastic work that has become heat: what hardening has
-    /// not stored. Not negative (doc/theory.md, "Load histories").
+    /// The dissipation, the part of the plastic work that is not stored: what
+    /// hardening has not stored. Not negative (doc/theory.md, "Load
+    /// histories").
     Number
     dissipation() const
     {

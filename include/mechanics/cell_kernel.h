@@ -53,7 +53,7 @@ namespace ElastoPlastic
   /// virtual here, but nothing is within a loop.
   ///
   /// Vectors passed in need no ghost values; displacements must satisfy the
-  /// constraints. Forces come out condensed, and zero at constrained unknowns.
+  /// constraints. Forces come out condensed, and zero at eliminated unknowns.
   template <int dim, typename Tangents>
   class CellKernel
   {
@@ -97,9 +97,9 @@ namespace ElastoPlastic
     CellIterator
     cell(const unsigned int batch, const unsigned int lane) const;
 
-    /// The local indices of the constrained unknowns.
+    /// The local indices of the eliminated unknowns.
     const std::vector<unsigned int> &
-    constrained_entries() const;
+    eliminated_entries() const;
 
     /// Calls @p receive for all cell batches with the strains of the
     /// displacement fields @p fields.
@@ -122,7 +122,7 @@ namespace ElastoPlastic
           const Vector   &increment,
           const Tangents &tangents) const = 0;
 
-    /// The diagonal of the tangent. For the masters of constrained unknowns it
+    /// The diagonal of the tangent. For the masters of eliminated unknowns it
     /// is an approximation: each gets its share of their entries with the
     /// square of its weight; the coupling between the two is left out.
     virtual void
@@ -136,7 +136,7 @@ namespace ElastoPlastic
                const Tangents                  &tangents) const = 0;
 
   protected:
-    /// Adds the masters' shares in the entries of constrained unknowns to a
+    /// Adds the masters' shares in the entries of eliminated unknowns to a
     /// diagonal, and makes these entries zero.
     void
     hand_to_masters(Vector &values) const;

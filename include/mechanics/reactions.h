@@ -20,7 +20,7 @@ namespace ElastoPlastic
   /// that the forces of all boundaries add up to what the body needs for its
   /// equilibrium (doc/theory.md, "Reactions").
   ///
-  /// In a body of revolution there is the axial direction only, of whole rings.
+  /// In an axisymmetric body there is the axial direction only, of whole rings.
   template <int dim>
   class Reactions
   {

@@ -22,7 +22,7 @@ namespace ElastoPlastic
   /// says has been evaluated. The other strains, below, have the same members.
   ///
   /// The strain of a field whose only component, @p component, has the slopes g
-  /// (its derivatives, and in a body of revolution its quotient by r) is linear
+  /// (its derivatives, and in an axisymmetric body its quotient by r) is linear
   /// in them: what of_slopes() says.
   template <int dim>
   struct CartesianStrain
@@ -103,7 +103,7 @@ namespace ElastoPlastic
 
 
 
-  /// The strain of a body of revolution: out of plane it is u_r / r.
+  /// The strain of an axisymmetric body: out of plane it is u_r / r.
   struct AxisymmetricStrain
   {
     static constexpr unsigned int n_slopes = 3;

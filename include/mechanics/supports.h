@@ -26,8 +26,9 @@ namespace ElastoPlastic
   ///   parallel to a coordinate plane. They are eliminated once per mesh.
   /// - fixed(): degrees of freedom with a given value: fixed and prescribed
   ///   displacements, all other rollers, and the radial displacement on the
-  ///   axis of a body of revolution. Together with the active contact
-  ///   nodes they are "held", which is the business of the nonlinear solver.
+  ///   axis of an axisymmetric body. Together with the active contact
+  ///   nodes they are "constrained", which is the business of the nonlinear
+  ///   solver.
   template <int dim>
   class Supports
   {

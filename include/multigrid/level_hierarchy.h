@@ -18,7 +18,7 @@
 namespace ElastoPlastic
 {
   /// The transfer between all levels as Multigrid and PreconditionMG want to
-  /// see it. It leaves held unknowns at zero.
+  /// see it. It leaves constrained unknowns at zero.
   template <int dim>
   class LevelTransfer : public MGTransferBase<LevelVector>
   {
@@ -83,11 +83,11 @@ namespace ElastoPlastic
                    const StrainModel               &strain_model,
                    const unsigned int               n_coarse_cells);
 
-    /// Hands the stored tangent of @p solid and the held unknowns (ones there,
-    /// zeros elsewhere) to all levels. A node of a coarse level is held if the
-    /// node of the finest level at the same place is.
+    /// Hands the stored tangent of @p solid and the constrained unknowns (ones
+    /// there, zeros elsewhere) to all levels. A node of a coarse level is
+    /// constrained if the node of the finest level at the same place is.
     void
-    update(const SolidOperator<dim> &solid, const VectorType &held);
+    update(const SolidOperator<dim> &solid, const VectorType &constrained);
 
     unsigned int
     max_level() const;
@@ -106,7 +106,7 @@ namespace ElastoPlastic
     coarse_constraints() const;
 
     const LevelVector &
-    coarse_held() const;
+    coarse_constrained() const;
 
   private:
     /// A level's unknowns. The finest level uses those of the problem.
@@ -134,7 +134,7 @@ namespace ElastoPlastic
     typename LevelTransfer<dim>::Transfers two_level_transfers;
     const LevelTransfer<dim>               level_transfer;
 
-    LevelVector held_on_coarsest_level;
+    LevelVector constrained_on_coarsest_level;
   };
 } // namespace ElastoPlastic
 

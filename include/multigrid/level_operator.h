@@ -24,7 +24,7 @@ namespace ElastoPlastic
   /// The tangent on one level of multigrid: the kernel of SolidOperator with
   /// what a preconditioner may leave out, in single precision and with a
   /// tangent that is constant on each cell. Held unknowns are cut off: like
-  /// those of constrained ones, their rows and columns are those of the
+  /// those of eliminated ones, their rows and columns are those of the
   /// identity.
   template <int dim>
   class LevelOperator : public Subscriptor
@@ -46,10 +46,10 @@ namespace ElastoPlastic
     void
     set_tangent_value(const unsigned int index, const LevelVector &values);
 
-    /// Cuts off the unknowns at which @p held is 1 (and not those where it
-    /// is 0).
+    /// Cuts off the unknowns at which @p constrained is 1 (and not those where
+    /// it is 0).
     void
-    set_held(const LevelVector &held);
+    set_constrained(const LevelVector &constrained);
 
     void
     vmult(LevelVector &result, const LevelVector &vector) const;
@@ -74,7 +74,7 @@ namespace ElastoPlastic
 
     /// Sets the entries of the unknowns that are cut off to zero.
     void
-    zero_held(LevelVector &vector) const;
+    zero_constrained(LevelVector &vector) const;
 
     /// Adds the tangent to @p matrix, condensed with @p all_constraints, as
     /// SolidOperator does.
@@ -93,8 +93,9 @@ namespace ElastoPlastic
     CellTangents<dim>                                     tangents;
     std::vector<std::array<unsigned int, Number::size()>> cells;
 
-    /// Local indices of held unknowns, and of those and the constrained ones.
-    std::vector<unsigned int>  held_indices;
+    /// Local indices of constrained unknowns, and of those and the eliminated
+    /// ones.
+    std::vector<unsigned int>  constrained_indices;
     std::vector<unsigned int>  cut_off_indices;
     mutable std::vector<float> cut_off_values;
   };

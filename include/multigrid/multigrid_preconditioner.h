@@ -32,7 +32,7 @@ namespace ElastoPlastic
                             const StrainModel             &strain_model);
 
     void
-    prepare(const VectorType &held) override;
+    prepare(const VectorType &constrained) override;
 
     void
     vmult(VectorType &result, const VectorType &vector) const override;

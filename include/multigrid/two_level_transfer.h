@@ -16,7 +16,7 @@ namespace ElastoPlastic
   ///
   /// The interpolation is stored as a sparse matrix in single precision, with
   /// the constraints of the coarse level (hanging nodes, skew rollers) already
-  /// resolved and without rows for the constrained unknowns of the fine
+  /// resolved and without rows for the eliminated unknowns of the fine
   /// one: 3.4 entries per row for trilinear elements on a uniform mesh. The two
   /// levels may be partitioned in different ways.
   ///

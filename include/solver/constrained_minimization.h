@@ -21,18 +21,19 @@ namespace ElastoPlastic
 
 
   /// What SemismoothNewton needs to know of a problem: minimise a convex
-  /// energy Pi(u), where some unknowns are held (by supports, or because they
-  /// are in the active set) and others are bounded from above (the contact
+  /// energy Pi(u), where some unknowns are constrained (by supports, or because
+  /// they are in the active set) and others are bounded from above (the contact
   /// candidates). The derivative of Pi is called -residual, so that the
-  /// residual at a held unknown is the force its support takes from the body.
+  /// residual at a constrained unknown is the force its support takes from the
+  /// body.
   ///
   /// If the forces have no energy, the problem is the system of equations and
   /// inequalities that a minimum would satisfy: the same, but for energy(),
   /// and with a second derivative that is not symmetric.
   ///
   /// The place of the bounds may be an unknown itself, with a given force that
-  /// pushes them: then the active unknowns are not held, but tied together, and
-  /// one of them stands for all in reduced vectors; see ReducedUnknowns.
+  /// pushes them: then the active unknowns are not constrained, but coupled,
+  /// and one of them stands for all in reduced vectors; see ReducedUnknowns.
   class ConstrainedMinimization
   {
   public:
@@ -51,7 +52,7 @@ namespace ElastoPlastic
     virtual Energy
     energy(const Vector &u) const = 0;
 
-    /// -dPi/du at all unknowns, held ones included.
+    /// -dPi/du at all unknowns, constrained ones included.
     virtual void
     compute_residual(Vector &residual, const Vector &u) const = 0;
 
@@ -77,8 +78,8 @@ namespace ElastoPlastic
     apply_tangent(Vector &result, const Vector &increment) const = 0;
 
     /// Solves tangent * increment = rhs, a reduced vector, on the unknowns that
-    /// can move, with zero at the held ones, until the linear residual has
-    /// fallen by @p reduction. The increment is an expanded vector.
+    /// can move, with zero at the constrained ones, until the linear residual
+    /// has fallen by @p reduction. The increment is an expanded vector.
     /// @return the number of iterations.
     virtual unsigned int
     solve_tangent(Vector       &increment,
@@ -109,16 +110,16 @@ namespace ElastoPlastic
     virtual unsigned int
     n_active() const = 0;
 
-    /// Moves the held unknowns of u to where they are held.
+    /// Moves the constrained unknowns of u to their prescribed places.
     virtual void
-    move_held(Vector &u) const = 0;
+    move_constrained(Vector &u) const = 0;
 
     /// Moves the candidates of u that violate their bound onto it.
     virtual void
     project(Vector &u) const = 0;
 
     /// Turns the residual at all unknowns into the reduced vector -dPi/du of
-    /// the unknowns that can move; zero at the held ones.
+    /// the unknowns that can move; zero at the constrained ones.
     virtual void
     reduce(Vector &residual) const = 0;
   };

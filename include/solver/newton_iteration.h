@@ -84,8 +84,8 @@ namespace ElastoPlastic
     void
     feasible_step();
 
-    /// Computes the Newton increment with the held unknowns moved to where
-    /// they are held: lift + correction on the free ones.
+    /// Computes the Newton increment with the constrained unknowns moved to
+    /// their prescribed places: lift + correction on the free ones.
     void
     compute_increment();
 
@@ -132,9 +132,9 @@ namespace ElastoPlastic
     double free_norm          = 0;
     double previous_free_norm = 0;
     Energy current_energy;
-    bool   feasible               = false;
-    bool   stuck                  = false;
-    bool   held_unknowns_at_place = false;
+    bool   feasible                      = false;
+    bool   stuck                         = false;
+    bool   constrained_unknowns_at_place = false;
 
     std::map<std::uint64_t, unsigned int> visited_sets;
 

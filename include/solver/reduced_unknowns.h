@@ -12,14 +12,14 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// Which unknowns of a system do not move on their own. Held ones do not move
-  /// at all. Tied ones move together, all by the same amount: the contact nodes
-  /// under a rigid indenter whose depth is unknown too.
+  /// Which unknowns of a system do not move on their own. Constrained ones do
+  /// not move at all. Coupled ones move together, all by the same amount: the
+  /// contact nodes under a rigid indenter whose depth is unknown too.
   ///
-  /// A reduced vector is zero at held and tied unknowns, but for the first of
-  /// the tied ones, the leader, which stands for all of them. With E, the
-  /// expansion of reduced vectors, the reduced form of a symmetric matrix A is
-  /// E^T A E: symmetric, and positive definite if A is.
+  /// A reduced vector is zero at constrained and coupled unknowns, but for the
+  /// first of the coupled ones, the leader, which stands for all of them. With
+  /// E, the expansion of reduced vectors, the reduced form of a symmetric
+  /// matrix A is E^T A E: symmetric, and positive definite if A is.
   class ReducedUnknowns
   {
   public:
@@ -28,34 +28,35 @@ namespace ElastoPlastic
     /// All unknowns are free.
     ReducedUnknowns() = default;
 
-    /// @p held and @p tied are indices of unknowns that this rank owns.
-    ReducedUnknowns(const std::vector<unsigned int> &held,
-                    const std::vector<unsigned int> &tied,
+    /// @p constrained and @p coupled are indices of unknowns that this rank
+    /// owns.
+    ReducedUnknowns(const std::vector<unsigned int> &constrained,
+                    const std::vector<unsigned int> &coupled,
                     const MPI_Comm                   communicator);
 
-    /// Whether there are tied unknowns, on any rank.
+    /// Whether there are coupled unknowns, on any rank.
     bool
-    has_ties() const;
+    has_coupling() const;
 
-    /// Multiplies by E: gives all tied unknowns the value of their leader.
+    /// Multiplies by E: gives all coupled unknowns the value of their leader.
     void
     expand(Vector &increment) const;
 
-    /// Multiplies by E^T: the leader gets the sum of the tied unknowns, held
-    /// and other tied ones zero.
+    /// Multiplies by E^T: the leader gets the sum of the coupled unknowns,
+    /// constrained and other coupled ones zero.
     void
     contract(Vector &forces) const;
 
-    /// The leader's value, on all ranks. There must be tied unknowns.
+    /// The leader's value, on all ranks. There must be coupled unknowns.
     double
     leading_value(const Vector &vector) const;
 
-    /// Makes the leader's value @p value and those of all other held and tied
-    /// unknowns zero.
+    /// Makes the leader's value @p value and those of all other constrained and
+    /// coupled unknowns zero.
     void
     set_leading_value(Vector &vector, const double value) const;
 
-    /// Sets @p value at all held and tied unknowns.
+    /// Sets @p value at all constrained and coupled unknowns.
     void
     set_entries(Vector &vector, const double value) const;
 
@@ -63,10 +64,10 @@ namespace ElastoPlastic
     bool
     owns_leader() const;
 
-    std::vector<unsigned int> held, tied;
+    std::vector<unsigned int> constrained, coupled;
     MPI_Comm                  communicator = MPI_COMM_SELF;
-    /// The rank that owns the leader, its first tied unknown; the number of
-    /// ranks if there are no tied unknowns.
+    /// The rank that owns the leader, its first coupled unknown; the number of
+    /// ranks if there are no coupled unknowns.
     unsigned int leading_rank = 1;
   };
 } // namespace ElastoPlastic

@@ -15,7 +15,7 @@ namespace ElastoPlastic
   using VectorType = LinearAlgebra::distributed::Vector<double>;
 
   /// A stored tangent, as the linear solvers want to see it: all unknowns are
-  /// free, but for constrained ones (hanging nodes, skew rollers).
+  /// free, but for eliminated ones (hanging nodes, skew rollers).
   class TangentOperator
   {
   public:

@@ -14,26 +14,26 @@
 namespace ElastoPlastic
 {
   /// A symmetric, positive definite approximation of the inverse of a tangent,
-  /// some unknowns being held.
+  /// some unknowns being constrained.
   class TangentPreconditioner
   {
   public:
     virtual ~TangentPreconditioner() = default;
 
-    /// Takes the tangent that is stored now. @p held has ones at the held
-    /// unknowns that this rank owns, zeros elsewhere.
+    /// Takes the tangent that is stored now. @p constrained has ones at the
+    /// constrained unknowns that this rank owns, zeros elsewhere.
     virtual void
-    prepare(const VectorType &held) = 0;
+    prepare(const VectorType &constrained) = 0;
 
-    /// Both vectors are zero at held and constrained unknowns.
+    /// Both vectors are zero at constrained and eliminated unknowns.
     virtual void
     vmult(VectorType &result, const VectorType &vector) const = 0;
   };
 
 
 
-  /// An assembled tangent, with hanging nodes condensed and held unknowns
-  /// eliminated (their rows and columns are diagonal).
+  /// An assembled tangent, with hanging nodes condensed and constrained
+  /// unknowns eliminated (their rows and columns are diagonal).
   template <int dim>
   class TangentMatrix
   {
@@ -45,22 +45,23 @@ namespace ElastoPlastic
            const AffineConstraints<double> &constraints);
 
     /// Assembles the tangent that @p tangent has stored: a TangentOperator or
-    /// what else has add_matrix(). @p held is as in TangentPreconditioner.
+    /// what else has add_matrix(). @p constrained is as in
+    /// TangentPreconditioner.
     template <typename Operator>
     void
-    assemble(const Operator &tangent, const VectorType &held)
+    assemble(const Operator &tangent, const VectorType &constrained)
     {
       system_matrix = 0;
-      tangent.add_matrix(system_matrix, with_held(held));
+      tangent.add_matrix(system_matrix, with_constrained(constrained));
     }
 
     const TrilinosWrappers::SparseMatrix &
     matrix() const;
 
   private:
-    /// The constraints and, as homogeneous ones, the held unknowns.
+    /// The constraints and, as homogeneous ones, the constrained unknowns.
     AffineConstraints<double>
-    with_held(const VectorType &held) const;
+    with_constrained(const VectorType &constrained) const;
 
     const DoFHandler<dim>           *dof_handler = nullptr;
     const AffineConstraints<double> *constraints = nullptr;
@@ -88,9 +89,9 @@ namespace ElastoPlastic
     }
 
     void
-    prepare(const VectorType &held) override
+    prepare(const VectorType &constrained) override
     {
-      matrix.assemble(tangent, held);
+      matrix.assemble(tangent, constrained);
       preconditioner->initialize(matrix.matrix());
     }
 

@@ -17,12 +17,12 @@ namespace ElastoPlastic
   /// preconditioned conjugate gradients, or GMRES if the tangent is
   /// unsymmetric.
   ///
-  /// If some unknowns are tied, all of them count as held in the
+  /// If some unknowns are coupled, all of them count as constrained in the
   /// preconditioner, and their common motion is treated by deflation
   /// @cite tang_nabben_vuik_erlangga_2009: the response of the body to a unit
-  /// motion of the tied unknowns, as far as it is known from earlier systems,
-  /// is eliminated exactly. What is left is as easy as without ties, but for
-  /// one outlying eigenvalue if the response is inaccurate.
+  /// motion of the coupled unknowns, as far as it is known from earlier
+  /// systems, is eliminated exactly. What is left is as easy as without
+  /// coupling, but for one outlying eigenvalue if the response is inaccurate.
   class TangentSolver
   {
   public:
@@ -43,13 +43,13 @@ namespace ElastoPlastic
                   const std::vector<Method>                      &methods,
                   const std::function<void(const std::string &)> &warn);
 
-    /// Takes the tangent that is stored now, and which unknowns are held and
-    /// tied. @throws ConvergenceError
+    /// Takes the tangent that is stored now, and which unknowns are constrained
+    /// and coupled. @throws ConvergenceError
     void
     prepare(const ReducedUnknowns &unknowns);
 
     /// Solves until the residual has fallen by the factor @p reduction. Both
-    /// vectors are reduced, and zero at constrained unknowns. @return the
+    /// vectors are reduced, and zero at eliminated unknowns. @return the
     /// number of iterations. If those of the last method are used up before,
     /// the last iterate is the answer: what has been found by then is still a
     /// direction of descent for the energy or the residual.
@@ -106,7 +106,7 @@ namespace ElastoPlastic
 
     ReducedUnknowns unknowns;
 
-    /// To a unit motion of the tied unknowns: expanded, between the systems;
+    /// To a unit motion of the coupled unknowns: expanded, between the systems;
     /// the tangent times the response; and their product, the response's
     /// stiffness. By the minimum principle, the smaller the better.
     VectorType response, tangent_times_response;

@@ -9,7 +9,7 @@
 
 #include "base/exceptions.h"
 #include "base/expression.h"
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 
 namespace ElastoPlastic
 {

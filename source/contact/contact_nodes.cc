@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "contact/contact_nodes.h"
 
 namespace ElastoPlastic
@@ -122,8 +122,9 @@ namespace ElastoPlastic
     const double no_area = 1e-10 * areas.linfty_norm();
 
     std::map<types::global_dof_index, double> gaps;
-    throw_together(layout.get_mpi_communicator(),
-                   [&]() { gaps = find_gaps(dof_handler, boundaries, gap); });
+    rethrow_collectively(layout.get_mpi_communicator(), [&]() {
+      gaps = find_gaps(dof_handler, boundaries, gap);
+    });
 
     const auto              &partitioner = *layout.get_partitioner();
     std::vector<ContactNode> nodes;

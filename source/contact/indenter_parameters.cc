@@ -21,7 +21,7 @@ namespace ElastoPlastic
         "Type",
         p.type,
         "The shape of the rigid indenter. Sphere, paraboloid, cone and circular "
-        "punch are bodies of revolution; cylinder, wedge and strip punch have "
+        "punch are axisymmetric bodies; cylinder, wedge and strip punch have "
         "their axis along y. In two dimensions each shape is its section y = 0, "
         "so that cone and wedge, for instance, are the same there. 'expression', "
         "'image' and 'height matrix' read the entries of that name below; 'none' "

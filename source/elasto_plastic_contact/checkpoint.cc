@@ -114,7 +114,7 @@ namespace ElastoPlastic
     if (response.l2_norm() > 0)
       tangent_solver->set_response(response);
     take_back_step();
-    screen.remark(
+    log.remark(
       "Resumed at t = " + Patterns::Tools::to_string(time_steps.time()) +
       ", before step " + std::to_string(time_steps.number()) + ".");
     return progress;

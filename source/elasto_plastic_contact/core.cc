@@ -29,8 +29,8 @@ namespace ElastoPlastic
                  parameters.loading.is_single_step() ?
                    0 :
                    parameters.loading.max_cuts)
-    , screen(communicator, parameters.output.screen)
-    , timer(screen.full_stream(), TimerOutput::never, TimerOutput::wall_times)
+    , log(communicator, parameters.output.screen)
+    , timer(log.full_stream(), TimerOutput::never, TimerOutput::wall_times)
     , field_output(parameters.output.directory)
     , triangulation(communicator)
     , gap_function(make_mesh_and_place_indenter(model, triangulation))
@@ -62,11 +62,11 @@ namespace ElastoPlastic
     check_reach();
     parameters.refinement.check_first_mesh(dof_handler.n_dofs());
     for (const std::string &warning : model.geometry.warnings())
-      screen.warn(warning);
+      log.warn(warning);
     if (const std::string warning =
           warning_of_unused_materials(triangulation, model.materials.size());
         !warning.empty())
-      screen.warn(warning);
+      log.warn(warning);
   }
 
 
@@ -75,7 +75,7 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::run(const bool overwrite)
   {
-    screen.print_banner(Utilities::MPI::n_mpi_processes(communicator));
+    log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     output_directory.begin_run(overwrite, parameters.effective_input);
     run_load_history(Statistics::Progress());
   }
@@ -86,7 +86,7 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::resume()
   {
-    screen.print_banner(Utilities::MPI::n_mpi_processes(communicator));
+    log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     output_directory.resume_run();
     run_load_history(load_checkpoint());
   }
@@ -119,7 +119,7 @@ namespace ElastoPlastic
         throw;
       }
     timer.print_summary();
-    screen.remark("Results are in " + parameters.output.directory);
+    log.remark("Results are in " + parameters.output.directory);
     if (!missing_bound.empty())
       throw ConvergenceError(
         "The contact problem has been solved, and the results are written, but "
@@ -155,9 +155,9 @@ namespace ElastoPlastic
           {
             if (!time_steps.cut())
               give_up(error);
-            screen.warn("The step from t = " +
-                        Patterns::Tools::to_string(time_steps.time()) +
-                        " has not converged; trying half of it.");
+            log.warn("The step from t = " +
+                     Patterns::Tools::to_string(time_steps.time()) +
+                     " has not converged; trying half of it.");
             take_back_step();
             cut = true;
             continue;
@@ -252,7 +252,7 @@ namespace ElastoPlastic
         if (is_last)
           return result;
         if (!missing_bound.empty())
-          screen.warn(
+          log.warn(
             "The contact problem has been solved, but there is no "
             "error bound on this mesh. " +
             missing_bound);

@@ -60,7 +60,7 @@ namespace ElastoPlastic
             result.estimated_error = bound;
             if (parameters.refinement.strategy != RefinementStrategy::kelly)
               error_indicators = of_cells;
-            screen.remark(
+            log.remark(
               "The error of the stresses in equilibrium is at most " +
               Patterns::Tools::to_string(bound) +
               (!model.indenter.shape || model.indenter.shape->is_convex() ?
@@ -97,7 +97,7 @@ namespace ElastoPlastic
                           estimated_unknowns(n_new_cells)))
       return true;
 
-    screen.remark(
+    log.remark(
       "The next mesh would have more unknowns than "
       "'Refinement/Maximum number of unknowns' allows.");
     return false;
@@ -173,7 +173,7 @@ namespace ElastoPlastic
       }
     catch (const ConvergenceError &error)
       {
-        screen.warn(
+        log.warn(
           "No equilibrium has been found on the adapted mesh under "
           "the load of step " +
           std::to_string(last_step.step) +

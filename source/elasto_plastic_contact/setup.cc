@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "base/exceptions.h"
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "elasto_plastic_contact.h"
 #include "make_tangent_solver.h"
 #include "mechanics/boundary_points.h"
@@ -58,7 +58,7 @@ namespace ElastoPlastic
                                          model.strain_model,
                                          residual,
                                          [this](const std::string &warning) {
-                                           screen.warn(warning);
+                                           log.warn(warning);
                                          });
     error_indicators.reinit(triangulation.n_active_cells());
   }
@@ -78,7 +78,7 @@ namespace ElastoPlastic
       BoundaryConditionType::prescribed_displacement));
     const auto points = boundary_points(dof_handler, boundaries);
 
-    throw_together(communicator, [&]() {
+    rethrow_collectively(communicator, [&]() {
       for (TimeSteps step = time_steps; !step.finished(); step.advance())
         {
           load_program.load(step.next_time());

@@ -29,13 +29,13 @@ namespace ElastoPlastic
     result.cycle = cycle;
     result.cells = triangulation.n_global_active_cells();
     result.dofs  = dof_handler.n_dofs();
-    screen.begin_solve(result);
+    log.begin_solve(result);
 
     {
       TimerOutput::Scope     scope(timer, "Nonlinear solver");
       const SemismoothNewton newton(parameters.newton,
                                     [this](const NewtonStep &step) {
-                                      screen.newton_step(step);
+                                      log.newton_step(step);
                                       stop_if_requested();
                                     });
 
@@ -57,7 +57,7 @@ namespace ElastoPlastic
       result.residual          = report.steps.back().residual;
       result.energy            = report.steps.back().energy;
       if (result.residual > parameters.newton.tolerance)
-        screen.warn(
+        log.warn(
           "The forces on the free unknowns are " +
           Patterns::Tools::to_string(result.residual) +
           " of all forces, above 'Nonlinear solver/Tolerance': parts of the "
@@ -74,7 +74,7 @@ namespace ElastoPlastic
     result.memory_mb = Utilities::MPI::sum(memory.VmHWM / 1024., communicator);
     wall_clock.stop();
     result.wall_seconds = wall_clock.wall_time();
-    screen.end_solve(result);
+    log.end_solve(result);
     return result;
   }
 

@@ -93,14 +93,14 @@ namespace ElastoPlastic
 
 
 
-    /// A triangle's third, on which strain and stress are linear.
-    class Third
+    /// A triangle's subtriangle, on which strain and stress are linear.
+    class Subtriangle
     {
     public:
-      Third(const PlaneBody                            &body,
-            const unsigned int                          t,
-            const std::array<SymmetricTensor<2, 2>, 3> &strain,
-            const std::array<SymmetricTensor<2, 3>, 3> &stress)
+      Subtriangle(const PlaneBody                            &body,
+                  const unsigned int                          t,
+                  const std::array<SymmetricTensor<2, 2>, 3> &strain,
+                  const std::array<SymmetricTensor<2, 3>, 3> &stress)
         : material(body.materials[t])
         , stress(stress)
       {
@@ -172,14 +172,14 @@ namespace ElastoPlastic
       double     result = 0;
       for (unsigned int k = 0; k < 3; ++k)
         {
-          const Third third(
+          const Subtriangle subtriangle(
             body,
             t,
-            JohnsonMercier::on_third(strain, k),
+            JohnsonMercier::on_subtriangle(strain, k),
             {{stress.at(t, k, 0), stress.at(t, k, 1), stress.at(t, k, 2)}});
-          result += third.elastic_part();
+          result += subtriangle.elastic_part();
           if (HenckyMaterial::yields(body.materials[t]))
-            result += third.plastic_part();
+            result += subtriangle.plastic_part();
         }
       return area(body.mesh.corners(body.mesh.triangles[t])) / 3. * result;
     }

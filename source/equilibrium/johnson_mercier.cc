@@ -12,19 +12,19 @@ namespace ElastoPlastic::JohnsonMercier
 {
   namespace
   {
-    /// Adds the traction of the stress at a corner of a third on a plane with
-    /// this @p normal to two rows of @p matrix.
+    /// Adds the traction of the stress at a corner of a subtriangle on a plane
+    /// with this @p normal to two rows of @p matrix.
     void
     add_traction(FullMatrix<double> &matrix,
                  const unsigned int  row,
-                 const unsigned int  third,
+                 const unsigned int  subtriangle,
                  const unsigned int  corner,
                  const Tensor<1, 2> &normal)
     {
-      matrix(row, value_index(third, corner, 0)) += normal[0];
-      matrix(row, value_index(third, corner, 2)) += normal[1];
-      matrix(row + 1, value_index(third, corner, 2)) += normal[0];
-      matrix(row + 1, value_index(third, corner, 1)) += normal[1];
+      matrix(row, value_index(subtriangle, corner, 0)) += normal[0];
+      matrix(row, value_index(subtriangle, corner, 2)) += normal[1];
+      matrix(row + 1, value_index(subtriangle, corner, 2)) += normal[0];
+      matrix(row + 1, value_index(subtriangle, corner, 1)) += normal[1];
     }
 
 
@@ -38,16 +38,16 @@ namespace ElastoPlastic::JohnsonMercier
 
 
     /// The jumps of the tractions at both ends of the three lines between
-    /// thirds (12 x 27). The line to corner k is side 1 of the third before and
-    /// side 2 of third k.
+    /// subtriangles (12 x 27). The line to corner k is side 1 of the
+    /// subtriangle before and side 2 of subtriangle k.
     FullMatrix<double>
     jump_matrix(const Triangle &triangle)
     {
       FullMatrix<double> jumps(12, n_values);
       for (unsigned int k = 0; k < 3; ++k)
         {
-          const Triangle     third  = third_of(triangle, k);
-          const Tensor<1, 2> n      = normal(third[0], third[2]);
+          const Triangle     subtriangle = subtriangle_of(triangle, k);
+          const Tensor<1, 2> n      = normal(subtriangle[0], subtriangle[2]);
           const unsigned int before = (k + 2) % 3;
           add_traction(jumps, 4 * k, k, 0, n);
           add_traction(jumps, 4 * k, before, 1, -n);
@@ -93,10 +93,10 @@ namespace ElastoPlastic::JohnsonMercier
 
 
   Triangle
-  third_of(const Triangle &triangle, const unsigned int third)
+  subtriangle_of(const Triangle &triangle, const unsigned int subtriangle)
   {
-    return {{triangle[third],
-             triangle[(third + 1) % 3],
+    return {{triangle[subtriangle],
+             triangle[(subtriangle + 1) % 3],
              Point<2>((triangle[0] + triangle[1] + triangle[2]) / 3.)}};
   }
 
@@ -117,13 +117,13 @@ namespace ElastoPlastic::JohnsonMercier
 
   SymmetricTensor<2, 2>
   stress_at(const Vector<double> &values,
-            const unsigned int    third,
+            const unsigned int    subtriangle,
             const unsigned int    corner)
   {
     SymmetricTensor<2, 2> stress;
-    stress[0][0] = values[value_index(third, corner, 0)];
-    stress[1][1] = values[value_index(third, corner, 1)];
-    stress[0][1] = values[value_index(third, corner, 2)];
+    stress[0][0] = values[value_index(subtriangle, corner, 0)];
+    stress[1][1] = values[value_index(subtriangle, corner, 1)];
+    stress[0][1] = values[value_index(subtriangle, corner, 2)];
     return stress;
   }
 
@@ -149,11 +149,12 @@ namespace ElastoPlastic::JohnsonMercier
   divergence_matrix(const Triangle &triangle)
   {
     FullMatrix<double> divergence(6, n_values);
-    for (unsigned int third = 0; third < 3; ++third)
+    for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
       {
-        const auto gradient = gradients(third_of(triangle, third));
+        const auto gradient = gradients(subtriangle_of(triangle, subtriangle));
         for (unsigned int corner = 0; corner < 3; ++corner)
-          add_traction(divergence, 2 * third, third, corner, gradient[corner]);
+          add_traction(
+            divergence, 2 * subtriangle, subtriangle, corner, gradient[corner]);
       }
     return divergence;
   }
@@ -168,11 +169,11 @@ namespace ElastoPlastic::JohnsonMercier
     FullMatrix<double> conditions(n_values, n_values);
     fill_rows(conditions, 0, jump_matrix(triangle));
     fill_rows(conditions, 12, traction_matrix(triangle));
-    for (unsigned int third = 0; third < 3; ++third)
+    for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
       for (unsigned int corner = 0; corner < 3; ++corner)
         for (unsigned int component = 0; component < 3; ++component)
-          conditions(24 + component, value_index(third, corner, component)) =
-            1. / 9.;
+          conditions(24 + component,
+                     value_index(subtriangle, corner, component)) = 1. / 9.;
 
     conditions.gauss_jordan();
     FullMatrix<double> basis(n_values, n_dofs);
@@ -205,15 +206,15 @@ namespace ElastoPlastic::JohnsonMercier
       {
         for (unsigned int i = 0; i < n_values; ++i)
           values[i] = reference(i, j);
-        for (unsigned int third = 0; third < 3; ++third)
+        for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
           for (unsigned int corner = 0; corner < 3; ++corner)
             {
               const Tensor<2, 2> stress =
-                piola * Tensor<2, 2>(stress_at(values, third, corner)) *
+                piola * Tensor<2, 2>(stress_at(values, subtriangle, corner)) *
                 transpose(piola);
-              basis(value_index(third, corner, 0), j) = stress[0][0];
-              basis(value_index(third, corner, 1), j) = stress[1][1];
-              basis(value_index(third, corner, 2), j) = stress[0][1];
+              basis(value_index(subtriangle, corner, 0), j) = stress[0][0];
+              basis(value_index(subtriangle, corner, 1), j) = stress[1][1];
+              basis(value_index(subtriangle, corner, 2), j) = stress[0][1];
             }
       }
     return basis;

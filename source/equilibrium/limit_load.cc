@@ -15,18 +15,19 @@ namespace ElastoPlastic
 
 
     /// int tau : e(v) over a triangle, the product of two linear functions on
-    /// each third.
+    /// each subtriangle.
     double
     power(const PlaneBody &body, const LimitLoad &bounds, const unsigned int t)
     {
       const auto rates = strains(body.mesh, bounds.velocity.velocity, t);
       double     sum   = 0;
-      for (unsigned int third = 0; third < 3; ++third)
+      for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
         {
-          const auto rate = on_third(rates, third);
+          const auto rate = on_subtriangle(rates, subtriangle);
           sum +=
             integrate_product([&](const unsigned int i, const unsigned int j) {
-              return stress_at(bounds.stress.in_plane[t], third, i) * rate[j];
+              return stress_at(bounds.stress.in_plane[t], subtriangle, i) *
+                     rate[j];
             });
         }
       return area(body.mesh.corners(body.mesh.triangles[t])) / 3. * sum;

@@ -55,7 +55,7 @@ namespace ElastoPlastic
 
       for (unsigned int k = 0; k < 3; ++k)
         {
-          const Tensor<1, 2> line   = third_of(corners, k)[2] - corners[k];
+          const Tensor<1, 2> line = subtriangle_of(corners, k)[2] - corners[k];
           const Tensor<1, 2> normal = cross_product_2d(line) / line.norm();
           const unsigned int before = (k + 2) % 3;
           for (const auto &[here, there] :

@@ -11,13 +11,13 @@ namespace ElastoPlastic
 {
   SymmetricTensor<2, 3>
   StressField::at(const unsigned int triangle,
-                  const unsigned int third,
+                  const unsigned int subtriangle,
                   const unsigned int corner) const
   {
     return in_space<2>(JohnsonMercier::stress_at(in_plane[triangle],
-                                                 third,
+                                                 subtriangle,
                                                  corner),
-                       out_of_plane[triangle][3 * third + corner]);
+                       out_of_plane[triangle][3 * subtriangle + corner]);
   }
 
 

@@ -42,8 +42,8 @@ namespace ElastoPlastic
 
 
 
-    /// The area of a third, with what turns compliances into the units of the
-    /// body.
+    /// The area of a subtriangle, with what turns compliances into the units of
+    /// the body.
     double
     energy_weight(const PlaneBody &body, const unsigned int t)
     {

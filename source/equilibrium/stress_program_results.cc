@@ -122,8 +122,8 @@ namespace ElastoPlastic
   //   (strain, tau) + (u_h, div tau) - <w, tau n> = 0.
   // Of these 15 equations, the nine without divergence have been solved; least
   // squares take out of the others the values of u_h at the centres of gravity
-  // of the thirds, where div tau is constant. Such a value is 4/9 of those at
-  // the corners k and k + 1 and 1/9 of the third one.
+  // of the subtriangles, where div tau is constant. Such a value is 4/9 of
+  // those at the corners k and k + 1 and 1/9 of the third one.
   std::array<Tensor<1, 2>, 3>
   StressProgram::displacement_of(const unsigned int    t,
                                  const Vector<double> &strain_moments,

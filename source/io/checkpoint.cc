@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "base/exceptions.h"
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "io/checked_write.h"
 #include "io/checkpoint.h"
 #include "version.h"
@@ -244,7 +244,7 @@ namespace ElastoPlastic
   {
     Contents    contents;
     std::string folder;
-    throw_together(communicator, [&]() {
+    rethrow_collectively(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
       folder = last_checkpoint(directory).string();

@@ -9,7 +9,7 @@
 
 #include "base/as_number.h"
 #include "base/exceptions.h"
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "io/checked_write.h"
 #include "io/csv_file.h"
 
@@ -86,7 +86,7 @@ namespace ElastoPlastic
   {
     const bool first_rank = Utilities::MPI::this_mpi_process(communicator) == 0;
     std::string rows;
-    throw_together(communicator, [&]() {
+    rethrow_collectively(communicator, [&]() {
       if (first_rank && n_rows > 0)
         rows = first_rows(name, columns, n_rows);
     });

@@ -79,19 +79,21 @@ namespace ElastoPlastic
     Patch
     make_patch(const EquilibriumFields &fields,
                const unsigned int       t,
-               const unsigned int       third)
+               const unsigned int       subtriangle)
     {
       const auto &[body, stress_field, field, errors] = fields;
       const auto &triangle                            = body.mesh.triangles[t];
       const auto  corners =
-        JohnsonMercier::third_of(body.mesh.corners(triangle), third);
+        JohnsonMercier::subtriangle_of(body.mesh.corners(triangle),
+                                       subtriangle);
       const std::array<Tensor<1, 2>, 3> motions = {
-        {field.at_vertices[triangle.vertices[third]],
-         field.at_vertices[triangle.vertices[(third + 1) % 3]],
+        {field.at_vertices[triangle.vertices[subtriangle]],
+         field.at_vertices[triangle.vertices[(subtriangle + 1) % 3]],
          value_at_center(field, triangle)}};
 
       const auto multipliers =
-        JohnsonMercier::on_third(stress_field.displacement[t], third);
+        JohnsonMercier::on_subtriangle(stress_field.displacement[t],
+                                       subtriangle);
 
       Patch patch;
       patch.reference_cell = ReferenceCells::Triangle;
@@ -100,7 +102,7 @@ namespace ElastoPlastic
       for (unsigned int i = 0; i < 3; ++i)
         {
           patch.vertices[i]          = corners[i];
-          const auto   stress        = stress_field.at(t, third, i);
+          const auto   stress        = stress_field.at(t, subtriangle, i);
           const double deviator_norm = deviator(stress).norm();
           for (unsigned int d = 0; d < 2; ++d)
             {
@@ -137,9 +139,9 @@ namespace ElastoPlastic
   {
     Triangles triangles(name_of_motion);
     for (unsigned int t = 0; t < fields.body.mesh.triangles.size(); ++t)
-      for (unsigned int third = 0; third < 3; ++third)
+      for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
         {
-          triangles.patches.push_back(make_patch(fields, t, third));
+          triangles.patches.push_back(make_patch(fields, t, subtriangle));
           triangles.patches.back().patch_index = triangles.patches.size() - 1;
         }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/exceptions.h"
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "io/checked_write.h"
 #include "io/checkpoint.h"
 #include "io/output_directory.h"
@@ -212,7 +212,7 @@ namespace ElastoPlastic
   void
   OutputDirectory::on_first_rank(const std::function<void()> &task) const
   {
-    throw_together(communicator, [&]() {
+    rethrow_collectively(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
         try
           {

@@ -117,7 +117,7 @@ namespace ElastoPlastic
       throw InputError("Kinematics",
                        Patterns::Tools::to_string(discretization.kinematics),
                        "that is for two dimensions. Set 'Dimension = 2' for a "
-                       "body of revolution or a sheet.");
+                       "axisymmetric body or a sheet.");
     if (discretization.kinematics == Kinematics::plane_stress &&
         discretization.volumetric_treatment != VolumetricTreatment::standard)
       throw InputError("Discretization/Volumetric treatment",

@@ -11,7 +11,7 @@
 #include <type_traits>
 
 #include "base/exceptions.h"
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "io/checked_write.h"
 #include "io/saved_mesh.h"
 
@@ -241,12 +241,13 @@ namespace ElastoPlastic
     {
       const MPI_Comm         communicator = triangulation.get_communicator();
       std::vector<SavedCell> cells;
-      throw_together(communicator, [&]() { cells = read_cells<dim>(name); });
+      rethrow_collectively(communicator,
+                           [&]() { cells = read_cells<dim>(name); });
 
       while (true)
         {
           bool refine = false;
-          throw_together(communicator, [&]() {
+          rethrow_collectively(communicator, [&]() {
             refine = flag_ancestors<dim>(triangulation, cells);
           });
           if (!Utilities::MPI::logical_or(refine, communicator))
@@ -255,7 +256,7 @@ namespace ElastoPlastic
         }
 
       CellValues values;
-      throw_together(communicator, [&]() {
+      rethrow_collectively(communicator, [&]() {
         if (triangulation.n_global_active_cells() != cells.size())
           reject_mesh();
         values = read_values<dim>(triangulation, cells, name);

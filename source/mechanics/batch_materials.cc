@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "mechanics/batch_materials.h"
 #include "mesh/material_ids.h"
 
@@ -59,7 +59,7 @@ namespace ElastoPlastic
                       join_lanes<Number>(of_lane, n_back_stresses()));
     if (materials.size() == 1)
       return;
-    throw_together(communicator, [&]() {
+    rethrow_collectively(communicator, [&]() {
       for (unsigned int batch = 0; batch < kernel.n_batches(); ++batch)
         {
           for (unsigned int lane = 0; lane < kernel.n_cells(batch); ++lane)

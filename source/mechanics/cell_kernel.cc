@@ -79,7 +79,7 @@ namespace ElastoPlastic
 
   template <int dim, typename Tangents>
   const std::vector<unsigned int> &
-  CellKernel<dim, Tangents>::constrained_entries() const
+  CellKernel<dim, Tangents>::eliminated_entries() const
   {
     return matrix_free.get_constrained_dofs();
   }
@@ -101,7 +101,7 @@ namespace ElastoPlastic
           shares(master) += weight * weight * values(line.index);
     shares.compress(VectorOperation::add);
     values += shares;
-    for (const unsigned int i : constrained_entries())
+    for (const unsigned int i : eliminated_entries())
       values.local_element(i) = 0.;
   }
 

@@ -16,7 +16,7 @@ namespace ElastoPlastic
       "thickness. plane stress: a thin sheet of unit "
       "thickness that bears no stress across; with 'Volumetric "
       "treatment = standard', it does not lock. axisymmetric: the half section x >= 0 of a "
-      "body of revolution, y is its axis; forces and areas are "
+      "axisymmetric body, y is its axis; forces and areas are "
       "those of the whole body.");
     prm.enter_subsection("Discretization");
     prm.add_parameter("Polynomial degree",

@@ -4,7 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "mechanics/external_forces.h"
 
 namespace ElastoPlastic
@@ -29,7 +29,7 @@ namespace ElastoPlastic
     std::vector<types::global_dof_index> dof_indices(fe.n_dofs_per_cell());
 
     forces = 0;
-    throw_together(dof_handler.get_communicator(), [&]() {
+    rethrow_collectively(dof_handler.get_communicator(), [&]() {
       for (const auto &cell : dof_handler.active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int f : cell->face_indices())

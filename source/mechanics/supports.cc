@@ -6,7 +6,7 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include "base/exceptions.h"
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "mechanics/supports.h"
 
 namespace ElastoPlastic
@@ -180,7 +180,7 @@ namespace ElastoPlastic
       VectorTools::interpolate_boundary_values(
         MappingQ1<dim>(), dof_handler, id, zero, fixed_values);
 
-    throw_together(dof_handler.get_communicator(), [&]() {
+    rethrow_collectively(dof_handler.get_communicator(), [&]() {
       for (const auto &[id, displacement] :
            boundary_conditions.prescribed_displacements())
         for (unsigned int d = 0; d < dim; ++d)
@@ -202,8 +202,8 @@ namespace ElastoPlastic
                                                fixed_values,
                                                mask_of_component<dim>(axis));
     if (kinematics == Kinematics::axisymmetric)
-      throw_together(dof_handler.get_communicator(),
-                     [&]() { fix_axis(dof_handler); });
+      rethrow_collectively(dof_handler.get_communicator(),
+                           [&]() { fix_axis(dof_handler); });
   }
 
 

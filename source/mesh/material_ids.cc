@@ -10,7 +10,7 @@
 
 #include "base/exceptions.h"
 #include "base/expression.h"
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "mesh/material_ids.h"
 
 namespace ElastoPlastic
@@ -30,7 +30,7 @@ namespace ElastoPlastic
       void
       apply_to(Triangulation<dim> &triangulation) const
       {
-        throw_together(triangulation.get_communicator(), [&]() {
+        rethrow_collectively(triangulation.get_communicator(), [&]() {
           for (const auto &cell : triangulation.cell_iterators())
             cell->set_material_id(value(cell->center()));
         });
@@ -123,7 +123,7 @@ namespace ElastoPlastic
   {
     if (n_materials == 1)
       return;
-    throw_together(triangulation.get_communicator(), [&]() {
+    rethrow_collectively(triangulation.get_communicator(), [&]() {
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
           check_material_id(*cell, n_materials);

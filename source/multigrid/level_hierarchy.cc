@@ -38,7 +38,7 @@ namespace ElastoPlastic
                                          const LevelVector &coarse) const
   {
     transfers[to_level]->prolongate_and_add(fine, coarse);
-    operators[to_level]->zero_held(fine);
+    operators[to_level]->zero_constrained(fine);
   }
 
 
@@ -50,7 +50,7 @@ namespace ElastoPlastic
                                        const LevelVector &fine) const
   {
     transfers[from_level]->restrict_and_add(coarse, fine);
-    operators[from_level - 1]->zero_held(coarse);
+    operators[from_level - 1]->zero_constrained(coarse);
   }
 
 
@@ -149,22 +149,22 @@ namespace ElastoPlastic
   template <int dim>
   void
   LevelHierarchy<dim>::update(const SolidOperator<dim> &solid,
-                              const VectorType         &held)
+                              const VectorType         &constrained)
   {
     update_tangents(solid);
 
-    LevelVector level_held, coarse_held;
-    level_operators[max_level()]->initialize_vector(level_held);
-    level_held.copy_locally_owned_data_from(held);
+    LevelVector level_constrained, coarse_constrained;
+    level_operators[max_level()]->initialize_vector(level_constrained);
+    level_constrained.copy_locally_owned_data_from(constrained);
     for (unsigned int l = max_level(); l > 0; --l)
       {
-        level_operators[l]->set_held(level_held);
-        level_operators[l - 1]->initialize_vector(coarse_held);
-        two_level_transfers[l]->inject(coarse_held, level_held);
-        level_held.swap(coarse_held);
+        level_operators[l]->set_constrained(level_constrained);
+        level_operators[l - 1]->initialize_vector(coarse_constrained);
+        two_level_transfers[l]->inject(coarse_constrained, level_constrained);
+        level_constrained.swap(coarse_constrained);
       }
-    level_operators[0]->set_held(level_held);
-    held_on_coarsest_level = level_held;
+    level_operators[0]->set_constrained(level_constrained);
+    constrained_on_coarsest_level = level_constrained;
   }
 
 
@@ -246,9 +246,9 @@ namespace ElastoPlastic
 
   template <int dim>
   const LevelVector &
-  LevelHierarchy<dim>::coarse_held() const
+  LevelHierarchy<dim>::coarse_constrained() const
   {
-    return held_on_coarsest_level;
+    return constrained_on_coarsest_level;
   }
 
 

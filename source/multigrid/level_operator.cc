@@ -42,7 +42,7 @@ namespace ElastoPlastic
     kernel->reinit(dof_handler,
                    constraints,
                    hanging_node_patterns(dof_handler, constraints));
-    cut_off_indices = kernel->constrained_entries();
+    cut_off_indices = kernel->eliminated_entries();
 
     tangents.reinit(kernel->n_batches());
     cells.resize(kernel->n_batches());
@@ -81,16 +81,16 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  LevelOperator<dim>::set_held(const LevelVector &held)
+  LevelOperator<dim>::set_constrained(const LevelVector &constrained)
   {
-    held_indices.clear();
-    for (unsigned int i = 0; i < held.locally_owned_size(); ++i)
-      if (held.local_element(i) > 0.5f)
-        held_indices.push_back(i);
-    cut_off_indices = kernel->constrained_entries();
+    constrained_indices.clear();
+    for (unsigned int i = 0; i < constrained.locally_owned_size(); ++i)
+      if (constrained.local_element(i) > 0.5f)
+        constrained_indices.push_back(i);
+    cut_off_indices = kernel->eliminated_entries();
     cut_off_indices.insert(cut_off_indices.end(),
-                           held_indices.begin(),
-                           held_indices.end());
+                           constrained_indices.begin(),
+                           constrained_indices.end());
   }
 
 
@@ -169,9 +169,9 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  LevelOperator<dim>::zero_held(LevelVector &vector) const
+  LevelOperator<dim>::zero_constrained(LevelVector &vector) const
   {
-    for (const unsigned int i : held_indices)
+    for (const unsigned int i : constrained_indices)
       vector.local_element(i) = 0.f;
   }
 

@@ -53,7 +53,7 @@ namespace ElastoPlastic
   void
   MultigridPreconditioner<dim>::CoarseSolver::prepare()
   {
-    double_rhs.copy_locally_owned_data_from(hierarchy.coarse_held());
+    double_rhs.copy_locally_owned_data_from(hierarchy.coarse_constrained());
     tangent.assemble(*hierarchy.operators()[0], double_rhs);
     preconditioner->initialize(tangent.matrix());
   }
@@ -76,7 +76,7 @@ namespace ElastoPlastic
     else
       double_solution = 0.;
     solution.copy_locally_owned_data_from(double_solution);
-    hierarchy.operators()[0]->zero_held(solution);
+    hierarchy.operators()[0]->zero_constrained(solution);
   }
 
 
@@ -110,9 +110,9 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  MultigridPreconditioner<dim>::prepare(const VectorType &held)
+  MultigridPreconditioner<dim>::prepare(const VectorType &constrained)
   {
-    hierarchy.update(solid, held);
+    hierarchy.update(solid, constrained);
     prepare_smoother();
     coarse_solver.prepare();
   }

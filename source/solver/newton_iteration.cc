@@ -108,7 +108,7 @@ namespace ElastoPlastic
         "load steps ('Loading/Number of steps') or a finer mesh at the "
         "contact help.");
     feasible = true;
-    problem.move_held(u);
+    problem.move_constrained(u);
     problem.project(u);
     evaluate();
     problem.update_feasible_active_set(u, residual);
@@ -130,9 +130,9 @@ namespace ElastoPlastic
       }
 
     lift = u;
-    problem.move_held(lift);
+    problem.move_constrained(lift);
     lift -= u;
-    held_unknowns_at_place =
+    constrained_unknowns_at_place =
       lift.linfty_norm() <= 1e-12 * std::max(u.linfty_norm(), 1e-300);
 
     previous_free_norm = free_norm;
@@ -177,7 +177,7 @@ namespace ElastoPlastic
   bool
   NewtonIteration::has_converged()
   {
-    return step.iteration > 0 && held_unknowns_at_place &&
+    return step.iteration > 0 && constrained_unknowns_at_place &&
            (free_norm <= parameters.tolerance * force_norm ||
             (free_norm > 0.5 * previous_free_norm && is_rounding()));
   }
@@ -225,7 +225,7 @@ namespace ElastoPlastic
     problem.linearize(u);
     // the forces at u + lift, to first order
     work = residual;
-    if (!held_unknowns_at_place)
+    if (!constrained_unknowns_at_place)
       {
         problem.apply_tangent(trial, lift);
         work -= trial;
@@ -248,14 +248,14 @@ namespace ElastoPlastic
 
 
   // If the affine set has changed, the line search starts on the new one, at
-  // the point that differs from u only in the held unknowns; if it finds
+  // the point that differs from u only in the constrained unknowns; if it finds
   // nothing better, that point is the next iterate, from which the Newton step
   // is a direction of descent.
   void
   NewtonIteration::newton_step()
   {
     compute_increment();
-    if (!held_unknowns_at_place)
+    if (!constrained_unknowns_at_place)
       {
         u += lift;
         evaluate();
@@ -268,7 +268,7 @@ namespace ElastoPlastic
       }
     else
       step.step_length = residual_line_search(work, increment);
-    stuck = (step.step_length == 0. && held_unknowns_at_place);
+    stuck = (step.step_length == 0. && constrained_unknowns_at_place);
   }
 
 

@@ -7,14 +7,14 @@
 
 namespace ElastoPlastic
 {
-  ReducedUnknowns::ReducedUnknowns(const std::vector<unsigned int> &held,
-                                   const std::vector<unsigned int> &tied,
+  ReducedUnknowns::ReducedUnknowns(const std::vector<unsigned int> &constrained,
+                                   const std::vector<unsigned int> &coupled,
                                    const MPI_Comm communicator)
-    : held(held)
-    , tied(tied)
+    : constrained(constrained)
+    , coupled(coupled)
     , communicator(communicator)
     , leading_rank(
-        Utilities::MPI::min(tied.empty() ?
+        Utilities::MPI::min(coupled.empty() ?
                               Utilities::MPI::n_mpi_processes(communicator) :
                               Utilities::MPI::this_mpi_process(communicator),
                             communicator))
@@ -23,7 +23,7 @@ namespace ElastoPlastic
 
 
   bool
-  ReducedUnknowns::has_ties() const
+  ReducedUnknowns::has_coupling() const
   {
     return leading_rank < Utilities::MPI::n_mpi_processes(communicator);
   }
@@ -41,10 +41,10 @@ namespace ElastoPlastic
   void
   ReducedUnknowns::expand(Vector &increment) const
   {
-    if (!has_ties())
+    if (!has_coupling())
       return;
     const double value = leading_value(increment);
-    for (const unsigned int i : tied)
+    for (const unsigned int i : coupled)
       increment.local_element(i) = value;
   }
 
@@ -54,9 +54,9 @@ namespace ElastoPlastic
   ReducedUnknowns::contract(Vector &forces) const
   {
     double sum = 0;
-    if (has_ties())
+    if (has_coupling())
       {
-        for (const unsigned int i : tied)
+        for (const unsigned int i : coupled)
           sum += forces.local_element(i);
         sum = Utilities::MPI::sum(sum, communicator);
       }
@@ -69,7 +69,7 @@ namespace ElastoPlastic
   ReducedUnknowns::leading_value(const Vector &vector) const
   {
     const double value =
-      owns_leader() ? vector.local_element(tied.front()) : 0.;
+      owns_leader() ? vector.local_element(coupled.front()) : 0.;
     return Utilities::MPI::broadcast(communicator, value, leading_rank);
   }
 
@@ -80,7 +80,7 @@ namespace ElastoPlastic
   {
     set_entries(vector, 0.);
     if (owns_leader())
-      vector.local_element(tied.front()) = value;
+      vector.local_element(coupled.front()) = value;
   }
 
 
@@ -88,9 +88,9 @@ namespace ElastoPlastic
   void
   ReducedUnknowns::set_entries(Vector &vector, const double value) const
   {
-    for (const unsigned int i : held)
+    for (const unsigned int i : constrained)
       vector.local_element(i) = value;
-    for (const unsigned int i : tied)
+    for (const unsigned int i : coupled)
       vector.local_element(i) = value;
   }
 } // namespace ElastoPlastic

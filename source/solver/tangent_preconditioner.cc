@@ -30,18 +30,18 @@ namespace ElastoPlastic
 
   template <int dim>
   AffineConstraints<double>
-  TangentMatrix<dim>::with_held(const VectorType &held) const
+  TangentMatrix<dim>::with_constrained(const VectorType &constrained) const
   {
-    VectorType held_and_ghosts(dof_handler->locally_owned_dofs(),
-                               relevant_dofs,
-                               dof_handler->get_communicator());
-    held_and_ghosts.copy_locally_owned_data_from(held);
-    held_and_ghosts.update_ghost_values();
+    VectorType constrained_and_ghosts(dof_handler->locally_owned_dofs(),
+                                      relevant_dofs,
+                                      dof_handler->get_communicator());
+    constrained_and_ghosts.copy_locally_owned_data_from(constrained);
+    constrained_and_ghosts.update_ghost_values();
 
     AffineConstraints<double> all_constraints(relevant_dofs);
     all_constraints.merge(*constraints);
     for (const types::global_dof_index dof : relevant_dofs)
-      if (held_and_ghosts(dof) != 0.)
+      if (constrained_and_ghosts(dof) != 0.)
         all_constraints.add_line(dof);
     all_constraints.close();
     return all_constraints;

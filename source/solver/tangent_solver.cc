@@ -19,7 +19,7 @@ namespace ElastoPlastic
     void
     vmult(VectorType &result, const VectorType &vector) const
     {
-      if (unknowns.has_ties())
+      if (unknowns.has_coupling())
         {
           expanded = vector;
           unknowns.expand(expanded);
@@ -51,7 +51,7 @@ namespace ElastoPlastic
     void
     vmult(VectorType &result, const VectorType &vector) const
     {
-      if (!solver.unknowns.has_ties())
+      if (!solver.unknowns.has_coupling())
         {
           solver.preconditioner->vmult(result, vector);
           return;
@@ -92,7 +92,7 @@ namespace ElastoPlastic
   {
     unknowns = new_unknowns;
     prepare_preconditioner();
-    if (unknowns.has_ties())
+    if (unknowns.has_coupling())
       prepare_response();
   }
 
@@ -110,13 +110,13 @@ namespace ElastoPlastic
   void
   TangentSolver::prepare_preconditioner()
   {
-    VectorType held;
-    tangent.initialize_vector(held);
-    unknowns.set_entries(held, 1.);
+    VectorType constrained;
+    tangent.initialize_vector(constrained);
+    unknowns.set_entries(constrained, 1.);
     while (true)
       try
         {
-          preconditioner->prepare(held);
+          preconditioner->prepare(constrained);
           return;
         }
       catch (const ConvergenceError &)
@@ -143,7 +143,7 @@ namespace ElastoPlastic
 
 
 
-  // As long as nothing better is known, the response is that of the tied
+  // As long as nothing better is known, the response is that of the coupled
   // unknowns alone.
   void
   TangentSolver::prepare_response()
@@ -196,7 +196,7 @@ namespace ElastoPlastic
                   conjugate_gradients(
           reduced, solution, rhs, deflated, reduction, max_n) :
                   flexible_gmres(reduced, solution, rhs, deflated, reduction, max_n);
-    if (unknowns.has_ties())
+    if (unknowns.has_coupling())
       learn_response(solution, rhs);
     return n;
   }

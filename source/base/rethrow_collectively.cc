@@ -5,13 +5,13 @@
 
 #include "base/exceptions.h"
 #include "base/machine_error.h"
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// How many calls of throw_together() this rank is within.
+    /// How many calls of rethrow_collectively() this rank is within.
     unsigned int depth = 0;
 
     class Scope
@@ -54,7 +54,8 @@ namespace ElastoPlastic
 
 
   void
-  throw_together(const MPI_Comm communicator, const std::function<void()> &body)
+  rethrow_collectively(const MPI_Comm               communicator,
+                       const std::function<void()> &body)
   {
     std::string error;
     int         status = 0;

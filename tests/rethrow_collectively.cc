@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <new>
 
-#include "base/throw_together.h"
+#include "base/rethrow_collectively.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -25,7 +25,7 @@ namespace
     std::string what = "nothing";
     try
       {
-        throw_together(MPI_COMM_WORLD, [&]() {
+        rethrow_collectively(MPI_COMM_WORLD, [&]() {
           if (rank == last)
             body();
         });

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef base_throw_together_h
-#define base_throw_together_h
+#ifndef base_rethrow_collectively_h
+#define base_rethrow_collectively_h
 
 #include <deal.II/base/mpi.h>
 
@@ -17,11 +17,11 @@ namespace ElastoPlastic
   /// the first of these has thrown; nobody waits for a rank that has given up.
   /// Collective; @p body must not communicate.
   void
-  throw_together(const MPI_Comm               communicator,
-                 const std::function<void()> &body);
+  rethrow_collectively(const MPI_Comm               communicator,
+                       const std::function<void()> &body);
 
   /// Whether an Error of this rank alone leaves nobody waiting: within
-  /// throw_together(), and where there are no other ranks.
+  /// rethrow_collectively(), and where there are no other ranks.
   bool
   may_throw_alone();
 } // namespace ElastoPlastic

@@ -1,35 +1,14 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef io_screen_h
-#define io_screen_h
+#ifndef evaluation_solve_result_h
+#define evaluation_solve_result_h
 
-#include <deal.II/base/conditional_ostream.h>
-
-#include <string>
-
-#include "base/enum_names.h"
-#include "solver/semismooth_newton.h"
+#include <deal.II/base/types.h>
 
 namespace ElastoPlastic
 {
   using namespace dealii;
-
-  /// How much is printed; see the entry "Screen".
-  enum class Verbosity
-  {
-    full,
-    summary,
-    quiet
-  };
-
-  template <>
-  inline const EnumNames<Verbosity> enum_names<Verbosity> = {
-    {"full", Verbosity::full},
-    {"summary", Verbosity::summary},
-    {"quiet", Verbosity::quiet}};
-
-
 
   /// What one nonlinear solve has found: a row of statistics.csv and, in part,
   /// of the table on the screen. Units are those of the input.
@@ -83,47 +62,6 @@ namespace ElastoPlastic
                 &max_equivalent_plastic_strain &elastic_energy &hardening_energy
                   &plastic_work &dissipation &external_work;
     }
-  };
-
-
-
-  /// Tells the user on the screen what is going on, from the first rank only,
-  /// as much as the entry "Output/Screen" allows.
-  class Screen
-  {
-  public:
-    Screen(const MPI_Comm communicator, const Verbosity verbosity);
-
-    /// Program, libraries, build and number of ranks.
-    void
-    print_banner(const unsigned int n_ranks);
-
-    void
-    begin_solve(const SolveResult &sizes);
-
-    void
-    newton_step(const NewtonStep &step);
-
-    void
-    end_solve(const SolveResult &result);
-
-    /// A remark that only the full output shows.
-    void
-    remark(const std::string &text);
-
-    /// Something unexpected that does not stop the program: one line on
-    /// standard error, however quiet the program is to be.
-    void
-    warn(const std::string &text);
-
-    /// For the table of times.
-    ConditionalOStream &
-    full_stream();
-
-  private:
-    ConditionalOStream full;
-    ConditionalOStream summary;
-    ConditionalOStream warnings;
   };
 } // namespace ElastoPlastic
 

@@ -9,7 +9,7 @@
 #include <iostream>
 
 #include "base/simd.h"
-#include "io/screen.h"
+#include "io/log.h"
 #include "version.h"
 
 namespace ElastoPlastic
@@ -30,7 +30,7 @@ namespace ElastoPlastic
 
 
 
-  Screen::Screen(const MPI_Comm communicator, const Verbosity verbosity)
+  Log::Log(const MPI_Comm communicator, const Verbosity verbosity)
     : full(std::cout,
            verbosity == Verbosity::full &&
              Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -47,7 +47,7 @@ namespace ElastoPlastic
 
 
   void
-  Screen::print_banner(const unsigned int n_ranks)
+  Log::print_banner(const unsigned int n_ranks)
   {
     full << "ElastoPlasticContact " << ELASTO_PLASTIC_CONTACT_VERSION << " ("
          << ELASTO_PLASTIC_CONTACT_REVISION << "), "
@@ -60,7 +60,7 @@ namespace ElastoPlastic
 
 
   void
-  Screen::begin_solve(const SolveResult &sizes)
+  Log::begin_solve(const SolveResult &sizes)
   {
     full << format("\nStep %u, t = %.6g, cycle %u: %llu cells, %llu unknowns\n",
                    sizes.step,
@@ -75,7 +75,7 @@ namespace ElastoPlastic
 
 
   void
-  Screen::newton_step(const NewtonStep &step)
+  Log::newton_step(const NewtonStep &step)
   {
     full << format("  %4u  %6u %14.8e  %9.3e  %6u  %6.4f%s%s",
                    step.iteration,
@@ -92,7 +92,7 @@ namespace ElastoPlastic
 
 
   void
-  Screen::end_solve(const SolveResult &r)
+  Log::end_solve(const SolveResult &r)
   {
     full
       << format(
@@ -129,7 +129,7 @@ namespace ElastoPlastic
 
 
   void
-  Screen::remark(const std::string &text)
+  Log::remark(const std::string &text)
   {
     full << text << std::endl;
   }
@@ -137,7 +137,7 @@ namespace ElastoPlastic
 
 
   void
-  Screen::warn(const std::string &text)
+  Log::warn(const std::string &text)
   {
     warnings << "Warning: " << text << std::endl;
   }
@@ -145,7 +145,7 @@ namespace ElastoPlastic
 
 
   ConditionalOStream &
-  Screen::full_stream()
+  Log::full_stream()
   {
     return full;
   }

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef io_log_h
+#define io_log_h
+
+#include <deal.II/base/conditional_ostream.h>
+
+#include <string>
+
+#include "base/enum_names.h"
+#include "evaluation/solve_result.h"
+#include "solver/semismooth_newton.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// How much is printed; see the entry "Screen".
+  enum class Verbosity
+  {
+    full,
+    summary,
+    quiet
+  };
+
+  template <>
+  inline const EnumNames<Verbosity> enum_names<Verbosity> = {
+    {"full", Verbosity::full},
+    {"summary", Verbosity::summary},
+    {"quiet", Verbosity::quiet}};
+
+
+
+  /// Tells the user what is going on: on the screen, from the first rank only,
+  /// as much as the entry "Output/Screen" allows.
+  class Log
+  {
+  public:
+    Log(const MPI_Comm communicator, const Verbosity verbosity);
+
+    /// Program, libraries, build and number of ranks.
+    void
+    print_banner(const unsigned int n_ranks);
+
+    void
+    begin_solve(const SolveResult &sizes);
+
+    void
+    newton_step(const NewtonStep &step);
+
+    void
+    end_solve(const SolveResult &result);
+
+    /// A remark that only the full output shows.
+    void
+    remark(const std::string &text);
+
+    /// Something unexpected that does not stop the program: one line on
+    /// standard error, however quiet the program is to be.
+    void
+    warn(const std::string &text);
+
+    /// For the table of times.
+    ConditionalOStream &
+    full_stream();
+
+  private:
+    ConditionalOStream full;
+    ConditionalOStream summary;
+    ConditionalOStream warnings;
+  };
+} // namespace ElastoPlastic
+
+#endif
