@@ -143,9 +143,12 @@ namespace ElastoPlastic
     row   = Utilities::MPI::broadcast(communicator, row);
     total = Utilities::MPI::broadcast(communicator, total);
     if (!table)
-      table.emplace(communicator,
-                    parameters.output.directory + "/error_bound.csv",
-                    error_bound_columns);
+      {
+        table.emplace(communicator,
+                      parameters.output.directory + "/error_bound.csv",
+                      error_bound_columns);
+        table->open();
+      }
     table->add_row(row);
 
     Result result = {std::sqrt(2. * std::max(0., total)),

@@ -89,6 +89,7 @@ namespace ElastoPlastic
     CsvFile table(communicator,
                   parameters.output.directory + "/limit_load.csv",
                   limit_load_columns);
+    table.open();
     while (true)
       {
         find_bounds();

@@ -20,6 +20,7 @@ namespace
   {
     const std::string name = "table.csv";
     CsvFile           table(MPI_COMM_WORLD, name, {"step", "force", "depth"});
+    table.open();
     table.add_row({1, 1. / 3., 1.5e-20});
     table.add_row({2, -12345678.9012345, 1e300});
     table.add_row({100000000, 0, std::numeric_limits<double>::infinity()});
@@ -64,6 +65,7 @@ namespace
     MPI_Barrier(MPI_COMM_WORLD);
     print_error_of_all_ranks(title, [&] {
       CsvFile table(MPI_COMM_WORLD, name, {"step", "force"}, 2);
+      table.open();
       table.add_row({3, 0.75});
     });
   }
@@ -93,10 +95,10 @@ main(int argc, char *argv[])
   write_table();
 
   print_error_of_all_ranks("table on a full disk", [] {
-    CsvFile(MPI_COMM_WORLD, "/dev/full", {"step"});
+    CsvFile(MPI_COMM_WORLD, "/dev/full", {"step"}).open();
   });
   print_error_of_all_ranks("table in a missing directory", [] {
-    CsvFile(MPI_COMM_WORLD, "no/such/directory.csv", {"step"});
+    CsvFile(MPI_COMM_WORLD, "no/such/directory.csv", {"step"}).open();
   });
   print_error_of_all_ranks("text on a full disk",
                            [&] { write_on_rank(0, "/dev/full"); });

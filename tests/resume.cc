@@ -158,6 +158,19 @@ end
 
 
 
+  /// The size of all tables but one.
+  std::uintmax_t
+  size_of_others(const std::string &table)
+  {
+    std::uintmax_t size = 0;
+    for (const std::string &other : tables)
+      if (other != table)
+        size += fs::file_size(file(other));
+    return size;
+  }
+
+
+
   void
   report_resume(const std::string &situation, const std::string &entry)
   {
@@ -181,7 +194,10 @@ end
             fs::rename(name, saved);
             task();
           });
+          const auto size = size_of_others(table);
           report_resume(damage, entry);
+          verify("  the other tables are as they were",
+                 size_of_others(table) == size);
           on_first_rank([&]() { fs::rename(saved, name); });
         };
         const auto without_end_of_first_row = [&]() {

@@ -18,17 +18,22 @@ namespace ElastoPlastic
   class CsvFile
   {
   public:
-    /// Creates the file with the names of its columns, or goes on after the
-    /// first @p n_rows rows of the one that is there.
-    /// @throws FileError, on all ranks, if that is not possible; InputError,
-    /// likewise, if there are not as many rows, complete and of these columns.
+    /// Reads the first @p n_rows rows of the file, if these are not 0.
+    /// @throws InputError, on all ranks, if there are not as many rows,
+    /// complete and of these columns.
     CsvFile(const MPI_Comm                  communicator,
             const std::string              &name,
             const std::vector<std::string> &columns,
             const unsigned int              n_rows = 0);
 
-    /// Appends one row. @throws FileError, on all ranks, if it cannot be
-    /// written.
+    /// Creates the file with the names of its columns, or cuts the one that is
+    /// there after the rows that have been read.
+    /// @throws FileError, on all ranks, if that is not possible.
+    void
+    open();
+
+    /// Appends one row; after open(). @throws FileError, on all ranks, if it
+    /// cannot be written.
     void
     add_row(const std::vector<double> &values);
 
@@ -48,6 +53,7 @@ namespace ElastoPlastic
     const MPI_Comm    communicator;
     const std::string name;
     unsigned int      row_count;
+    std::string       contents; ///< of the file, before open()
     std::ofstream     file;
   };
 } // namespace ElastoPlastic

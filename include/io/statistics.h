@@ -6,9 +6,7 @@
 
 #include <optional>
 
-#include "evaluation/indentation_test.h"
-#include "evaluation/solve_result.h"
-#include "io/csv_file.h"
+#include "io/columns.h"
 
 namespace ElastoPlastic
 {
@@ -39,7 +37,9 @@ namespace ElastoPlastic
 
     /// Creates the files in @p directory, or goes on after the first rows, as
     /// many as @p progress says, of those that are there; reactions.csv has a
-    /// column for each of @p reaction_names. @throws FileError
+    /// column for each of @p reaction_names. All files are looked at before
+    /// the first one is touched. @throws FileError; InputError if rows are
+    /// missing
     Statistics(const MPI_Comm                        communicator,
                const std::string                    &directory,
                const std::vector<std::string>       &reaction_names,
@@ -51,7 +51,7 @@ namespace ElastoPlastic
 
     /// Waits until all rows are on the disk. @throws FileError
     void
-    write_to_disk() const;
+    write_to_disk();
 
     void
     add_solve(const SolveResult &result);
@@ -72,8 +72,11 @@ namespace ElastoPlastic
     add_mesh_change(const SolveResult &before, const SolveResult &after);
 
   private:
+    std::vector<CsvFile *>
+    tables();
+
     void
-    open_indentation(const unsigned int n_rows);
+    make_indentation(const unsigned int n_rows);
 
     void
     add_unloading(const std::optional<UnloadingResult> &result);
@@ -81,11 +84,11 @@ namespace ElastoPlastic
     const MPI_Comm    communicator;
     const std::string directory;
 
-    CsvFile                statistics;
-    CsvFile                history;
-    CsvFile                reactions;
-    CsvFile                mesh_changes;
-    std::optional<CsvFile> indentation;
+    Table<SolveResult>                    statistics;
+    Table<SolveResult>                    history;
+    CsvFile                               reactions;
+    Table<MeshChange>                     mesh_changes;
+    std::optional<Table<UnloadingResult>> indentation;
 
     std::optional<IndentationTest> indentation_test;
   };

@@ -74,8 +74,6 @@ namespace ElastoPlastic
 
 
 
-  // The shortened table takes the place of the old one at once: nothing is lost
-  // if the program is stopped meanwhile.
   CsvFile::CsvFile(const MPI_Comm                  communicator,
                    const std::string              &name,
                    const std::vector<std::string> &columns,
@@ -83,23 +81,32 @@ namespace ElastoPlastic
     : communicator(communicator)
     , name(name)
     , row_count(n_rows)
+    , contents(header(columns) + '\n')
   {
-    const bool first_rank = Utilities::MPI::this_mpi_process(communicator) == 0;
-    std::string rows;
     rethrow_collectively(communicator, [&]() {
-      if (first_rank && n_rows > 0)
-        rows = first_rows(name, columns, n_rows);
+      if (Utilities::MPI::this_mpi_process(communicator) == 0 && n_rows > 0)
+        contents += first_rows(name, columns, n_rows);
     });
-    if (first_rank)
+  }
+
+
+
+  // The shortened table takes the place of the old one at once: nothing is lost
+  // if the program is stopped meanwhile.
+  void
+  CsvFile::open()
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
         const std::string temporary = name + ".new";
-        file.open(n_rows > 0 ? temporary : name);
+        file.open(row_count > 0 ? temporary : name);
         file.precision(15);
-        file << header(columns) << '\n' << rows << std::flush;
-        if (file && n_rows > 0 &&
+        file << contents << std::flush;
+        if (file && row_count > 0 &&
             std::rename(temporary.c_str(), name.c_str()) != 0)
           file.setstate(std::ios::failbit);
       }
+    contents.clear();
     check_written(communicator, name, static_cast<bool>(file));
   }
 
