@@ -82,11 +82,13 @@ namespace
   /// length or area of the first boundary, which the file calls 1.
   template <int dim>
   std::vector<double>
-  errors_of_measure(const Triangulation<dim> &original, const double exact)
+  errors_of_measure(const Triangulation<dim> &original,
+                    const double              exact,
+                    const Curves              curves = Curves::followed)
   {
     std::vector<double> errors;
     Triangulation<dim>  mesh(Triangulation<dim>::none, true);
-    make_mesh_from_text(file_of(original), mesh);
+    make_mesh_from_text(file_of(original), mesh, curves);
     for (unsigned int level = 0; level < 3; ++level)
       {
         double measure = 0;
@@ -123,10 +125,44 @@ namespace
   void
   verify_straight(const std::string        &name,
                   const Triangulation<dim> &original,
-                  const double              exact)
+                  const double              exact,
+                  const Curves              curves = Curves::followed)
   {
-    const std::vector<double> errors = errors_of_measure(original, exact);
+    const auto errors = errors_of_measure(original, exact, curves);
     verify(name + " stays as it is", std::abs(errors[2] - errors[0]) < 1e-12);
+  }
+
+
+
+  /// Three cells between an arc of 60 degrees, which is the boundary 0, and a
+  /// straight line 0.005 above the highest chord of it.
+  Triangulation<2>
+  thin_cells_over_arc()
+  {
+    std::vector<Point<2>>    vertices;
+    std::vector<CellData<2>> cells;
+    const double             top = std::sin(100. * numbers::PI / 180.) + 0.005;
+    for (unsigned int i = 0; i < 4; ++i)
+      {
+        const double angle = (120. - 20. * i) * numbers::PI / 180.;
+        vertices.emplace_back(std::cos(angle), std::sin(angle));
+        vertices.emplace_back(std::cos(angle), top);
+        if (i > 0)
+          {
+            cells.emplace_back();
+            cells.back().vertices = {2 * i - 2, 2 * i, 2 * i - 1, 2 * i + 1};
+          }
+      }
+    Triangulation<2> mesh;
+    mesh.create_triangulation(vertices, cells, SubCellData());
+    for (const auto &face : mesh.active_face_iterators())
+      if (face->at_boundary())
+        face->set_boundary_id(face->center().norm() < 0.99 &&
+                                  face->center()[1] < top - 1e-6 &&
+                                  std::abs(face->center()[0]) < 0.49 ?
+                                0 :
+                                1);
+    return mesh;
   }
 
 
@@ -137,6 +173,10 @@ namespace
     Triangulation<2> ring;
     GridGenerator::hyper_shell(ring, Point<2>(3., 4.), 0.5, 1., 8, true);
     verify_followed("a circle", ring, numbers::PI);
+    verify_straight("a circle that is not to be followed",
+                    ring,
+                    numbers::PI,
+                    Curves::straight);
     GridTools::transform(
       [](const Point<2> &x) { return Point<2>(x[0], 2. * x[1]); }, ring);
     verify_straight("an ellipse", ring, 4.8442);
@@ -144,6 +184,9 @@ namespace
     Triangulation<2> square;
     GridGenerator::hyper_cube(square, 0., 1., true);
     verify_straight("a square", square, 1.);
+    verify_straight("an arc under cells that are thinner than it is high",
+                    thin_cells_over_arc(),
+                    numbers::PI / 3.);
   }
 
 

@@ -15,10 +15,13 @@ namespace ElastoPlastic
   /// printed.
   template <int dim>
   BoundaryNames
-  make_mesh_from_text(const std::string &text, Triangulation<dim> &mesh)
+  make_mesh_from_text(const std::string  &text,
+                      Triangulation<dim> &mesh,
+                      const Curves        curves = Curves::followed)
   {
     GmshFileParameters parameters;
-    parameters.file = "mesh.msh";
+    parameters.file   = "mesh.msh";
+    parameters.curves = curves;
     std::ofstream(parameters.file) << text;
     parameters.check(dim);
     return make_mesh_from_gmsh_file(

@@ -10,17 +10,32 @@
 #include <functional>
 #include <string>
 
+#include "base/enum_names.h"
 #include "mesh/boundary_names.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
+  /// What refinement makes of the curved boundaries of a mesh file; see the
+  /// entry "Curves".
+  enum class Curves
+  {
+    followed,
+    straight
+  };
+
+  template <>
+  inline const EnumNames<Curves> enum_names<Curves> = {
+    {"followed", Curves::followed}, {"straight", Curves::straight}};
+
+
+
   /// The entries of the section "Geometry" about a mesh file.
   struct GmshFileParameters
   {
     std::string file;
-    std::string curves = "followed"; ///< or straight
+    Curves      curves = Curves::followed;
 
     /// Declare the entries in the current section.
     void

@@ -229,16 +229,20 @@ namespace ElastoPlastic
     bool
     can_be_refined(const Triangulation<dim> &mesh)
     {
-      Triangulation<dim> refined(Triangulation<dim>::none,
-                                 /* check_for_distorted_cells = */ true);
+      Triangulation<dim> refined;
       refined.copy_triangulation(mesh);
-      try
+      refined.refine_global(1);
+      constexpr unsigned int n = GeometryInfo<dim>::vertices_per_cell;
+      for (const auto &cell : refined.active_cell_iterators())
         {
-          refined.refine_global(1);
-        }
-      catch (const typename Triangulation<dim>::DistortedCellList &)
-        {
-          return false;
+          Point<dim>     corners[n];
+          Tensor<0, dim> volumes[n];
+          for (const unsigned int v : cell->vertex_indices())
+            corners[v] = cell->vertex(v);
+          GeometryInfo<dim>::alternating_form_at_vertices(corners, volumes);
+          for (const auto &volume : volumes)
+            if (!(volume > 0))
+              return false;
         }
       return true;
     }

@@ -312,8 +312,7 @@ namespace ElastoPlastic
       "and circular cylinders (3D) that the vertices of a curve or surface "
       "of the geometry lie on, if there are at least two faces of the mesh "
       "on it; only boundaries in physical groups are looked at. straight: "
-      "the boundary remains that of the mesh in the file.",
-      Patterns::Selection("followed|straight"));
+      "the boundary remains that of the mesh in the file.");
   }
 
 
@@ -352,7 +351,7 @@ namespace ElastoPlastic
              "the parts of the boundary into physical curves (2D) or surfaces "
              "(3D) with names.");
     const BoundaryNames names = name_boundaries(file, surfaces, contents);
-    if (parameters.curves == "followed")
+    if (parameters.curves == Curves::followed)
       {
         std::vector<BoundarySurface<dim>> named_surfaces;
         for (const auto &[group, surface] : surfaces)
