@@ -44,7 +44,7 @@ namespace ElastoPlastic
       {"force_balance_error", "1", "contact force against reactions and tractions, relative to the largest sum of all nodal forces so far", &R::force_balance_error},
       {"max_penetration", "length", "largest penetration of a candidate node", &R::max_penetration},
       {"complementarity_error", "1", "sum of force times distance over force times depth", &R::complementarity_error},
-      {"estimated_error", "indicator", "the norm of the Kelly indicators, which steers the mesh and is no bound of any error; with `Analysis = contact with error bound`, the bound of the error in energy", &R::estimated_error},
+      {"estimated_error", "indicator", "the norm of the Kelly indicators, which steers the mesh and is no bound of any error; with `Analysis = contact with error bound`, the guaranteed bound of the error in the energy norm", &R::estimated_error},
       {"wall_seconds", "seconds", "of the solve", &R::wall_seconds},
       {"memory_mb", "MB", "peak memory of all ranks together", &R::memory_mb},
       {"max_hanging_penetration", "length", "largest penetration of a hanging node", &R::max_hanging_penetration},

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Displacements of bilinear elements, also beside hanging nodes, become the
+// same quadratic ones on the triangles of the split mesh.
+
+#include <deal.II/base/function_lib.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "equilibrium/quadratic_field.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  /// Bilinear on each cell of a block whose sides are parallel to the axes.
+  class Bilinear : public Function<2>
+  {
+  public:
+    Bilinear()
+      : Function<2>(2)
+    {}
+
+    double
+    value(const Point<2> &x, const unsigned int component) const override
+    {
+      return component == 0 ? 0.3 * x[0] - x[1] + 0.5 * x[0] * x[1] :
+                              0.1 + x[0] * (2. - x[1]);
+    }
+  };
+
+
+
+  void
+  test_interpolation(const Triangulation<2> &triangulation)
+  {
+    const FESystem<2> fe(FE_Q<2>(1), 2);
+    DoFHandler<2>     dof_handler(triangulation);
+    dof_handler.distribute_dofs(fe);
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    VectorType values(dof_handler.locally_owned_dofs(),
+                      relevant,
+                      MPI_COMM_WORLD);
+    VectorTools::interpolate(dof_handler, Bilinear(), values);
+
+    const SplitMesh      mesh = make_split_mesh(triangulation);
+    const QuadraticField field =
+      interpolate_displacement(mesh, dof_handler, values);
+    double value_error = 0, strain_error = 0;
+    for (unsigned int t = 0; t < mesh.triangles.size(); ++t)
+      {
+        const auto     corners = mesh.corners(mesh.triangles[t]);
+        const auto     strain  = strains(mesh, field, t);
+        const Point<2> center =
+          corners[0] +
+          ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.;
+        for (unsigned int d = 0; d < 2; ++d)
+          value_error =
+            std::max(value_error,
+                     std::abs(value_at_center(field, mesh.triangles[t])[d] -
+                              Bilinear().value(center, d)));
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            const Point<2>       &x = corners[i];
+            SymmetricTensor<2, 2> exact;
+            exact[0][0]  = 0.3 + 0.5 * x[1];
+            exact[1][1]  = -x[0];
+            exact[0][1]  = 0.5 * (-1. + 0.5 * x[0] + 2. - x[1]);
+            strain_error = std::max(strain_error, (strain[i] - exact).norm());
+          }
+      }
+    output() << "Interpolation" << std::endl;
+    verify("values", value_error, 1e-13);
+    verify("strains", strain_error, 1e-12);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize        mpi(argc, argv, 1);
+  parallel::distributed::Triangulation<2> triangulation(MPI_COMM_WORLD);
+  GridGenerator::subdivided_hyper_rectangle(triangulation,
+                                            {4, 4},
+                                            Point<2>(0, -1),
+                                            Point<2>(1, 0),
+                                            /* colorize = */ true);
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->center()[0] < 0.5 &&
+        cell->center()[1] > -0.25)
+      cell->set_refine_flag();
+  triangulation.execute_coarsening_and_refinement();
+  test_interpolation(triangulation);
+}
