@@ -10,7 +10,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 readonly build_packages=(libdeal.ii-dev libsuitesparse-dev libopenblas0-serial libpng-dev libboost-program-options-dev cmake g++ make git)
 readonly test_packages=(numdiff perl python3)
-readonly plot_packages=(python3 paraview python3-paraview python3-matplotlib xvfb xauth libgl1-mesa-dri)
+readonly plot_packages=(python3 python3-matplotlib)
 readonly lint_packages=(clang-format-14 clang-tidy-14)
 
 # (nproc would take the next variable for its answer.)

@@ -39,4 +39,4 @@ folder=build/step-42
 cmake -S "$folder" -B "$folder/build" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$folder/build"
 
-scripts/step42_comparison.py build/release/elasto_plastic_contact "$folder/build/step-42" "$@"
+scripts/command.py compare_with_step42 build/release/elasto_plastic_contact "$folder/build/step-42" "$@"

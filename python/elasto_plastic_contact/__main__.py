@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""python3 -m elasto_plastic_contact COMMAND [ARGUMENT ...]: see COMMANDS."""
+
+import argparse
+import importlib
+import sys
+
+from .errors import UserError
+
+# The module of each command, whose main() takes its arguments, and what it does.
+COMMANDS = {
+    "plot": ("plots.command", "diagrams of runs"),
+    "render": ("pictures.render", "pictures and films of bodies"),
+    "verify": ("verification.verify", "compare with exact and published values"),
+    "study": ("study.command", "many runs of one case with different entries"),
+    "evaluate": ("evaluate", "hardness and modulus of a measured curve"),
+    "schema": ("schema", "the JSON schema of all entries of a parameter file"),
+    "kill_test": ("verification.kill_test", "kill runs, resume them and compare"),
+    "full_disk_test": ("verification.full_disk_test", "fill disks, resume and compare"),
+    "compare_with_step42": ("verification.step42_comparison", "run step-42 on the same cases"),
+    "height_maps": ("inputs.height_maps", "make the height maps of the ready cases"),
+    "sphere_meshes": ("inputs.sphere_meshes", "make the meshes of the thick sphere"),
+}
+
+# The Debian package of a module that may be missing.
+PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib"}
+
+
+def main(arguments=None):
+    """Runs a command. Returns its exit status: 2 after a wrong input, 130 after Ctrl-C."""
+    parser = argparse.ArgumentParser(
+        prog="elasto_plastic_contact", formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="Commands (each explains itself with --help):\n" +
+        "".join(f"  {name:20} {text}\n" for name, (_, text) in COMMANDS.items()))
+    parser.add_argument("command", choices=COMMANDS, metavar="COMMAND")
+    parser.add_argument("arguments", nargs=argparse.REMAINDER, metavar="ARGUMENT")
+    chosen = parser.parse_args(arguments)
+    try:
+        module = importlib.import_module(f".{COMMANDS[chosen.command][0]}", __package__)
+        return module.main(chosen.arguments)
+    except UserError as error:
+        problem = str(error)
+    except ImportError as error:
+        package = PACKAGES.get((error.name or "").partition(".")[0])
+        if package is None:
+            raise
+        problem = f"{error}. Install the Debian package {package}."
+    except OSError as error:
+        if error.filename is None:
+            raise
+        problem = f"'{error.filename}': {error.strerror}"
+    except KeyboardInterrupt:
+        print(f"{chosen.command}: stopped", file=sys.stderr)
+        return 130
+    print(f"{chosen.command}: {problem}", file=sys.stderr)
+    return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Evaluate the unloadings of a measured curve of force over depth by the method of Oliver and
+Pharr and, to compare, those of a run, in the same way. Prints the columns of indentation.csv
+(doc/tables.md) for each unloading, in the units of the curve.
+
+    scripts/evaluate.py measured.csv --cone 70.3 --beta 1.034
+    scripts/evaluate.py measured.csv --cone 70.3 --run output/cone_axisymmetric --output both.png
+
+The curve is a table (CSV) with a header; its columns are called depth and force, or --columns.
+"""
+
+import argparse
+import dataclasses
+
+import numpy
+
+from .errors import UserError
+from .oliver_pharr import Tip, Unloading, evaluate, jumps_of_meshes
+from .results import Results
+from .tables import read_table
+
+
+def parse_arguments(arguments):
+    parser = argparse.ArgumentParser(prog="evaluate", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("curve", help="the measured curve (CSV)")
+    tip = parser.add_mutually_exclusive_group(required=True)
+    tip.add_argument("--cone", type=float, metavar="ANGLE", help="the tip is a cone: angle between axis and flank in "
+                     "degrees; 70.3 stands for Berkovich's pyramid")
+    tip.add_argument("--sphere", type=float, metavar="RADIUS", help="the tip is a sphere")
+    tip.add_argument("--area", type=float, nargs="+", metavar="C",
+                     help="the section of the tip is C0 h^2 + C1 h + C2 h^(1/2) + C3 h^(1/4) + ...")
+    parser.add_argument("--beta", type=float, default=1., help="E_r = sqrt(pi) S / (2 beta sqrt(A)) (default: 1)")
+    parser.add_argument("--epsilon", type=float, help="h_c = h_max - epsilon F_max / S (default: 2 - 4/pi for a "
+                        "cone, else 0.75)")
+    parser.add_argument("--noise", type=float, default=0.01, help="how much depth and force may rise during an "
+                        "unloading, relative to their largest values (default: %(default)s)")
+    parser.add_argument("--columns", nargs=2, default=["depth", "force"], metavar=("DEPTH", "FORCE"),
+                        help="the columns of the curve (default: depth force)")
+    parser.add_argument("--factors", type=float, nargs=2, default=[1., 1.], metavar=("DEPTH", "FORCE"),
+                        help="to multiply the curve by, such as 1e-6 1e-3 from nm and mN to mm and N (default: 1 1)")
+    parser.add_argument("--run", help="output directory of a run to compare with")
+    parser.add_argument("--output", help="draw both curves with their tangents (.png, .svg, .pdf)")
+    return parser.parse_args(arguments)
+
+
+def read_curve(path, columns, factors):
+    """Depth and force of a measured curve."""
+    rows = read_table(path)
+    if len(rows) < 3:
+        raise UserError(f"'{path}' has {len(rows)} rows: that is no curve")
+    for column in columns:
+        if column not in rows[0]:
+            raise UserError(f"'{path}' has no column '{column}'; it has {', '.join(rows[0])}. Choose with --columns")
+    return [factor * numpy.array([row[column] for row in rows]) for column, factor in zip(columns, factors)]
+
+
+def choose_tip(arguments):
+    if arguments.cone is not None:
+        if not 0. < arguments.cone < 90.:
+            raise UserError(f"--cone is {arguments.cone:g}, but must be between 0 and 90 degrees")
+        return Tip.cone(arguments.cone)
+    if arguments.sphere is not None:
+        if arguments.sphere <= 0.:
+            raise UserError(f"--sphere is {arguments.sphere:g}, but must be a radius > 0")
+        return Tip.sphere(arguments.sphere)
+    return Tip.polynomial(arguments.area)
+
+
+def curve_of_run(run):
+    """Depth and force of the whole indenter, the depth counted from the first contact."""
+    part = run.indentation["modelled_part"][0] if run.has("indentation.csv") else 1.
+    return run.history["depth"] - run.number("Indenter/Initial gap"), run.history["force"] / part
+
+
+def main(arguments):
+    arguments = parse_arguments(arguments)
+    tip = choose_tip(arguments)
+    constants = {"beta": arguments.beta, "epsilon": arguments.epsilon}
+    curves = {"measured": read_curve(arguments.curve, arguments.columns, arguments.factors)}
+    found = {"measured": evaluate(*curves["measured"], tip, noise=arguments.noise, **constants)}
+    if arguments.run:
+        run = Results(arguments.run)
+        curves["computed"] = curve_of_run(run)
+        found["computed"] = evaluate(*curves["computed"], tip, jumps=jumps_of_meshes(run), **constants)
+    print("curve", *(field.name for field in dataclasses.fields(Unloading)), sep=",")
+    for name, unloadings in found.items():
+        for unloading in unloadings:
+            print(name, *(f"{value:.6g}" for value in dataclasses.astuple(unloading)), sep=",")
+    if arguments.output:
+        from .plots.experiment import draw  # (which needs matplotlib)
+        draw(curves, found, arguments.output)
+    if not found["measured"]:
+        raise UserError(f"'{arguments.curve}' has no unloading with three points between 95 and 40 % of its largest "
+                        "force; if the curve is noisy, try a larger --noise")
+    return 0

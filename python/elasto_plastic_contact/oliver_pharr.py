@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Hardness and modulus from the unloading of a curve of force over depth, by the method of
+Oliver and Pharr (1992), as the program evaluates its own (doc/theory.md, Evaluating an
+indentation test). For measured curves and for histories alike. Needs NumPy."""
+
+from dataclasses import dataclass
+
+import numpy
+
+from .tables import read_table
+
+# The shares of the largest force between which the law of the unloading is fitted.
+LOWEST_SHARE, HIGHEST_SHARE = 0.40, 0.95
+ROUNDING = 1e-9
+
+
+@dataclass(frozen=True)
+class Tip:
+    """area: the section of the tip as a function of the height above it; depth_factor: epsilon, of
+    the shape of the tip."""
+    area: callable
+    depth_factor: float
+
+    @staticmethod
+    def cone(semi_apex_angle):
+        """semi_apex_angle: between axis and flank, in degrees; 70.3 stands for Berkovich's pyramid."""
+        slope = numpy.tan(numpy.radians(semi_apex_angle))
+        return Tip(lambda height: numpy.pi * (slope * height) ** 2, 2. - 4. / numpy.pi)
+
+    @staticmethod
+    def sphere(radius):
+        return Tip(lambda height: numpy.pi * height * (2. * radius - height), 0.75)
+
+    @staticmethod
+    def polynomial(coefficients):
+        """C0 h^2 + C1 h + C2 h^(1/2) + C3 h^(1/4) + ..., from the calibration of a tip."""
+        exponents = [2.] + [0.5 ** n for n in range(len(coefficients) - 1)]
+        return Tip(lambda height: sum(c * height ** p for c, p in zip(coefficients, exponents)), 0.75)
+
+
+@dataclass(frozen=True)
+class Unloading:
+    """The columns of indentation.csv of the same names (doc/tables.md); the last four follow from
+    the section of the tip."""
+    max_depth: float
+    max_force: float
+    stiffness: float
+    exponent: float
+    final_depth: float
+    contact_depth: float
+    tip_area: float
+    tip_hardness: float
+    tip_reduced_modulus: float
+
+
+def evaluate(depth, force, tip, *, beta=1., epsilon=None, noise=0., initial_gap=0., modelled_part=1., jumps=None):
+    """All Unloadings of a curve that have at least three points between 95 and 40 per cent of
+    their largest force.
+
+    depth, force: from the first point on, in any consistent units.
+    beta: S = 2 beta E_r sqrt(A / pi); 1 as in theory, 1.034 to 1.05 in laboratories for Berkovich's tip.
+    epsilon: h_c = h_max - epsilon F_max / S; None stands for that of the tip's shape.
+    noise: relative to the largest depth and force. A rise by less does not end an unloading, a
+    fall by less is none, and forces below are not evaluated.
+    initial_gap: the depth at which the tip first touches.
+    modelled_part: of the indenter, as in indentation.csv.
+    jumps: of a history whose mesh changes, jumps_of_meshes().
+    """
+    points = numpy.column_stack([depth, force]).astype(float)
+    epsilon = tip.depth_factor if epsilon is None else epsilon
+    found = []
+    for part in unloadings(points, noise, no_jumps(points) if jumps is None else jumps):
+        part = part[part[:, 1].argmax():]
+        deepest, largest = part[0]
+        if min(LOWEST_SHARE * largest, largest - part[:, 1].min()) <= noise * points[:, 1].max():
+            continue
+        share = part[:, 1] / largest
+        fitted = (share >= LOWEST_SHARE - ROUNDING) & (share <= HIGHEST_SHARE + ROUNDING)
+        if fitted.sum() < 3:
+            continue
+        log_coefficient, exponent, final_depth = fit_power_law(*part[fitted].T)
+        stiffness = exponent * numpy.exp(log_coefficient + (exponent - 1.) * numpy.log(deepest - final_depth))
+        contact_depth = deepest - initial_gap - epsilon * largest / stiffness
+        area = modelled_part * tip.area(contact_depth) if contact_depth > 0. else 0.
+        hardness, modulus = (largest / area, numpy.sqrt(numpy.pi / (area * modelled_part)) * stiffness / (2. * beta)
+                             ) if area > 0. else (0., 0.)
+        found.append(Unloading(*map(float, (deepest, largest, stiffness, exponent, final_depth,
+                                            contact_depth, area, hardness, modulus))))
+    return found
+
+
+def no_jumps(points):
+    return numpy.zeros(len(points)), numpy.ones(len(points))
+
+
+def jumps_of_meshes(results):
+    """What all changes of the mesh before a step of a run have taken from the depth, and by which
+    factor they have lowered the force."""
+    shift, factor = no_jumps(results.history)
+    for change in read_table(results.path("mesh_changes.csv")) if results.has("mesh_changes.csv") else []:
+        later = results.history["step"] > change["step"]
+        shift[later] += change["depth_before"] - change["depth"]
+        if change["force_before"] > 0. and change["force"] > 0.:
+            factor[later] *= change["force_before"] / change["force"]
+    return shift, factor
+
+
+def unloadings(points, noise, jumps):
+    """Depths and forces from the last point before both fall to the last one before either rises by
+    more than noise; on the way, as if the mesh had not changed since the first of them."""
+    tolerance = noise * points.max(axis=0)
+    shift, factor = jumps
+    part, lowest = [points[0]], points[0]
+    for i in range(1, len(points)):
+        begin = i - len(part)
+        point = points[i] * [1., factor[i] / factor[begin]] + [shift[i] - shift[begin], 0.]
+        if (point < lowest + tolerance).all():
+            part.append(point)
+            lowest = numpy.minimum(lowest, point)
+        else:
+            yield numpy.array(part)
+            part, lowest = [points[i]], points[i]
+    yield numpy.array(part)
+
+
+def fit_power_law(depth, force):
+    """Logarithm of the coefficient, exponent and final depth of force = coefficient (depth -
+    final depth)^exponent: linear regression of the logarithms for each of many final depths, up to a thousand times the
+    range of the depths below the smallest, closer and closer to the best."""
+    smallest, size = depth.min(), numpy.ptp(depth)
+    logarithm = numpy.log(force)
+
+    def regressions(log_distances):
+        final = smallest - size * numpy.exp(log_distances)
+        x = numpy.log(depth - final[:, None])
+        x_mean = x.mean(axis=1, keepdims=True)
+        exponent = ((x - x_mean) @ (logarithm - logarithm.mean())) / ((x - x_mean) ** 2).sum(axis=1)
+        constant = logarithm.mean() - exponent * x_mean[:, 0]
+        residual = constant[:, None] + exponent[:, None] * x - logarithm
+        return (residual ** 2).sum(axis=1), constant, exponent, final
+
+    low, high = numpy.log(1e-3), numpy.log(1e3)
+    while high - low > 1e-8:
+        distances = numpy.linspace(low, high, 41)
+        squares, constant, exponent, final = regressions(distances)
+        best = int(squares.argmin())
+        low, high = distances[max(best - 1, 0)], distances[min(best + 1, 40)]
+    return constant[best], exponent[best], final[best]

@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the contact is."""
+
+from dataclasses import dataclass
+
+import numpy
+
+
+@dataclass
+class Contact:
+    """Where the pressure is: its centre of gravity and the radius around it."""
+    centre: numpy.ndarray
+    radius: float
+
+
+def contact_at(results, step):
+    """The contact at an entry of surface.pvd, or None."""
+    surface = results.fields("surface", step)
+    points, pressure = surface["points"], surface["contact_pressure"].clip(min=0.)
+    if pressure.sum() == 0.:
+        return None
+    centre = (points * pressure[:, None]).sum(axis=0) / pressure.sum()
+    loaded = points[pressure > 1e-3 * pressure.max()]
+    return Contact(centre, numpy.linalg.norm(loaded - centre, axis=1).max())
+
+
+def contact_to_look_at(results, steps):
+    """The largest one of the steps or, where there is none any more, the last one before; or None."""
+    if not results.has("surface.pvd"):
+        return None
+    contacts = [contact for contact in (contact_at(results, step) for step in steps) if contact]
+    if contacts:
+        return max(contacts, key=lambda contact: contact.radius)
+    return next(filter(None, (contact_at(results, step) for step in range(steps[0] - 1, -1, -1))), None)
+
+
+def most_plastic_point(fields):
+    """Where the equivalent plastic strain is largest; without any, the middle."""
+    strain = fields.get("equivalent_plastic_strain", numpy.zeros(1))
+    if strain.max() > 0.:
+        return fields["points"][strain.argmax()]
+    return 0.5 * (fields["points"].min(axis=0) + fields["points"].max(axis=0))

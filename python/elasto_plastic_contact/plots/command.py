@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command plot: the diagrams of a run, or one by its name."""
+
+import importlib
+
+from . import run
+
+# The modules, whose main() takes the arguments, and what they draw.
+PLOTS = {
+    "cost": "wall time and iterations over the unknowns",
+    "cycles": "force over depth, and depth over cycle",
+    "bounds": "error bounds over the unknowns",
+    "equilibrium": "fields of the equilibrium method",
+    "johnson_limit": "Johnson's limit of vanishing hardening (runs the program)",
+    "stress_convergence": "errors of stresses in equilibrium (runs the program)",
+}
+
+
+def main(arguments):
+    if arguments and arguments[0] in PLOTS:
+        return importlib.import_module(f".{arguments[0]}", __package__).main(arguments[1:])
+    names = "".join(f"\n  plot {name} ... : {text}" for name, text in PLOTS.items())
+    return run.main(arguments, f"Other diagrams (each explains itself with --help):{names}")

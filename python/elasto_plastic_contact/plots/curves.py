@@ -1,0 +1,143 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The diagrams of a run: each function draws one into the axes. It returns False, and draws
+nothing, if the run has nothing to show there."""
+
+import numpy
+
+from . import material_test
+from .figures import BLUE, RED
+from .quantities import contact_radii, hertz_of_run
+from ..errors import UserError
+
+
+def label(axes, x, y):
+    axes.set(xlabel=x, ylabel=y)
+    axes.locator_params(axis="x", nbins=6)
+
+
+def beside(axes):
+    """The legend, where no curve can be."""
+    axes.legend(loc="upper left", bbox_to_anchor=(1., 1.))
+
+
+def distance_from_axis(points, centre):
+    """Horizontal distance; with a sign where there is one horizontal direction
+    only. The vertical axis is the last one, and flat data have z = 0."""
+    if numpy.ptp(points[:, 2]) == 0. and numpy.ptp(points[:, 1]) < 1e-10 * numpy.ptp(points[:, 0]):
+        return points[:, 0] - centre[0]
+    return numpy.hypot(points[:, 0] - centre[0], points[:, 1] - centre[1])
+
+
+def pressure(run, arguments, scales, axes):
+    """The contact pressure over the distance from the indenter's axis."""
+    if not run.has("surface.pvd"):
+        return False
+    surface = run.fields("surface", arguments.step)
+    if "contact_pressure" not in surface:
+        raise UserError(f"'{run.path('surface.pvd')}' leads to no field 'contact_pressure'")
+    points, values = surface["points"], surface["contact_pressure"]
+    centre = ((arguments.centre or run.numbers("Indenter/Position")) + [0., 0.])[:2]
+    distance = distance_from_axis(points, centre)
+    reach = 1.6 * numpy.abs(distance[values > 0.]).max(initial=0.) or numpy.abs(distance).max()
+    shown = numpy.abs(distance) <= reach
+
+    label(axes, scales.length.label("distance from the axis", "r" if distance.min() >= 0. else "x"),
+          scales.stress.label("contact pressure", "p"))
+    # (each cell has written its own points)
+    dots = numpy.unique(numpy.column_stack([distance, values])[shown], axis=0)
+    axes.plot(dots[:, 0] / scales.length.unit, dots[:, 1] / scales.stress.unit, "o", markersize=3.,
+              markeredgewidth=0., color=BLUE, label="computed")
+    if arguments.hertz:
+        line = numpy.linspace(min(0., distance[shown].min()), reach, 500)
+        axes.plot(line / scales.length.unit, hertz_of_run(run, arguments).profile(line) / scales.stress.unit,
+                  color=RED, label="Hertz, same force")
+        axes.legend()
+    axes.set_ylim(bottom=min(0., 1.05 * values.min() / scales.stress.unit))
+    return True
+
+
+def convergence(run, _, scales, axes):
+    """Force over unknowns of the meshes of the last load step."""
+    table = run.statistics
+    last = table["step"] == table["step"][-1]
+    if not has_indenter(run) or last.sum() < 2:
+        return False
+    axes.set(xlabel="number of unknowns", ylabel=scales.force.label("force", "F"), xscale="log")
+    axes.plot(table["dofs"][last], table["force"][last] / scales.force.unit, "o-", color=BLUE)
+    return True
+
+
+def has_indenter(run):
+    return run.parameters.get("Indenter/Type") != "none"
+
+
+def is_history(run):
+    return len(run.history) > 1
+
+
+def force_depth(run, _, scales, axes):
+    """Force over depth, with the tangents of Oliver and Pharr at the unloadings."""
+    if not has_indenter(run) or not is_history(run):
+        return False
+    table, depth_unit, force_unit = run.history, scales.length.unit, scales.force.unit
+    label(axes, scales.length.label("depth", r"\delta"), scales.force.label("force", "F"))
+    axes.plot(table["depth"] / depth_unit, table["force"] / force_unit, "o-", markersize=3., color=BLUE,
+              label="computed")
+    if run.has("indentation.csv"):
+        tests = run.indentation
+        for row, (depth, force, slope) in enumerate(zip(tests["max_depth"], tests["max_force"], tests["stiffness"])):
+            axes.plot(numpy.array([depth - force / slope, depth]) / depth_unit, [0., force / force_unit], "--",
+                      color=RED, label=None if row else "initial slope of unloading")
+        axes.legend()
+    return True
+
+
+def contact_radius(run, arguments, scales, axes):
+    """Radius of the circle with the area of the contact, over depth."""
+    if run.is_plane or not has_indenter(run) or not is_history(run):
+        return False
+    label(axes, scales.length.label("depth", r"\delta"), scales.length.label("contact radius", "a"))
+    axes.plot(run.history["depth"] / scales.length.unit, contact_radii(run, arguments) / scales.length.unit, "o-",
+              markersize=3., color=BLUE)
+    return True
+
+
+def energies(run, _, scales, axes):
+    """Where the work of indenter, supports and tractions goes, over time."""
+    if not is_history(run):
+        return False
+    table, unit = run.history, scales.energy.unit
+    label(axes, "time", scales.energy.label("energy", "W"))
+    axes.plot(table["time"], table["external_work"] / unit, color="black", label="work done on the body")
+    axes.plot(table["time"], table["plastic_work"] / unit, "--", color="black", label="plastic work")
+    parts = ["dissipation", "hardening_energy", "elastic_energy"]
+    axes.stackplot(table["time"], [table[part] / unit for part in parts], colors=[RED, "#d9a441", BLUE], alpha=0.6,
+                   labels=["heat", "stored by hardening", "elastic energy"])
+    beside(axes)
+    return True
+
+
+def stress_strain(run, _, scales, axes):
+    """Nominal stress over strain of a test without indenter."""
+    curve = None if has_indenter(run) or not is_history(run) else material_test.stress_strain(run)
+    if curve is None:
+        return False
+    label(axes, "nominal strain", scales.stress.label("nominal stress", r"\sigma"))
+    axes.plot(curve[0], curve[1] / scales.stress.unit, "o-", markersize=3., color=BLUE)
+    return True
+
+
+def reactions(run, _, scales, axes):
+    """The forces of all supports over time, of a test without indenter."""
+    if has_indenter(run) or not is_history(run):
+        return False
+    table = run.reactions
+    label(axes, "time", scales.force.label("force of the support on the body", "F"))
+    for name in table.dtype.names[2:]:
+        axes.plot(table["time"], table[name] / scales.force.unit, "o-", markersize=3., label=name)
+    beside(axes)
+    return True
+
+
+ALL = (pressure, convergence, force_depth, contact_radius, energies, stress_strain, reactions)

@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all diagrams have in common: style, arguments, units, files."""
+
+import argparse
+from dataclasses import dataclass
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402 (the choice of Agg comes first)
+
+from ..errors import UserError  # noqa: E402
+from ..verification.runner import Runner, add_program  # noqa: E402
+
+BLUE, RED = "#2b5c8a", "#b8303a"
+DPI = 150
+
+plt.rcParams.update({"font.size": 11, "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False,
+                     "axes.spines.right": False, "legend.frameon": False, "legend.fontsize": 9, "figure.dpi": DPI,
+                     "figure.constrained_layout.use": True, "axes.titlesize": "medium", "axes.axisbelow": True,
+                     "axes.formatter.useoffset": False, "svg.hashsalt": "elasto_plastic_contact"})
+
+
+@dataclass
+class Units:
+    """Names of the units; empty if they are not known."""
+    length: str
+    single_force: str
+    is_plane: bool  # forces are per length then
+
+    @property
+    def are_known(self):
+        return self.length and self.single_force
+
+    @property
+    def force(self):
+        return f"{self.single_force}/{self.length}" if self.is_plane and self.are_known else self.single_force
+
+    @property
+    def energy(self):
+        return f"{self.force} {self.length}" if self.are_known else ""
+
+    @property
+    def stress(self):
+        if (self.length, self.single_force) == ("mm", "N"):
+            return "MPa"
+        return f"{self.single_force}/{self.length}$^2$" if self.are_known else ""
+
+    def stress_label(self, field, label):
+        return with_unit(label, self.stress if field.endswith(("stress", "pressure")) else "")
+
+
+def with_unit(name, unit):
+    return f"{name} in {unit}" if unit else name
+
+
+def add_units(parser):
+    parser.add_argument("--length-unit", help="unit of length of the run, such as mm, for the labels")
+    parser.add_argument("--force-unit", help="unit of force, such as N")
+
+
+def units_of(run, arguments):
+    """Those of the command, else those of the run's parameters."""
+    return Units(*(chosen or run.parameters.get(f"Output/{name} unit", "") for name, chosen in (
+        ("Length", arguments.length_unit), ("Force", arguments.force_unit))), run.is_plane)
+
+
+def new_diagram():
+    return plt.subplots(figsize=(6.4, 4.))
+
+
+def letter(axes, i):
+    """Calls a panel (a), (b) and so on."""
+    axes.set_title(f"({chr(ord('a') + i)})", loc="left", fontweight="bold")
+
+
+def make_parser(description, default_output=None, epilog=None):
+    """Of the arguments; with --output if there is a default."""
+    parser = argparse.ArgumentParser(prog="plot", description=description, epilog=epilog,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    if default_output:
+        parser.add_argument("--output", default=default_output,
+                            help="the picture, .png, .svg or .pdf (default: %(default)s)")
+    return parser
+
+
+def draw_runs(plot, description, default_output, arguments):
+    """Saves the figure that plot([(directory, label), ...], arguments) returns."""
+    parser = make_parser(description, default_output)
+    add_units(parser)
+    parser.add_argument("runs", nargs="+", metavar="DIRECTORY[=LABEL]", help="output directory of a run")
+    chosen = parser.parse_args(arguments)
+    pairs = (run.partition("=") for run in chosen.runs)
+    save(plot([(directory, label or directory) for directory, _, label in pairs], chosen), chosen.output)
+
+
+def draw_own_runs(plot, description, default_output, arguments):
+    """Saves the figure that plot(runner) returns, which runs the program."""
+    parser = make_parser(description, default_output)
+    add_program(parser)
+    chosen = parser.parse_args(arguments)
+    save(plot(Runner(chosen.program, 1)), chosen.output)
+
+
+def save(figure, path):
+    """Into a file whose ending says what it is; the same figure gives the same file."""
+    kind = str(path).rpartition(".")[2]
+    try:
+        figure.savefig(path, metadata={"Date": None} if kind == "svg" else None)
+    except OSError as error:
+        raise UserError(f"'{path}' cannot be written: {error.strerror}") from None
+    except ValueError:
+        raise UserError(f"'{path}' cannot be written: its name must end with .png, .svg or .pdf") from None
+    plt.close(figure)
+    print(path)

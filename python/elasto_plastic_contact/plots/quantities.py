@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a diagram's numbers are divided by: nothing, and the axis says the unit, or a length, a
+stress and a force of the run itself."""
+
+import math
+from dataclasses import dataclass
+
+import numpy
+
+from .figures import units_of, with_unit
+from ..errors import UserError
+
+
+@dataclass
+class Hertz:
+    """Contact radius (or half-width) and largest pressure of Hertz's contact
+    with an elastic half-space (Johnson, Contact mechanics, 1985, section 4.2)."""
+    radius: float
+    pressure: float
+
+    @staticmethod
+    def under_sphere(force, radius, modulus):
+        contact_radius = (3. * force * radius / (4. * modulus)) ** (1. / 3.)
+        return Hertz(contact_radius, 1.5 * force / (math.pi * contact_radius ** 2))
+
+    @staticmethod
+    def under_cylinder(force, radius, modulus):
+        half_width = math.sqrt(4. * force * radius / (math.pi * modulus))
+        return Hertz(half_width, 2. * force / (math.pi * half_width))
+
+    def profile(self, distance):
+        return self.pressure * numpy.sqrt(numpy.clip(1. - (distance / self.radius) ** 2, 0., None))
+
+
+def hertz_of_run(run, arguments):
+    contrast = 1. - run.number("Material/Poisson's ratio") ** 2
+    modulus = run.number("Material/Young's modulus") / contrast
+    force = run.statistics["force"][-1] * n_parts(run, arguments)
+    solutions = {"sphere": Hertz.under_sphere, "cylinder": Hertz.under_cylinder}
+    return solutions[arguments.hertz](force, run.number("Indenter/Radius"), modulus)
+
+
+def n_parts(run, arguments):
+    """How many of the computed part make up the whole body."""
+    if arguments.parts is not None:
+        return arguments.parts
+    return 1. / run.indentation["modelled_part"][0] if run.has("indentation.csv") else 1.
+
+
+def contact_radii(run, arguments):
+    """Radius of the circle with the area of the contact, or in the plane its half-width, of all steps."""
+    area = run.history["contact_area"] * n_parts(run, arguments)
+    return 0.5 * area if run.is_plane else numpy.sqrt(area / math.pi)
+
+
+@dataclass
+class Scale:
+    """unit: what the numbers are divided by; name: how the axis calls it."""
+    unit: float
+    name: str
+    normalised: bool
+
+    def label(self, text, symbol):
+        return f"{text} ${symbol}\\,/\\,{self.name}$" if self.normalised else with_unit(text, self.name)
+
+
+@dataclass
+class Scales:
+    length: Scale
+    stress: Scale
+    force: Scale
+    energy: Scale
+
+
+def scales_of(run, arguments):
+    if arguments.normalised:
+        return normalised_scales(run, arguments)
+    units = units_of(run, arguments)
+    return Scales(*(Scale(1., name, False) for name in (units.length, units.stress, units.force, units.energy)))
+
+
+def normalised_scales(run, arguments):
+    """By Hertz's contact radius and largest pressure, or by the largest contact radius a and area A of the
+    history and the yield stress Y."""
+    if run.parameters.get("Indenter/Type") == "none":
+        stress = run.number("Material/Yield stress")
+        return Scales(Scale(1., "", False), Scale(stress, "Y", True), Scale(1., "", False), Scale(1., "", False))
+    if arguments.hertz:
+        hertz = hertz_of_run(run, arguments)
+        length, stress, names = hertz.radius, hertz.pressure, ("a", "p_0", "A")
+        whole = 2. * length if run.is_plane else math.pi * length ** 2
+        area = whole / n_parts(run, arguments)
+    else:
+        length, stress = contact_radii(run, arguments).max(), run.number("Material/Yield stress")
+        names = (r"a_{\max}", "Y", r"A_{\max}")
+        area = run.history["contact_area"].max()
+    if not length > 0. or not stress > 0.:
+        raise UserError("there is nothing to normalise by: the run has no contact")
+    length_name, stress_name, area_name = names
+    force, force_name = area * stress, rf"{stress_name}\, {area_name}"
+    return Scales(*(Scale(unit, name, True) for unit, name in (
+        (length, length_name), (stress, stress_name), (force, f"({force_name})"),
+        (force * length, rf"({force_name}\, {length_name})"))))

@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The plot of a study: its numbers over one of its entries (or numbers), one line for each
+combination of the others."""
+
+from .figures import plt, save
+from ..program import as_text
+
+
+def lines(study, rows):
+    """The rows of each line, by its label."""
+    others = [path for path in study.varied if path != study.x]
+    if study.x not in study.varied:
+        others = others[1:]  # the first one runs along the line
+    found = {}
+    for row in rows:
+        label = ", ".join(f"{path.rpartition('/')[2]} = {as_text(row[path])}" for path in others)
+        found.setdefault(label, []).append(row)
+    return found
+
+
+def draw(study, rows, path):
+    figure, panels = plt.subplots(1, len(study.y), figsize=(6.4 * len(study.y), 4.), squeeze=False,
+                                  layout="constrained")
+    for axes, name in zip(panels[0], study.y):
+        for label, line in lines(study, rows).items():
+            known = [row for row in line if row[study.x] is not None and row[name] is not None]
+            abscissa = [row[study.x] for row in known]
+            if not all(isinstance(value, (int, float)) for value in abscissa):
+                abscissa = [as_text(value) for value in abscissa]
+            axes.plot(abscissa, [row[name] for row in known], "o-", label=label)
+        axes.set(xlabel=study.x, ylabel=name)
+        for axis in study.logarithmic:
+            getattr(axes, f"set_{axis}scale")("log")
+    if len(lines(study, rows)) > 1:
+        panels[0, -1].legend(loc="upper left", bbox_to_anchor=(1., 1.))
+    save(figure, path)

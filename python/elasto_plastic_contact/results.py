@@ -1,0 +1,108 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a run has written, as arrays. Needs NumPy for that."""
+
+import functools
+import os
+
+from .errors import UserError
+from .fields import read_record, records
+from .tables import read_table
+
+
+class Results:
+    """The output directory of a run. The tables are NumPy arrays with a field for each column:
+    results.history["force"] is a column, results.history[-1] the last row."""
+
+    def __init__(self, directory):
+        self.directory = os.fspath(directory)
+
+    def path(self, name):
+        return os.path.join(self.directory, name)
+
+    def has(self, name):
+        return os.path.isfile(self.path(name))
+
+    @functools.lru_cache(maxsize=None)
+    def table(self, name):
+        """A table by its name without '.csv'."""
+        import numpy  # (which those who only start the program do without)
+
+        rows = read_table(self.path(f"{name}.csv"))
+        if not rows:
+            raise UserError(f"'{self.path(name)}.csv' holds no results yet")
+        return numpy.array([tuple(row.values()) for row in rows], [(column, float) for column in rows[0]])
+
+    @property
+    def history(self):
+        """One row per load step; doc/tables.md lists the columns of all tables."""
+        return self.table("history")
+
+    @property
+    def statistics(self):
+        """One row per nonlinear solve."""
+        return self.table("statistics")
+
+    @property
+    def indentation(self):
+        """One row per unloading of an indentation test."""
+        return self.table("indentation")
+
+    @property
+    def reactions(self):
+        """The forces of the supports, one row per load step."""
+        return self.table("reactions")
+
+    def fields(self, kind="solution", step=-1):
+        """One entry of solution.pvd, surface.pvd and the like: 'points' (x, y, z), the numbers of
+        the points of each of the 'cells', and the data of the points by name."""
+        import numpy
+
+        files = records(self.directory, kind)
+        if not -len(files) <= step < len(files):
+            raise UserError(f"there is no step {step} in '{self.path(kind)}.pvd': it has {len(files)}, "
+                            "counted from 0, or from -1 backwards")
+        return {name: numpy.array(values) for name, values in read_record(self.directory, files[step]).items()}
+
+    @functools.cached_property
+    def parameters(self):
+        """The effective input of the run: 'Section/Entry' to text."""
+        path = self.path("parameters.prm")
+        values, sections, continued = {}, [], ""
+        try:
+            with open(path, encoding="utf-8") as file:
+                lines = file.read().splitlines()
+        except OSError as error:
+            raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
+        for line in lines:
+            line = continued + line.split("#")[0].strip()
+            continued = ""
+            if line.endswith("\\"):
+                continued = line[:-1]
+            elif line.startswith("subsection "):
+                sections.append(line[len("subsection "):].strip())
+            elif line == "end":
+                sections.pop()
+            elif line.startswith("set "):
+                entry, value = line[len("set "):].split("=", 1)
+                values["/".join(sections + [entry.strip()])] = value.strip()
+        return values
+
+    def numbers(self, path):
+        """The values of an entry that is a list of numbers; empty without it."""
+        return [float(part) for part in self.parameters.get(path, "").split(",") if part.strip()]
+
+    def number(self, path):
+        """The first value of an entry of numbers."""
+        try:
+            return self.numbers(path)[0]
+        except (IndexError, ValueError):
+            raise UserError(f"the run's parameters.prm holds no number for '{path}'") from None
+
+    @property
+    def is_axisymmetric(self):
+        return self.parameters.get("Kinematics") == "axisymmetric"
+
+    @property
+    def is_plane(self):
+        return self.parameters.get("Dimension") == "2" and not self.is_axisymmetric

@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Run one case with all combinations of some values, or with those of a list, several runs at
+a time, and collect numbers from their tables: study.csv and study.png. Each run has a folder
+of its own. A study that has been interrupted goes on where it was: what is finished is not
+run again. doc/user_guide.md, Studies, describes the file.
+
+    scripts/study.py study.json --output-directory output/study
+"""
+
+import argparse
+import csv
+import fcntl
+import functools
+import os
+import pathlib
+import sys
+
+from .execution import collect, execute, missing
+from .plan import read_study
+from ..errors import UserError
+from ..program import as_text, find_program
+from ..verification.runner import add_program
+
+LOCK = "study.lock"
+
+
+def open_folder(directory):
+    """Makes the folder of a study and locks it until the end of the process."""
+    if directory.is_dir() and any(directory.iterdir()) and not (directory / LOCK).exists():
+        raise UserError(f"'{directory}' holds other things than a study: choose another --output-directory")
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        lock = (directory / LOCK).open("a")
+    except OSError as error:
+        raise UserError(f"'{directory}' cannot be used: {error.strerror}") from None
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        raise UserError(f"another study is running in '{directory}'") from None
+    return lock
+
+
+def write_table(rows, path):
+    new = path.with_suffix(".new")
+    with new.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(rows[0])
+        for row in rows:
+            writer.writerow("" if value is None else as_text(value) for value in row.values())
+    os.replace(new, path)
+    print(path)
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(prog="study", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("study", type=pathlib.Path, help="the file (JSON)")
+    parser.add_argument("--output-directory", type=pathlib.Path,
+                        help="where the results go (default: output/ and the name of the file)")
+    parser.add_argument("--no-plot", action="store_true", help="write the table only")
+    add_program(parser)
+    chosen = parser.parse_args(arguments)
+    study = read_study(chosen.study)
+    program = find_program(chosen.program)
+    directory = chosen.output_directory or pathlib.Path("output") / chosen.study.stem
+    with open_folder(directory):
+        failures = execute(study, directory, program, functools.partial(print, flush=True))
+        rows = collect(study, directory)
+        for remark in missing(study, directory, rows):
+            print(remark, file=sys.stderr)
+        write_table(rows, directory / "study.csv")
+        if not chosen.no_plot:
+            from ..plots.study import draw  # (which needs matplotlib)
+            draw(study, rows, directory / "study.png")
+    return 1 if failures else 0

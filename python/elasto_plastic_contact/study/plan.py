@@ -1,0 +1,190 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a study is, as its file (JSON) says."""
+
+import difflib
+import hashlib
+import itertools
+import json
+import pathlib
+from dataclasses import dataclass
+
+from ..errors import UserError
+from ..program import find_case
+from ..schema import check_path
+
+TAKES = ("last", "first", "maximum", "minimum")
+
+
+@dataclass(frozen=True)
+class Number:
+    """What to look up after a run: a column of a table, and which of its rows."""
+    table: str
+    column: str
+    take: str | int  # one of TAKES, or a row counted from 1
+
+
+@dataclass
+class Study:
+    """case: the parameter file; common: entries of all runs, by 'Section/Entry'; runs: those of each;
+    numbers: the columns of the final table; at_once: how many runs at a time, each on some ranks;
+    x, y, logarithmic: of the plot."""
+    case: pathlib.Path
+    common: dict
+    runs: list
+    numbers: dict
+    at_once: int
+    ranks: int
+    x: str
+    y: list
+    logarithmic: list
+
+    @property
+    def varied(self):
+        return list(self.runs[0])
+
+    def folder(self, run):
+        """The name of the folder of a run: another one if the parameter file or any entry is another one."""
+        content = json.dumps([self.case.read_text(encoding="utf-8"), self.common | run], sort_keys=True)
+        return f"run_{hashlib.sha256(content.encode()).hexdigest()[:10]}"
+
+
+def read_study(path):
+    """The Study of a file. Raises UserError: what is wrong, at which key, what is allowed."""
+    try:
+        data = json.loads(pathlib.Path(path).read_text(encoding="utf-8-sig"), object_pairs_hook=without_repetition)
+    except OSError as error:
+        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
+    except json.JSONDecodeError as error:
+        raise UserError(f"'{path}', line {error.lineno}, column {error.colno}: this is no JSON ({error.msg})") from None
+    except (UnicodeDecodeError, UserError) as error:
+        raise UserError(f"'{path}': {error}") from None
+    try:
+        return make_study(data, pathlib.Path(path).parent)
+    except UserError as error:
+        raise UserError(f"'{path}': {error}") from None
+
+
+def without_repetition(pairs):
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        keys = [key for key, _ in pairs]
+        raise UserError(f"'{next(key for key in keys if keys.count(key) > 1)}' stands twice in one object")
+    return found
+
+
+def make_study(data, folder):
+    check_keys(data, "the study", ("case", "numbers"), ("set", "vary", "runs", "at once", "ranks", "plot"))
+    if ("vary" in data) == ("runs" in data):
+        raise UserError("give either 'vary' (all combinations of values) or 'runs' (a list of objects)")
+    numbers = read_numbers(data["numbers"])
+    case = check(data["case"], "case", str, "the name of a parameter file")
+    runs = combinations(data["vary"]) if "vary" in data else read_runs(data["runs"])
+    plot = data.get("plot", {})
+    check_keys(plot, "plot", (), ("x", "y", "logarithmic"))
+    names = [*runs[0], *numbers]
+    study = Study(
+        case=find_case(folder / case if (folder / case).is_file() else case),
+        common=read_entries(data.get("set", {}), "set"), runs=runs, numbers=numbers,
+        at_once=read_count(data, "at once"), ranks=read_count(data, "ranks"),
+        x=choice(plot.get("x", names[0]), "plot/x", names),
+        y=[choice(name, "plot/y", list(numbers))
+           for name in check(plot.get("y", list(numbers)), "plot/y", list, "a list of names of 'numbers'")],
+        logarithmic=[choice(axis, "plot/logarithmic", ["x", "y"])
+                     for axis in check(plot["logarithmic"], "plot/logarithmic", list, "a list of 'x' and 'y'")]
+        if "logarithmic" in plot else [])
+    for number, run in enumerate(runs):
+        if run in runs[:number]:
+            raise UserError(f"two runs are the same: {json.dumps(run)}")
+    twice = set(study.common) & set(study.varied)
+    if twice:
+        raise UserError(f"'{min(twice)}' stands in 'set' and is varied as well")
+    return study
+
+
+def check(value, place, kind, allowed):
+    """Refuses another type, and what is empty."""
+    if not isinstance(value, kind) or isinstance(value, bool) or value in ("", [], {}):
+        raise UserError(f"'{place}' is {json.dumps(value)}, but must be {allowed}")
+    return value
+
+
+def check_keys(data, place, required, optional):
+    if not isinstance(data, dict):
+        raise UserError(f"{place} is {json.dumps(data)}, but must be an object {{...}} with the keys "
+                        f"{', '.join((*required, *optional))}")
+    for key in data:
+        choice(key, f"a key of {place}", [*required, *optional])
+    for key in required:
+        if key not in data:
+            raise UserError(f"{place} lacks '{key}'")
+
+
+def choice(value, place, allowed):
+    if value not in allowed:
+        close = difflib.get_close_matches(str(value), allowed, n=1)
+        hint = f"Did you mean '{close[0]}'? " if close else ""
+        raise UserError(f"{place}: there is no {json.dumps(value)}. {hint}Allowed: {', '.join(allowed)}")
+    return value
+
+
+def read_count(data, key):
+    count = check(data.get(key, 1), key, int, "an integer >= 1")
+    if count < 1:
+        raise UserError(f"'{key}' is {count}, but must be an integer >= 1")
+    return count
+
+
+def check_value(value, place):
+    """An entry's value; whether it fits is for the program to say."""
+    for part in value if isinstance(value, list) else [value]:
+        if not isinstance(part, (str, int, float, bool)):
+            raise UserError(f"'{place}' is {json.dumps(value)}, but must be a text, a number, true or false, "
+                            "or a list of these")
+    return value
+
+
+def read_entries(data, place):
+    if data != {}:
+        check(data, place, dict, "an object with the values of entries, 'Section/Entry': value")
+    for path, value in data.items():
+        check_path(path, place)
+        check_value(value, f"{place}/{path}")
+    return data
+
+
+def combinations(data):
+    check(data, "vary", dict, "an object with lists of values, 'Section/Entry': [value, ...]")
+    for path, values in data.items():
+        check_path(path, "vary")
+        for value in check(values, f"vary/{path}", list, "a list of at least one value"):
+            check_value(value, f"vary/{path}")
+    return [dict(zip(data, values)) for values in itertools.product(*data.values())]
+
+
+def read_runs(data):
+    check(data, "runs", list, "a list of objects, one for each run")
+    runs = [check(run, f"runs/{number}", dict, "an object with the values of entries")
+            for number, run in enumerate(data, 1)]
+    for number, run in enumerate(runs, 1):
+        read_entries(run, f"runs/{number}")
+        if set(run) != set(runs[0]):
+            raise UserError(f"runs/{number} has other entries than the first one: "
+                            f"{', '.join(sorted(set(run) ^ set(runs[0])))}")
+    return runs
+
+
+def read_numbers(data):
+    check(data, "numbers", dict, "an object, name: {'table': ..., 'column': ..., 'take': ...}")
+    numbers = {}
+    for name, number in data.items():
+        place = f"numbers/{name}"
+        check_keys(number, place, ("table", "column"), ("take",))
+        take = number.get("take", "last")
+        if not isinstance(take, int) or isinstance(take, bool) or take < 1:
+            if take not in TAKES:
+                raise UserError(f"'{place}/take' is {json.dumps(take)}, but must be one of {', '.join(TAKES)}, "
+                                "or the number of a row, from 1")
+        numbers[name] = Number(check(number["table"], f"{place}/table", str, "the name of a table, such as 'history'"),
+                               check(number["column"], f"{place}/column", str, "the name of a column"), take)
+    return numbers

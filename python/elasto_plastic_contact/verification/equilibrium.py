@@ -1,0 +1,192 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cases of verify: stresses in equilibrium, limit loads, guaranteed error bounds."""
+
+import math
+import os
+
+from .stress_distance import stress_distance
+from .runner import E, E_STAR, NU, Runner
+
+LAWS = ("linear elastic", "isotropic hardening", "perfectly plastic")
+PRANDTL = 2 + math.pi
+BOUND = "Analysis=contact with error bound"
+QUADRATIC = ("Discretization/Polynomial degree=2", "Discretization/Volumetric treatment=standard")
+
+
+def limit_load(runner):
+    """Limit load of a strip punch between two bounds (exact), the same on any number of ranks."""
+    case, entry = "limit_load/strip_punch.prm", "Refinement/Number of cycles=6"
+    rows = runner.tables(case, entry)["limit_load"]
+    for row in rows:
+        runner.verify(f"{row['lower_bound']:.6g} <= {PRANDTL:.6g} <= {row['upper_bound']:.6g}",
+                      row["lower_bound"] <= PRANDTL <= row["upper_bound"])
+    runner.compare("largest error of the stresses", max(row["stress_error"] for row in rows), 0,
+                   1e-10, absolute=True)
+    runner.compare("largest divergence", max(row["divergence"] for row in rows), 0, 1e-9, absolute=True)
+    runner.compare("lower bound", rows[-1]["lower_bound"], PRANDTL, 0.01)
+    runner.compare("upper bound", rows[-1]["upper_bound"], PRANDTL, 0.01)
+    other = Runner(runner.program, 2 if runner.ranks == 1 else 1).tables(case, entry)["limit_load"]
+    runner.compare("lower bound on another number of ranks", other[-1]["lower_bound"], rows[-1]["lower_bound"], 1e-9)
+
+    curved = runner.tables(case, entry, "Indenter/Type=cylinder", "Indenter/Radius=3",
+                           "Indenter/Reach=1")["limit_load"]
+    runner.compare("a cylinder that reaches as far", curved[-1]["lower_bound"], rows[-1]["lower_bound"], 1e-6)
+    small = runner.tables(case, entry, "Geometry/Lower corner=0, -5", "Geometry/Upper corner=5, 0",
+                          "Geometry/Repetitions=5, 5")["limit_load"]
+    runner.compare("block of 5 by 5 half-widths", small[-1]["lower_bound"], 4.2, 0.015)
+    strip = runner.tables(case, entry, "Geometry/Lower corner=0, -1", "Geometry/Upper corner=10, 0",
+                          "Geometry/Repetitions=10, 1", "Boundary conditions/Roller=left, bottom",
+                          "Boundary conditions/Fixed=", "Geometry/Initial refinements=1")["limit_load"][-1]
+    runner.verify(f"strip of one half-width on a smooth base: {strip['lower_bound']:.7g} <= 2 <= "
+                  f"{strip['upper_bound']:.7g}", 1.999 < strip["lower_bound"] <= 2 <= strip["upper_bound"] < 2.03)
+
+
+def openblas_kernels():
+    """Names of some kernels of OpenBLAS that this processor can run; without OpenBLAS, they are ignored."""
+    with open("/proc/cpuinfo", encoding="ascii") as file:
+        flags = file.read().split()
+    return ["Prescott"] + ["Haswell", "Zen"] * ("avx2" in flags) + ["SkylakeX"] * ("avx512f" in flags)
+
+
+def blas_kernels(runner):
+    """Bounds do not depend on the order in which a BLAS kernel adds up: rounding errors decide on none."""
+    cycles = "Refinement/Number of cycles=2"
+    cases = {"two layers": ("limit_load/two_layer_block.prm", cycles),
+             "two layers, edge of the punch inside a side":
+                 ("limit_load/two_layer_block.prm", cycles, "Indenter/Half width=0.83"),
+             "parabola": ("error_bound/parabola.prm", cycles)}
+    for name, case in cases.items():
+        rows = {}
+        for kernel in openblas_kernels():
+            os.environ["OPENBLAS_CORETYPE"] = kernel
+            tables = runner.tables(*case)
+            del os.environ["OPENBLAS_CORETYPE"]
+            rows[kernel] = (tables.get("limit_load") or tables["error_bound"])[-1]
+        first = next(iter(rows.values()))
+        for kernel, row in rows.items():
+            title = f"{name}, {kernel}: "
+            if "lower_bound" in row:
+                runner.verify(f"{title}{row['lower_bound']:.8g} <= {row['upper_bound']:.8g}",
+                              row["lower_bound"] <= row["upper_bound"])
+                runner.compare(title + "lower bound", row["lower_bound"], first["lower_bound"], 1e-6)
+                runner.compare(title + "upper bound", row["upper_bound"], first["upper_bound"], 1e-6)
+            else:
+                runner.verify(f"{title}bound {row['bound']:.8g}", row["bound"] > 0)
+                runner.compare(title + "complementary energy", row["complementary_energy"],
+                               first["complementary_energy"], 1e-9)
+
+
+def safe_load(runner):
+    """A force of 0.995 times a lower bound of the limit load has an equilibrium.
+
+    So has a small one after a depth that is a larger number than the limit load.
+    """
+    lower = runner.tables("limit_load/strip_punch.prm",
+                          "Refinement/Number of cycles=6")["limit_load"][-1]["lower_bound"]
+    row = runner.run("limit_load/strip_punch.prm", "Analysis=contact", "Loading/Control=force",
+                     f"Loading/Force={0.995 * lower}", "Refinement/Number of cycles=3", *QUADRATIC)[-1]
+    runner.compare("force", row["force"], 0.995 * lower, 1e-9)
+    runner.compare("forces on free nodes", row["residual"], 0, 1e-8, absolute=True)
+    row = runner.run("limit_load/strip_punch.prm", "Analysis=contact", "Indenter/Initial gap=9.99",
+                     "Loading/History=1: depth 10 | 2: force 1", "Loading/Number of steps=8",
+                     "Refinement/Number of cycles=1")[-1]
+    runner.compare("force after a depth", row["force"], 1, 1e-9)
+
+
+def uniform_meshes(runner, law, n_meshes):
+    """Rows of error_bound.csv, and that of a finer mesh.
+
+    'distance' is that of the stresses from those on the finer mesh, in the norm of the energy.
+    """
+    entries = (BOUND, f"Material/Law={law}", "Geometry/Initial refinements=3")
+    tables, fields = runner.tables_with_fields(
+        "cylinder_2d.prm", "equilibrium", *entries, "Refinement/Strategy=global",
+        "Discretization/Polynomial degree=1", f"Refinement/Number of cycles={n_meshes}")
+    fine_tables, fine_fields = runner.tables_with_fields(
+        "cylinder_2d.prm", "equilibrium", *entries, "Refinement/Strategy=adaptive",
+        f"Refinement/Number of cycles={n_meshes + 1}")
+    for row, field in zip(tables["error_bound"], fields):
+        row["distance"] = stress_distance(field, fine_fields[-1], E, NU)
+    return tables["error_bound"], fine_tables["error_bound"][-1]
+
+
+def error_bound(runner):
+    """Uniform meshes: the bound is positive, above all errors, and of order h^2."""
+    for law in LAWS:
+        rows, fine = uniform_meshes(runner, law, 3)
+        runner.verify(f"{law}: positive", all(row["bound"] > 0 for row in rows))
+        # The least of the energy is between minus the complementary energy and the energy of any mesh.
+        for row in rows:
+            of_displacement = row["energy"] - fine["energy"]
+            of_stress = row["complementary_energy"] - fine["complementary_energy"]
+            larger = max(of_displacement, of_stress)
+            runner.verify(f"errors {of_displacement:.3g} and {of_stress:.3g}, "
+                          f"bound {row['bound']:.3g}, efficiency index {math.sqrt(row['bound'] / larger):.3f}",
+                          0 < larger and min(of_displacement, of_stress) > -fine["bound"] and
+                          larger < row["bound"])
+            largest = math.sqrt(2 * row["bound"])
+            runner.verify(f"distance from finer stresses {row['distance']:.3g}, bound {largest:.3g}",
+                          row["distance"] < largest)
+        runner.compare("order of the bound", order(rows, "bound"), 2, 0.15)
+        stress_order = order(rows, "distance")
+        runner.verify(f"order of the stresses {stress_order:.2f}", stress_order > 0.5)
+
+
+def order(rows, name):
+    """Of convergence, from the last two uniform meshes."""
+    return math.log2(rows[-2][name] / rows[-1][name])
+
+
+def error_bound_refinement(runner):
+    """Refinement by the bound against that by Kelly's estimator, in the bound per unknown."""
+    for law in LAWS[1:]:
+        rows = {}
+        for strategy in ("adaptive", "Kelly"):
+            tables = runner.tables("cylinder_2d.prm", BOUND, f"Material/Law={law}", f"Refinement/Strategy={strategy}",
+                                   "Geometry/Initial refinements=3", "Refinement/Number of cycles=5")
+            rows[strategy] = tables["error_bound"][-1]
+            runner.compare("estimated_error", tables["history"][-1]["estimated_error"],
+                           math.sqrt(2 * rows[strategy]["bound"]), 1e-12)
+        ratio = rows["Kelly"]["bound"] / rows["adaptive"]["bound"]
+        runner.verify(f"{law}: {rows['adaptive']['dofs']:.0f} unknowns by the bound, "
+                      f"{rows['Kelly']['dofs']:.0f} by Kelly, whose bound is {ratio:.2f} times as large",
+                      rows["adaptive"]["dofs"] < rows["Kelly"]["dofs"] and ratio > 1.1)
+
+
+def error_bound_ranks(runner):
+    """Bounds and the meshes that they make are the same on 1, 2 and 3 ranks."""
+    one, two, three = (Runner(runner.program, ranks).tables("error_bound/parabola.prm", "Refinement/Number of cycles=3")
+                       ["error_bound"] for ranks in (1, 2, 3))
+    for alone, *others in zip(one, two, three):
+        for row in others:
+            runner.compare("triangles", row["triangles"], alone["triangles"], 0)
+            runner.compare("bound", row["bound"], alone["bound"], 1e-9)
+
+
+def equilibrium_hertz(runner):
+    """Hertz' line contact by stresses in equilibrium: force control in plane strain (exact)."""
+    row = runner.tables("verification/hertz_cylinder.prm", BOUND, "Geometry/Local refinements=8",
+                        "Geometry/Local radius=8")["error_bound"][-1]
+    half_width, radius = 0.2, 10
+    runner.compare("peak pressure", row["equilibrium_max_pressure"], E_STAR * half_width / (2 * radius), 0.005)
+    runner.compare("half-width", row["equilibrium_contact_area"], half_width, 0.02)
+    runner.compare("depth", row["equilibrium_depth"], row["depth"], 1e-3)
+    runner.compare("bound of the error, of the energy", row["relative_bound"], 0, 1e-3, absolute=True)
+
+
+def depths_for_hardening(runner, values, entries):
+    """Of the displacement method under Johnson's force, for values of his mu."""
+    return [runner.run("johnson/isotropic.prm", *entries,
+                       f"Material/Isotropic hardening modulus={1.5 * mu}")[-1]["depth"] for mu in values]
+
+
+def equilibrium_limit(runner):
+    """Johnson's mu to 0: the displacement method comes to the equilibrium method's solution."""
+    entries = ("Refinement/Number of cycles=4", *QUADRATIC)
+    row = runner.tables("johnson/perfect.prm", BOUND, *entries)["error_bound"][-1]
+    missing = [abs(1 - depth / row["equilibrium_depth"])
+               for depth in depths_for_hardening(runner, (1, 0.1, 0.01, 0.001, 0.0001), entries)]
+    runner.verify("the difference of the depths falls: " + ", ".join(f"{value:.2%}" for value in missing),
+                  all(a > b for a, b in zip(missing, missing[1:])))
+    runner.compare("difference at mu = 0.0001", missing[-1], 0, 0.02, absolute=True)

@@ -1,0 +1,28 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Verification where the last digit of a displacement is a large force; see verify."""
+
+from .runner import E
+
+
+def contrast(runner):
+    """A confined block of two layers, of which one is 1e8 times as stiff (exact)."""
+    nu, depth, stiff, soft = 0.3, 0.0037, E, 1e-8 * E
+    row = runner.run("verification/confined_block.prm", "Material/Law=linear elastic, linear elastic",
+                     f"Material/Young's modulus={stiff}, {soft}", "Geometry/Material id=if(z > 0.5, 0, 1)",
+                     "Geometry/Initial refinements=3", f"Loading/Depth={depth}")[-1]
+    confined = (1 - nu) / ((1 + nu) * (1 - 2 * nu))
+    exact = depth * confined / (0.5 / stiff + 0.5 / soft)
+    runner.compare("force", row["force"], exact, 1e-6)
+    runner.verify(f"after {row['newton_iterations']:.0f} iterations", row["newton_iterations"] <= 10)
+
+
+def nearly_incompressible(runner):
+    """Uniaxial stress of bodies that hardly change their volume, with B-bar (exact)."""
+    for nu in (0.4999, 0.499999, 0.499999999):
+        for solver in ("multigrid", "direct"):
+            step = runner.history("verification/uniaxial_stress.prm", "Material/Law=linear elastic",
+                                  f"Material/Poisson's ratio={nu}", "Geometry/Initial refinements=3",
+                                  "Discretization/Volumetric treatment=B-bar",
+                                  f"Linear solver/Type={solver}")[-1]
+            runner.compare(f"stress at nu = {nu}, {solver}", step["top_z"], 0.02 * E, 1e-6)

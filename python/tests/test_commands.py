@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands as they are typed: pictures, tables, and one message after a mistake."""
+
+import csv
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from elasto_plastic_contact import run
+
+SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
+CONE = {"Geometry/Local refinements": 4, "Loading/History": "1: depth 0.02 | 2: force 0", "Loading/Number of steps": 20,
+        "Output/Fields": "never"}
+
+
+def command(name, *arguments):
+    return subprocess.run([sys.executable, SCRIPTS / f"{name}.py", *map(str, arguments)],
+                          capture_output=True, text=True, check=False)
+
+
+class Commands(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.cone = run("indentation/cone_axisymmetric.prm", cls.folder / "cone", CONE)
+
+    def expect_message(self, pattern, name, *arguments):
+        process = command(name, *arguments)
+        self.assertEqual(process.returncode, 2)
+        self.assertRegex(process.stderr.splitlines()[-1], f"^{name}: .*{pattern}")
+
+    def test_plot(self):
+        process = command("plot", "energies", self.folder / "cone")
+        self.assertEqual(process.stdout, f"{self.folder}/cone/energies.png\n")
+        self.expect_message("no diagram 'energy' of a run; there are pressure", "plot", "energy", self.folder / "cone")
+        self.expect_message("nothing to show for stress_strain", "plot", "stress_strain", self.folder / "cone")
+        self.expect_message("parameters.prm' cannot be read: No such file", "plot", "energies", self.folder)
+        self.expect_message("cannot be written", "plot", self.folder / "cone", "--output-directory", "/nowhere")
+
+    def test_evaluate(self):
+        curve, picture = self.folder / "curve.csv", self.folder / "both.png"
+        with curve.open("w", newline="") as file:
+            writer = csv.writer(file)
+            writer.writerow(["P", "h"])
+            writer.writerows([[1e3 * row["force"], 1e6 * row["depth"]] for row in self.cone.history])
+        units = ("--columns", "h", "P", "--factors", 1e-6, 1e-3)
+        process = command("evaluate", curve, "--cone", 70.3, *units, "--run", self.folder / "cone", "--output", picture)
+        *found, path = process.stdout.splitlines()
+        measured, computed = csv.DictReader(found)
+        self.assertEqual([measured.pop("curve"), computed.pop("curve")], ["measured", "computed"])
+        self.assertEqual(measured, computed)
+        self.assertAlmostEqual(float(computed["tip_hardness"]) / self.cone.indentation[0]["tip_hardness"], 1, places=5)
+        self.assertEqual(path, str(picture))
+        self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
+
+        process = command("evaluate", curve, "--cone", 70.3, *units, "--beta", 1.034)
+        modulus = float(next(csv.DictReader(process.stdout.splitlines()))["tip_reduced_modulus"])
+        self.assertAlmostEqual(float(computed["tip_reduced_modulus"]) / modulus, 1.034, places=4)
+        self.expect_message("no column 'depth'; it has P, h", "evaluate", curve, "--sphere", 1)
+        self.expect_message("--cone is 90, but must be between", "evaluate", curve, "--cone", 90)
+
+    def test_unknown(self):
+        self.assertEqual(command("verify", "nonsense").returncode, 2)
+        self.assertEqual(command("command", "nonsense").returncode, 2)
+        self.assertEqual(command("command", "--help").returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the documentation shows does run: all blocks of doc/python.md, one after the other, and the
+study of doc/user_guide.md."""
+
+import contextlib
+import os
+import pathlib
+import re
+import tempfile
+import unittest
+
+from elasto_plastic_contact.study.plan import read_study
+
+DOC = pathlib.Path(__file__).resolve().parents[2] / "doc"
+
+
+def blocks(page, language):
+    """The line and the text of each block."""
+    text = (DOC / page).read_text(encoding="utf-8")
+    for found in re.finditer(rf"^```{language}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
+        yield text.count("\n", 0, found.start(1)), found[1]
+
+
+class Documentation(unittest.TestCase):
+    def test_python(self):
+        names, found = {}, list(blocks("python.md", "python"))
+        self.assertGreater(len(found), 8)
+        self.assertEqual((DOC / "python.md").read_text(encoding="utf-8").count("```"), 2 * len(found))
+        with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+            for line, block in found:
+                # (empty lines before it, so that an error names the line of the page)
+                exec(compile("\n" * line + block, DOC / "python.md", "exec"), names)  # pylint: disable=exec-used
+            self.assertTrue(os.path.isfile("force_depth.png"))
+
+    def test_study(self):
+        (_, block), = blocks("user_guide.md", "json")
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "study.json"
+            path.write_text(block, encoding="utf-8")
+            self.assertGreater(len(read_study(path).runs), 3)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,168 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What pictures are made of: continuous fields, outer faces, outlines, cycles, and the files."""
+
+import contextlib
+import io
+import pathlib
+import re
+import tempfile
+import types
+import unittest
+
+import numpy
+
+from elasto_plastic_contact import run
+from elasto_plastic_contact.__main__ import main
+from elasto_plastic_contact.pictures import indenter, skin
+from elasto_plastic_contact.pictures.joined import Joined
+from elasto_plastic_contact.plots.cycles import turning_points
+
+CORNERS = numpy.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
+CUBE = numpy.concatenate([CORNERS, CORNERS + [0, 0, 1]])
+
+
+def written_one_by_one(cell, places):
+    """Points and cells, as the program writes them: cells (corner and size) that share no points."""
+    points = numpy.concatenate([size * cell + place for place, size in places])
+    return points, numpy.arange(len(points)).reshape(-1, len(cell))
+
+
+class ContinuousFields(unittest.TestCase):
+    """A square of size 1, and two of size 1/2 beside it."""
+    points, cells = written_one_by_one(CORNERS, [([0, 0, 0], 1.), ([1, 0, 0], .5), ([1, .5, 0], .5)])
+
+    def at(self, values, x, y):
+        there = numpy.flatnonzero((self.points[:, :2] == (x, y)).all(axis=1))
+        return values[there]
+
+    def test_hanging_node(self):
+        values = Joined(self.points, self.cells)(numpy.repeat([1., 2., 6.], 4))
+        numpy.testing.assert_allclose(self.at(values, 1, 0), 1.5)
+        numpy.testing.assert_allclose(self.at(values, 1, 1), 3.5)
+        numpy.testing.assert_allclose(self.at(values, 1, .5), 2.5)  # between these, not (2 + 6) / 2
+        numpy.testing.assert_allclose(self.at(values, 1.5, .5), 4.)
+
+    def test_materials_keep_apart(self):
+        values = Joined(self.points, self.cells, numpy.repeat([0., 1., 1.], 4))(numpy.repeat([1., 2., 6.], 4))
+        numpy.testing.assert_allclose(sorted(self.at(values, 1, 0)), [1, 2])
+        numpy.testing.assert_allclose(self.at(values, 1, .5), 4.)
+
+
+class OuterFaces(unittest.TestCase):
+    def test_large_beside_small(self):
+        """No face inside is left, and none outside is missing: a cube of size 1 and eight of size 1/2."""
+        small = [([1 + .5 * i, .5 * j, .5 * k], .5) for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+        points, cells = written_one_by_one(CUBE, [([0, 0, 0], 1.), *small])
+        faces = points[skin.outer_faces(points, cells)]
+        areas = 0.5 * numpy.cross(faces[:, 2] - faces[:, 0], faces[:, 3] - faces[:, 1])
+        self.assertAlmostEqual(numpy.linalg.norm(areas, axis=1).sum(), 10.)
+        numpy.testing.assert_allclose(areas.sum(axis=0), 0., atol=1e-14)
+        self.assertEqual(len(faces), 5 + 5 * 4)
+
+    def test_cut(self):
+        points, cells = written_one_by_one(CUBE, [([0, 0, 0], 1.), ([0, 1, 0], 1.)])
+        self.assertEqual(skin.cut_away(points, cells, "y", [0, 1, 0]).tolist(), [list(range(8, 16))])
+
+
+class Outlines(unittest.TestCase):
+    def profile(self, shape, distance, **entries):
+        entries = {name.replace("_", " "): value for name, value in entries.items()}
+        results = types.SimpleNamespace(
+            parameters={"Indenter/Type": shape},
+            number=lambda path: entries[path.removeprefix("Indenter/")],
+            numbers=lambda path: [])
+        return numpy.interp(distance, *indenter.profile(results))
+
+    def test_shapes(self):
+        self.assertAlmostEqual(self.profile("sphere", 0.6, Radius=1.), 0.2, places=5)
+        self.assertAlmostEqual(self.profile("cylinder", -0.6, Radius=1.), 0.2, places=5)
+        self.assertAlmostEqual(self.profile("paraboloid", 0.5, Radius=2.), 0.0625, places=5)
+        self.assertAlmostEqual(self.profile("wedge", 0.5, **{"Semi-apex angle": 45.}), 0.5)
+        self.assertEqual(self.profile("strip punch", 0.9, Half_width=1.), 0.)
+        self.assertGreater(self.profile("circular punch", 1.1, Radius=1.), 100.)
+        self.assertIsNone(indenter.profile(types.SimpleNamespace(parameters={"Indenter/Type": "image"})))
+
+
+class Cycles(unittest.TestCase):
+    def test_turning_points(self):
+        peaks, valleys = turning_points(numpy.array([5., 20., 10., 1., 9., 20., 1., 12.]))
+        self.assertEqual((list(peaks), list(valleys)), ([1, 5, 7], [3, 6]))
+        peaks, valleys = turning_points(numpy.array([20., 1., 20., 1.]))
+        self.assertEqual((list(peaks), list(valleys)), ([0, 2], [1, 3]))
+
+
+class Files(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.cone = cls.folder / "cone"
+        run("indentation/cone_axisymmetric.prm", cls.cone, {
+            "Geometry/Local refinements": 3,
+            "Loading/History": "1: depth 0.05 | 2: force 0 | 3: depth 0.05 | 4: force 0",
+            "Loading/Number of steps": 12})
+
+    def draw(self, *arguments):
+        with contextlib.redirect_stdout(io.StringIO()) as paths:
+            status = main([str(argument) for argument in arguments])
+        self.assertIsNone(status)
+        return [pathlib.Path(path) for path in paths.getvalue().splitlines()]
+
+    def message(self, *arguments):
+        with contextlib.redirect_stderr(io.StringIO()) as text:
+            self.assertEqual(main([str(argument) for argument in arguments]), 2)
+        return text.getvalue()
+
+    def texts_of(self, *arguments):
+        """What stands in a picture, a text a line (matplotlib notes each as a comment)."""
+        path, = self.draw(*arguments)
+        return "\n".join(re.findall(r"<!-- (.*) -->", path.read_text(encoding="utf-8")))
+
+    def test_history_side_by_side(self):
+        texts = self.texts_of("render", self.cone, "--steps", 1, 2, 5, "--zoom", 8, "--scale", 1,
+                             "--length-unit", "mm", "--force-unit", "N", "--output", self.folder / "history.svg")
+        for words in ("(a)", "(b)", "(c)", "indenter", "plastic zone", "0.1 mm", "von Mises stress in MPa",
+                      "t = 0.666667"):
+            self.assertIn(words, texts)
+
+    def test_picture(self):
+        path, = self.draw("render", self.cone, "--zoom", 4)
+        self.assertTrue(path.read_bytes().startswith(b"\x89PNG"))
+        self.assertIn("no field 'temperature'; there are: displacement, ",
+                      self.message("render", self.cone, "--field", "temperature"))
+        self.assertIn("--steps has 12, but solution.pvd has 12 entries",
+                      self.message("render", self.cone, "--steps", 12))
+        self.assertIn("must end with .png, .svg or .pdf",
+                      self.message("render", self.cone, "--output", self.folder / "picture.mesh"))
+
+    def test_panels_and_units(self):
+        texts = self.texts_of("plot", "force_depth", "contact_radius", self.cone, "--panels", self.folder / "both.svg",
+                             "--length-unit", "µm", "--force-unit", "mN")
+        for words in ("(a)", "(b)", "force in mN", "contact radius in µm"):
+            self.assertIn(words, texts)
+        self.assertIn("--panels needs the names", self.message("plot", self.cone, "--panels", self.folder / "all.svg"))
+
+    def test_format(self):
+        path, = self.draw("plot", "energies", self.cone, "--format", "pdf")
+        self.assertEqual(path.name, "energies.pdf")
+        self.assertTrue(path.read_bytes().startswith(b"%PDF"))
+
+    def test_normalised(self):
+        texts = self.texts_of("plot", "force_depth", self.cone, "--normalised", "--format", "svg")
+        self.assertIn(r"force $F\,/\,(Y\, A_{\max})$", texts)
+        self.assertIn(r"depth $\delta\,/\,a_{\max}$", texts)
+
+    def test_cycles(self):
+        texts = self.texts_of("plot", "cycles", f"{self.cone}=cone", "--length-unit", "mm",
+                              "--output", self.folder / "cycles.svg")
+        self.assertIn("at the smallest force", texts)
+        self.assertIn(r"depth $\delta$ in mm", texts)
+        bar = self.folder / "bar"
+        run("verification/uniaxial_stress.prm", bar, {"Output/Fields": "never"})
+        self.assertIn("the force turns back less than twice", self.message("plot", "cycles", bar))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables, fields and parameters of a run that Python has started; messages where there are none."""
+
+import pathlib
+import re
+import tempfile
+import unittest
+
+from elasto_plastic_contact import Results, UserError, run
+from elasto_plastic_contact.fields import read_record
+from elasto_plastic_contact.program import RunError, as_text
+from elasto_plastic_contact.tables import read_table
+
+CASE = "verification/uniaxial_stress.prm"
+
+
+class ResultsOfARun(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.results = run(CASE, f"{cls.folder.name}/bar", {
+            "Loading/Number of steps": 4, "Material/Yield stress": [300]})
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_tables(self):
+        self.assertEqual(list(self.results.history["step"]), [1, 2, 3, 4])
+        self.assertAlmostEqual(self.results.reactions[-1]["top_z"], (300 + 2000 * 0.02) / 1.01, places=6)
+        self.assertGreater(self.results.statistics["newton_iterations"].max(), 0)
+
+    def test_fields(self):
+        fields = self.results.fields("solution")
+        self.assertEqual(fields["stress"].shape, (len(fields["points"]), 9))
+        self.assertAlmostEqual(fields["stress"][:, 8].max(), (300 + 2000 * 0.02) / 1.01, places=3)
+        self.assertAlmostEqual(fields["displacement"][:, 2].max(), 0.02)
+        with self.assertRaisesRegex(UserError, "there is no step 9 in .*solution.pvd': it has 4"):
+            self.results.fields("solution", 9)
+
+    def test_fields_in_pieces(self):
+        """A large file has several pieces."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = next(pathlib.Path(self.results.directory).glob("solution-*.vtu"))
+            piece = re.search(r"<Piece.*</Piece>", file.read_text(), re.DOTALL).group()
+            (pathlib.Path(folder) / "two.vtu").write_text(file.read_text().replace(piece, 2 * piece))
+            one, two = read_record(self.results.directory, file.name), read_record(folder, "two.vtu")
+            self.assertEqual(two["displacement"], 2 * one["displacement"])
+            first_of_second = two["cells"][len(one["cells"])]
+            self.assertEqual(first_of_second, [len(one["points"]) + point for point in one["cells"][0]])
+
+    def test_parameters(self):
+        self.assertEqual(self.results.number("Material/Yield stress"), 300)
+        with self.assertRaisesRegex(UserError, "no number for 'Material/Yield'"):
+            self.results.number("Material/Yield")
+
+    def test_what_is_there_is_not_replaced(self):
+        with self.assertRaisesRegex(RunError, "holds results already") as caught:
+            run(CASE, self.results.directory)
+        self.assertEqual(caught.exception.status, 2)
+        self.assertEqual(len(Results(self.results.directory).history), 4)
+        self.assertEqual(len(run(CASE, self.results.directory, overwrite=True).history), 1)
+        run(CASE, self.results.directory, {"Loading/Number of steps": 4, "Material/Yield stress": 300}, overwrite=True)
+
+
+class Messages(unittest.TestCase):
+    def test_wrong_input(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(RunError, "Poisson's ratio.*0.7"):
+                run(CASE, folder, {"Material/Poisson's ratio": 0.7})
+            with self.assertRaisesRegex(UserError, "no parameter file 'nothing.prm'"):
+                run("nothing.prm", folder)
+            with self.assertRaisesRegex(UserError, "no program '/nowhere/program'"):
+                run(CASE, folder, program="/nowhere/program")
+            with self.assertRaisesRegex(UserError, "history.csv' cannot be read: No such file"):
+                Results(folder).history.size
+
+    def test_damaged_tables(self):
+        with tempfile.TemporaryDirectory() as folder:
+            table = pathlib.Path(folder) / "history.csv"
+            for text in ("a,b\n1\n", "a,b\n1,x\n", "a,b\n1,2,3\n"):
+                table.write_text(text)
+                with self.assertRaisesRegex(UserError, "history.csv' is damaged"):
+                    read_table(table)
+            table.write_text("a,b\n")
+            self.assertEqual(read_table(table), [])
+            with self.assertRaisesRegex(UserError, "history.csv' holds no results yet"):
+                Results(folder).history.size
+
+    def test_values(self):
+        self.assertEqual([as_text(value) for value in (0.1, 3, True, "a", [1, 2.5], ("x", False))],
+                         ["0.1", "3", "true", "a", "1, 2.5", "x, false"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,152 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Studies: numbers, what is not run again, kills, failures, and messages about wrong files."""
+
+import csv
+import json
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from elasto_plastic_contact import UserError
+from elasto_plastic_contact.__main__ import main
+from elasto_plastic_contact.study.plan import read_study
+
+STRESSES, STRAINS = (300, 400), (0.01, 0.02)
+STUDY = {
+    "case": "verification/uniaxial_stress.prm",
+    "set": {"Loading/Number of steps": 4, "Output/Fields": "never"},
+    "vary": {"Material/Yield stress": list(STRESSES),
+             "Boundary conditions/Prescribed displacement": [f"top: free; free; {strain}*t" for strain in STRAINS]},
+    "at once": 2,
+    "numbers": {"stress": {"table": "reactions", "column": "top_z"},
+                "first time": {"table": "history", "column": "time", "take": 1},
+                "iterations": {"table": "statistics", "column": "newton_iterations", "take": "maximum"},
+                "fifth step": {"table": "history", "column": "time", "take": 5}},
+}
+
+
+class Studies(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.output = self.folder / "output"
+
+    def command(self, data):
+        path = self.folder / "study.json"
+        path.write_text(data if isinstance(data, str) else json.dumps(data))
+        return ["study", str(path), "--output-directory", str(self.output)]
+
+    def table(self):
+        with (self.output / "study.csv").open(newline="") as file:
+            return list(csv.DictReader(file))
+
+    def finished(self):
+        return {path: path.stat().st_mtime_ns for path in self.output.glob("run_*/finished.json")}
+
+    def test_all_combinations(self):
+        self.assertEqual(main(self.command(STUDY)), 0)
+        rows = self.table()
+        self.assertEqual(len(rows), 4)
+        for row, (stress, strain) in zip(rows, [(stress, strain) for stress in STRESSES for strain in STRAINS]):
+            self.assertEqual(row["Material/Yield stress"], str(stress))
+            self.assertAlmostEqual(float(row["stress"]), (stress + 2000 * strain) / 1.01, places=6)
+            self.assertEqual(float(row["first time"]), 0.25)
+            self.assertEqual(row["fifth step"], "")
+        self.assertTrue((self.output / "study.png").read_bytes().startswith(b"\x89PNG"))
+
+        before = self.finished()
+        more = {**STUDY, "vary": STUDY["vary"] | {"Material/Yield stress": [300, 500]}}
+        self.assertEqual(main(self.command(more)), 0)
+        self.assertEqual(len(self.finished()), 6)
+        self.assertEqual(before, {path: self.finished()[path] for path in before})
+
+    def test_kill(self):
+        runs = [{"Material/Yield stress": stress} for stress in range(300, 304)]
+        study = {**STUDY, "at once": 1, "runs": runs}
+        del study["vary"]
+        process = subprocess.Popen([sys.executable, "-m", "elasto_plastic_contact", *self.command(study)],
+                                   stdout=subprocess.DEVNULL)
+        while process.poll() is None and not self.finished():
+            time.sleep(0.005)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        before = self.finished()
+        self.assertTrue(0 < len(before) < len(runs))
+        self.assertFalse((self.output / "study.csv").exists())
+        self.assertEqual(main(self.command(study)), 0)
+        self.assertEqual(before, {path: self.finished()[path] for path in before})
+        self.assertEqual([float(row["Material/Yield stress"]) for row in self.table()], list(range(300, 304)))
+
+    def test_failure(self):
+        """One of two runs finds no solution: the other one is there, the exit status says it."""
+        study = {**STUDY, "vary": {"Nonlinear solver/Maximum number of iterations": [1, 50]},
+                 "set": {"Loading/Maximum number of cuts": 0, "Output/Fields": "never"}}
+        self.assertEqual(main(self.command(study)), 1)
+        self.assertEqual([row["stress"] != "" for row in self.table()], [False, True])
+
+    def test_refused_by_the_program(self):
+        """Before anything is run."""
+        study = {**STUDY, "vary": {"Material/Poisson's ratio": [0.3, 0.7]}}
+        process = subprocess.run([sys.executable, "-m", "elasto_plastic_contact", *self.command(study)],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(process.returncode, 2)
+        self.assertRegex(process.stderr,
+                         "(?s)the run with Material/Poisson's ratio = 0.7 is refused: .*Poisson's ratio")
+        self.assertEqual(self.finished(), {})
+
+    def test_folder_of_others(self):
+        self.output.mkdir()
+        (self.output / "thesis.tex").touch()
+        self.assertEqual(main(self.command(STUDY)), 2)
+        self.assertEqual([path.name for path in self.output.iterdir()], ["thesis.tex"])
+
+    def test_wrong_files(self):
+        number = STUDY["numbers"]["stress"]
+        for data, message in (
+                ("{\"case\": 1,}", "line 1, column 12: this is no JSON"),
+                ("{\"case\": 1, \"case\": 2}", "'case' stands twice in one object"),
+                ([], r"the study is \[\], but must be an object"),
+                ({**STUDY, "varry": {}}, "a key of the study: there is no \"varry\". Did you mean 'vary'"),
+                ({"case": "a.prm", "vary": {}}, "the study lacks 'numbers'"),
+                ({**STUDY, "runs": []}, "either 'vary' .* or 'runs'"),
+                ({**STUDY, "case": "nothing.prm"}, "no parameter file 'nothing.prm'"),
+                ({**STUDY, "case": 3}, "'case' is 3, but must be the name of a parameter file"),
+                ({**STUDY, "vary": {"Material/Yield": [1]}},
+                 "vary: there is no entry 'Material/Yield'. Did you mean 'Material/Yield stress'"),
+                ({**STUDY, "vary": {"Material/Yield stress": 1}},
+                 "'vary/Material/Yield stress' is 1, but must be a list"),
+                ({**STUDY, "vary": {"Material/Yield stress": [None]}},
+                 "'vary/Material/Yield stress' is null, but must be a text"),
+                ({**STUDY, "vary": {"Output/Fields": ["never"]}}, "'Output/Fields' stands in 'set' and is varied"),
+                ({**STUDY, "vary": {"Material/Yield stress": [3, 4, 3]}}, "two runs are the same: .*Yield stress\": 3"),
+                ({**STUDY, "at once": 0}, "'at once' is 0, but must be an integer >= 1"),
+                ({**STUDY, "ranks": True}, "'ranks' is true, but must be an integer >= 1"),
+                ({**STUDY, "numbers": {"n": {**number, "take": "biggest"}}},
+                 "'numbers/n/take' is \"biggest\", but must be one of last, first"),
+                ({**STUDY, "numbers": {"n": {"table": "history"}}}, "numbers/n lacks 'column'"),
+                ({**STUDY, "plot": {"y": ["force"]}}, "plot/y: there is no \"force\". Allowed: stress"),
+        ):
+            with self.assertRaisesRegex(UserError, message):
+                read_study(self.command(data)[1])
+        table = {key: value for key, value in STUDY.items() if key != "vary"}
+        with self.assertRaisesRegex(UserError, "runs/2 has other entries than the first one: Material/Law"):
+            read_study(self.command({**table, "runs": [{"Dimension": 3}, {"Dimension": 3, "Material/Law": "x"}]})[1])
+
+    def test_wrong_column(self):
+        study = {**STUDY, "vary": {"Material/Yield stress": [300]},
+                 "numbers": {"n": {"table": "history", "column": "fource"}}}
+        process = subprocess.run([sys.executable, "-m", "elasto_plastic_contact", *self.command(study)],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(process.returncode, 2)
+        self.assertRegex(process.stderr,
+                         "'numbers/n/column': the table 'history' has no column 'fource'; it has step, ")
+
+
+if __name__ == "__main__":
+    unittest.main()
