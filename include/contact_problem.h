@@ -83,6 +83,9 @@ namespace ElastoPlastic
     bool
     update_active_set(const Vector &u, const Vector &residual) override;
 
+    void
+    begin_feasible_method() override;
+
     bool
     update_feasible_active_set(const Vector &u,
                                const Vector &residual) override;

@@ -16,7 +16,7 @@
 #include "contact/contact_set.h"
 #include "contact/gap_function.h"
 #include "error_bound_analysis.h"
-#include "evaluation/indentation_test.h"
+#include "evaluation/last_step.h"
 #include "io/checkpoint.h"
 #include "io/field_output.h"
 #include "io/log.h"
@@ -80,10 +80,8 @@ namespace ElastoPlastic
     take_load_steps(Statistics &statistics);
     SolveResult
     solve_on_mesh_sequence(Statistics &statistics);
-    [[noreturn]] void
-    give_up(const ConvergenceError &error) const;
-    bool
-    tractions_grow() const;
+    void
+    output_results(const bool last_cycle);
 
     // A load step (load_step.cc): it ends with commit_step(), or it fails and
     // is taken back.
@@ -99,41 +97,33 @@ namespace ElastoPlastic
     commit_state();
     VectorType
     forces_of_stresses() const;
+    bool
+    tractions_grow() const;
 
-    // One mesh (setup.cc): after any change of the mesh, setup_body() and
-    // setup_contact() prepare everything that depends on it; check_loads()
-    // looks at all steps ahead, and check_supports() makes sure that the body
-    // cannot float away.
+    // One mesh (solve.cc): after any change of the mesh, setup_body() and
+    // setup_contact() prepare everything that depends on it.
     void
     setup_body();
     void
     setup_contact();
-    void
-    check_loads() const;
-    void
-    check_supports() const;
-    bool
-    is_pressed_against_indenter(const VectorType &motion) const;
-    void
-    check_reach() const;
-    double
-    estimated_unknowns(const double n_cells) const;
+    VectorType
+    forces_of_tractions(const double time) const;
 
-    // One solve (solve.cc): contact and plasticity in one Newton loop, and
+    // One solve: contact and plasticity in one Newton loop, and
     // what its solution says.
     SolveResult
     solve();
     void
-    evaluate_contact(SolveResult &result);
+    find_equilibrium(SolveResult &result);
     void
-    evaluate_plasticity(SolveResult &result) const;
-
-    // The next mesh (refinement.cc), if there is to be one, in the first load
-    // step or after any other.
+    check_force_balance(SolveResult &result);
     void
     estimate_error(SolveResult &result);
     void
     bound_error(SolveResult &result);
+
+    // The next mesh (refinement.cc), if there is to be one, in the first load
+    // step or after any other.
     bool
     mark_next_mesh();
     void
@@ -144,20 +134,8 @@ namespace ElastoPlastic
     equilibrate_adapted_mesh(Statistics &statistics);
     void
     commit_interpolated_state();
-    bool
-    mark_adapted_mesh();
 
-    // What a test in a laboratory would measure (evaluation.cc).
-    std::vector<double>
-    support_forces() const;
-    VectorType
-    loads_on_body() const;
-    std::optional<IndentationTest>
-    make_indentation_test() const;
-
-    // Results (core.cc) and checkpoints (checkpoint.cc).
-    void
-    output_results(const bool last_cycle);
+    // Checkpoints (checkpoint.cc).
     void
     save_checkpoint(Statistics &statistics);
     Statistics::Progress
@@ -167,6 +145,8 @@ namespace ElastoPlastic
     template <typename Archive>
     void
     serialize_progress(Archive &archive, Statistics::Progress &progress);
+    std::vector<VectorType *>
+    fields_of_last_step(VectorType &response);
 
     // The problem, and how to solve it.
     const Model<dim> &model;
@@ -205,21 +185,12 @@ namespace ElastoPlastic
     VectorType                        residual;
     Vector<float>                     error_indicators;
     std::optional<ErrorBoundAnalysis> error_bound;
-    /// Why the last mesh has none; empty if it has.
-    std::string missing_bound;
 
-    // The end of the last load step: what it has found, the displacement, and
-    // the nodal forces of the stresses (both empty before the second step); and
-    // how fast displacement and depth have changed in it.
-    SolveResult last_step;
-    VectorType  committed_displacement;
-    VectorType  committed_forces;
-    VectorType  displacement_rate;
-    double      depth_rate = 0;
-
-    // The largest sum of the magnitudes of all nodal forces so far: what small
-    // ones are measured against.
-    double largest_forces = 0;
+    // What the step under way begins with; and the largest sum of the
+    // magnitudes of all nodal forces so far, which small ones are measured
+    // against.
+    LastStep last_step;
+    double   largest_forces = 0;
 
     // The folder of the results, and the last checkpoint in it; and whether a
     // step is under way that can be taken back when the user wants to stop.

@@ -8,7 +8,7 @@
 
 #include "contact/gap_function.h"
 #include "equilibrium/error_bound.h"
-#include "io/csv_file.h"
+#include "io/columns.h"
 #include "io/equilibrium_output.h"
 #include "io/parameters.h"
 #include "loading/load.h"
@@ -46,21 +46,21 @@ namespace ElastoPlastic
       unsigned int         cycle;
     };
 
-    /// What the bound says.
-    struct Result
-    {
-      /// Of the norm of the difference between the exact stresses and those in
-      /// equilibrium, sqrt(int (sigma - tau) : C^-1 (sigma - tau) dx).
-      double bound;
-      /// For each active cell of this rank; the squares add up to that of the
-      /// bound.
-      Vector<float> of_cells;
-    };
-
-    /// Computes the bound, and adds a row to error_bound.csv.
-    /// @throws ConvergenceError, FileError
-    Result
+    /// Computes the bound, and adds a row to error_bound.csv. Collective.
+    /// @return the bound of the norm of the difference between the exact
+    /// stresses and those in equilibrium, sqrt(int (sigma - tau) : C^-1 (sigma
+    /// - tau) dx); infinity if none has been found. @throws FileError
+    double
     evaluate(const Solution &solution);
+
+    /// The parts of the last bound, for each active cell of this rank; the
+    /// squares add up to that of the bound.
+    const Vector<float> &
+    indicators() const;
+
+    /// Why there is no bound of the last solution; empty if there is.
+    const std::string &
+    why_missing() const;
 
     /// Writes the fields that the last bound has been computed from, to
     /// equilibrium-*.vtu. @throws FileError
@@ -68,15 +68,22 @@ namespace ElastoPlastic
     write_fields(const unsigned int cycle);
 
   private:
+    /// @throws ConvergenceError
+    ErrorBoundRow
+    find_bound(const Solution &solution);
+
     StressField
     equilibrate(const PlaneBody &body, const Load &load) const;
 
-    const Model<2>        &model;
-    const Parameters      &parameters;
-    const MPI_Comm         communicator;
-    const GapFunction<2>  &gap_function;
-    std::optional<CsvFile> table;
-    EquilibriumOutput      output;
+    const Model<2>       &model;
+    const Parameters     &parameters;
+    const MPI_Comm        communicator;
+    const GapFunction<2> &gap_function;
+    EquilibriumOutput     output;
+
+    std::optional<Table<ErrorBoundRow>> table;
+    Vector<float>                       error_indicators;
+    std::string                         reason_why_missing;
 
     // On the first rank: the problem on the last mesh, its two solutions, and
     // the parts of the bound.

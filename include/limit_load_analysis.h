@@ -8,7 +8,7 @@
 
 #include "contact/gap_function.h"
 #include "equilibrium/limit_load.h"
-#include "io/csv_file.h"
+#include "io/columns.h"
 #include "io/equilibrium_output.h"
 #include "io/log.h"
 #include "io/parameters.h"
@@ -56,19 +56,13 @@ namespace ElastoPlastic
     find_bounds();
 
     void
-    write_results(CsvFile &table);
+    write_results(Table<LimitLoadRow> &table);
 
     bool
     is_last_cycle() const;
 
     void
     refine_mesh();
-
-    double
-    lower_bound() const;
-
-    double
-    upper_bound() const;
 
     const Model<2>   &model;
     const Parameters &parameters;
@@ -86,10 +80,10 @@ namespace ElastoPlastic
     PlaneBody body;
     LimitLoad bounds;
 
-    // On all ranks: the row of limit_load.csv; by active cells of this rank,
-    // the square roots of LimitLoad::gaps, like other indicators.
-    std::vector<double> row;
-    Vector<float>       error_indicators;
+    // On all ranks: what limit_load.csv says of it; by active cells of this
+    // rank, the square roots of LimitLoad::gaps, like other indicators.
+    LimitLoadRow  row = {};
+    Vector<float> error_indicators;
   };
 } // namespace ElastoPlastic
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "mechanics/solid_operator.h"
-#include "mesh/boundary_conditions.h"
+#include "model/model.h"
 #include "solver/linear_solver_parameters.h"
 #include "solver/tangent_solver.h"
 
@@ -17,16 +17,15 @@ namespace ElastoPlastic
 {
   /// The solver that @p parameters ask for, for the tangent of @p solid on one
   /// mesh. @p layout is a vector of the problem. @p warn is told when the
-  /// solver falls back to another. The body, the mesh, its unknowns and the
-  /// boundary conditions must outlive the solver.
+  /// solver falls back to another. The model, the body, its unknowns and their
+  /// constraints must outlive the solver.
   template <int dim>
   std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters    &parameters,
+                      const Model<dim>                &model,
                       const SolidOperator<dim>        &solid,
                       const DoFHandler<dim>           &dof_handler,
                       const AffineConstraints<double> &constraints,
-                      const BoundaryConditions<dim>   &boundary_conditions,
-                      const StrainModel               &strain_model,
                       const VectorType                &layout,
                       const std::function<void(const std::string &)> &warn);
 } // namespace ElastoPlastic

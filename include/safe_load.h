@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include "base/exceptions.h"
+#include "evaluation/solve_result.h"
 #include "io/parameters.h"
 #include "model/model.h"
 
@@ -24,6 +26,28 @@ namespace ElastoPlastic
   require_safe_load(const Model<dim> &model,
                     const Parameters &parameters,
                     const MPI_Comm    communicator);
+
+
+
+  /// What a load step asks for at its end: the force on the indenter, 0 if its
+  /// depth is given.
+  struct AskedFor
+  {
+    double force;
+    double time;
+  };
+
+  /// A step has failed with @p error, however short it was made. If the body's
+  /// materials stop hardening, it has a limit load; if also force or tractions
+  /// were to grow since the @p last equilibrium, then that has been reached.
+  /// @throws EquilibriumError then, @p error otherwise
+  template <int dim>
+  [[noreturn]] void
+  give_up_step(const ConvergenceError &error,
+               const Model<dim>       &model,
+               const AskedFor         &step,
+               const bool              tractions_grow,
+               const SolveResult      &last);
 } // namespace ElastoPlastic
 
 #endif

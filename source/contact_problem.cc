@@ -48,7 +48,9 @@ namespace ElastoPlastic
         constrained.push_back(i);
     unknowns = ReducedUnknowns(constrained,
                                coupled,
-                               external_forces.get_mpi_communicator());
+                               external_forces.get_mpi_communicator(),
+                               contact.active_entries(),
+                               contact.shared_rows());
   }
 
 
@@ -189,6 +191,16 @@ namespace ElastoPlastic
     const bool changed = contact.update(u, residual);
     collect_unknowns();
     return changed;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::begin_feasible_method()
+  {
+    contact.unite_edge();
+    collect_unknowns();
   }
 
 

@@ -25,18 +25,6 @@ namespace ElastoPlastic
     /// limit load: the bounds are within 1 % then.
     constexpr types::global_cell_index max_cells_to_decide = 1000;
 
-    const std::vector<std::string> limit_load_columns = {"cycle",
-                                                         "cells",
-                                                         "triangles",
-                                                         "lower_bound",
-                                                         "upper_bound",
-                                                         "relative_difference",
-                                                         "lower_iterations",
-                                                         "upper_iterations",
-                                                         "stress_error",
-                                                         "divergence",
-                                                         "wall_seconds"};
-
 
 
     void
@@ -86,9 +74,9 @@ namespace ElastoPlastic
     setup_body();
     OutputDirectory directory(communicator, parameters.output.directory);
     directory.begin_run(overwrite, parameters.effective_input);
-    CsvFile table(communicator,
-                  parameters.output.directory + "/limit_load.csv",
-                  limit_load_columns);
+    Table<LimitLoadRow> table(communicator,
+                              parameters.output.directory + "/limit_load.csv",
+                              limit_load_columns());
     table.open();
     while (true)
       {
@@ -111,16 +99,16 @@ namespace ElastoPlastic
     while (true)
       {
         find_bounds();
-        if (force < lower_bound())
+        if (force < row.lower_bound)
           return;
 
         const std::string between =
-          "between " + Patterns::Tools::to_string(lower_bound()) + " and " +
-          Patterns::Tools::to_string(upper_bound()) +
+          "between " + Patterns::Tools::to_string(row.lower_bound) + " and " +
+          Patterns::Tools::to_string(row.upper_bound) +
           ". Prescribe a force below the first of these bounds, or the depth.";
         const std::string the_force =
           "the force " + Patterns::Tools::to_string(force);
-        if (force >= upper_bound())
+        if (force >= row.upper_bound)
           throw EquilibriumError("There is no equilibrium under " + the_force +
                                  ": the limit load of the body is " + between);
         if (n_cells() > max_cells_to_decide)
@@ -139,22 +127,6 @@ namespace ElastoPlastic
   LimitLoadAnalysis::n_cells() const
   {
     return triangulation.n_global_active_cells();
-  }
-
-
-
-  double
-  LimitLoadAnalysis::lower_bound() const
-  {
-    return row[3];
-  }
-
-
-
-  double
-  LimitLoadAnalysis::upper_bound() const
-  {
-    return row[4];
   }
 
 
@@ -189,28 +161,27 @@ namespace ElastoPlastic
         return;
       bounds      = bound_limit_load(body);
       are_optimal = bounds.stress.is_optimal && bounds.velocity.is_optimal;
-      const double error = require_admissible(body, bounds.stress);
-      const double lower = bounds.stress.force, upper = bounds.velocity.force;
-      row = {static_cast<double>(cycle),
-             static_cast<double>(body.mesh.cells.size()),
-             static_cast<double>(body.mesh.triangles.size()),
-             lower,
-             upper,
-             (upper - lower) / lower,
-             static_cast<double>(bounds.stress.n_iterations),
-             static_cast<double>(bounds.velocity.n_iterations),
-             error,
-             bounds.velocity.divergence,
-             timer.wall_time()};
+      const double stress_error = require_admissible(body, bounds.stress);
+      row                       = {cycle,
+                                   static_cast<unsigned int>(body.mesh.cells.size()),
+                                   static_cast<unsigned int>(body.mesh.triangles.size()),
+                                   bounds.stress.force,
+                                   bounds.velocity.force,
+                                   bounds.stress.n_iterations,
+                                   bounds.velocity.n_iterations,
+                                   stress_error,
+                                   bounds.velocity.divergence,
+                                   timer.wall_time()};
     });
     row              = Utilities::MPI::broadcast(communicator, row);
     error_indicators = cell_indicators(body.mesh, bounds.gaps, triangulation);
 
     std::ostringstream message;
     message.precision(8);
-    message << row[2] << " triangles: the limit load is between "
-            << lower_bound() << " and " << upper_bound() << " ("
-            << 100. * row[5] << " %), " << row[10] << " s";
+    message << row.triangles << " triangles: the limit load is between "
+            << row.lower_bound << " and " << row.upper_bound << " ("
+            << 100. * row.relative_difference() << " %), " << row.wall_seconds
+            << " s";
     log.remark(message.str());
     if (!are_optimal)
       log.warn(
@@ -221,9 +192,9 @@ namespace ElastoPlastic
 
 
   void
-  LimitLoadAnalysis::write_results(CsvFile &table)
+  LimitLoadAnalysis::write_results(Table<LimitLoadRow> &table)
   {
-    table.add_row(row);
+    table.add(row);
     if (parameters.output.fields == FieldOutputTimes::every_cycle ||
         (parameters.output.fields == FieldOutputTimes::last_cycle &&
          is_last_cycle()))

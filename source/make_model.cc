@@ -18,6 +18,7 @@ namespace ElastoPlastic
             parameters.discretization.degree,
             parameters.material.materials(),
             make_indenter<dim>(parameters.indenter),
+            parameters.contact.edge,
             LoadProgram(parameters.loading)};
   }
 

@@ -18,11 +18,10 @@ namespace ElastoPlastic
   template <int dim>
   std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters    &parameters,
+                      const Model<dim>                &model,
                       const SolidOperator<dim>        &solid,
                       const DoFHandler<dim>           &dof_handler,
                       const AffineConstraints<double> &constraints,
-                      const BoundaryConditions<dim>   &boundary_conditions,
-                      const StrainModel               &strain_model,
                       const VectorType                &layout,
                       const std::function<void(const std::string &)> &warn)
   {
@@ -40,13 +39,11 @@ namespace ElastoPlastic
     };
     const Method geometric = {
       "geometric multigrid",
-      [strain_model,
-       &solid,
-       &dof_handler,
-       &constraints,
-       &boundary_conditions]() {
-        return std::make_unique<MultigridPreconditioner<dim>>(
-          solid, dof_handler, constraints, boundary_conditions, strain_model);
+      [&model, &solid, &dof_handler, &constraints]() {
+        return std::make_unique<MultigridPreconditioner<dim>>(model,
+                                                              solid,
+                                                              dof_handler,
+                                                              constraints);
       },
       std::min(parameters.maximum_iterations, patience_with_multigrid)};
     const Method algebraic =
@@ -74,20 +71,18 @@ namespace ElastoPlastic
 
   template std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters &,
+                      const Model<2> &,
                       const SolidOperator<2> &,
                       const DoFHandler<2> &,
                       const AffineConstraints<double> &,
-                      const BoundaryConditions<2> &,
-                      const StrainModel &,
                       const VectorType &,
                       const std::function<void(const std::string &)> &);
   template std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters &,
+                      const Model<3> &,
                       const SolidOperator<3> &,
                       const DoFHandler<3> &,
                       const AffineConstraints<double> &,
-                      const BoundaryConditions<3> &,
-                      const StrainModel &,
                       const VectorType &,
                       const std::function<void(const std::string &)> &);
 } // namespace ElastoPlastic

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <sstream>
 
 #include "base/exceptions.h"
 #include "equilibrium/hencky_material.h"
@@ -106,4 +107,55 @@ namespace ElastoPlastic
   void
   require_safe_load(const Model<3> &, const Parameters &, const MPI_Comm)
   {}
+
+
+
+  template <int dim>
+  void
+  give_up_step(const ConvergenceError &error,
+               const Model<dim>       &model,
+               const AskedFor         &step,
+               const bool              tractions_grow,
+               const SolveResult      &last)
+  {
+    const bool  force_grows = step.force > last.force;
+    const auto &materials   = model.materials;
+    if (std::none_of(materials.begin(), materials.end(), has_limit) ||
+        !(force_grows || tractions_grow))
+      throw error;
+
+    const std::string where =
+      "to be beyond the limit load of the body, whose material stops "
+      "hardening. ";
+    std::ostringstream message;
+    message.precision(10);
+    message << "No equilibrium has been found ";
+    if (force_grows)
+      message << "for the force " << step.force << " (t = " << step.time
+              << "): it seems " << where << "The largest force reached is "
+              << last.force << ", at the depth " << last.depth
+              << ". Prescribe the depth, or a smaller force";
+    else
+      message << "under the tractions at t = " << step.time << ": they seem "
+              << where << "The last equilibrium is that at t = " << last.time
+              << ". Prescribe smaller tractions ('Boundary "
+                 "conditions/Traction'), or displacements instead";
+    message << "; several load steps come closer to the limit.";
+    throw EquilibriumError(message.str());
+  }
+
+
+
+  template void
+  give_up_step(const ConvergenceError &,
+               const Model<2> &,
+               const AskedFor &,
+               const bool,
+               const SolveResult &);
+  template void
+  give_up_step(const ConvergenceError &,
+               const Model<3> &,
+               const AskedFor &,
+               const bool,
+               const SolveResult &);
 } // namespace ElastoPlastic

@@ -330,7 +330,7 @@ add_test(NAME messages/output_in_use
 set_tests_properties(messages/output_in_use PROPERTIES LABELS messages TIMEOUT 60)
 
 # A full disk is played by a limit on the size of files, in units of 512 bytes;
-# scripts/full_disk_test.py fills a real one.
+# scripts/command.py full_disk_test fills a real one.
 # Open MPI needs larger ones, unless it is told that the process is alone.
 function(add_disk_full_test _name _limit _file)
   add_test(NAME messages/${_name}

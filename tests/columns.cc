@@ -43,4 +43,6 @@ main(int argc, char *argv[])
         "change of the mesh between two load steps",
         mesh_change_columns());
   print("indentation.csv", "unloading", indentation_columns());
+  print("limit_load.csv", "mesh", limit_load_columns());
+  print("error_bound.csv", "mesh", error_bound_columns());
 }

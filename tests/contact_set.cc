@@ -89,9 +89,11 @@ namespace
       contact.place(1.);
       contact.activate_touching(zero);
       const ContactState state = contact.state(zero, constant(1.));
-      verify("  areas add up to the surface", std::abs(state.area - 1.), 1e-12);
+      verify("  areas add up to the surface",
+             std::abs(state.contact_area - 1.),
+             1e-12);
       verify("  areas are positive",
-             state.n_active == contact.n_candidates() &&
+             state.active_nodes == contact.n_candidates() &&
                state.min_pressure > 0. && state.max_pressure < 1e6);
     }
 
@@ -181,7 +183,7 @@ namespace
       contact.activate_touching(zero);
       const Vector       force = constant(2.);
       const ContactState state = contact.state(zero, force);
-      output() << "  contact area " << state.area << std::endl;
+      output() << "  contact area " << state.contact_area << std::endl;
       verify("  force is the sum of nodal forces",
              std::abs(state.force - 2. * contact.n_active()),
              1e-12);
@@ -203,7 +205,7 @@ namespace
              std::abs(pressure.l1_norm() - pressure * active),
              1e-12 * pressure.l1_norm());
       verify("  fields: as many active nodes",
-             active.l1_norm() == state.n_active);
+             active.l1_norm() == state.active_nodes);
     }
 
   private:

@@ -10,13 +10,13 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/grid/grid_generator.h>
 #include <deal.II/numerics/vector_tools.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "equilibrium/quadratic_field.h"
+#include "sample_mesh.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -93,15 +93,6 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize        mpi(argc, argv, 1);
   parallel::distributed::Triangulation<2> triangulation(MPI_COMM_WORLD);
-  GridGenerator::subdivided_hyper_rectangle(triangulation,
-                                            {4, 4},
-                                            Point<2>(0, -1),
-                                            Point<2>(1, 0),
-                                            /* colorize = */ true);
-  for (const auto &cell : triangulation.active_cell_iterators())
-    if (cell->is_locally_owned() && cell->center()[0] < 0.5 &&
-        cell->center()[1] > -0.25)
-      cell->set_refine_flag();
-  triangulation.execute_coarsening_and_refinement();
+  make_half_space_mesh(triangulation);
   test_interpolation(triangulation);
 }

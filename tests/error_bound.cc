@@ -6,7 +6,6 @@
 // and the sum of both energies.
 
 #include <deal.II/distributed/tria.h>
-#include <deal.II/grid/grid_generator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +17,7 @@
 #include "equilibrium/hencky_material.h"
 #include "equilibrium/stress_problem.h"
 #include "equilibrium/velocity_field.h"
+#include "sample_mesh.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -312,16 +312,7 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize        mpi(argc, argv, 1);
   parallel::distributed::Triangulation<2> triangulation(MPI_COMM_WORLD);
-  GridGenerator::subdivided_hyper_rectangle(triangulation,
-                                            {4, 4},
-                                            Point<2>(0, -1),
-                                            Point<2>(1, 0),
-                                            /* colorize = */ true);
-  for (const auto &cell : triangulation.active_cell_iterators())
-    if (cell->is_locally_owned() && cell->center()[0] < 0.5 &&
-        cell->center()[1] > -0.25)
-      cell->set_refine_flag();
-  triangulation.execute_coarsening_and_refinement();
+  make_half_space_mesh(triangulation);
 
   const SplitMesh mesh = make_split_mesh(triangulation);
   if (mesh.triangles.empty())

@@ -14,8 +14,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-sys.path.append(str(ROOT / "scripts"))
-from vtu_fields import read_fields  # noqa: E402
+sys.path.append(str(ROOT / "python"))
+from elasto_plastic_contact.fields import read_fields  # noqa: E402
 
 SINGLE_PRECISION = 2e-6
 YOUNGS_MODULUS, POISSON_RATIO, YIELD_STRESS, HARDENING = 200000, 0.3, 400, 2000

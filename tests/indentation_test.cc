@@ -300,6 +300,22 @@ namespace
     verify_part({2, 3}, 1);
     verify_part({-0.1, 3}, 0);
   }
+
+
+
+  /// A curve that only a law with an exponent near 2000 follows, whose
+  /// coefficient is no number of the machine.
+  void
+  check_exponential()
+  {
+    std::vector<std::pair<double, double>> points;
+    for (double depth = 1.; depth < 2.; depth += 0.1)
+      points.emplace_back(depth, std::exp(2. * depth));
+    verify("exponential unloading: stiffness",
+           relative_error(fit_power_law(points).stiffness(2.),
+                          2. * std::exp(4.)),
+           0.01);
+  }
 } // namespace
 
 
@@ -314,4 +330,5 @@ main(int argc, char *argv[])
   check_mesh_changes("less force on each mesh", 0., 0.9);
   check_sections();
   check_modelled_part();
+  check_exponential();
 }

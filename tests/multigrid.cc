@@ -13,6 +13,7 @@
 #include "material/material_parameters.h"
 #include "multigrid/multigrid_preconditioner.h"
 #include "sample_mesh.h"
+#include "sample_model.h"
 #include "solver/tangent_solver.h"
 #include "verdict.h"
 
@@ -29,13 +30,14 @@ namespace
           const StrainModel &strain_model,
           const bool         with_hanging_nodes,
           const unsigned int n_refinements)
-      : strain_model(strain_model)
+      : model(sample_model(conditions(), strain_model))
       , mesh(MPI_COMM_WORLD)
       , fe(FE_Q<dim>(degree), dim)
       , dof_handler(mesh)
-      , supports(strain_model.kinematics)
-      , solid(std::make_unique<SolidOperator<dim>>(
-          degree, strain_model, MaterialParameters().materials()))
+      , supports(model)
+      , solid(std::make_unique<SolidOperator<dim>>(degree,
+                                                   strain_model,
+                                                   model.materials))
     {
       // (p4est orders the 3^2 cells differently from deal.II)
       GridGenerator::subdivided_hyper_cube(
@@ -44,7 +46,7 @@ namespace
         refine_corner(mesh);
       mesh.refine_global(n_refinements);
       dof_handler.distribute_dofs(fe);
-      supports.reinit(dof_handler, conditions(), 0.);
+      supports.reinit(dof_handler, 0.);
       solid->reinit(dof_handler, supports.constraints());
       solid->initialize_vector(zero);
       solid->linearize(zero);
@@ -55,8 +57,10 @@ namespace
     void
     check_finest_level() const
     {
-      LevelHierarchy<dim> hierarchy(
-        dof_handler, supports.constraints(), conditions(), strain_model, 1);
+      LevelHierarchy<dim> hierarchy(model,
+                                    dof_handler,
+                                    supports.constraints(),
+                                    1);
       hierarchy.update(*solid, zero);
       const LevelOperator<dim> &level =
         *hierarchy.operators()[hierarchy.max_level()];
@@ -85,10 +89,9 @@ namespace
     void
     check_transfer() const
     {
-      LevelHierarchy<dim> hierarchy(dof_handler,
+      LevelHierarchy<dim> hierarchy(model,
+                                    dof_handler,
                                     supports.constraints(),
-                                    conditions(),
-                                    strain_model,
                                     mesh.n_global_active_cells() - 1);
       hierarchy.update(*solid, zero);
       const unsigned int finest = hierarchy.max_level();
@@ -133,19 +136,14 @@ namespace
     unsigned int
     n_iterations() const
     {
-      const BoundaryConditions<dim> boundary_conditions = conditions();
-      TangentSolver                 solver(
+      TangentSolver solver(
         *solid,
         {{"multigrid",
-                          [&]() {
+          [&]() {
             return std::make_unique<MultigridPreconditioner<dim>>(
-              *solid,
-              dof_handler,
-              supports.constraints(),
-              boundary_conditions,
-              strain_model);
+              model, *solid, dof_handler, supports.constraints());
           },
-                          1000}},
+          1000}},
         [](const std::string &) {});
       solver.prepare(
         ReducedUnknowns(supports.fixed_entries(zero), {}, MPI_COMM_WORLD));
@@ -195,7 +193,7 @@ namespace
       return error.linfty_norm() / expected.linfty_norm();
     }
 
-    const StrainModel                         strain_model;
+    const Model<dim>                          model;
     parallel::distributed::Triangulation<dim> mesh;
     const FESystem<dim>                       fe;
     DoFHandler<dim>                           dof_handler;

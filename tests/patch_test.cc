@@ -14,6 +14,7 @@
 #include "make_tangent_solver.h"
 #include "material/material_parameters.h"
 #include "sample_mesh.h"
+#include "sample_model.h"
 #include "solver/semismooth_newton.h"
 #include "verdict.h"
 
@@ -79,13 +80,13 @@ namespace
     names["top"]       = 2 * dim - 1;
     conditions.contact = {"top"};
 
-    const BoundaryConditions<dim> boundary_conditions(conditions, names);
-    Supports<dim>                 supports;
-    supports.reinit(dof_handler, boundary_conditions, 0.);
+    const Model<dim> model =
+      sample_model(BoundaryConditions<dim>(conditions, names), treatment);
+    Supports<dim> supports(model);
+    supports.reinit(dof_handler, 0.);
 
-    const auto materials = MaterialParameters().materials();
     const auto solid =
-      std::make_unique<SolidOperator<dim>>(degree, treatment, materials);
+      std::make_unique<SolidOperator<dim>>(degree, treatment, model.materials);
     solid->reinit(dof_handler, supports.constraints());
     VectorType u, residual, no_forces;
     solid->initialize_vector(u);
@@ -99,17 +100,16 @@ namespace
                    {names["top"]},
                    supports.fixed_dofs(),
                    u);
-    const auto [axial, lateral] = exact_stress(materials[0]);
+    const auto [axial, lateral] = exact_stress(model.materials[0]);
     const bool by_force         = (control == Control::force);
     contact.set_load({control, by_force ? -axial : strain});
 
     const auto tangent_solver =
       make_tangent_solver(LinearSolverParameters(),
+                          model,
                           *solid,
                           dof_handler,
                           supports.constraints(),
-                          boundary_conditions,
-                          treatment,
                           u,
                           [](const std::string &warning) {
                             std::cout << warning << std::endl;
@@ -151,7 +151,8 @@ namespace
     verify("  pressure",
            std::abs(state.max_pressure + axial) < 1e-8 * std::abs(axial) &&
              std::abs(state.min_pressure + axial) < 1e-8 * std::abs(axial));
-    verify("  all nodes in contact", state.n_active == contact.n_candidates());
+    verify("  all nodes in contact",
+           state.active_nodes == contact.n_candidates());
   }
 } // namespace
 

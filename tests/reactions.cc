@@ -12,10 +12,10 @@
 #include <map>
 #include <sstream>
 
-#include "mechanics/external_forces.h"
 #include "mechanics/reactions.h"
 #include "sample_material.h"
 #include "sample_mesh.h"
+#include "sample_model.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -86,29 +86,24 @@ namespace
       prm.parse_input_from_string(
         "subsection Boundary conditions\n" + support_entries +
         "\nset Traction = " + tractions(loaded) + "\nend");
-      const BoundaryConditions<dim> conditions(parameters, names);
-      Supports<dim>                 supports(kinematics);
-      supports.reinit(dof_handler, conditions, 1.);
+      const StrainModel strain_model(VolumetricTreatment::standard, kinematics);
+      const Model<dim>  model =
+        sample_model(BoundaryConditions<dim>(parameters, names), strain_model);
+      Supports<dim> supports(model);
+      supports.reinit(dof_handler, 1.);
       const auto solid = std::make_unique<SolidOperator<dim>>(
         fe.degree,
-        StrainModel(VolumetricTreatment::standard, kinematics),
+        strain_model,
         std::vector<Material<double>>{sample_material("linear elastic")});
       solid->reinit(dof_handler, supports.constraints());
 
-      VectorType u, loads;
+      VectorType u, no_contact;
       solid->initialize_vector(u);
-      solid->initialize_vector(loads);
+      solid->initialize_vector(no_contact);
       VectorTools::interpolate(dof_handler, field, u);
-      compute_external_forces(loads,
-                              dof_handler,
-                              supports.hanging_nodes(),
-                              conditions,
-                              kinematics,
-                              1.);
-      const Reactions<dim> evaluation(
-        dof_handler, names, conditions, supports, kinematics);
-      const auto columns = evaluation.names();
-      const auto forces  = evaluation.compute(*solid, u, loads);
+      const Reactions<dim> evaluation(model, dof_handler, supports);
+      const auto           columns = evaluation.names();
+      const auto forces = evaluation.compute(*solid, u, no_contact, 1.);
       std::map<std::string, double> result;
       for (unsigned int i = 0; i < columns.size(); ++i)
         {
@@ -123,7 +118,8 @@ namespace
           all += std::abs(force);
         }
       verify("  the vertical force is their sum",
-             std::abs(evaluation.vertical_force(*solid, u, loads) - vertical) /
+             std::abs(evaluation.vertical_force(*solid, u, no_contact, 1.) -
+                      vertical) /
                all,
              1e-12);
       return result;

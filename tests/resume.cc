@@ -95,6 +95,7 @@ end
                                               "residual",
                                               "force_balance_error",
                                               "max_penetration",
+                                              "edge_penetration",
                                               "max_hanging_penetration",
                                               "complementarity_error",
                                               "newton_iterations",

@@ -32,6 +32,25 @@ refine_corner(dealii::parallel::distributed::Triangulation<dim> &mesh)
 
 
 
+/// A square below y = 0, divided once more where an indenter on its left end
+/// would touch it.
+inline void
+make_half_space_mesh(dealii::parallel::distributed::Triangulation<2> &mesh)
+{
+  dealii::GridGenerator::subdivided_hyper_rectangle(mesh,
+                                                    {4, 4},
+                                                    dealii::Point<2>(0, -1),
+                                                    dealii::Point<2>(1, 0),
+                                                    /* colorize = */ true);
+  for (const auto &cell : mesh.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->center()[0] < 0.5 &&
+        cell->center()[1] > -0.25)
+      cell->set_refine_flag();
+  mesh.execute_coarsening_and_refinement();
+}
+
+
+
 /// The unit square or cube of 2^dim cells, of which none is a parallelogram
 /// and one has been divided; material 1 on the right.
 template <int dim>

@@ -159,6 +159,10 @@ public:
     });
   }
 
+  void
+  begin_feasible_method() override
+  {}
+
   bool
   update_feasible_active_set(const Vector &u, const Vector &residual) override
   {

@@ -17,6 +17,7 @@
 #include "mechanics/supports.h"
 #include "mesh/half_ball.h"
 #include "sample_mesh.h"
+#include "sample_model.h"
 
 namespace ElastoPlastic
 {
@@ -90,18 +91,13 @@ namespace ElastoPlastic
                   const std::string    &conditions)
       : mesh(MPI_COMM_WORLD)
       , names(make_mesh(mesh))
+      , model(sample_model(read_conditions(conditions)))
       , fe(FE_Q<dim>(degree), dim)
       , dof_handler(mesh)
+      , supports(model)
     {
-      ParameterHandler            prm;
-      BoundaryConditionParameters parameters;
-      parameters.add_parameters(prm);
-      prm.parse_input_from_string("subsection Boundary conditions\n" +
-                                  conditions + "\nend");
       dof_handler.distribute_dofs(fe);
-      supports.reinit(dof_handler,
-                      BoundaryConditions<dim>(parameters, names),
-                      /* time = */ 0.5);
+      supports.reinit(dof_handler, /* time = */ 0.5);
 
       u.reinit(dof_handler.locally_owned_dofs(),
                supports.constraints().get_local_lines(),
@@ -199,8 +195,20 @@ namespace ElastoPlastic
     }
 
   private:
+    BoundaryConditions<dim>
+    read_conditions(const std::string &conditions) const
+    {
+      ParameterHandler            prm;
+      BoundaryConditionParameters parameters;
+      parameters.add_parameters(prm);
+      prm.parse_input_from_string("subsection Boundary conditions\n" +
+                                  conditions + "\nend");
+      return BoundaryConditions<dim>(parameters, names);
+    }
+
     Mesh<dim>           mesh;
     const BoundaryNames names;
+    const Model<dim>    model;
     const FESystem<dim> fe;
     DoFHandler<dim>     dof_handler;
     Supports<dim>       supports;

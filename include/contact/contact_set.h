@@ -16,32 +16,14 @@
 #include <vector>
 
 #include "base/kinematics.h"
+#include "base/shared_rows.h"
+#include "contact/contact_edge.h"
+#include "contact/contact_state.h"
 #include "loading/load.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
-
-  /// The contact quantities of a solution, summed over all ranks.
-  struct ContactState
-  {
-    /// Sum of the nodal forces, positive when the indenter presses.
-    double force = 0;
-    /// Sum of the lumped areas of the active nodes.
-    double area         = 0;
-    double max_pressure = 0;
-    /// The smallest pressure of an active node: negative would be tension.
-    double       min_pressure = 0;
-    unsigned int n_active     = 0;
-    /// max(u_d - (g - depth), 0) over the candidates.
-    double max_penetration = 0;
-    /// The same over the hanging nodes, which follow their masters.
-    double max_hanging_penetration = 0;
-    /// sum |force * distance| / (total force * |depth|) over the candidates.
-    double complementarity_error = 0;
-  };
-
-
 
   /// The nodes of the contact surface that the indenter can reach, and which
   /// of them touch it.
@@ -54,6 +36,11 @@ namespace ElastoPlastic
   /// Hanging nodes follow their masters; their D and r are handed to the
   /// masters with the same weights, so that sums of forces stay exact.
   ///
+  /// As long as divide_edge() is in force, the contact ends within faces. A
+  /// node k at its edge is then bounded by u_k <= g_k - depth + sum_j t_kj (g_j
+  /// - depth - u_j), with the open nodes j of its faces; they get the parts
+  /// t_kj of its nodal force (doc/theory.md, "The edge of the contact").
+  ///
   /// All vectors passed in have the partition of the one passed to reinit().
   template <int dim>
   class ContactSet
@@ -64,7 +51,8 @@ namespace ElastoPlastic
     /// @p gap(x) is the vertical distance from x up to the undisplaced
     /// indenter, infinite where it does not reach.
     explicit ContactSet(const std::function<double(const Point<dim> &)> &gap,
-                        const Kinematics kinematics = Kinematics::cartesian);
+                        const Kinematics kinematics = Kinematics::cartesian,
+                        const EdgeRule   rule       = EdgeRule::at_nodes);
 
     /// Finds the candidates. @p supported_dofs are no candidates;
     /// @p layout gives the partition of vectors.
@@ -125,6 +113,41 @@ namespace ElastoPlastic
     void
     deactivate_all();
 
+    /// Lets the contact end where it is expected when the indenter will be at
+    /// @p expected_depth, until the next call; at nodes, if it has only a few.
+    /// As long as the indenter is not deeper than it has been, the edge stays
+    /// divided as it is. Collective.
+    void
+    divide_edge(const double expected_depth);
+
+    /// Lets it end at nodes. Collective.
+    void
+    unite_edge();
+
+    /// Divides the edge as edge_memory() says, after a checkpoint. Collective.
+    void
+    restore_edge();
+
+    /// A load step has ended with the displacement @p u: notes how far away the
+    /// nodes are. Collective.
+    void
+    note_edge(const Vector &u);
+
+    /// What note_edge() has noted on this mesh, which divide_edge() needs
+    /// beside the active set.
+    EdgeMemory &
+    edge_memory()
+    {
+      return memory;
+    }
+
+    /// Null if the contact ends at nodes.
+    const std::shared_ptr<const SharedRows> &
+    shared_rows() const
+    {
+      return rows;
+    }
+
     /// The primal-dual switching test with lambda = 0 off the active set:
     /// active nodes stay if they press, others join if they penetrate. A force
     /// F > 0 that has lost all of them moves the indenter to the nearest.
@@ -172,6 +195,10 @@ namespace ElastoPlastic
     ContactState
     state(const Vector &u, const Vector &residual) const;
 
+    /// The nodal forces of the indenter on the body.
+    Vector
+    forces_on_body(const Vector &residual) const;
+
     /// For output: the surface fields, in the vertical component of vectors in
     /// the layout of displacements; zero elsewhere. Gaps are those of the
     /// deformed surface to the indenter in its present position.
@@ -206,6 +233,46 @@ namespace ElastoPlastic
       return node.gap - present_depth;
     }
 
+    /// sum_j t_kj (g_j - depth - u_j); empty without shared rows.
+    Vector
+    shared_gaps(const Vector &u, const double depth) const;
+
+    /// Where that puts a node: its bound is so much higher.
+    static double
+    shift(const Vector &shared_gaps, const Node &node)
+    {
+      return shared_gaps.size() > 0 ? shared_gaps.local_element(node.index) :
+                                      0.;
+    }
+
+    /// Which candidates touch, as ContactEdge wants it.
+    Vector
+    kinds() const;
+
+    /// The distances of the candidates from an indenter at @p depth.
+    Vector
+    distances(const Vector &u, const double depth) const;
+
+    /// The levels of the neighbours of the contact, with these distances of
+    /// the candidates.
+    Vector
+    levels(const Vector &distances) const;
+
+    /// Those expected at a depth, from the last ones noted.
+    Vector
+    expected_distances(const double depth) const;
+
+    /// The shared rows of the present active set.
+    void
+    make_shared_rows();
+
+    /// The pressure at the active nodes; zero elsewhere.
+    Vector
+    pressures(const Vector &residual) const;
+
+    double
+    touched_area(const Vector &u) const;
+
     /// The smallest distance from the undisplaced indenter down to a candidate.
     double
     nearest_distance(const Vector &u) const;
@@ -223,6 +290,7 @@ namespace ElastoPlastic
 
     const std::function<double(const Point<dim> &)> gap;
     const Kinematics                                kinematics;
+    const EdgeRule                                  rule;
     double                                          present_depth = 0;
     std::optional<double>                           given_force;
     MPI_Comm                                        communicator;
@@ -230,6 +298,16 @@ namespace ElastoPlastic
 
     std::vector<Node> candidates;
     std::vector<Node> hanging_nodes;
+
+    // If the contact ends within faces: those between the nodes, and where the
+    // edge has been.
+    ContactEdge<dim> edge;
+    EdgeMemory       memory;
+
+    // The weights of shared rows, null without; and the rows.
+    std::shared_ptr<const SharedRows::Matrix> weights;
+    std::shared_ptr<const Vector>             scale;
+    std::shared_ptr<const SharedRows>         rows;
   };
 } // namespace ElastoPlastic
 

@@ -6,7 +6,11 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <optional>
 #include <set>
+
+#include "evaluation/indentation_test.h"
+#include "model/model.h"
 
 namespace ElastoPlastic
 {
@@ -22,6 +26,16 @@ namespace ElastoPlastic
   modelled_part(const parallel::distributed::Triangulation<dim> &triangulation,
                 const std::set<types::boundary_id> &contact_boundaries,
                 const Point<dim - 1>               &position);
+
+  /// What a test in a laboratory would evaluate; nothing without an indenter,
+  /// where its axis does not meet the body, and in plane strain, where a depth
+  /// depends on the size of the body. Collective.
+  template <int dim>
+  std::optional<IndentationTest>
+  make_indentation_test(
+    const Model<dim>                                &model,
+    const parallel::distributed::Triangulation<dim> &triangulation,
+    const GapFunction<dim>                          &gap_function);
 } // namespace ElastoPlastic
 
 #endif

@@ -14,7 +14,8 @@ namespace ElastoPlastic
   /// @cite oliver_pharr_1992, equation (5).
   struct PowerLaw
   {
-    double coefficient;
+    /// (The coefficient of a large exponent may be no number of the machine.)
+    double log_coefficient;
     double exponent;
     double final_depth;
 

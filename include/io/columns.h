@@ -18,6 +18,50 @@ namespace ElastoPlastic
     const SolveResult &after;
   };
 
+  /// A row of limit_load.csv.
+  struct LimitLoadRow
+  {
+    unsigned int cycle;
+    unsigned int cells, triangles;
+    double       lower_bound, upper_bound;
+    unsigned int lower_iterations, upper_iterations;
+    double       stress_error, divergence;
+    double       wall_seconds;
+
+    double
+    relative_difference() const
+    {
+      return (upper_bound - lower_bound) / lower_bound;
+    }
+  };
+
+
+
+  /// A row of error_bound.csv.
+  struct ErrorBoundRow
+  {
+    unsigned int            cycle;
+    unsigned int            cells;
+    types::global_dof_index dofs;
+    unsigned int            triangles;
+    double                  depth, force;
+    double                  equilibrium_depth, equilibrium_force;
+    double                  equilibrium_max_pressure, equilibrium_contact_area;
+    double                  complementary_energy;
+    double                  bound_of_body, bound_of_contact;
+    unsigned int            iterations;
+    double                  stress_error;
+    double                  wall_seconds;
+
+    double
+    bound() const
+    {
+      return bound_of_body + bound_of_contact;
+    }
+  };
+
+
+
   /// The columns of statistics.csv: a row per nonlinear solve.
   const Columns<SolveResult> &
   statistics_columns();
@@ -33,6 +77,14 @@ namespace ElastoPlastic
   /// The columns of indentation.csv: a row per unloading.
   const Columns<UnloadingResult> &
   indentation_columns();
+
+  /// The columns of limit_load.csv: a row per mesh.
+  const Columns<LimitLoadRow> &
+  limit_load_columns();
+
+  /// The columns of error_bound.csv: a row per mesh.
+  const Columns<ErrorBoundRow> &
+  error_bound_columns();
 } // namespace ElastoPlastic
 
 #endif

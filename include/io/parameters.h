@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/enum_names.h"
+#include "contact/contact_edge.h"
 #include "contact/indenter_parameters.h"
 #include "io/command_line.h"
 #include "io/output_parameters.h"
@@ -51,6 +52,7 @@ namespace ElastoPlastic
     BoundaryConditionParameters boundary_conditions;
     MaterialParameters          material;
     IndenterParameters          indenter;
+    ContactParameters           contact;
     LoadingParameters           loading;
     DiscretizationParameters    discretization;
     RefinementParameters        refinement;

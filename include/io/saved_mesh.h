@@ -5,9 +5,12 @@
 #define io_saved_mesh_h
 
 #include <deal.II/distributed/tria.h>
+#include <deal.II/dofs/dof_handler.h>
 
 #include <string>
 #include <vector>
+
+#include "mechanics/ghosted_copy.h"
 
 namespace ElastoPlastic
 {
@@ -42,6 +45,22 @@ namespace ElastoPlastic
   CellValues
   load_mesh(parallel::distributed::Triangulation<dim> &triangulation,
             const std::string                         &name);
+
+  /// Adds to the numbers of each cell those of @p fields at its unknowns, field
+  /// by field. Collective.
+  template <int dim>
+  void
+  append_fields(CellValues                      &values,
+                const std::vector<VectorType *> &fields,
+                const DoFHandler<dim>           &dof_handler);
+
+  /// Takes them off the end again, and puts them into @p fields, which have the
+  /// layout of the unknowns.
+  template <int dim>
+  void
+  take_fields(CellValues                      &values,
+              const std::vector<VectorType *> &fields,
+              const DoFHandler<dim>           &dof_handler);
 } // namespace ElastoPlastic
 
 #endif

@@ -78,8 +78,10 @@ namespace ElastoPlastic
     void
     make_indentation(const unsigned int n_rows);
 
+    /// Adds the result of @p evaluate, if there is one. @throws InputError
     void
-    add_unloading(const std::optional<UnloadingResult> &result);
+    evaluate_unloading(
+      const std::function<std::optional<UnloadingResult>()> &evaluate);
 
     const MPI_Comm    communicator;
     const std::string directory;

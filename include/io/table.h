@@ -36,7 +36,7 @@ namespace ElastoPlastic
     Table(const MPI_Comm         communicator,
           const std::string     &file_name,
           const Columns<Record> &columns,
-          const unsigned int     n_rows)
+          const unsigned int     n_rows = 0)
       : CsvFile(communicator, file_name, names(columns), n_rows)
       , columns(columns)
     {}

@@ -12,7 +12,7 @@ namespace ElastoPlastic
   /// a function h(alpha) of the equivalent plastic strain: the sum of
   ///
   ///  - Q (1 - exp(-b alpha)), which saturates @cite voce_1948,
-  ///  - sigma_0 ((1 + alpha / eps_0)^n - 1), a power law @cite swift_1952,
+  ///  - sigma_0 ((1 + alpha / eps_0)^N - 1), a power law @cite swift_1952,
   ///  - a piecewise linear function, constant beyond its last point.
   ///
   /// It begins with h(0) = 0 and does not decrease.
@@ -28,7 +28,7 @@ namespace ElastoPlastic
     struct PowerLaw
     {
       double yield_stress     = 0; ///< sigma_0 > 0
-      double exponent         = 0; ///< 0 <= n <= 1
+      double exponent         = 0; ///< 0 <= N <= 1
       double reference_strain = 1; ///< eps_0 > 0
     };
 

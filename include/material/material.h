@@ -21,8 +21,8 @@ namespace ElastoPlastic
 
 
   /// The evolution of a back stress, with the plastic strain e_p and the
-  /// plastic multiplier gamma: beta' = modulus e_p' - recovery beta gamma', the
-  /// last term being the dynamic recovery
+  /// plastic multiplier lambda: beta' = modulus e_p' - recovery beta
+  /// lambda', the last term being the dynamic recovery
   /// @cite armstrong_frederick_1966.
   template <typename Number>
   struct BackStressLaw

@@ -314,7 +314,7 @@ namespace ElastoPlastic
     /// What the excess of the stress over the yield surface falls by per unit
     /// of the multiplier.
     Number modulus;
-    /// Delta gamma, the length of the plastic strain increment.
+    /// Delta lambda, the length of the plastic strain increment.
     Number multiplier;
   };
 

@@ -8,22 +8,21 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include "base/kinematics.h"
-#include "mesh/boundary_conditions.h"
+#include "model/model.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// Computes the nodal forces int traction . phi_i ds of the given tractions
-  /// at @p time, condensed with @p constraints. @p forces has its layout.
+  /// Computes the nodal forces int traction . phi_i ds of the tractions of
+  /// @p model at @p time, condensed with @p constraints. @p forces has its
+  /// layout. Collective.
   template <int dim>
   void
   compute_external_forces(LinearAlgebra::distributed::Vector<double> &forces,
                           const DoFHandler<dim>           &dof_handler,
                           const AffineConstraints<double> &constraints,
-                          const BoundaryConditions<dim>   &boundary_conditions,
-                          const Kinematics                 kinematics,
+                          const Model<dim>                &model,
                           const double                     time);
 } // namespace ElastoPlastic
 

@@ -9,7 +9,6 @@
 
 #include "mechanics/solid_operator.h"
 #include "mechanics/supports.h"
-#include "mesh/boundary_names.h"
 
 namespace ElastoPlastic
 {
@@ -27,29 +26,28 @@ namespace ElastoPlastic
   public:
     /// All arguments must outlive this object. They may change: mesh, unknowns
     /// and supports are those at the time of a call.
-    Reactions(const DoFHandler<dim>         &dof_handler,
-              const BoundaryNames           &names,
-              const BoundaryConditions<dim> &boundary_conditions,
-              const Supports<dim>           &supports,
-              const Kinematics               kinematics);
+    Reactions(const Model<dim>      &model,
+              const DoFHandler<dim> &dof_handler,
+              const Supports<dim>   &supports);
 
     /// "top_x", "top_y": boundary and direction of each force.
     std::vector<std::string>
     names() const;
 
-    /// The forces, in the order of names(). @p loads are the nodal forces of
-    /// everything but supports on the body, condensed with the hanging nodes
-    /// only. Collective.
+    /// The forces at @p time, in the order of names(). @p contact_forces are
+    /// the nodal forces of the indenter on the body. Collective.
     std::vector<double>
     compute(const SolidOperator<dim> &solid,
             const VectorType         &displacement,
-            const VectorType         &loads) const;
+            const VectorType         &contact_forces,
+            const double              time) const;
 
     /// The sum of all vertical ones, at the cost of one. Collective.
     double
     vertical_force(const SolidOperator<dim> &solid,
                    const VectorType         &displacement,
-                   const VectorType         &loads) const;
+                   const VectorType         &contact_forces,
+                   const double              time) const;
 
   private:
     struct Component
@@ -66,6 +64,11 @@ namespace ElastoPlastic
     IndexSet
     unknowns(const Component &component) const;
 
+    /// All nodal forces but those of the supports, condensed with the hanging
+    /// nodes only, not with skew rollers.
+    VectorType
+    loads_on_body(const VectorType &contact_forces, const double time) const;
+
     /// What all forces but @p loads do on the field that @p motion gives on the
     /// supports, which becomes continuous.
     double
@@ -74,11 +77,9 @@ namespace ElastoPlastic
          const VectorType         &loads,
          VectorType               &motion) const;
 
-    const DoFHandler<dim>         &dof_handler;
-    const BoundaryNames           &boundary_names;
-    const BoundaryConditions<dim> &boundary_conditions;
-    const Supports<dim>           &supports;
-    const unsigned int             first_direction;
+    const Model<dim>      &model;
+    const DoFHandler<dim> &dof_handler;
+    const Supports<dim>   &supports;
   };
 } // namespace ElastoPlastic
 

@@ -11,8 +11,7 @@
 
 #include <map>
 
-#include "base/kinematics.h"
-#include "mesh/boundary_conditions.h"
+#include "model/model.h"
 
 namespace ElastoPlastic
 {
@@ -35,21 +34,18 @@ namespace ElastoPlastic
   public:
     using Vector = LinearAlgebra::distributed::Vector<double>;
 
-    explicit Supports(const Kinematics kinematics = Kinematics::cartesian);
+    /// @p model must outlive this object.
+    explicit Supports(const Model<dim> &model);
 
-    /// Finds both parts for @p dof_handler, with prescribed displacements at
-    /// @p time.
+    /// Finds out what is held where, for @p dof_handler, which must outlive
+    /// this object or the next call, with prescribed displacements at @p time.
+    /// Collective.
     void
-    reinit(const DoFHandler<dim>         &dof_handler,
-           const BoundaryConditions<dim> &boundary_conditions,
-           const double                   time);
+    reinit(const DoFHandler<dim> &dof_handler, const double time);
 
-    /// Changes the prescribed displacements to those at @p time, on the same
-    /// mesh.
+    /// Changes the prescribed displacements to those at @p time. Collective.
     void
-    set_time(const DoFHandler<dim>         &dof_handler,
-             const BoundaryConditions<dim> &boundary_conditions,
-             const double                   time);
+    set_time(const double time);
 
     const AffineConstraints<double> &
     constraints() const;
@@ -69,8 +65,7 @@ namespace ElastoPlastic
     /// The components of the displacement that @p boundary holds, alone or (on
     /// skew rollers) together.
     ComponentMask
-    held_components(const BoundaryConditions<dim> &boundary_conditions,
-                    const types::boundary_id       boundary) const;
+    held_components(const types::boundary_id boundary) const;
 
     /// Sets the fixed entries that this rank owns to their values.
     void
@@ -81,32 +76,47 @@ namespace ElastoPlastic
     set_fixed_entries(Vector &vector, const double value) const;
 
   private:
+    using Values = std::map<types::global_dof_index, double>;
+
+    /// @return the rollers that are not normal to an axis.
+    std::set<types::boundary_id>
+    sort_rollers();
+
+    /// The prescribed displacements at @p time, of nodes that other supports
+    /// hold, too.
+    Values
+    prescribed_values(const double time) const;
+
+    /// Where several conditions meet, the later one counts of these: fixed,
+    /// prescribed displacement, roller, axis of revolution.
     void
-    find_fixed_values(const DoFHandler<dim>         &dof_handler,
-                      const BoundaryConditions<dim> &boundary_conditions,
-                      const double                   time);
+    find_fixed_values(const double time);
 
     /// @throws InputError if the body reaches across its axis of revolution.
     void
-    fix_axis(const DoFHandler<dim> &dof_handler);
-
-    void
-    drop_constrained_values();
+    find_axis();
 
     /// Rollers on surfaces that are not normal to an axis: a constraint of no
     /// normal displacement.
     void
-    add_skew_rollers(const DoFHandler<dim>              &dof_handler,
-                     const std::set<types::boundary_id> &rollers);
+    add_skew_rollers(const std::set<types::boundary_id> &rollers);
 
-    const Kinematics kinematics;
+    /// Hanging nodes follow their masters, also where those are fixed.
+    void
+    drop_constrained_values();
+
+    const Model<dim>      &model;
+    const DoFHandler<dim> *dof_handler = nullptr;
 
     /// The rollers that are normal to an axis, with that axis.
     std::map<types::boundary_id, unsigned int> level_rollers;
 
-    AffineConstraints<double>                 hanging;
-    AffineConstraints<double>                 combined;
-    std::map<types::global_dof_index, double> fixed_values;
+    AffineConstraints<double> hanging;
+    AffineConstraints<double> combined;
+    Values                    fixed_values;
+
+    /// Those of rollers and the axis of revolution, which nothing else moves.
+    Values fixed_at_zero;
   };
 } // namespace ElastoPlastic
 

@@ -62,6 +62,10 @@ namespace ElastoPlastic
     BoundaryConditions(const BoundaryConditionParameters &parameters,
                        const BoundaryNames               &names);
 
+    /// All boundaries.
+    const BoundaryNames &
+    names() const;
+
     /// The boundaries with this condition.
     std::set<types::boundary_id>
     ids(const BoundaryConditionType type) const;
@@ -85,15 +89,13 @@ namespace ElastoPlastic
     void
     add_boundary(const std::string          &entry,
                  const BoundaryConditionType type,
-                 const std::string          &name,
-                 const BoundaryNames        &names);
+                 const std::string          &name);
 
     /// Read "name: component; component | name: ...".
     std::map<types::boundary_id, Components>
     add_boundaries_with_components(const std::string          &entry,
                                    const BoundaryConditionType type,
-                                   const std::string          &text,
-                                   const BoundaryNames        &names);
+                                   const std::string          &text);
 
     struct Condition
     {
@@ -101,6 +103,7 @@ namespace ElastoPlastic
       std::string           entry; ///< that names the boundary
     };
 
+    const BoundaryNames                      boundary_names;
     std::map<types::boundary_id, Condition>  conditions;
     std::map<types::boundary_id, Components> displacements;
     std::map<types::boundary_id, Components> traction_vectors;

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/distributed/tria.h>
+#include <deal.II/fe/fe.h>
 #include <deal.II/lac/vector.h>
 
 #include <cstdint>
@@ -93,6 +94,14 @@ namespace ElastoPlastic
                     RefinementParameters parameters,
                     const Vector<float> &error_indicators,
                     parallel::distributed::Triangulation<dim> &triangulation);
+
+
+
+  /// So many unknowns do @p n_cells have in the interior of a mesh of elements
+  /// @p fe.
+  template <int dim>
+  double
+  estimated_unknowns(const double n_cells, const FiniteElement<dim> &fe);
 
 
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/kinematics.h"
+#include "contact/contact_edge.h"
 #include "contact/gap_function.h"
 #include "loading/load_program.h"
 #include "material/material.h"
@@ -37,6 +38,7 @@ namespace ElastoPlastic
     std::vector<Material<double>> materials;
 
     PlacedIndenter<dim> indenter;
+    EdgeRule            edge_rule;
 
     /// As it is before the first step: an analysis takes a copy, which
     /// remembers what has been reached.

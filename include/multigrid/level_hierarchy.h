@@ -77,10 +77,9 @@ namespace ElastoPlastic
     /// The coarsest mesh is the finest one of those that have at most
     /// @p n_coarse_cells cells, or the mesh that all others come from. All
     /// arguments must outlive this object.
-    LevelHierarchy(const DoFHandler<dim>           &dof_handler,
+    LevelHierarchy(const Model<dim>                &model,
+                   const DoFHandler<dim>           &dof_handler,
                    const AffineConstraints<double> &constraints,
-                   const BoundaryConditions<dim>   &boundary_conditions,
-                   const StrainModel               &strain_model,
                    const unsigned int               n_coarse_cells);
 
     /// Hands the stored tangent of @p solid and the constrained unknowns (ones
@@ -121,13 +120,12 @@ namespace ElastoPlastic
     };
 
     void
-    add_level(const std::shared_ptr<const Triangulation<dim>> &mesh,
-              const BoundaryConditions<dim> &boundary_conditions);
-
+    add_level(const std::shared_ptr<const Triangulation<dim>> &mesh);
 
     void
     update_tangents(const SolidOperator<dim> &solid);
 
+    const Model<dim>  &model;
     std::vector<Level> levels;
 
     typename LevelTransfer<dim>::Operators level_operators;

@@ -25,11 +25,10 @@ namespace ElastoPlastic
   public:
     /// For the tangent that @p solid stores; the other arguments are those of
     /// LevelHierarchy.
-    MultigridPreconditioner(const SolidOperator<dim>        &solid,
+    MultigridPreconditioner(const Model<dim>                &model,
+                            const SolidOperator<dim>        &solid,
                             const DoFHandler<dim>           &dof_handler,
-                            const AffineConstraints<double> &constraints,
-                            const BoundaryConditions<dim> &boundary_conditions,
-                            const StrainModel             &strain_model);
+                            const AffineConstraints<double> &constraints);
 
     void
     prepare(const VectorType &constrained) override;

@@ -6,7 +6,10 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <memory>
 #include <vector>
+
+#include "base/shared_rows.h"
 
 namespace ElastoPlastic
 {
@@ -15,6 +18,10 @@ namespace ElastoPlastic
   /// Which unknowns of a system do not move on their own. Constrained ones do
   /// not move at all. Coupled ones move together, all by the same amount: the
   /// contact nodes under a rigid indenter whose depth is unknown too.
+  ///
+  /// The active ones among them may share their rows with free unknowns: then
+  /// not u_k, but u_k + sum_j t_kj (u_j - m) is the motion m, which is that of
+  /// the leader or zero (SharedRows).
   ///
   /// A reduced vector is zero at constrained and coupled unknowns, but for the
   /// first of the coupled ones, the leader, which stands for all of them. With
@@ -29,21 +36,30 @@ namespace ElastoPlastic
     ReducedUnknowns() = default;
 
     /// @p constrained and @p coupled are indices of unknowns that this rank
-    /// owns.
-    ReducedUnknowns(const std::vector<unsigned int> &constrained,
-                    const std::vector<unsigned int> &coupled,
-                    const MPI_Comm                   communicator);
+    /// owns, @p active those of them that may have @p shared_rows; null if
+    /// there are none.
+    ReducedUnknowns(const std::vector<unsigned int>         &constrained,
+                    const std::vector<unsigned int>         &coupled,
+                    const MPI_Comm                           communicator,
+                    const std::vector<unsigned int>         &active      = {},
+                    const std::shared_ptr<const SharedRows> &shared_rows = {});
 
     /// Whether there are coupled unknowns, on any rank.
     bool
     has_coupling() const;
 
-    /// Multiplies by E: gives all coupled unknowns the value of their leader.
+    /// Whether expand() does nothing.
+    bool
+    is_trivial() const;
+
+    /// Multiplies by E: gives all coupled unknowns the value of their leader,
+    /// less what unknowns with shared rows leave to others.
     void
     expand(Vector &increment) const;
 
-    /// Multiplies by E^T: the leader gets the sum of the coupled unknowns,
-    /// constrained and other coupled ones zero.
+    /// Multiplies by E^T: what is shared goes to the free unknowns; the leader
+    /// gets the sum of the coupled unknowns, constrained and other coupled ones
+    /// zero.
     void
     contract(Vector &forces) const;
 
@@ -64,8 +80,9 @@ namespace ElastoPlastic
     bool
     owns_leader() const;
 
-    std::vector<unsigned int> constrained, coupled;
-    MPI_Comm                  communicator = MPI_COMM_SELF;
+    std::vector<unsigned int>         constrained, coupled, active;
+    std::shared_ptr<const SharedRows> shared_rows;
+    MPI_Comm                          communicator = MPI_COMM_SELF;
     /// The rank that owns the leader, its first coupled unknown; the number of
     /// ranks if there are no coupled unknowns.
     unsigned int leading_rank = 1;

@@ -13,9 +13,11 @@ namespace ElastoPlastic
   template <int dim>
   ContactSet<dim>::ContactSet(
     const std::function<double(const Point<dim> &)> &gap,
-    const Kinematics                                 kinematics)
+    const Kinematics                                 kinematics,
+    const EdgeRule                                   rule)
     : gap(gap)
     , kinematics(kinematics)
+    , rule(rule)
     , communicator(MPI_COMM_SELF)
   {}
 
@@ -43,6 +45,13 @@ namespace ElastoPlastic
       if (!supported_dofs.is_element(first_owned_dof + node.index))
         (node.hanging ? hanging_nodes : candidates)
           .push_back({node.index, node.gap, node.area, false});
+    unite_edge();
+    if (rule == EdgeRule::at_nodes)
+      return;
+    edge.reinit(dof_handler, contact_boundaries, kinematics, layout);
+    for (Vector *vector : memory.vectors())
+      vector->reinit(layout);
+    memory.n_steps = 0;
   }
 
 
@@ -75,12 +84,20 @@ namespace ElastoPlastic
   {
     if (!is_force_driven())
       return present_depth;
-    double sum = 0;
+    if (n_active() == 0)
+      return present_depth;
+    // the rows are linear in the depth: so are their sums
+    const Vector at_zero = shared_gaps(u, 0.), at_one = shared_gaps(u, 1.);
+    double       sum = 0, slope = 0;
     for (const Node &node : candidates)
       if (node.active)
-        sum += node.gap - u.local_element(node.index);
-    const unsigned int n = n_active();
-    return n > 0 ? Utilities::MPI::sum(sum, communicator) / n : present_depth;
+        {
+          const unsigned int i = node.index;
+          sum += node.gap - u.local_element(i) + shift(at_zero, node);
+          slope += 1. + shift(at_zero, node) - shift(at_one, node);
+        }
+    return Utilities::MPI::sum(sum, communicator) /
+           Utilities::MPI::sum(slope, communicator);
   }
 
 
@@ -133,7 +150,10 @@ namespace ElastoPlastic
         changed           = changed || (active != node.active);
         node.active       = active;
       }
-    return Utilities::MPI::logical_or(changed, communicator);
+    changed = Utilities::MPI::logical_or(changed, communicator);
+    if (changed)
+      make_shared_rows();
+    return changed;
   }
 
 
@@ -143,9 +163,11 @@ namespace ElastoPlastic
   ContactSet<dim>::activate_touching(const Vector &u)
   {
     const double contact_tolerance = 1e-8 * std::abs(present_depth);
+    const Vector shared            = shared_gaps(u, present_depth);
     set_active([&](const Node &node) {
       return node.active ||
-             u.local_element(node.index) >= bound(node) - contact_tolerance;
+             u.local_element(node.index) >=
+               bound(node) + shift(shared, node) - contact_tolerance;
     });
     find_contact(u);
   }
@@ -165,10 +187,13 @@ namespace ElastoPlastic
   bool
   ContactSet<dim>::update(const Vector &u, const Vector &residual)
   {
-    present_depth      = depth_at(u);
-    const bool changed = set_active([&](const Node &node) {
-      return node.active ? residual.local_element(node.index) > 0 :
-                           u.local_element(node.index) > bound(node);
+    present_depth        = depth_at(u);
+    const Vector shared  = shared_gaps(u, present_depth);
+    const bool   changed = set_active([&](const Node &node) {
+      const unsigned int i = node.index;
+      return node.active ?
+                 residual.local_element(i) > 0 :
+                 u.local_element(i) > bound(node) + shift(shared, node);
     });
     return find_contact(u) || changed;
   }
@@ -252,15 +277,17 @@ namespace ElastoPlastic
   ContactSet<dim>::move_active(Vector &u) const
   {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    const Vector     shared  = shared_gaps(u, present_depth);
     for (const Node &node : candidates)
       if (node.active)
         {
           const double rounding =
             4. * epsilon *
             std::max(std::abs(node.gap), std::abs(present_depth));
-          double &displacement = u.local_element(node.index);
-          if (std::abs(displacement - bound(node)) > rounding)
-            displacement = bound(node);
+          const double place        = bound(node) + shift(shared, node);
+          double      &displacement = u.local_element(node.index);
+          if (std::abs(displacement - place) > rounding)
+            displacement = place;
         }
   }
 
@@ -298,79 +325,6 @@ namespace ElastoPlastic
   {
     for (const Node &node : candidates)
       vector.local_element(node.index) = value;
-  }
-
-
-
-  template <int dim>
-  ContactState
-  ContactSet<dim>::state(const Vector &u, const Vector &residual) const
-  {
-    const auto penetration = [&](const Node &node) {
-      return std::max(0., u.local_element(node.index) - bound(node));
-    };
-
-    double force = 0, area = 0, work = 0, max_penetration = 0;
-    double max_hanging_penetration = 0, max_pressure = 0;
-    double min_pressure = std::numeric_limits<double>::infinity();
-    for (const Node &node : candidates)
-      {
-        const double nodal_force = residual.local_element(node.index);
-        if (node.active)
-          {
-            force += nodal_force;
-            area += node.area;
-            max_pressure = std::max(max_pressure, nodal_force / node.area);
-            min_pressure = std::min(min_pressure, nodal_force / node.area);
-          }
-        work +=
-          std::abs(nodal_force * (bound(node) - u.local_element(node.index)));
-        max_penetration = std::max(max_penetration, penetration(node));
-      }
-    for (const Node &node : hanging_nodes)
-      max_hanging_penetration =
-        std::max(max_hanging_penetration, penetration(node));
-
-    ContactState state;
-    state.force           = Utilities::MPI::sum(force, communicator);
-    state.area            = Utilities::MPI::sum(area, communicator);
-    state.n_active        = n_active();
-    state.max_pressure    = Utilities::MPI::max(max_pressure, communicator);
-    state.max_penetration = Utilities::MPI::max(max_penetration, communicator);
-    state.max_hanging_penetration =
-      Utilities::MPI::max(max_hanging_penetration, communicator);
-    if (state.n_active > 0)
-      {
-        state.min_pressure = Utilities::MPI::min(min_pressure, communicator);
-        const double scale = std::abs(state.force * present_depth);
-        if (scale > 0)
-          state.complementarity_error =
-            Utilities::MPI::sum(work, communicator) / scale;
-      }
-    return state;
-  }
-
-
-
-  template <int dim>
-  void
-  ContactSet<dim>::surface_fields(Vector       &gap,
-                                  Vector       &pressure,
-                                  Vector       &active,
-                                  const Vector &u,
-                                  const Vector &residual) const
-  {
-    for (const auto *const nodes : {&candidates, &hanging_nodes})
-      for (const Node &node : *nodes)
-        gap.local_element(node.index) =
-          bound(node) - u.local_element(node.index);
-    for (const Node &node : candidates)
-      if (node.active)
-        {
-          pressure.local_element(node.index) =
-            residual.local_element(node.index) / node.area;
-          active.local_element(node.index) = 1;
-        }
   }
 
 

@@ -8,13 +8,11 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
-#include <array>
 #include <sstream>
 
 #include "base/termination.h"
 #include "elasto_plastic_contact.h"
 #include "io/saved_mesh.h"
-#include "mechanics/ghosted_copy.h"
 
 namespace ElastoPlastic
 {
@@ -25,7 +23,25 @@ namespace ElastoPlastic
                                                 Statistics::Progress &progress)
   {
     archive &time_steps &load_program &field_output &cycle &last_step
-      &depth_rate &largest_forces &progress;
+      &largest_forces &progress;
+  }
+
+
+
+  // With the last solution of the linear solver, which helps the next one.
+  template <int dim>
+  std::vector<VectorType *>
+  ElastoPlasticContact<dim>::fields_of_last_step(VectorType &response)
+  {
+    std::vector<VectorType *> fields;
+    if (model.edge_rule == EdgeRule::within_faces)
+      fields = contact.edge_memory().vectors();
+    for (VectorType *field : {&last_step.displacement,
+                              &last_step.displacement_rate,
+                              &last_step.forces,
+                              &response})
+      fields.push_back(field);
+    return fields;
   }
 
 
@@ -43,26 +59,13 @@ namespace ElastoPlastic
     boost::archive::text_oarchive archive(state);
     Statistics::Progress          progress = statistics.progress();
     serialize_progress(archive, progress);
+    archive &contact.edge_memory();
 
     VectorType response = tangent_solver->known_response();
     if (response.size() == 0)
       solid->initialize_vector(response);
-    const GhostedCopies<dim> fields({&committed_displacement,
-                                     &displacement_rate,
-                                     &committed_forces,
-                                     &response},
-                                    dof_handler);
-
-    CellValues                           values = solid->states();
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(dofs);
-          for (const VectorType *field : fields.pointers())
-            for (const auto dof : dofs)
-              values[cell->active_cell_index()].push_back((*field)(dof));
-        }
+    CellValues values = solid->states();
+    append_fields(values, fields_of_last_step(response), dof_handler);
     checkpoint.save(state.str(), [&](const std::string &mesh_file) {
       save_mesh(triangulation, values, mesh_file);
     });
@@ -85,35 +88,18 @@ namespace ElastoPlastic
     coarsen_to_coarse_mesh(triangulation);
     CellValues values = load_mesh(triangulation, contents.mesh_file);
     setup_body();
-    VectorType                        response;
-    const std::array<VectorType *, 4> fields = {
-      {&displacement, &displacement_rate, &committed_forces, &response}};
+    setup_contact();
+    archive   &contact.edge_memory();
+    VectorType response;
+    const auto fields = fields_of_last_step(response);
     for (VectorType *field : fields)
       solid->initialize_vector(*field);
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(dofs);
-          auto      &of_cell  = values[cell->active_cell_index()];
-          const auto n_states = of_cell.size() - fields.size() * dofs.size();
-          auto       value    = of_cell.begin() + n_states;
-          for (VectorType *field : fields)
-            for (const auto dof : dofs)
-              {
-                if (field->in_local_range(dof))
-                  (*field)(dof) = *value;
-                ++value;
-              }
-          of_cell.resize(n_states);
-        }
+    take_fields(values, fields, dof_handler);
     solid->set_states(values);
-    committed_displacement = displacement;
-
-    setup_contact();
     if (response.l2_norm() > 0)
       tangent_solver->set_response(response);
     take_back_step();
+    contact.restore_edge();
     log.remark(
       "Resumed at t = " + Patterns::Tools::to_string(time_steps.time()) +
       ", before step " + std::to_string(time_steps.number()) + ".");

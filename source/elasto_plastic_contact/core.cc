@@ -3,14 +3,13 @@
 
 #include <deal.II/fe/fe_q.h>
 
-#include <algorithm>
-#include <sstream>
-
 #include "base/exceptions.h"
 #include "base/termination.h"
 #include "elasto_plastic_contact.h"
-#include "mechanics/external_forces.h"
+#include "evaluation/modelled_part.h"
 #include "mesh/material_ids.h"
+#include "problem_checks.h"
+#include "safe_load.h"
 
 namespace ElastoPlastic
 {
@@ -38,17 +37,14 @@ namespace ElastoPlastic
     , gap_function(make_mesh_and_place_indenter(model, triangulation))
     , fe(FE_Q<dim>(model.degree), dim)
     , dof_handler(triangulation)
-    , supports(model.strain_model.kinematics)
+    , supports(model)
     , solid(std::make_unique<SolidOperator<dim>>(model.degree,
                                                  model.strain_model,
                                                  model.materials))
-    , reactions(dof_handler,
-                model.geometry.boundary_names(),
-                model.boundary_conditions,
-                supports,
-                model.strain_model.kinematics)
+    , reactions(model, dof_handler, supports)
     , contact([this](const Point<dim> &x) { return gap_function.value(x); },
-              model.strain_model.kinematics)
+              model.strain_model.kinematics,
+              model.edge_rule)
     , output_directory(communicator, parameters.output.directory)
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
@@ -56,12 +52,13 @@ namespace ElastoPlastic
       if (parameters.analysis == Analysis::contact_with_error_bound)
         error_bound.emplace(model, parameters, communicator, gap_function);
     parameters.refinement.check_first_mesh(
-      estimated_unknowns(triangulation.n_global_active_cells()));
+      estimated_unknowns(triangulation.n_global_active_cells(), fe));
     setup_body();
     setup_contact();
-    check_loads();
-    check_supports();
-    check_reach();
+    check_loads(model, load_program, time_steps, dof_handler);
+    check_supports(model, dof_handler, supports, contact, external_forces);
+    if (gap_function.has_indenter())
+      check_reach(load_program, time_steps, parameters.loading, contact);
     parameters.refinement.check_first_mesh(dof_handler.n_dofs());
     for (const std::string &warning : model.geometry.warnings())
       log.warn(warning);
@@ -104,7 +101,9 @@ namespace ElastoPlastic
     Statistics statistics(communicator,
                           parameters.output.directory,
                           reactions.names(),
-                          make_indentation_test(),
+                          make_indentation_test(model,
+                                                triangulation,
+                                                gap_function),
                           progress);
     note_termination_requests();
     try
@@ -122,11 +121,11 @@ namespace ElastoPlastic
       }
     timer.print_summary();
     log.remark("Results are in " + parameters.output.directory);
-    if (!missing_bound.empty())
+    if (error_bound && !error_bound->why_missing().empty())
       throw ConvergenceError(
         "The contact problem has been solved, and the results are written, but "
         "there is no error bound on the last mesh. " +
-        missing_bound);
+        error_bound->why_missing());
   }
 
 
@@ -148,7 +147,11 @@ namespace ElastoPlastic
             if (!cut)
               predict();
             SolveResult result = solve_on_mesh_sequence(statistics);
-            const auto  forces = support_forces();
+            const auto  forces =
+              reactions.compute(*solid,
+                                displacement,
+                                contact.forces_on_body(residual),
+                                result.time);
             commit_step(result);
             statistics.add_step(result, forces);
             step_is_under_way = false;
@@ -156,11 +159,16 @@ namespace ElastoPlastic
         catch (const ConvergenceError &error)
           {
             if (!time_steps.cut())
-              give_up(error);
+              give_up_step(error,
+                           model,
+                           {contact.force(), time_steps.next_time()},
+                           tractions_grow(),
+                           last_step.result);
             log.warn("The step from t = " +
                      Patterns::Tools::to_string(time_steps.time()) +
                      " has not converged; trying half of it.");
             take_back_step();
+            contact.unite_edge();
             cut = true;
             continue;
           }
@@ -172,67 +180,6 @@ namespace ElastoPlastic
           save_checkpoint(statistics);
       }
     statistics.finish();
-  }
-
-
-
-  // A body of materials that stop hardening has a limit load. Steps that fail,
-  // however short, when force or tractions are to grow tell that it has been
-  // reached.
-  template <int dim>
-  void
-  ElastoPlasticContact<dim>::give_up(const ConvergenceError &error) const
-  {
-    const bool  force_grows = contact.force() > last_step.force;
-    const auto &materials   = model.materials;
-    if (std::none_of(materials.begin(), materials.end(), has_limit) ||
-        !(force_grows || tractions_grow()))
-      throw error;
-
-    const std::string where =
-      "to be beyond the limit load of the body, whose material stops "
-      "hardening. ";
-    std::ostringstream message;
-    message.precision(10);
-    message << "No equilibrium has been found ";
-    if (force_grows)
-      message << "for the force " << contact.force()
-              << " (t = " << time_steps.next_time() << "): it seems " << where
-              << "The largest force reached is " << last_step.force
-              << ", at the depth " << last_step.depth
-              << ". Prescribe the depth, or a smaller force";
-    else
-      message << "under the tractions at t = " << time_steps.next_time()
-              << ": they seem " << where
-              << "The last equilibrium is that at t = " << last_step.time
-              << ". Prescribe smaller tractions ('Boundary "
-                 "conditions/Traction'), or displacements instead";
-    message << "; several load steps come closer to the limit.";
-    throw EquilibriumError(message.str());
-  }
-
-
-
-  // Those of the step under way, since the last one: they do not if they only
-  // become smaller. The virgin body bears none. Collective.
-  template <int dim>
-  bool
-  ElastoPlasticContact<dim>::tractions_grow() const
-  {
-    VectorType growth = external_forces;
-    if (time_steps.number() > 1)
-      {
-        VectorType before;
-        solid->initialize_vector(before);
-        compute_external_forces(before,
-                                dof_handler,
-                                supports.constraints(),
-                                model.boundary_conditions,
-                                model.strain_model.kinematics,
-                                time_steps.time());
-        growth -= before;
-      }
-    return growth * external_forces > 0;
   }
 
 
@@ -253,11 +200,11 @@ namespace ElastoPlastic
         output_directory.accept_results();
         if (is_last)
           return result;
-        if (!missing_bound.empty())
+        if (error_bound && !error_bound->why_missing().empty())
           log.warn(
             "The contact problem has been solved, but there is no "
             "error bound on this mesh. " +
-            missing_bound);
+            error_bound->why_missing());
         refine_mesh();
       }
   }
@@ -270,12 +217,12 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::output_results(const bool last_cycle)
   {
     const bool single_step = parameters.loading.is_single_step();
-    const bool last_step = time_steps.next_time() == load_program.final_time();
+    const bool is_last = time_steps.next_time() == load_program.final_time();
     const bool every_time =
       (parameters.output.fields == FieldOutputTimes::every_cycle);
     if (parameters.output.fields == FieldOutputTimes::never ||
         (!last_cycle && !(every_time && single_step)) ||
-        (!last_step && !every_time))
+        (!is_last && !every_time))
       return;
 
     const unsigned int number = single_step ? cycle : time_steps.number();
@@ -291,7 +238,7 @@ namespace ElastoPlastic
        error_indicators},
       every_time ? Utilities::int_to_string(number, 3) : "last",
       single_step ? cycle : time_steps.next_time());
-    if (error_bound && missing_bound.empty())
+    if (error_bound && error_bound->why_missing().empty())
       error_bound->write_fields(cycle);
   }
 

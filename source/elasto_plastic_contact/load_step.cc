@@ -2,28 +2,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "elasto_plastic_contact.h"
-#include "mechanics/external_forces.h"
 
 namespace ElastoPlastic
 {
-  // What the load step under way asks for at its end.
-  template <int dim>
-  void
-  ElastoPlasticContact<dim>::apply_load()
-  {
-    const double time = time_steps.next_time();
-    supports.set_time(dof_handler, model.boundary_conditions, time);
-    compute_external_forces(external_forces,
-                            dof_handler,
-                            supports.constraints(),
-                            model.boundary_conditions,
-                            model.strain_model.kinematics,
-                            time);
-    contact.set_load(load_program.load(time).value());
-  }
-
-
-
   // The starting guess for a step that continues the last one: things go on at
   // the same rate.
   template <int dim>
@@ -31,12 +12,16 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::predict()
   {
     const double begin = time_steps.time();
-    if (time_steps.number() < 3 || load_program.is_segment_end(begin))
-      return;
-    const double duration = time_steps.next_time() - begin;
-    displacement.add(duration, displacement_rate);
-    if (contact.is_force_driven())
-      contact.place(last_step.depth + duration * depth_rate);
+    double       depth = last_step.result.depth;
+    if (time_steps.number() >= 3 && !load_program.is_segment_end(begin))
+      {
+        const double duration = time_steps.next_time() - begin;
+        depth += duration * last_step.depth_rate;
+        displacement.add(duration, last_step.displacement_rate);
+        if (contact.is_force_driven())
+          contact.place(depth);
+      }
+    contact.divide_edge(depth);
   }
 
 
@@ -47,13 +32,13 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::take_back_step()
   {
-    if (committed_displacement.size() > 0)
-      displacement = committed_displacement;
-    else
+    if (last_step.is_virgin())
       displacement = 0.;
+    else
+      displacement = last_step.displacement;
     solid->predict_flow(displacement, displacement);
     contact.deactivate_all();
-    contact.place(last_step.depth);
+    contact.place(last_step.result.depth);
     contact.activate_touching(displacement);
   }
 
@@ -71,33 +56,20 @@ namespace ElastoPlastic
 
 
 
-  // The end of a step: the work that has been done in it (that of the external
-  // forces by the trapezoidal rule), and what the next step begins with.
+  // The end of a step: the work that has been done in it, and what the next
+  // step begins with, if there is one.
   template <int dim>
   void
   ElastoPlasticContact<dim>::commit_step(SolveResult &result)
   {
-    const VectorType forces = forces_of_stresses();
     result.external_work =
-      last_step.external_work + 0.5 * (forces * displacement);
-    if (time_steps.number() > 1)
-      result.external_work += 0.5 * (committed_forces * displacement -
-                                     forces * committed_displacement -
-                                     committed_forces * committed_displacement);
-    const double duration = result.time - last_step.time;
-    depth_rate            = (result.depth - last_step.depth) / duration;
-    result.plastic_work += last_step.plastic_work;
-    result.dissipation += last_step.dissipation;
-    last_step = result;
-
+      last_step.work_to(displacement, forces_of_stresses());
+    last_step.add_to(result);
+    last_step.find_rates(result, displacement);
+    last_step.result = result;
     load_program.reached(result.time, result.depth, result.force);
-    if (result.time == load_program.final_time())
-      return;
-    displacement_rate = displacement;
-    if (time_steps.number() > 1)
-      displacement_rate -= committed_displacement;
-    displacement_rate /= duration;
-    commit_state();
+    if (result.time != load_program.final_time())
+      commit_state();
   }
 
 
@@ -109,8 +81,23 @@ namespace ElastoPlastic
   {
     solid->commit(displacement);
     solid->predict_flow(displacement, displacement);
-    committed_displacement = displacement;
-    committed_forces       = forces_of_stresses();
+    last_step.displacement = displacement;
+    last_step.forces       = forces_of_stresses();
+    contact.note_edge(displacement);
+  }
+
+
+
+  // Those of the step under way, since the last one: they do not if they only
+  // become smaller. The virgin body bears none. Collective.
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::tractions_grow() const
+  {
+    VectorType growth = external_forces;
+    if (!last_step.is_virgin())
+      growth -= forces_of_tractions(time_steps.time());
+    return growth * external_forces > 0;
   }
 
 

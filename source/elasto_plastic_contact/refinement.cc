@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/distributed/solution_transfer.h>
-#include <deal.II/fe/mapping_q1.h>
-#include <deal.II/numerics/error_estimator.h>
-
-#include <limits>
 
 #include "elasto_plastic_contact.h"
 #include "mechanics/ghosted_copy.h"
@@ -13,71 +9,6 @@
 
 namespace ElastoPlastic
 {
-  // The estimator of Kelly, de Gago, Zienkiewicz and Babuska: jumps of the
-  // displacement gradient across faces. Not made for plasticity or contact, but
-  // it finds the edge of the contact zone and of the plastic zone.
-  template <int dim>
-  void
-  ElastoPlasticContact<dim>::estimate_error(SolveResult &result)
-  {
-    TimerOutput::Scope scope(timer, "Error estimator");
-    KellyErrorEstimator<dim>::estimate(MappingQ1<dim>(),
-                                       dof_handler,
-                                       QGauss<dim - 1>(fe.degree + 1),
-                                       {},
-                                       ghosted_copy(displacement, dof_handler),
-                                       error_indicators);
-    result.estimated_error =
-      std::sqrt(Utilities::MPI::sum(error_indicators.norm_sqr(), communicator));
-    if (error_bound)
-      bound_error(result);
-  }
-
-
-
-  // The bound is a number that one can rely on. Cell by cell, it also tells
-  // where to refine, unless the user prefers Kelly. Close to the limit load, a
-  // coarse mesh may have no stresses in equilibrium with the force that satisfy
-  // the yield condition; the next mesh may.
-  template <int dim>
-  void
-  ElastoPlasticContact<dim>::bound_error([[maybe_unused]] SolveResult &result)
-  {
-    if constexpr (dim == 2)
-      {
-        TimerOutput::Scope scope(timer, "Error bound");
-        missing_bound.clear();
-        try
-          {
-            const auto [bound, of_cells] =
-              error_bound->evaluate({dof_handler,
-                                     displacement,
-                                     load_program.load(result.time).value(),
-                                     result.depth,
-                                     result.force,
-                                     result.time,
-                                     cycle});
-            result.estimated_error = bound;
-            if (parameters.refinement.strategy != RefinementStrategy::kelly)
-              error_indicators = of_cells;
-            log.remark(
-              "The error of the stresses in equilibrium is at most " +
-              Patterns::Tools::to_string(bound) +
-              (!model.indenter.shape || model.indenter.shape->is_convex() ?
-                 "" :
-                 ", provided that the sides of the mesh resolve the indenter, "
-                 "which is not known to be convex"));
-          }
-        catch (const ConvergenceError &error)
-          {
-            missing_bound          = error.what();
-            result.estimated_error = std::numeric_limits<double>::infinity();
-          }
-      }
-  }
-
-
-
   // The mesh is adapted in the first load step. What the next mesh would need
   // is known only when it is there, when there is no way back; but a new cell
   // hardly ever brings fewer unknowns than it has in the interior of a mesh.
@@ -94,7 +25,7 @@ namespace ElastoPlastic
       n_cells_after_refinement(triangulation) -
       static_cast<double>(triangulation.n_global_active_cells());
     if (refinement.allows(dof_handler.n_dofs() +
-                          estimated_unknowns(n_new_cells)))
+                          estimated_unknowns(n_new_cells, fe)))
       return true;
 
     log.remark(
@@ -115,10 +46,10 @@ namespace ElastoPlastic
   {
     ++cycle;
     tangent_solver.reset();
-    const bool                is_virgin = (committed_displacement.size() == 0);
+    const bool                is_virgin = last_step.is_virgin();
     std::vector<VectorType *> fields    = {&displacement};
     if (!is_virgin)
-      fields.push_back(&displacement_rate);
+      fields.push_back(&last_step.displacement_rate);
 
     const GhostedCopies<dim> old_fields(fields, dof_handler);
     parallel::distributed::SolutionTransfer<dim, VectorType> transfer(
@@ -160,13 +91,18 @@ namespace ElastoPlastic
   {
     const unsigned int interval = parameters.refinement.adaptation_interval;
     if (interval == 0 || time_steps.number() % interval != 0 ||
-        last_step.time == load_program.final_time() || !mark_adapted_mesh())
+        last_step.result.time == load_program.final_time() ||
+        !flag_cells_within(static_cast<double>(dof_handler.n_dofs()) /
+                             triangulation.n_global_active_cells(),
+                           parameters.refinement,
+                           error_indicators,
+                           triangulation))
       return;
 
     refine_mesh();
-    contact.place(last_step.depth);
+    contact.place(last_step.result.depth);
     solid->predict_flow(displacement, displacement);
-    committed_displacement = displacement;
+    last_step.displacement = displacement;
     try
       {
         equilibrate_adapted_mesh(statistics);
@@ -176,7 +112,7 @@ namespace ElastoPlastic
         log.warn(
           "No equilibrium has been found on the adapted mesh under "
           "the load of step " +
-          std::to_string(last_step.step) +
+          std::to_string(last_step.result.step) +
           "; the next step begins with the interpolated state. " +
           error.what());
         commit_interpolated_state();
@@ -201,7 +137,7 @@ namespace ElastoPlastic
     solid->internal_forces(residual, displacement);
     residual.sadd(-1., 1., external_forces);
     residual.scale(held);
-    committed_forces = forces_of_stresses();
+    last_step.forces = forces_of_stresses();
   }
 
 
@@ -212,27 +148,14 @@ namespace ElastoPlastic
   {
     SolveResult result = solve();
     statistics.add_solve(result);
-    statistics.add_mesh_change(last_step, result);
+    statistics.add_mesh_change(last_step.result, result);
 
-    result.plastic_work  = last_step.plastic_work;
-    result.dissipation   = last_step.dissipation;
-    result.external_work = last_step.external_work;
-    last_step            = result;
+    result.plastic_work = 0;
+    result.dissipation  = 0;
+    last_step.add_to(result);
+    last_step.result = result;
     load_program.reached(result.time, result.depth, result.force);
     commit_state();
-  }
-
-
-
-  template <int dim>
-  bool
-  ElastoPlasticContact<dim>::mark_adapted_mesh()
-  {
-    return flag_cells_within(static_cast<double>(dof_handler.n_dofs()) /
-                               triangulation.n_global_active_cells(),
-                             parameters.refinement,
-                             error_indicators,
-                             triangulation);
   }
 
 

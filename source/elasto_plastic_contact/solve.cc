@@ -2,22 +2,94 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/utilities.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/numerics/error_estimator.h>
 
 #include <algorithm>
 
 #include "contact_problem.h"
 #include "elasto_plastic_contact.h"
+#include "make_tangent_solver.h"
+#include "mechanics/external_forces.h"
+#include "mechanics/ghosted_copy.h"
 #include "mechanics/rigid_body_modes.h"
 #include "mesh/body_size.h"
 
 namespace ElastoPlastic
 {
-  // The heart of the program: the primal-dual active set loop. It lives in
-  // SemismoothNewton, which treats contact and plasticity as one nonlinear
-  // problem; ContactProblem tells it about energy, forces, tangent and active
-  // set. What remains to be done here is a good first guess of the active set
-  // (all nodes that the starting displacement brings to the indenter), and to
-  // look at what has come out.
+  // Everything that depends on the mesh is prepared in the next two functions
+  // and nowhere else. First unknowns, supports and the body; the displacement
+  // is zero afterwards, unless refine_mesh() puts a better guess there.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::setup_body()
+  {
+    TimerOutput::Scope scope(timer, "Setup");
+
+    dof_handler.distribute_dofs(fe);
+    supports.reinit(dof_handler, time_steps.next_time());
+    solid->reinit(dof_handler, supports.constraints());
+    solid->initialize_vector(displacement);
+  }
+
+
+
+  // Then external forces, contact candidates and the linear solver.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::setup_contact()
+  {
+    TimerOutput::Scope scope(timer, "Setup");
+
+    solid->initialize_vector(residual);
+    contact.reinit(dof_handler,
+                   supports.constraints(),
+                   model.boundary_conditions.ids(
+                     BoundaryConditionType::contact),
+                   supports.fixed_dofs(),
+                   residual);
+    apply_load();
+
+    tangent_solver = make_tangent_solver(parameters.linear_solver,
+                                         model,
+                                         *solid,
+                                         dof_handler,
+                                         supports.constraints(),
+                                         residual,
+                                         [this](const std::string &warning) {
+                                           log.warn(warning);
+                                         });
+    error_indicators.reinit(triangulation.n_active_cells());
+  }
+
+
+
+  // What the load step under way asks for at its end.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::apply_load()
+  {
+    const double time = time_steps.next_time();
+    supports.set_time(time);
+    external_forces = forces_of_tractions(time);
+    contact.set_load(load_program.load(time).value());
+  }
+
+
+
+  template <int dim>
+  VectorType
+  ElastoPlasticContact<dim>::forces_of_tractions(const double time) const
+  {
+    VectorType forces;
+    solid->initialize_vector(forces);
+    compute_external_forces(
+      forces, dof_handler, supports.constraints(), model, time);
+    return forces;
+  }
+
+
+
   template <int dim>
   SolveResult
   ElastoPlasticContact<dim>::solve()
@@ -31,42 +103,11 @@ namespace ElastoPlastic
     result.dofs  = dof_handler.n_dofs();
     log.begin_solve(result);
 
-    {
-      TimerOutput::Scope     scope(timer, "Nonlinear solver");
-      const SemismoothNewton newton(parameters.newton,
-                                    [this](const NewtonStep &step) {
-                                      log.newton_step(step);
-                                      stop_if_requested();
-                                    });
-
-      contact.activate_touching(displacement);
-      ContactProblem<dim> problem(*solid,
-                                  supports,
-                                  external_forces,
-                                  contact,
-                                  *tangent_solver,
-                                  1e4 * body_size(triangulation),
-                                  largest_forces,
-                                  timer);
-      const NewtonReport  report = newton.solve(problem, displacement);
-      problem.compute_residual(residual, displacement);
-      contact.settle(displacement);
-
-      result.newton_iterations = report.n_iterations();
-      result.linear_iterations = report.n_linear_iterations();
-      result.residual          = report.steps.back().residual;
-      result.energy            = report.steps.back().energy;
-      if (result.residual > parameters.newton.tolerance)
-        log.warn(
-          "The forces on the free unknowns are " +
-          Patterns::Tools::to_string(result.residual) +
-          " of all forces, above 'Nonlinear solver/Tolerance': parts of the "
-          "body are so stiff, or so nearly incompressible, that the rounding "
-          "of the displacements does not allow for less.");
-    }
-
-    evaluate_contact(result);
-    evaluate_plasticity(result);
+    find_equilibrium(result);
+    static_cast<ContactState &>(result) = contact.state(displacement, residual);
+    static_cast<BodyState &>(result)    = body_state(*solid, displacement);
+    result.depth = gap_function.has_indenter() ? contact.depth() : 0.;
+    check_force_balance(result);
     estimate_error(result);
 
     Utilities::System::MemoryStats memory;
@@ -80,28 +121,61 @@ namespace ElastoPlastic
 
 
 
-  // The contact force is the sum of the residual over the active nodes. It is
+  // The heart of the program: the primal-dual active set loop. It lives in
+  // SemismoothNewton, which treats contact and plasticity as one nonlinear
+  // problem; ContactProblem tells it about energy, forces, tangent and active
+  // set. What remains to be done here is a good first guess of the active set:
+  // all nodes that the starting displacement brings to the indenter.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::find_equilibrium(SolveResult &result)
+  {
+    TimerOutput::Scope     scope(timer, "Nonlinear solver");
+    const SemismoothNewton newton(parameters.newton,
+                                  [this](const NewtonStep &step) {
+                                    log.newton_step(step);
+                                    stop_if_requested();
+                                  });
+
+    contact.activate_touching(displacement);
+    ContactProblem<dim> problem(*solid,
+                                supports,
+                                external_forces,
+                                contact,
+                                *tangent_solver,
+                                1e4 * body_size(triangulation),
+                                largest_forces,
+                                timer);
+    const NewtonReport  report = newton.solve(problem, displacement);
+    problem.compute_residual(residual, displacement);
+    contact.settle(displacement);
+
+    result.newton_iterations = report.n_iterations();
+    result.linear_iterations = report.n_linear_iterations();
+    result.residual          = report.steps.back().residual;
+    result.energy            = report.steps.back().energy;
+    if (result.residual > parameters.newton.tolerance)
+      log.warn(
+        "The forces on the free unknowns are " +
+        Patterns::Tools::to_string(result.residual) +
+        " of all forces, above 'Nonlinear solver/Tolerance': parts of the "
+        "body are so stiff, or so nearly incompressible, that the rounding "
+        "of the displacements does not allow for less.");
+  }
+
+
+
+  // The contact force, the sum of the residual over the active nodes, is
   // compared with what the supports feel, which is computed in an independent
   // way (Reactions); the difference is relative to the sum of all nodal forces,
   // because those of the supports may cancel, and to its largest value so far,
   // because after unloading there may be none.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::evaluate_contact(SolveResult &result)
+  ElastoPlasticContact<dim>::check_force_balance(SolveResult &result)
   {
-    const ContactState state = contact.state(displacement, residual);
-    result.active_nodes      = state.n_active;
-    result.force             = state.force;
-    result.depth           = gap_function.has_indenter() ? contact.depth() : 0.;
-    result.contact_area    = state.area;
-    result.max_pressure    = state.max_pressure;
-    result.min_pressure    = state.min_pressure;
-    result.max_penetration = state.max_penetration;
-    result.max_hanging_penetration = state.max_hanging_penetration;
-    result.complementarity_error   = state.complementarity_error;
-
-    const double reaction =
-      reactions.vertical_force(*solid, displacement, loads_on_body());
+    const double reaction = reactions.vertical_force(
+      *solid, displacement, contact.forces_on_body(residual), result.time);
     double load = 0;
     if (external_forces.l1_norm() > 0)
       load = external_forces * rigid_body_modes(dof_handler, residual)[dim - 1];
@@ -109,46 +183,62 @@ namespace ElastoPlastic
       std::max(largest_forces, residual.l1_norm() + external_forces.l1_norm());
     if (largest_forces > 0)
       result.force_balance_error =
-        std::abs(state.force - reaction - load) / largest_forces;
+        std::abs(result.force - reaction - load) / largest_forces;
   }
 
 
 
+  // The estimator of Kelly, de Gago, Zienkiewicz and Babuska: jumps of the
+  // displacement gradient across faces. Not made for plasticity or contact, but
+  // it finds the edge of the contact zone and of the plastic zone.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::evaluate_plasticity(SolveResult &result) const
+  ElastoPlasticContact<dim>::estimate_error(SolveResult &result)
   {
-    enum
-    {
-      plastic_volume,
-      elastic_energy,
-      hardening_energy,
-      plastic_work,
-      dissipation,
-      n_integrals
-    };
-    std::vector<double> integrals(n_integrals, 0.);
-    double              max_strain = 0;
-    solid->for_each_cell(displacement, [&](const auto &, const auto &points) {
-      for (const PointResult &point : points)
-        {
-          if (point.plastic)
-            integrals[plastic_volume] += point.volume;
-          integrals[elastic_energy] += point.elastic_energy * point.volume;
-          integrals[hardening_energy] += point.hardening_energy * point.volume;
-          integrals[plastic_work] += point.plastic_work * point.volume;
-          integrals[dissipation] += point.dissipation * point.volume;
-          max_strain = std::max(max_strain, point.equivalent_plastic_strain);
-        }
-    });
-    Utilities::MPI::sum(integrals, communicator, integrals);
-    result.plastic_volume   = integrals[plastic_volume];
-    result.elastic_energy   = integrals[elastic_energy];
-    result.hardening_energy = integrals[hardening_energy];
-    result.plastic_work     = integrals[plastic_work];
-    result.dissipation      = integrals[dissipation];
-    result.max_equivalent_plastic_strain =
-      Utilities::MPI::max(max_strain, communicator);
+    TimerOutput::Scope scope(timer, "Error estimator");
+    KellyErrorEstimator<dim>::estimate(MappingQ1<dim>(),
+                                       dof_handler,
+                                       QGauss<dim - 1>(fe.degree + 1),
+                                       {},
+                                       ghosted_copy(displacement, dof_handler),
+                                       error_indicators);
+    result.estimated_error =
+      std::sqrt(Utilities::MPI::sum(error_indicators.norm_sqr(), communicator));
+    if (error_bound)
+      bound_error(result);
+  }
+
+
+
+  // The bound is a number that one can rely on. Cell by cell, it also tells
+  // where to refine, unless the user prefers Kelly.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::bound_error([[maybe_unused]] SolveResult &result)
+  {
+    if constexpr (dim == 2)
+      {
+        TimerOutput::Scope scope(timer, "Error bound");
+        result.estimated_error =
+          error_bound->evaluate({dof_handler,
+                                 displacement,
+                                 load_program.load(result.time).value(),
+                                 result.depth,
+                                 result.force,
+                                 result.time,
+                                 cycle});
+        if (!error_bound->why_missing().empty())
+          return;
+        if (parameters.refinement.strategy != RefinementStrategy::kelly)
+          error_indicators = error_bound->indicators();
+        log.remark(
+          "The error of the stresses in equilibrium is at most " +
+          Patterns::Tools::to_string(result.estimated_error) +
+          (!model.indenter.shape || model.indenter.shape->is_convex() ?
+             "" :
+             ", provided that the sides of the mesh resolve the indenter, "
+             "which is not known to be convex"));
+      }
   }
 
 

@@ -64,4 +64,39 @@ namespace ElastoPlastic
     return Utilities::MPI::sum(angle, triangulation.get_communicator()) /
            (2 * numbers::PI);
   }
+
+
+
+  template <int dim>
+  std::optional<IndentationTest>
+  make_indentation_test(
+    const Model<dim>                                &model,
+    const parallel::distributed::Triangulation<dim> &triangulation,
+    const GapFunction<dim>                          &gap_function)
+  {
+    const bool is_plane =
+      dim == 2 && model.strain_model.kinematics != Kinematics::axisymmetric;
+    if (!gap_function.has_indenter() || is_plane)
+      return {};
+    const double part = modelled_part(triangulation,
+                                      model.boundary_conditions.ids(
+                                        BoundaryConditionType::contact),
+                                      gap_function.position());
+    if (part == 0.)
+      return {};
+    return IndentationTest(model.indenter.shape,
+                           model.indenter.initial_gap,
+                           part);
+  }
+
+
+
+  template std::optional<IndentationTest>
+  make_indentation_test(const Model<2> &,
+                        const parallel::distributed::Triangulation<2> &,
+                        const GapFunction<2> &);
+  template std::optional<IndentationTest>
+  make_indentation_test(const Model<3> &,
+                        const parallel::distributed::Triangulation<3> &,
+                        const GapFunction<3> &);
 } // namespace ElastoPlastic

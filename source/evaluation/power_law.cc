@@ -33,7 +33,7 @@ namespace ElastoPlastic
           variance += x * x;
         }
       const double exponent = covariance / variance;
-      return {std::exp(mean_y - exponent * mean_x), exponent, final_depth};
+      return {mean_y - exponent * mean_x, exponent, final_depth};
     }
 
 
@@ -45,7 +45,7 @@ namespace ElastoPlastic
       for (const auto &[depth, force] : points)
         {
           const double deviation =
-            std::log(law.coefficient / force) +
+            law.log_coefficient - std::log(force) +
             law.exponent * std::log(depth - law.final_depth);
           sum += deviation * deviation;
         }
@@ -58,8 +58,8 @@ namespace ElastoPlastic
   double
   PowerLaw::stiffness(const double depth) const
   {
-    return coefficient * exponent *
-           std::pow(depth - final_depth, exponent - 1.);
+    return exponent * std::exp(log_coefficient +
+                               (exponent - 1.) * std::log(depth - final_depth));
   }
 
 

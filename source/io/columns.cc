@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cmath>
+
 #include "io/columns.h"
 
 // A line for each column, however long.
@@ -42,15 +44,16 @@ namespace ElastoPlastic
       {"depth", "length", "of the indenter", &R::depth},
       {"residual", "1", "forces on the free unknowns relative to all forces (after unloading: to those there have been), at the end", &R::residual},
       {"force_balance_error", "1", "contact force against reactions and tractions, relative to the largest sum of all nodal forces so far", &R::force_balance_error},
-      {"max_penetration", "length", "largest penetration of a candidate node", &R::max_penetration},
+      {"max_penetration", "length", "largest violation of the contact conditions of the nodes", &R::max_penetration},
       {"complementarity_error", "1", "sum of force times distance over force times depth", &R::complementarity_error},
       {"estimated_error", "indicator", "the norm of the Kelly indicators, which steers the mesh and is no bound of any error; with `Analysis = contact with error bound`, the guaranteed bound of the error in the energy norm", &R::estimated_error},
       {"wall_seconds", "seconds", "of the solve", &R::wall_seconds},
       {"memory_mb", "MB", "peak memory of all ranks together", &R::memory_mb},
       {"max_hanging_penetration", "length", "largest penetration of a hanging node", &R::max_hanging_penetration},
       {"min_pressure", "stress", "smallest pressure of an active node; negative would be tension", &R::min_pressure},
-      {"contact_area", "area", "sum of the lumped areas of the active nodes", &R::contact_area},
+      {"contact_area", "area", "of the touched part of the faces (`Contact/Edge = at nodes`: sum of the lumped areas of the active nodes)", &R::contact_area},
       {"max_pressure", "stress", "largest nodal contact pressure", &R::max_pressure},
+      {"edge_penetration", "length", "largest penetration of a node, those at the edge of the contact included", &R::edge_penetration},
       {"energy", "force x length", "the minimum of Pi; if back stresses recover, there is none, and this is the elastic energy plus the plastic work of the step, less the work of given forces", &R::energy}};
     return columns;
   }
@@ -66,7 +69,7 @@ namespace ElastoPlastic
       {"time", "time", "the value of t at the end of the step", &R::time},
       {"depth", "length", "of the indenter", &R::depth},
       {"force", "force", "of the indenter", &R::force},
-      {"contact_area", "area", "sum of the lumped areas of the active nodes", &R::contact_area},
+      {"contact_area", "area", "as in statistics.csv", &R::contact_area},
       {"max_pressure", "stress", "largest nodal contact pressure", &R::max_pressure},
       {"active_nodes", "1", "nodes in contact", &R::active_nodes},
       {"plastic_volume", "volume", "of the quadrature points that have yielded (plane strain: area)", &R::plastic_volume},
@@ -81,7 +84,7 @@ namespace ElastoPlastic
       {"hardening_energy", "force x length", "stored in the body by hardening", &R::hardening_energy},
       {"plastic_work", "force x length", "since the virgin state", &R::plastic_work},
       {"dissipation", "force x length", "the part of the plastic work that is not stored", &R::dissipation},
-      {"external_work", "force x length", "of indenter, supports and tractions since the virgin state, by the trapezoidal rule", &R::external_work}};
+      {"external_work", "force x length", "of indenter, supports and tractions since the virgin state, by the trapezoidal rule; a single step counts half of the final forces times displacements", &R::external_work}};
     return columns;
   }
 
@@ -136,6 +139,56 @@ namespace ElastoPlastic
       {"tip_area", "area", "the section of the tip there; 0, as are the next two, if it has none: a cylinder in three dimensions, a height map", &R::tip_area},
       {"tip_hardness", "stress", "with tip_area: what a laboratory would find", [](const R &r) { return r.hardness(r.tip_area); }},
       {"tip_reduced_modulus", "stress", "with tip_area: what a laboratory would find", [](const R &r) { return r.reduced_modulus(r.tip_area); }}};
+    return columns;
+  }
+
+
+
+  const Columns<LimitLoadRow> &
+  limit_load_columns()
+  {
+    using R = LimitLoadRow;
+    static const Columns<R> columns = {
+      {"cycle", "1", "number of the mesh, from 0", &R::cycle},
+      {"cells", "1", "of the mesh", &R::cells},
+      {"triangles", "1", "that the cells are split into", &R::triangles},
+      {"lower_bound", "force", "of the limit load: that of stresses in equilibrium which satisfy the yield condition", &R::lower_bound},
+      {"upper_bound", "force", "of the limit load: that of a mechanism of collapse", &R::upper_bound},
+      {"relative_difference", "1", "of the bounds, over the lower one", &R::relative_difference},
+      {"lower_iterations", "1", "of the interior point method", &R::lower_iterations},
+      {"upper_iterations", "1", "of the interior point method", &R::upper_iterations},
+      {"stress_error", "1", "the largest violation of equilibrium, tractions or yield condition", &R::stress_error},
+      {"divergence", "1", "the largest change of volume of the mechanism, relative to its strain rates", &R::divergence},
+      {"wall_seconds", "seconds", "for both bounds", &R::wall_seconds}};
+    return columns;
+  }
+
+
+
+  const Columns<ErrorBoundRow> &
+  error_bound_columns()
+  {
+    using R = ErrorBoundRow;
+    static const Columns<R> columns = {
+      {"cycle", "1", "number of the mesh, from 0", &R::cycle},
+      {"cells", "1", "of the mesh", &R::cells},
+      {"dofs", "1", "unknowns of the displacement method", &R::dofs},
+      {"triangles", "1", "of the equilibrium method", &R::triangles},
+      {"depth", "length", "of the displacement method", &R::depth},
+      {"force", "force", "of the displacement method", &R::force},
+      {"equilibrium_depth", "length", "of the equilibrium method", &R::equilibrium_depth},
+      {"equilibrium_force", "force", "of the equilibrium method", &R::equilibrium_force},
+      {"equilibrium_max_pressure", "stress", "largest contact pressure of the equilibrium method", &R::equilibrium_max_pressure},
+      {"equilibrium_contact_area", "area", "contact area of the equilibrium method", &R::equilibrium_contact_area},
+      {"energy", "force x length", "Pi under the given load", [](const R &r) { return r.bound() - r.complementary_energy; }},
+      {"complementary_energy", "force x length", "J under the given load; the exact energies are opposite numbers, and lie between", &R::complementary_energy},
+      {"bound_of_body", "force x length", "the part of Pi + J that comes from the body", &R::bound_of_body},
+      {"bound_of_contact", "force x length", "the part of Pi + J that comes from the contact surface", &R::bound_of_contact},
+      {"bound", "force x length", "Pi + J", &R::bound},
+      {"relative_bound", "1", "the same over the magnitude of J", [](const R &r) { return r.bound() / std::abs(r.complementary_energy); }},
+      {"iterations", "1", "of the interior point method", &R::iterations},
+      {"stress_error", "1", "the largest violation of equilibrium, tractions or yield condition", &R::stress_error},
+      {"wall_seconds", "seconds", "of the equilibrium method and the bound", &R::wall_seconds}};
     return columns;
   }
 } // namespace ElastoPlastic

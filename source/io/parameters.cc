@@ -69,6 +69,7 @@ namespace ElastoPlastic
     boundary_conditions.add_parameters(prm);
     material.add_parameters(prm);
     indenter.add_parameters(prm);
+    contact.add_parameters(prm);
     loading.add_parameters(prm);
     discretization.add_parameters(prm);
     refinement.add_parameters(prm);

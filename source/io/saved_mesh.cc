@@ -294,6 +294,55 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  void
+  append_fields(CellValues                      &values,
+                const std::vector<VectorType *> &fields,
+                const DoFHandler<dim>           &dof_handler)
+  {
+    const GhostedCopies<dim>             copies(fields, dof_handler);
+    std::vector<types::global_dof_index> dofs(
+      dof_handler.get_fe().n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(dofs);
+          for (const VectorType *field : copies.pointers())
+            for (const auto dof : dofs)
+              values[cell->active_cell_index()].push_back((*field)(dof));
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  take_fields(CellValues                      &values,
+              const std::vector<VectorType *> &fields,
+              const DoFHandler<dim>           &dof_handler)
+  {
+    std::vector<types::global_dof_index> dofs(
+      dof_handler.get_fe().n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(dofs);
+          auto      &of_cell = values[cell->active_cell_index()];
+          const auto n_left  = of_cell.size() - fields.size() * dofs.size();
+          auto       value   = of_cell.begin() + n_left;
+          for (VectorType *field : fields)
+            for (const auto dof : dofs)
+              {
+                if (field->in_local_range(dof))
+                  (*field)(dof) = *value;
+                ++value;
+              }
+          of_cell.resize(n_left);
+        }
+  }
+
+
+
   template void
   save_mesh(const parallel::distributed::Triangulation<2> &,
             const CellValues &,
@@ -301,9 +350,25 @@ namespace ElastoPlastic
   template CellValues
   load_mesh(parallel::distributed::Triangulation<2> &, const std::string &);
   template void
+  append_fields(CellValues &,
+                const std::vector<VectorType *> &,
+                const DoFHandler<2> &);
+  template void
+  take_fields(CellValues &,
+              const std::vector<VectorType *> &,
+              const DoFHandler<2> &);
+  template void
   save_mesh(const parallel::distributed::Triangulation<3> &,
             const CellValues &,
             const std::string &);
   template CellValues
   load_mesh(parallel::distributed::Triangulation<3> &, const std::string &);
+  template void
+  append_fields(CellValues &,
+                const std::vector<VectorType *> &,
+                const DoFHandler<3> &);
+  template void
+  take_fields(CellValues &,
+              const std::vector<VectorType *> &,
+              const DoFHandler<3> &);
 } // namespace ElastoPlastic

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "base/rethrow_collectively.h"
 #include "io/statistics.h"
 
 namespace ElastoPlastic
@@ -118,8 +119,8 @@ namespace ElastoPlastic
     row.insert(row.end(), reaction_forces.begin(), reaction_forces.end());
     reactions.add_row(row);
 
-    if (indentation_test)
-      add_unloading(indentation_test->add(indentation_point(r)));
+    evaluate_unloading(
+      [&]() { return indentation_test->add(indentation_point(r)); });
   }
 
 
@@ -127,8 +128,7 @@ namespace ElastoPlastic
   void
   Statistics::finish()
   {
-    if (indentation_test)
-      add_unloading(indentation_test->finish());
+    evaluate_unloading([&]() { return indentation_test->finish(); });
   }
 
 
@@ -144,9 +144,15 @@ namespace ElastoPlastic
 
 
 
+  // The area of the tip may be an expression, which can fail.
   void
-  Statistics::add_unloading(const std::optional<UnloadingResult> &result)
+  Statistics::evaluate_unloading(
+    const std::function<std::optional<UnloadingResult>()> &evaluate)
   {
+    if (!indentation_test)
+      return;
+    std::optional<UnloadingResult> result;
+    rethrow_collectively(communicator, [&]() { result = evaluate(); });
     if (!result)
       return;
     if (!indentation)

@@ -133,8 +133,8 @@ namespace ElastoPlastic
                       Patterns::List(Patterns::Double(), 1));
     prm.add_parameter("Power law exponent",
                       power_law_exponents,
-                      "n, from 0 to 1: 'nonlinear hardening' adds sigma_0 ((1 "
-                      "+ alpha/eps_0)^n - 1) to the yield stress (Swift). No "
+                      "N, from 0 to 1: 'nonlinear hardening' adds sigma_0 ((1 "
+                      "+ alpha/eps_0)^N - 1) to the yield stress (Swift). No "
                       "unit.",
                       Patterns::List(Patterns::Double(), 1));
     prm.add_parameter("Power law reference strain",

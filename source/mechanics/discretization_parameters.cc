@@ -15,7 +15,7 @@ namespace ElastoPlastic
       "section of a long body; forces are per unit of "
       "thickness. plane stress: a thin sheet of unit "
       "thickness that bears no stress across; with 'Volumetric "
-      "treatment = standard', it does not lock. axisymmetric: the half section x >= 0 of a "
+      "treatment = standard', it does not lock. axisymmetric: the half section x >= 0 of an "
       "axisymmetric body, y is its axis; forces and areas are "
       "those of the whole body.");
     prm.enter_subsection("Discretization");

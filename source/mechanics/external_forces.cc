@@ -14,12 +14,11 @@ namespace ElastoPlastic
   compute_external_forces(LinearAlgebra::distributed::Vector<double> &forces,
                           const DoFHandler<dim>           &dof_handler,
                           const AffineConstraints<double> &constraints,
-                          const BoundaryConditions<dim>   &boundary_conditions,
-                          const Kinematics                 kinematics,
+                          const Model<dim>                &model,
                           const double                     time)
   {
     const auto       &fe        = dof_handler.get_fe();
-    const auto       &tractions = boundary_conditions.tractions();
+    const auto       &tractions = model.boundary_conditions.tractions();
     QGauss<dim - 1>   quadrature(fe.degree + 1);
     FEFaceValues<dim> fe_face_values(fe,
                                      quadrature,
@@ -50,7 +49,8 @@ namespace ElastoPlastic
                     traction->second[fe.system_to_component_index(i).first]
                       ->value(fe_face_values.quadrature_point(q), time) *
                     fe_face_values.shape_value(i, q) * fe_face_values.JxW(q) *
-                    extent(fe_face_values.quadrature_point(q), kinematics);
+                    extent(fe_face_values.quadrature_point(q),
+                           model.strain_model.kinematics);
               cell->get_dof_indices(dof_indices);
               constraints.distribute_local_to_global(cell_forces,
                                                      dof_indices,
@@ -66,14 +66,12 @@ namespace ElastoPlastic
   compute_external_forces(LinearAlgebra::distributed::Vector<double> &,
                           const DoFHandler<2> &,
                           const AffineConstraints<double> &,
-                          const BoundaryConditions<2> &,
-                          const Kinematics,
+                          const Model<2> &,
                           const double);
   template void
   compute_external_forces(LinearAlgebra::distributed::Vector<double> &,
                           const DoFHandler<3> &,
                           const AffineConstraints<double> &,
-                          const BoundaryConditions<3> &,
-                          const Kinematics,
+                          const Model<3> &,
                           const double);
 } // namespace ElastoPlastic

@@ -3,21 +3,18 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
+#include "mechanics/external_forces.h"
 #include "mechanics/reactions.h"
 
 namespace ElastoPlastic
 {
   template <int dim>
-  Reactions<dim>::Reactions(const DoFHandler<dim>         &dof_handler,
-                            const BoundaryNames           &names,
-                            const BoundaryConditions<dim> &boundary_conditions,
-                            const Supports<dim>           &supports,
-                            const Kinematics               kinematics)
-    : dof_handler(dof_handler)
-    , boundary_names(names)
-    , boundary_conditions(boundary_conditions)
+  Reactions<dim>::Reactions(const Model<dim>      &model,
+                            const DoFHandler<dim> &dof_handler,
+                            const Supports<dim>   &supports)
+    : model(model)
+    , dof_handler(dof_handler)
     , supports(supports)
-    , first_direction(kinematics == Kinematics::axisymmetric ? 1 : 0)
   {}
 
 
@@ -26,12 +23,13 @@ namespace ElastoPlastic
   std::vector<typename Reactions<dim>::Component>
   Reactions<dim>::components() const
   {
-    const std::string      axes = "xyz";
+    const std::string  axes = "xyz";
+    const unsigned int first_direction =
+      model.strain_model.kinematics == Kinematics::axisymmetric ? 1 : 0;
     std::vector<Component> result;
-    for (const auto &[name, id] : boundary_names)
+    for (const auto &[name, id] : model.boundary_conditions.names())
       {
-        const ComponentMask held =
-          supports.held_components(boundary_conditions, id);
+        const ComponentMask held = supports.held_components(id);
         for (unsigned int d = first_direction; d < dim; ++d)
           if (held[d])
             result.push_back({name + "_" + axes[d], id, d});
@@ -71,8 +69,10 @@ namespace ElastoPlastic
   std::vector<double>
   Reactions<dim>::compute(const SolidOperator<dim> &solid,
                           const VectorType         &displacement,
-                          const VectorType         &loads) const
+                          const VectorType         &contact_forces,
+                          const double              time) const
   {
+    const auto loads          = loads_on_body(contact_forces, time);
     const auto all_components = components();
     VectorType n_boundaries;
     solid.initialize_vector(n_boundaries);
@@ -98,7 +98,8 @@ namespace ElastoPlastic
   double
   Reactions<dim>::vertical_force(const SolidOperator<dim> &solid,
                                  const VectorType         &displacement,
-                                 const VectorType         &loads) const
+                                 const VectorType         &contact_forces,
+                                 const double              time) const
   {
     VectorType translation;
     solid.initialize_vector(translation);
@@ -106,7 +107,24 @@ namespace ElastoPlastic
       if (component.direction == dim - 1)
         for (const auto dof : unknowns(component))
           translation(dof) = 1.;
-    return work(solid, displacement, loads, translation);
+    return work(solid,
+                displacement,
+                loads_on_body(contact_forces, time),
+                translation);
+  }
+
+
+
+  template <int dim>
+  VectorType
+  Reactions<dim>::loads_on_body(const VectorType &contact_forces,
+                                const double      time) const
+  {
+    VectorType loads(contact_forces.get_partitioner());
+    compute_external_forces(
+      loads, dof_handler, supports.hanging_nodes(), model, time);
+    loads += contact_forces;
+    return loads;
   }
 
 

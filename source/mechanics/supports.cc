@@ -117,38 +117,30 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  Supports<dim>::Supports(const Kinematics kinematics)
-    : kinematics(kinematics)
+  Supports<dim>::Supports(const Model<dim> &model)
+    : model(model)
   {}
 
 
 
   template <int dim>
   void
-  Supports<dim>::reinit(const DoFHandler<dim>         &dof_handler,
-                        const BoundaryConditions<dim> &boundary_conditions,
-                        const double                   time)
+  Supports<dim>::reinit(const DoFHandler<dim> &new_dof_handler,
+                        const double           time)
   {
+    dof_handler = &new_dof_handler;
     IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    DoFTools::extract_locally_relevant_dofs(*dof_handler, relevant);
     hanging.reinit(relevant);
-    DoFTools::make_hanging_node_constraints(dof_handler, hanging);
+    DoFTools::make_hanging_node_constraints(*dof_handler, hanging);
     hanging.close();
     combined.reinit(relevant);
     combined.merge(hanging);
 
-    level_rollers.clear();
-    std::set<types::boundary_id> skew_rollers;
-    for (const auto id : boundary_conditions.ids(BoundaryConditionType::roller))
-      if (const unsigned int axis = common_normal_axis(dof_handler, id);
-          axis < dim)
-        level_rollers[id] = axis;
-      else
-        skew_rollers.insert(id);
-
-    find_fixed_values(dof_handler, boundary_conditions, time);
+    const auto skew_rollers = sort_rollers();
+    find_fixed_values(time);
     if (!skew_rollers.empty())
-      add_skew_rollers(dof_handler, skew_rollers);
+      add_skew_rollers(skew_rollers);
     combined.close();
     drop_constrained_values();
   }
@@ -157,64 +149,94 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  Supports<dim>::set_time(const DoFHandler<dim>         &dof_handler,
-                          const BoundaryConditions<dim> &boundary_conditions,
-                          const double                   time)
+  Supports<dim>::set_time(const double time)
   {
-    find_fixed_values(dof_handler, boundary_conditions, time);
-    drop_constrained_values();
+    for (const auto &[dof, value] : prescribed_values(time))
+      if (const auto fixed = fixed_values.find(dof);
+          fixed != fixed_values.end() && fixed_at_zero.count(dof) == 0)
+        fixed->second = value;
   }
 
 
 
   template <int dim>
-  void
-  Supports<dim>::find_fixed_values(
-    const DoFHandler<dim>         &dof_handler,
-    const BoundaryConditions<dim> &boundary_conditions,
-    const double                   time)
+  std::set<types::boundary_id>
+  Supports<dim>::sort_rollers()
   {
-    fixed_values.clear();
-    const Functions::ZeroFunction<dim> zero(dim);
-    for (const auto id : boundary_conditions.ids(BoundaryConditionType::fixed))
-      VectorTools::interpolate_boundary_values(
-        MappingQ1<dim>(), dof_handler, id, zero, fixed_values);
+    std::set<types::boundary_id> skew_rollers;
+    level_rollers.clear();
+    for (const auto id :
+         model.boundary_conditions.ids(BoundaryConditionType::roller))
+      if (const unsigned int axis = common_normal_axis(*dof_handler, id);
+          axis < dim)
+        level_rollers[id] = axis;
+      else
+        skew_rollers.insert(id);
+    return skew_rollers;
+  }
 
-    rethrow_collectively(dof_handler.get_communicator(), [&]() {
+
+
+  template <int dim>
+  typename Supports<dim>::Values
+  Supports<dim>::prescribed_values(const double time) const
+  {
+    Values values;
+    rethrow_collectively(dof_handler->get_communicator(), [&]() {
       for (const auto &[id, displacement] :
-           boundary_conditions.prescribed_displacements())
+           model.boundary_conditions.prescribed_displacements())
         for (unsigned int d = 0; d < dim; ++d)
           if (displacement[d])
             VectorTools::interpolate_boundary_values(
               MappingQ1<dim>(),
-              dof_handler,
+              *dof_handler,
               id,
               ComponentFunction<dim>(*displacement[d], d, time),
-              fixed_values,
+              values,
               mask_of_component<dim>(d));
     });
-
-    for (const auto &[id, axis] : level_rollers)
-      VectorTools::interpolate_boundary_values(MappingQ1<dim>(),
-                                               dof_handler,
-                                               id,
-                                               zero,
-                                               fixed_values,
-                                               mask_of_component<dim>(axis));
-    if (kinematics == Kinematics::axisymmetric)
-      rethrow_collectively(dof_handler.get_communicator(),
-                           [&]() { fix_axis(dof_handler); });
+    return values;
   }
 
 
 
   template <int dim>
   void
-  Supports<dim>::fix_axis(const DoFHandler<dim> &dof_handler)
+  Supports<dim>::find_fixed_values(const double time)
   {
-    const auto                          &fe = dof_handler.get_fe();
+    const Functions::ZeroFunction<dim> zero(dim);
+    fixed_values.clear();
+    for (const auto id :
+         model.boundary_conditions.ids(BoundaryConditionType::fixed))
+      VectorTools::interpolate_boundary_values(
+        MappingQ1<dim>(), *dof_handler, id, zero, fixed_values);
+
+    fixed_at_zero.clear();
+    for (const auto &[id, axis] : level_rollers)
+      VectorTools::interpolate_boundary_values(MappingQ1<dim>(),
+                                               *dof_handler,
+                                               id,
+                                               zero,
+                                               fixed_at_zero,
+                                               mask_of_component<dim>(axis));
+    if (model.strain_model.kinematics == Kinematics::axisymmetric)
+      rethrow_collectively(dof_handler->get_communicator(),
+                           [&]() { find_axis(); });
+
+    for (const Values &values : {prescribed_values(time), fixed_at_zero})
+      for (const auto &[dof, value] : values)
+        fixed_values[dof] = value;
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::find_axis()
+  {
+    const auto                          &fe = dof_handler->get_fe();
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    for (const auto &cell : dof_handler->active_cell_iterators())
       if (!cell->is_artificial())
         for (const auto &face : cell->face_iterators())
           {
@@ -235,13 +257,12 @@ namespace ElastoPlastic
             face->get_dof_indices(dofs);
             for (unsigned int i = 0; i < dofs.size(); ++i)
               if (fe.face_system_to_component_index(i).first == 0)
-                fixed_values[dofs[i]] = 0.;
+                fixed_at_zero[dofs[i]] = 0.;
           }
   }
 
 
 
-  // Hanging nodes follow their masters, also where those are fixed.
   template <int dim>
   void
   Supports<dim>::drop_constrained_values()
@@ -257,21 +278,20 @@ namespace ElastoPlastic
   // normals and the other supports. What it decides, the others take over.
   template <int dim>
   void
-  Supports<dim>::add_skew_rollers(const DoFHandler<dim> &dof_handler,
-                                  const std::set<types::boundary_id> &rollers)
+  Supports<dim>::add_skew_rollers(const std::set<types::boundary_id> &rollers)
   {
     const IndexSet           &relevant = combined.get_local_lines();
-    const IndexSet           &owned    = dof_handler.locally_owned_dofs();
+    const IndexSet           &owned    = dof_handler->locally_owned_dofs();
     AffineConstraints<double> sliding(relevant), conditions(relevant);
     VectorTools::compute_no_normal_flux_constraints(
-      dof_handler, 0, rollers, sliding, MappingQ1<dim>());
+      *dof_handler, 0, rollers, sliding, MappingQ1<dim>());
     sliding.close();
     for (const auto &line : sliding.get_lines())
       if (owned.is_element(line.index))
         add_sliding_condition(line, fixed_values, hanging, conditions);
     conditions.make_consistent_in_parallel(owned,
                                            relevant,
-                                           dof_handler.get_communicator());
+                                           dof_handler->get_communicator());
     combined.merge(conditions);
   }
 
@@ -323,13 +343,11 @@ namespace ElastoPlastic
 
   template <int dim>
   ComponentMask
-  Supports<dim>::held_components(
-    const BoundaryConditions<dim> &boundary_conditions,
-    const types::boundary_id       boundary) const
+  Supports<dim>::held_components(const types::boundary_id boundary) const
   {
     using Type            = BoundaryConditionType;
     const auto is_of_type = [&](const Type type) {
-      return boundary_conditions.ids(type).count(boundary) > 0;
+      return model.boundary_conditions.ids(type).count(boundary) > 0;
     };
     if (is_of_type(Type::fixed))
       return ComponentMask(dim, true);
@@ -344,7 +362,7 @@ namespace ElastoPlastic
     if (is_of_type(Type::prescribed_displacement))
       for (unsigned int d = 0; d < dim; ++d)
         held.set(d,
-                 boundary_conditions.prescribed_displacements().at(
+                 model.boundary_conditions.prescribed_displacements().at(
                    boundary)[d] != nullptr);
     return held;
   }

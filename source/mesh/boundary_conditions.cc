@@ -41,8 +41,7 @@ namespace ElastoPlastic
       "Contact",
       contact,
       "Boundaries that the indenter can touch, without traction where it does "
-      "not. They should be level, facing upwards" +
-        example,
+      "not. They should be level, facing upwards, for instance: top.",
       names);
     prm.add_parameter(
       "Prescribed displacement",
@@ -101,12 +100,13 @@ namespace ElastoPlastic
   template <int dim>
   BoundaryConditions<dim>::BoundaryConditions(
     const BoundaryConditionParameters &parameters, const BoundaryNames &names)
+    : boundary_names(names)
   {
     const auto add_all = [&](const std::string              &entry,
                              const Type                      type,
                              const std::vector<std::string> &boundaries) {
       for (const std::string &name : boundaries)
-        add_boundary(entry, type, name, names);
+        add_boundary(entry, type, name);
     };
     add_all("Fixed", Type::fixed, parameters.fixed);
     add_all("Roller", Type::roller, parameters.roller);
@@ -115,12 +115,10 @@ namespace ElastoPlastic
     displacements =
       add_boundaries_with_components("Prescribed displacement",
                                      Type::prescribed_displacement,
-                                     parameters.prescribed_displacement,
-                                     names);
+                                     parameters.prescribed_displacement);
     traction_vectors = add_boundaries_with_components("Traction",
                                                       Type::traction,
-                                                      parameters.traction,
-                                                      names);
+                                                      parameters.traction);
 
     for (const auto &[name, id] : names)
       if (conditions.count(id) == 0)
@@ -129,6 +127,15 @@ namespace ElastoPlastic
                          "'Fixed', 'Roller', 'Free', 'Contact', 'Prescribed "
                          "displacement' and 'Traction' of the section "
                          "'Boundary conditions'.");
+  }
+
+
+
+  template <int dim>
+  const BoundaryNames &
+  BoundaryConditions<dim>::names() const
+  {
+    return boundary_names;
   }
 
 
@@ -185,15 +192,14 @@ namespace ElastoPlastic
   void
   BoundaryConditions<dim>::add_boundary(const std::string          &entry,
                                         const BoundaryConditionType type,
-                                        const std::string          &name,
-                                        const BoundaryNames        &names)
+                                        const std::string          &name)
   {
-    const auto boundary = names.find(name);
-    if (boundary == names.end())
+    const auto boundary = boundary_names.find(name);
+    if (boundary == boundary_names.end())
       throw InputError(section + entry,
                        name,
                        "there is no such boundary. The geometry has: " +
-                         list_of_names(names) + ".");
+                         list_of_names(boundary_names) + ".");
 
     const auto [condition, is_first] =
       conditions.emplace(boundary->second, Condition{type, entry});
@@ -211,8 +217,7 @@ namespace ElastoPlastic
   BoundaryConditions<dim>::add_boundaries_with_components(
     const std::string          &entry,
     const BoundaryConditionType type,
-    const std::string          &text,
-    const BoundaryNames        &names)
+    const std::string          &text)
   {
     std::map<types::boundary_id, Components> result;
     for (const std::string &boundary : Utilities::split_string_list(text, '|'))
@@ -225,11 +230,11 @@ namespace ElastoPlastic
                            "with one component per dimension, and '|' between "
                            "boundaries.");
         const std::string name = Utilities::trim(boundary.substr(0, colon));
-        add_boundary(entry, type, name, names);
+        add_boundary(entry, type, name);
         read_components<dim>(section + entry,
                              type,
                              Utilities::trim(boundary.substr(colon + 1)),
-                             result[names.at(name)]);
+                             result[boundary_names.at(name)]);
       }
     return result;
   }

@@ -280,6 +280,15 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  double
+  estimated_unknowns(const double n_cells, const FiniteElement<dim> &fe)
+  {
+    return fe.n_components() * std::pow(fe.degree, dim) * n_cells;
+  }
+
+
+
+  template <int dim>
   std::uint64_t
   n_cells_after_refinement(
     const parallel::distributed::Triangulation<dim> &triangulation)
@@ -313,6 +322,8 @@ namespace ElastoPlastic
                     parallel::distributed::Triangulation<2> &);
   template std::uint64_t
   n_cells_after_refinement(const parallel::distributed::Triangulation<2> &);
+  template double
+  estimated_unknowns(const double, const FiniteElement<2> &);
   template void
   flag_cells(const RefinementParameters &,
              const Vector<float> &,
@@ -324,4 +335,6 @@ namespace ElastoPlastic
                     parallel::distributed::Triangulation<3> &);
   template std::uint64_t
   n_cells_after_refinement(const parallel::distributed::Triangulation<3> &);
+  template double
+  estimated_unknowns(const double, const FiniteElement<3> &);
 } // namespace ElastoPlastic

@@ -82,12 +82,12 @@ namespace ElastoPlastic
 
   template <int dim>
   LevelHierarchy<dim>::LevelHierarchy(
+    const Model<dim>                &model,
     const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &constraints,
-    const BoundaryConditions<dim>   &boundary_conditions,
-    const StrainModel               &strain_model,
     const unsigned int               n_coarse_cells)
-    : level_transfer(two_level_transfers, level_operators)
+    : model(model)
+    , level_transfer(two_level_transfers, level_operators)
   {
     const unsigned int degree = dof_handler.get_fe().degree;
     const auto         meshes = mesh_sequence(
@@ -96,7 +96,7 @@ namespace ElastoPlastic
       n_coarse_cells);
     for (const auto &mesh : meshes)
       if (mesh != meshes.back() || degree > 1)
-        add_level(mesh, boundary_conditions);
+        add_level(mesh);
     levels.push_back({meshes.back(), {}, {}, &dof_handler, &constraints});
 
     level_operators.resize(0, max_level());
@@ -108,9 +108,9 @@ namespace ElastoPlastic
         // Quadratic elements do not lock, so the linear ones that correct them
         // must not either.
         level_operators[l] = std::make_unique<LevelOperator<dim>>(
-          level_degree < degree ?
-            StrainModel(VolumetricTreatment::b_bar, strain_model.kinematics) :
-            strain_model,
+          level_degree < degree ? StrainModel(VolumetricTreatment::b_bar,
+                                              model.strain_model.kinematics) :
+                                  model.strain_model,
           *level.dof_handler,
           *level.constraints);
         if (l > 0)
@@ -127,18 +127,15 @@ namespace ElastoPlastic
   template <int dim>
   void
   LevelHierarchy<dim>::add_level(
-    const std::shared_ptr<const Triangulation<dim>> &mesh,
-    const BoundaryConditions<dim>                   &boundary_conditions)
+    const std::shared_ptr<const Triangulation<dim>> &mesh)
   {
     Level level = {mesh,
                    std::make_unique<DoFHandler<dim>>(*mesh),
-                   std::make_unique<Supports<dim>>(),
+                   std::make_unique<Supports<dim>>(model),
                    nullptr,
                    nullptr};
     level.own_dof_handler->distribute_dofs(FESystem<dim>(FE_Q<dim>(1), dim));
-    level.own_supports->reinit(*level.own_dof_handler,
-                               boundary_conditions,
-                               /* time = */ 0.);
+    level.own_supports->reinit(*level.own_dof_handler, /* time = */ 0.);
     level.dof_handler = level.own_dof_handler.get();
     level.constraints = &level.own_supports->constraints();
     levels.push_back(std::move(level));

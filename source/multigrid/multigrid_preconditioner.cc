@@ -83,17 +83,12 @@ namespace ElastoPlastic
 
   template <int dim>
   MultigridPreconditioner<dim>::MultigridPreconditioner(
+    const Model<dim>                &model,
     const SolidOperator<dim>        &solid,
     const DoFHandler<dim>           &dof_handler,
-    const AffineConstraints<double> &constraints,
-    const BoundaryConditions<dim>   &boundary_conditions,
-    const StrainModel               &strain_model)
+    const AffineConstraints<double> &constraints)
     : solid(solid)
-    , hierarchy(dof_handler,
-                constraints,
-                boundary_conditions,
-                strain_model,
-                n_coarse_cells)
+    , hierarchy(model, dof_handler, constraints, n_coarse_cells)
     , coarse_solver(hierarchy)
     , level_matrices(hierarchy.operators())
     , multigrid(level_matrices,

@@ -108,6 +108,7 @@ namespace ElastoPlastic
         "load steps ('Loading/Number of steps') or a finer mesh at the "
         "contact help.");
     feasible = true;
+    problem.begin_feasible_method();
     problem.move_constrained(u);
     problem.project(u);
     evaluate();

@@ -7,11 +7,16 @@
 
 namespace ElastoPlastic
 {
-  ReducedUnknowns::ReducedUnknowns(const std::vector<unsigned int> &constrained,
-                                   const std::vector<unsigned int> &coupled,
-                                   const MPI_Comm communicator)
+  ReducedUnknowns::ReducedUnknowns(
+    const std::vector<unsigned int>         &constrained,
+    const std::vector<unsigned int>         &coupled,
+    const MPI_Comm                           communicator,
+    const std::vector<unsigned int>         &active,
+    const std::shared_ptr<const SharedRows> &shared_rows)
     : constrained(constrained)
     , coupled(coupled)
+    , active(active)
+    , shared_rows(shared_rows)
     , communicator(communicator)
     , leading_rank(
         Utilities::MPI::min(coupled.empty() ?
@@ -31,6 +36,14 @@ namespace ElastoPlastic
 
 
   bool
+  ReducedUnknowns::is_trivial() const
+  {
+    return !has_coupling() && !shared_rows;
+  }
+
+
+
+  bool
   ReducedUnknowns::owns_leader() const
   {
     return leading_rank == Utilities::MPI::this_mpi_process(communicator);
@@ -41,11 +54,18 @@ namespace ElastoPlastic
   void
   ReducedUnknowns::expand(Vector &increment) const
   {
-    if (!has_coupling())
+    if (is_trivial())
       return;
-    const double value = leading_value(increment);
+    const double motion = has_coupling() ? leading_value(increment) : 0.;
     for (const unsigned int i : coupled)
-      increment.local_element(i) = value;
+      increment.local_element(i) = motion;
+    if (!shared_rows)
+      return;
+    Vector relative = increment;
+    relative.add(-motion);
+    const Vector sums = shared_rows->sums(relative);
+    for (const unsigned int i : active)
+      increment.local_element(i) -= sums.local_element(i);
   }
 
 
@@ -54,13 +74,18 @@ namespace ElastoPlastic
   ReducedUnknowns::contract(Vector &forces) const
   {
     double sum = 0;
-    if (has_coupling())
+    for (const unsigned int i : coupled)
+      sum += forces.local_element(i);
+    if (shared_rows)
       {
-        for (const unsigned int i : coupled)
-          sum += forces.local_element(i);
-        sum = Utilities::MPI::sum(sum, communicator);
+        const Vector shares = shared_rows->shares(forces);
+        forces -= shares;
+        for (unsigned int i = 0; i < shares.locally_owned_size(); ++i)
+          sum += shares.local_element(i);
       }
-    set_leading_value(forces, sum);
+    set_leading_value(forces,
+                      has_coupling() ? Utilities::MPI::sum(sum, communicator) :
+                                       0.);
   }
 
 

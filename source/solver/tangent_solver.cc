@@ -19,7 +19,7 @@ namespace ElastoPlastic
     void
     vmult(VectorType &result, const VectorType &vector) const
     {
-      if (unknowns.has_coupling())
+      if (!unknowns.is_trivial())
         {
           expanded = vector;
           unknowns.expand(expanded);

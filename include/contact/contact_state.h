@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_contact_state_h
+#define contact_contact_state_h
+
+namespace ElastoPlastic
+{
+  /// The contact quantities of a solution, of all ranks together.
+  struct ContactState
+  {
+    unsigned int active_nodes = 0;
+    /// Sum of the nodal forces, positive when the indenter presses.
+    double force = 0;
+    /// Of the touched part of the faces; if the contact ends at nodes, the sum
+    /// of the lumped areas of the active ones.
+    double contact_area = 0;
+    double max_pressure = 0;
+    /// The smallest pressure of an active node: negative would be tension.
+    double min_pressure = 0;
+    /// The largest violation of the bounds of the candidates.
+    double max_penetration = 0;
+    /// max(u_d - (g - depth), 0) over the candidates: how deep the nodes beside
+    /// the edge of the contact, which share their bounds with others, are in
+    /// the indenter.
+    double edge_penetration = 0;
+    /// The same over the hanging nodes, which follow their masters.
+    double max_hanging_penetration = 0;
+    /// sum |force * distance| / (total force * |depth|) over the candidates.
+    double complementarity_error = 0;
+
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /* version */)
+    {
+      archive &active_nodes &force &contact_area &max_pressure &min_pressure
+        &max_penetration &edge_penetration &max_hanging_penetration
+          &complementarity_error;
+    }
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef evaluation_last_step_h
+#define evaluation_last_step_h
+
+#include "evaluation/solve_result.h"
+
+namespace ElastoPlastic
+{
+  /// The equilibrium at the end of the last load step, which the next one
+  /// begins with, and how fast things have changed on the way there. Vectors
+  /// are empty in the virgin state.
+  struct LastStep
+  {
+    SolveResult result;
+    VectorType  displacement;
+    /// The nodal forces in equilibrium with the stresses.
+    VectorType forces;
+    VectorType displacement_rate;
+    double     depth_rate = 0;
+
+    bool
+    is_virgin() const
+    {
+      return displacement.size() == 0;
+    }
+
+    /// The work of the nodal forces on the way from here to @p new_displacement
+    /// and @p new_forces, by the trapezoidal rule. Collective.
+    double
+    work_to(const VectorType &new_displacement,
+            const VectorType &new_forces) const
+    {
+      double work = 0.5 * (new_forces * new_displacement);
+      if (!is_virgin())
+        work += 0.5 * (forces * new_displacement - new_forces * displacement -
+                       forces * displacement);
+      return work;
+    }
+
+    /// Adds to @p next what has been summed up until now.
+    void
+    add_to(SolveResult &next) const
+    {
+      next.plastic_work += result.plastic_work;
+      next.dissipation += result.dissipation;
+      next.external_work += result.external_work;
+    }
+
+    /// Notes how fast @p next, with @p new_displacement, has been reached.
+    void
+    find_rates(const SolveResult &next, const VectorType &new_displacement)
+    {
+      const double duration = next.time - result.time;
+      depth_rate            = (next.depth - result.depth) / duration;
+      displacement_rate     = new_displacement;
+      if (!is_virgin())
+        displacement_rate -= displacement;
+      displacement_rate /= duration;
+    }
+
+    /// What is not a vector, for checkpoints.
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /* version */)
+    {
+      archive &result &depth_rate;
+    }
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef problem_checks_h
+#define problem_checks_h
+
+#include "contact/contact_set.h"
+#include "loading/time_steps.h"
+#include "mechanics/solid_operator.h"
+#include "mechanics/supports.h"
+#include "model/model.h"
+
+// What can be wrong with a problem although each of its entries is right, and
+// shows on a mesh: looked at before there are results and earlier ones are
+// gone.
+
+namespace ElastoPlastic
+{
+  /// An expression shows what is wrong with it only where and when it is
+  /// evaluated: so it is, for the ends of all steps ahead of @p steps.
+  /// Collective. @throws InputError
+  template <int dim>
+  void
+  check_loads(const Model<dim>      &model,
+              const LoadProgram     &load_program,
+              TimeSteps              steps,
+              const DoFHandler<dim> &dof_handler);
+
+  /// The supports must prevent every rigid body motion of every part. The
+  /// indenter, free of friction and adhesion, helps them only where it is kept
+  /// in its place and the tractions press the body against it. Collective.
+  /// @throws InputError
+  template <int dim>
+  void
+  check_supports(const Model<dim>      &model,
+                 const DoFHandler<dim> &dof_handler,
+                 const Supports<dim>   &supports,
+                 const ContactSet<dim> &contact,
+                 const VectorType      &external_forces);
+
+  /// The indenter must be able to touch the body, and the load program must
+  /// let it. Collective. @throws InputError
+  template <int dim>
+  void
+  check_reach(const LoadProgram       &load_program,
+              TimeSteps                steps,
+              const LoadingParameters &loading,
+              const ContactSet<dim>   &contact);
+} // namespace ElastoPlastic
+
+#endif

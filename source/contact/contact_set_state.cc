@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/contact_set.h"
+
+namespace ElastoPlastic
+{
+  // A node that shares its row carries the pressure on its own part of the
+  // touched faces.
+  template <int dim>
+  typename ContactSet<dim>::Vector
+  ContactSet<dim>::pressures(const Vector &residual) const
+  {
+    Vector result(residual.get_partitioner()), ones(residual.get_partitioner());
+    set_candidate_entries(ones, 1.);
+    const Vector sums = rows ? rows->sums(ones) : result;
+    for (const Node &node : candidates)
+      if (node.active)
+        {
+          const unsigned int i = node.index;
+          result.local_element(i) =
+            residual.local_element(i) * (sums.local_element(i) > 0. ?
+                                           scale->local_element(i) :
+                                           1. / node.area);
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactSet<dim>::touched_area(const Vector &u) const
+  {
+    double area = 0;
+    for (const Node &node : candidates)
+      if (node.active)
+        area += node.area;
+    if (rule == EdgeRule::within_faces)
+      {
+        const auto part =
+          edge.touched_part(kinds(), levels(distances(u, present_depth)));
+        Vector ones(u.get_partitioner()), taken_over(u.get_partitioner());
+        set_candidate_entries(ones, 1.);
+        part.taken_over->vmult(taken_over, ones);
+        for (const Node &node : candidates)
+          area += taken_over.local_element(node.index) -
+                  part.missing.local_element(node.index);
+      }
+    return Utilities::MPI::sum(area, communicator);
+  }
+
+
+
+  template <int dim>
+  ContactState
+  ContactSet<dim>::state(const Vector &u, const Vector &residual) const
+  {
+    const Vector forces    = forces_on_body(residual);
+    const Vector places    = shared_gaps(u, present_depth);
+    const Vector pressures = this->pressures(residual);
+
+    double force = 0, work = 0, max_penetration = 0, edge_penetration = 0;
+    double max_hanging_penetration = 0, max_pressure = 0;
+    double min_pressure = std::numeric_limits<double>::infinity();
+    for (const Node &node : candidates)
+      {
+        const unsigned int i           = node.index;
+        const double       penetration = u.local_element(i) - bound(node);
+        force -= forces.local_element(i);
+        if (node.active)
+          {
+            max_pressure = std::max(max_pressure, pressures.local_element(i));
+            min_pressure = std::min(min_pressure, pressures.local_element(i));
+          }
+        work += std::abs(residual.local_element(i) *
+                         (shift(places, node) - penetration)) *
+                (node.active || forces.local_element(i) == 0. ? 1. : 0.);
+        max_penetration =
+          std::max(max_penetration, penetration - shift(places, node));
+        edge_penetration = std::max(edge_penetration, penetration);
+      }
+    for (const Node &node : hanging_nodes)
+      max_hanging_penetration =
+        std::max(max_hanging_penetration,
+                 u.local_element(node.index) - bound(node));
+
+    ContactState state;
+    state.force           = Utilities::MPI::sum(force, communicator);
+    state.contact_area    = touched_area(u);
+    state.active_nodes    = n_active();
+    state.max_pressure    = Utilities::MPI::max(max_pressure, communicator);
+    state.max_penetration = Utilities::MPI::max(max_penetration, communicator);
+    state.edge_penetration =
+      Utilities::MPI::max(edge_penetration, communicator);
+    state.max_hanging_penetration =
+      Utilities::MPI::max(max_hanging_penetration, communicator);
+    if (state.active_nodes > 0)
+      {
+        state.min_pressure = Utilities::MPI::min(min_pressure, communicator);
+        const double scale = std::abs(state.force * present_depth);
+        if (scale > 0)
+          state.complementarity_error =
+            Utilities::MPI::sum(work, communicator) / scale;
+      }
+    return state;
+  }
+
+
+
+  template <int dim>
+  typename ContactSet<dim>::Vector
+  ContactSet<dim>::forces_on_body(const Vector &residual) const
+  {
+    Vector forces(residual.get_partitioner());
+    for (const Node &node : candidates)
+      if (node.active)
+        forces.local_element(node.index) = -residual.local_element(node.index);
+    if (rows)
+      forces -= rows->shares(residual);
+    return forces;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::surface_fields(Vector       &gap,
+                                  Vector       &pressure,
+                                  Vector       &active,
+                                  const Vector &u,
+                                  const Vector &residual) const
+  {
+    for (const auto *const nodes : {&candidates, &hanging_nodes})
+      for (const Node &node : *nodes)
+        gap.local_element(node.index) =
+          bound(node) - u.local_element(node.index);
+    pressure = pressures(residual);
+    for (const unsigned int i : active_entries())
+      active.local_element(i) = 1.;
+  }
+
+
+
+  template class ContactSet<2>;
+  template class ContactSet<3>;
+} // namespace ElastoPlastic

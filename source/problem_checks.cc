@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <sstream>
+
+#include "base/exceptions.h"
+#include "base/rethrow_collectively.h"
+#include "mechanics/boundary_points.h"
+#include "mechanics/rigid_body_modes.h"
+#include "problem_checks.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    template <int dim>
+    bool
+    is_pressed_against_indenter(const ContactSet<dim> &contact,
+                                const VectorType      &external_forces,
+                                const VectorType      &motion)
+    {
+      if (contact.is_force_driven())
+        return false;
+      VectorType candidates(external_forces.get_partitioner());
+      contact.set_candidate_entries(candidates, 1.);
+      return (candidates * motion) * (external_forces * motion) > 0;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  check_loads(const Model<dim>      &model,
+              const LoadProgram     &load_program,
+              TimeSteps              steps,
+              const DoFHandler<dim> &dof_handler)
+  {
+    const BoundaryConditions<dim> &conditions = model.boundary_conditions;
+    std::set<types::boundary_id>   boundaries =
+      conditions.ids(BoundaryConditionType::traction);
+    boundaries.merge(
+      conditions.ids(BoundaryConditionType::prescribed_displacement));
+    const auto points = boundary_points(dof_handler, boundaries);
+
+    rethrow_collectively(dof_handler.get_communicator(), [&]() {
+      for (; !steps.finished(); steps.advance())
+        {
+          load_program.load(steps.next_time());
+          for (const auto &[boundary, point] : points)
+            conditions.check_values(boundary, point, steps.next_time());
+        }
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  check_supports(const Model<dim>      &model,
+                 const DoFHandler<dim> &dof_handler,
+                 const Supports<dim>   &supports,
+                 const ContactSet<dim> &contact,
+                 const VectorType      &external_forces)
+  {
+    VectorType held(external_forces.get_partitioner());
+    supports.set_fixed_entries(held, 1.);
+    if (model.strain_model.kinematics == Kinematics::axisymmetric)
+      for (const auto dof : DoFTools::extract_dofs(
+             dof_handler, ComponentMask(std::vector<bool>{true, false})))
+        held(dof) = 1.; // rings resist all but the vertical motion
+
+    auto motion = find_free_motion(dof_handler, held, supports.constraints());
+    if (motion && is_pressed_against_indenter(contact,
+                                              external_forces,
+                                              motion->displacement))
+      {
+        contact.set_candidate_entries(held, 1.);
+        motion = find_free_motion(dof_handler, held, supports.constraints());
+      }
+    if (!motion)
+      return;
+
+    std::ostringstream what;
+    what << "its rigid body motion '" << motion->name << "'";
+    if (!motion->whole_body)
+      what << " of the part between ("
+           << motion->part.get_boundary_points().first << ") and ("
+           << motion->part.get_boundary_points().second
+           << "), which no face of a cell connects with the rest";
+    throw InputError(
+      "The supports do not hold the body: nothing prevents " + what.str() +
+      ". Add a fixed boundary or rollers to 'Boundary conditions'. The indenter "
+      "is no support: it only presses.");
+  }
+
+
+
+  template <int dim>
+  void
+  check_reach(const LoadProgram       &load_program,
+              TimeSteps                steps,
+              const LoadingParameters &loading,
+              const ContactSet<dim>   &contact)
+  {
+    if (contact.n_candidates() == 0)
+      throw InputError(
+        "The indenter can never touch the body: no node of the contact "
+        "boundary lies within its reach. Check 'Indenter/Position', its size "
+        "and 'Indenter/Reach', or refine the mesh ('Geometry/Initial "
+        "refinements').");
+
+    const double min_gap = contact.min_gap();
+    for (; !steps.finished(); steps.advance())
+      if (const auto load = load_program.load(steps.next_time());
+          load && (load->control == Control::force || load->value > min_gap))
+        return;
+    throw InputError(
+      loading.history.empty() ? "Loading/Depth" : "Loading/History",
+      loading.history.empty() ? loading.depth : loading.history,
+      "the indenter can never touch the body: the smallest gap under it is " +
+        Patterns::Tools::to_string(min_gap) +
+        ". Push deeper, reduce 'Indenter/Initial gap', or refine the mesh under "
+        "the tip.");
+  }
+
+
+
+  template void
+  check_loads(const Model<2> &,
+              const LoadProgram &,
+              TimeSteps,
+              const DoFHandler<2> &);
+  template void
+  check_supports(const Model<2> &,
+                 const DoFHandler<2> &,
+                 const Supports<2> &,
+                 const ContactSet<2> &,
+                 const VectorType &);
+  template void
+  check_reach(const LoadProgram &,
+              TimeSteps,
+              const LoadingParameters &,
+              const ContactSet<2> &);
+  template void
+  check_loads(const Model<3> &,
+              const LoadProgram &,
+              TimeSteps,
+              const DoFHandler<3> &);
+  template void
+  check_supports(const Model<3> &,
+                 const DoFHandler<3> &,
+                 const Supports<3> &,
+                 const ContactSet<3> &,
+                 const VectorType &);
+  template void
+  check_reach(const LoadProgram &,
+              TimeSteps,
+              const LoadingParameters &,
+              const ContactSet<3> &);
+} // namespace ElastoPlastic

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A contact that ends within faces: the touched area, which does not depend on
+// the nodes; what the nodes at the edge share; and the expansion of reduced
+// vectors that goes with it.
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/grid/grid_generator.h>
+
+#include <cmath>
+
+#include "contact/contact_set.h"
+#include "sample_mesh.h"
+#include "solver/reduced_unknowns.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  using Vector = LinearAlgebra::distributed::Vector<double>;
+
+  /// The unit square or cube under an indenter that touches it up to the
+  /// distance @p radius from a corner, and from there on rises as under Hertz'
+  /// sphere.
+  template <int dim>
+  class TouchedBlock
+  {
+  public:
+    TouchedBlock(const unsigned int degree,
+                 const double       radius,
+                 const Kinematics   kinematics = Kinematics::cartesian,
+                 const EdgeRule     rule       = EdgeRule::within_faces)
+      : mesh(MPI_COMM_WORLD)
+      , fe(FE_Q<dim>(degree), dim)
+      , dof_handler(mesh)
+      , contact(
+          [radius](const Point<dim> &x) {
+            Point<dim> on_surface    = x;
+            on_surface[dim - 1]      = 0.;
+            const double behind_edge = on_surface.norm() - radius;
+            return behind_edge > 0. ? std::pow(behind_edge, 1.5) : behind_edge;
+          },
+          kinematics,
+          rule)
+    {
+      GridGenerator::subdivided_hyper_cube(mesh, 12, 0., 1., true);
+      dof_handler.distribute_dofs(fe);
+      IndexSet relevant;
+      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      zero.reinit(dof_handler.locally_owned_dofs(), relevant, MPI_COMM_WORLD);
+      contact.reinit(dof_handler,
+                     AffineConstraints<double>(relevant),
+                     {2 * dim - 1},
+                     IndexSet(dof_handler.n_dofs()),
+                     zero);
+      contact.place(0.);
+      contact.activate_touching(zero);
+      contact.note_edge(zero);
+      contact.divide_edge(0.);
+    }
+
+    double
+    area() const
+    {
+      return contact.state(zero, zero).contact_area;
+    }
+
+    void
+    check_shared_rows() const
+    {
+      const auto  &rows = *contact.shared_rows();
+      const Vector u = sample(1.), forces = sample(2.);
+      Vector       on_active = zero;
+      for (const unsigned int i : contact.active_entries())
+        on_active.local_element(i) = forces.local_element(i);
+      const double work = on_active * rows.sums(u);
+      verify("  shares are the transpose of sums",
+             std::abs(rows.shares(forces) * u - work) < 1e-12 * std::abs(work));
+
+      double all_forces = 0;
+      for (const double force : contact.forces_on_body(forces))
+        all_forces -= force;
+      verify("  the force of the indenter is that on nodes and neighbours",
+             std::abs(Utilities::MPI::sum(all_forces, MPI_COMM_WORLD) -
+                      contact.state(zero, forces).force),
+             1e-12);
+    }
+
+    void
+    check_expansion(const bool are_coupled) const
+    {
+      const auto            active = contact.active_entries();
+      const ReducedUnknowns unknowns(are_coupled ? std::vector<unsigned int>() :
+                                                   active,
+                                     are_coupled ? active :
+                                                   std::vector<unsigned int>(),
+                                     MPI_COMM_WORLD,
+                                     active,
+                                     contact.shared_rows());
+      Vector reduced = sample(1.), forces = sample(2.);
+      unknowns.set_leading_value(reduced, are_coupled ? 0.7 : 0.);
+      Vector expanded = reduced, contracted = forces;
+      unknowns.expand(expanded);
+      unknowns.contract(contracted);
+      const double work = expanded * forces;
+      verify("  contraction is the transpose of the expansion",
+             std::abs(reduced * contracted - work) < 1e-12 * std::abs(work));
+
+      // a rigid motion of all is one of the indenter
+      if (!are_coupled)
+        return;
+      Vector one = zero;
+      one        = 1.;
+      unknowns.set_leading_value(one, 1.);
+      unknowns.expand(one);
+      one.add(-1.);
+      verify("  the indenter and all nodes move together",
+             one.linfty_norm(),
+             1e-14);
+    }
+
+  private:
+    Vector
+    sample(const double frequency) const
+    {
+      Vector vector = zero;
+      for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
+        vector.local_element(i) =
+          2. +
+          std::sin(frequency * vector.get_partitioner()->local_to_global(i));
+      return vector;
+    }
+
+    parallel::distributed::Triangulation<dim> mesh;
+    const FESystem<dim>                       fe;
+    DoFHandler<dim>                           dof_handler;
+    ContactSet<dim>                           contact;
+    Vector                                    zero;
+  };
+
+
+
+  /// For radii between one node and the next but one.
+  template <int dim>
+  double
+  largest_error_of_area(const unsigned int degree,
+                        const Kinematics   kinematics,
+                        const EdgeRule     rule = EdgeRule::within_faces)
+  {
+    double error = 0;
+    for (double radius = 0.51; radius < 0.67; radius += 0.013)
+      {
+        const double exact = kinematics == Kinematics::axisymmetric ?
+                               numbers::PI * radius * radius :
+                             dim == 2 ? radius :
+                                        0.25 * numbers::PI * radius * radius;
+        error              = std::max(
+          error,
+          std::abs(TouchedBlock<dim>(degree, radius, kinematics, rule).area() /
+                     exact -
+                   1.));
+      }
+    return error;
+  }
+
+
+
+  template <int dim>
+  void
+  check(const unsigned int degree, const double error_of_area)
+  {
+    output() << dim << "D, degree " << degree << std::endl;
+    verify("  area",
+           largest_error_of_area<dim>(degree, Kinematics::cartesian),
+           error_of_area);
+    const TouchedBlock<dim> block(degree, 0.57);
+    block.check_shared_rows();
+    block.check_expansion(false);
+    block.check_expansion(true);
+    verify("  closer than the area that counts nodes",
+           largest_error_of_area<dim>(degree, Kinematics::cartesian) <
+             largest_error_of_area<dim>(degree,
+                                        Kinematics::cartesian,
+                                        EdgeRule::at_nodes));
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  check<2>(1, 1e-12);
+  check<2>(2, 0.02);
+  check<3>(1, 0.06);
+  check<3>(2, 0.04);
+  verify("rings", largest_error_of_area<2>(1, Kinematics::axisymmetric), 1e-12);
+}
