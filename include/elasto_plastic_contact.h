@@ -14,6 +14,7 @@
 
 #include "base/exceptions.h"
 #include "contact/contact_set.h"
+#include "contact/contact_zone.h"
 #include "contact/gap_function.h"
 #include "error_bound_analysis.h"
 #include "evaluation/last_step.h"
@@ -95,6 +96,10 @@ namespace ElastoPlastic
     commit_step(SolveResult &result);
     void
     commit_state();
+    void
+    look_at_contact();
+    ContactZone<dim>
+    contact_zone() const;
     VectorType
     forces_of_stresses() const;
     bool
@@ -126,6 +131,12 @@ namespace ElastoPlastic
     // step or after any other.
     bool
     mark_next_mesh();
+    bool
+    mark_adapted_mesh();
+    bool
+    mark_contact_zone();
+    bool
+    next_mesh_is_allowed() const;
     void
     refine_mesh();
     void
@@ -167,6 +178,7 @@ namespace ElastoPlastic
     // The body, and the indenter above it.
     parallel::distributed::Triangulation<dim> triangulation;
     const GapFunction<dim>                    gap_function;
+    const int                                 finest_first_level;
 
     // The finite element space; which of its unknowns are constrained or
     // fixed; the body's response; the nodes that may touch the indenter.
@@ -186,11 +198,12 @@ namespace ElastoPlastic
     Vector<float>                     error_indicators;
     std::optional<ErrorBoundAnalysis> error_bound;
 
-    // What the step under way begins with; and the largest sum of the
-    // magnitudes of all nodal forces so far, which small ones are measured
-    // against.
+    // What the step under way begins with; the largest sum of the magnitudes
+    // of all nodal forces so far, which small ones are measured against; and
+    // the largest contact area.
     LastStep last_step;
-    double   largest_forces = 0;
+    double   largest_forces       = 0;
+    double   largest_contact_area = 0;
 
     // The folder of the results, and the last checkpoint in it; and whether a
     // step is under way that can be taken back when the user wants to stop.

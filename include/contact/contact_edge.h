@@ -38,7 +38,7 @@ namespace ElastoPlastic
   /// The entries of the section "Contact".
   struct ContactParameters
   {
-    EdgeRule edge = EdgeRule::at_nodes;
+    EdgeRule edge = EdgeRule::within_faces;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -83,6 +83,15 @@ namespace ElastoPlastic
               &distances[2]};
     }
 
+    /// Goes on with the distances @p noted on another mesh, interpolated.
+    void
+    take_over(const EdgeMemory &noted)
+    {
+      distances = noted.distances;
+      depths    = noted.depths;
+      n_steps   = noted.n_steps;
+    }
+
     /// What is not a vector, for checkpoints.
     template <typename Archive>
     void
@@ -123,12 +132,22 @@ namespace ElastoPlastic
       touching     = 2
     };
 
-    /// Finds the faces on @p boundaries. Collective.
+    /// Finds the faces on @p boundaries; @p constraints are those of hanging
+    /// nodes. Collective.
     void
     reinit(const DoFHandler<dim>              &dof_handler,
+           const AffineConstraints<double>    &constraints,
            const std::set<types::boundary_id> &boundaries,
            const Kinematics                    kinematics,
            const Vector                       &layout);
+
+    /// The integrals of the shape functions of the nodes over whole faces,
+    /// those of hanging nodes handed to their masters.
+    const Vector &
+    areas() const
+    {
+      return whole_areas;
+    }
 
     /// What the nodes have of the touched part.
     struct TouchedPart
@@ -180,7 +199,11 @@ namespace ElastoPlastic
     Vector
     ghosted(const Vector &vector) const;
 
+    void
+    find_areas(const AffineConstraints<double> &constraints);
+
     std::vector<Face>                                  faces;
+    Vector                                             whole_areas;
     std::shared_ptr<const Utilities::MPI::Partitioner> vectors;
     std::shared_ptr<const Utilities::MPI::Partitioner> ghosted_vectors;
   };

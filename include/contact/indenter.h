@@ -33,6 +33,12 @@ namespace ElastoPlastic
     virtual bool
     is_convex() const;
 
+    /// The length below which the profile is smooth, which a mesh should
+    /// resolve: the distance of the pixels of a height map. 0, unless a shape
+    /// knows better.
+    virtual double
+    detail() const;
+
     /// 0.75, unless a shape knows better.
     double
     depth_factor() const override;

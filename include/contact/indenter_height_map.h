@@ -34,12 +34,17 @@ namespace ElastoPlastic
     double
     profile(const Point<dim - 1> &x) const override;
 
+    /// The larger distance of pixels.
+    double
+    detail() const override;
+
     /// 0: a surface has no single tip.
     double
     section_area(const double height) const override;
 
   private:
     const std::vector<double>                             size;
+    const double                                          pixel;
     const Functions::InterpolatedUniformGridData<dim - 1> interpolation;
   };
 } // namespace ElastoPlastic

@@ -72,7 +72,7 @@ namespace ElastoPlastic
   class IndentationTest
   {
   public:
-    static constexpr double lowest_share  = 0.40;
+    static constexpr double lowest_share  = 0.50;
     static constexpr double highest_share = 0.95;
 
     /// @param tip of the indenter.

@@ -10,6 +10,8 @@
 #include <deal.II/lac/vector.h>
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 
 #include "base/enum_names.h"
 
@@ -46,6 +48,8 @@ namespace ElastoPlastic
     double             coarsening_fraction = 0.03;
     /// In a history: load steps from one mesh to the next; 0: one mesh.
     unsigned int adaptation_interval = 0;
+    /// Elements over the radius of a contact spot; 0: as many as there are.
+    unsigned int n_over_contact_radius = 0;
 
     /// Whether a mesh depends on the errors of the one before.
     bool
@@ -94,6 +98,43 @@ namespace ElastoPlastic
                     RefinementParameters parameters,
                     const Vector<float> &error_indicators,
                     parallel::distributed::Triangulation<dim> &triangulation);
+
+
+
+  /// How large the cells may be within some reach of a point.
+  template <int dim>
+  using CellSizes =
+    std::function<double(const Point<dim> &x, const double reach)>;
+
+
+
+  /// @return whether a cell on any rank is larger than @p sizes allow.
+  template <int dim>
+  bool
+  has_larger_cells(
+    const CellSizes<dim>                            &sizes,
+    const parallel::distributed::Triangulation<dim> &triangulation);
+
+
+
+  /// Adds flags for refinement to cells that are larger than @p sizes allow,
+  /// and takes away those for coarsening from cells that would become too
+  /// large; if
+  /// @p coarsest_level is given, flags cells above that level for coarsening
+  /// that are much smaller. All ranks together. @return whether any cell is to
+  /// be refined.
+  template <int dim>
+  bool
+  flag_larger_cells(const CellSizes<dim>                      &sizes,
+                    const std::optional<int>                   coarsest_level,
+                    parallel::distributed::Triangulation<dim> &triangulation);
+
+
+
+  /// Forgets all flags.
+  template <int dim>
+  void
+  clear_flags(Triangulation<dim> &triangulation);
 
 
 

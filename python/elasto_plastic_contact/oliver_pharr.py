@@ -11,7 +11,7 @@ import numpy
 from .tables import read_table
 
 # The shares of the largest force between which the law of the unloading is fitted.
-LOWEST_SHARE, HIGHEST_SHARE = 0.40, 0.95
+LOWEST_SHARE, HIGHEST_SHARE = 0.50, 0.95
 ROUNDING = 1e-9
 
 
@@ -55,7 +55,7 @@ class Unloading:
 
 
 def evaluate(depth, force, tip, *, beta=1., epsilon=None, noise=0., initial_gap=0., modelled_part=1., jumps=None):
-    """All Unloadings of a curve that have at least three points between 95 and 40 per cent of
+    """All Unloadings of a curve that have at least three points between 95 and 50 per cent of
     their largest force.
 
     depth, force: from the first point on, in any consistent units.

@@ -12,7 +12,8 @@ import unittest
 from elasto_plastic_contact import run
 
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
-CONE = {"Geometry/Local refinements": 4, "Loading/History": "1: depth 0.02 | 2: force 0", "Loading/Number of steps": 20,
+CONE = {"Geometry/Local refinements": 5, "Geometry/Local radius": 4, "Refinement/Elements over contact radius": 0,
+        "Loading/History": "1: depth 0.02 | 2: force 0", "Loading/Number of steps": 20,
         "Output/Fields": "never"}
 
 

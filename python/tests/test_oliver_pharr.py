@@ -60,19 +60,21 @@ class OliverPharr(unittest.TestCase):
     def test_history_of_the_program(self):
         with tempfile.TemporaryDirectory() as folder:
             results = run("indentation/cone_axisymmetric.prm", folder, {
-                "Geometry/Local refinements": 3,
+                "Geometry/Local refinements": 4, "Geometry/Local radius": 4, "Refinement/Elements over contact radius": 0,
                 "Loading/History": "1: depth 0.02 | 2: force 3 | 3: depth 0.03 | 4: force 0",
                 "Loading/Number of steps": 40, "Indenter/Initial gap": 0.001, "Output/Fields": "never"})
             self.compare(results, Tip.cone(70.3), 0.001)
             results = run("indentation/sphere_axisymmetric.prm", folder, {
-                "Geometry/Local refinements": 5, "Loading/Number of steps": 30, "Output/Fields": "never"},
+                "Geometry/Local refinements": 6, "Geometry/Local radius": 4,
+                "Refinement/Elements over contact radius": 0, "Loading/Number of steps": 30, "Output/Fields": "never"},
                           overwrite=True)
             self.compare(results, Tip.sphere(results.number("Indenter/Radius")))
 
     def test_history_on_meshes_that_change(self):
         with tempfile.TemporaryDirectory() as folder:
             results = run("indentation/sphere_axisymmetric.prm", folder, {
-                "Geometry/Initial refinements": 3, "Geometry/Local refinements": 6, "Loading/Number of steps": 30,
+                "Geometry/Initial refinements": 3, "Geometry/Local refinements": 7, "Geometry/Local radius": 4,
+                "Refinement/Elements over contact radius": 0, "Loading/Number of steps": 30,
                 "Loading/History": "1: depth 0.002 | 2: force 0", "Refinement/Strategy": "Kelly",
                 "Refinement/Refinement fraction": 0.1, "Refinement/Coarsening fraction": 0.3,
                 "Refinement/Steps between adaptations": 2, "Refinement/Maximum number of unknowns": 1500,

@@ -100,7 +100,7 @@ class Files(unittest.TestCase):
         cls.folder = pathlib.Path(folder.name)
         cls.cone = cls.folder / "cone"
         run("indentation/cone_axisymmetric.prm", cls.cone, {
-            "Geometry/Local refinements": 3,
+            "Geometry/Local refinements": 4, "Geometry/Local radius": 4, "Refinement/Elements over contact radius": 0,
             "Loading/History": "1: depth 0.05 | 2: force 0 | 3: depth 0.05 | 4: force 0",
             "Loading/Number of steps": 12})
 

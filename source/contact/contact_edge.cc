@@ -74,6 +74,7 @@ namespace ElastoPlastic
   template <int dim>
   void
   ContactEdge<dim>::reinit(const DoFHandler<dim>              &dof_handler,
+                           const AffineConstraints<double>    &constraints,
                            const std::set<types::boundary_id> &boundaries,
                            const Kinematics                    kinematics,
                            const Vector                       &layout)
@@ -124,6 +125,27 @@ namespace ElastoPlastic
                   faces.push_back(face);
                 }
           }
+    find_areas(constraints);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEdge<dim>::find_areas(const AffineConstraints<double> &constraints)
+  {
+    Vector                      areas(ghosted_vectors);
+    std::array<double, n_nodes> below;
+    below.fill(-1.);
+    for (const Face &face : faces)
+      {
+        const auto whole = integrate(face, below);
+        for (unsigned int n = 0; n < n_nodes; ++n)
+          constraints.distribute_local_to_global(face.dofs[n], whole[n], areas);
+      }
+    areas.compress(VectorOperation::add);
+    whole_areas.reinit(vectors);
+    whole_areas.copy_locally_owned_data_from(areas);
   }
 
 

@@ -48,7 +48,8 @@ namespace ElastoPlastic
     unite_edge();
     if (rule == EdgeRule::at_nodes)
       return;
-    edge.reinit(dof_handler, contact_boundaries, kinematics, layout);
+    edge.reinit(
+      dof_handler, constraints, contact_boundaries, kinematics, layout);
     for (Vector *vector : memory.vectors())
       vector->reinit(layout);
     memory.n_steps = 0;

@@ -37,20 +37,23 @@ namespace ElastoPlastic
   ContactSet<dim>::touched_area(const Vector &u) const
   {
     double area = 0;
+    if (rule == EdgeRule::at_nodes)
+      {
+        for (const Node &node : candidates)
+          area += node.active ? node.area : 0.;
+        return Utilities::MPI::sum(area, communicator);
+      }
+
+    const auto part =
+      edge.touched_part(kinds(), levels(distances(u, present_depth)));
+    Vector ones(u.get_partitioner()), taken_over(u.get_partitioner());
+    set_candidate_entries(ones, 1.);
+    part.taken_over->vmult(taken_over, ones);
     for (const Node &node : candidates)
       if (node.active)
-        area += node.area;
-    if (rule == EdgeRule::within_faces)
-      {
-        const auto part =
-          edge.touched_part(kinds(), levels(distances(u, present_depth)));
-        Vector ones(u.get_partitioner()), taken_over(u.get_partitioner());
-        set_candidate_entries(ones, 1.);
-        part.taken_over->vmult(taken_over, ones);
-        for (const Node &node : candidates)
-          area += taken_over.local_element(node.index) -
-                  part.missing.local_element(node.index);
-      }
+        area += edge.areas().local_element(node.index) +
+                taken_over.local_element(node.index) -
+                part.missing.local_element(node.index);
     return Utilities::MPI::sum(area, communicator);
   }
 

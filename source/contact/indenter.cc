@@ -55,6 +55,15 @@ namespace ElastoPlastic
 
   template <int dim>
   double
+  Indenter<dim>::detail() const
+  {
+    return 0.;
+  }
+
+
+
+  template <int dim>
+  double
   Indenter<dim>::depth_factor() const
   {
     return 0.75;

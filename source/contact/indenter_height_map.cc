@@ -71,6 +71,9 @@ namespace ElastoPlastic
                                             const double               scale,
                                             const std::vector<double> &size)
     : size(size)
+    , pixel(dim == 2 ? size[0] / (heights.n_cols() - 1.) :
+                       std::max(size[0] / (heights.n_cols() - 1.),
+                                size.back() / (heights.n_rows() - 1.)))
     , interpolation(interpolate<dim>(heights, scale, size))
   {}
 
@@ -84,6 +87,15 @@ namespace ElastoPlastic
       if (!within(std::abs(x[d]), size[d] / 2))
         return std::numeric_limits<double>::infinity();
     return interpolation.value(x);
+  }
+
+
+
+  template <int dim>
+  double
+  IndenterHeightMap<dim>::detail() const
+  {
+    return pixel;
   }
 
 

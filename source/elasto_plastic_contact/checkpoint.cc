@@ -23,7 +23,7 @@ namespace ElastoPlastic
                                                 Statistics::Progress &progress)
   {
     archive &time_steps &load_program &field_output &cycle &last_step
-      &largest_forces &progress;
+      &largest_forces &largest_contact_area &progress;
   }
 
 

@@ -35,6 +35,7 @@ namespace ElastoPlastic
     , field_output(parameters.output.directory)
     , triangulation(communicator)
     , gap_function(make_mesh_and_place_indenter(model, triangulation))
+    , finest_first_level(triangulation.n_global_levels() - 1)
     , fe(FE_Q<dim>(model.degree), dim)
     , dof_handler(triangulation)
     , supports(model)

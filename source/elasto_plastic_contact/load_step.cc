@@ -67,9 +67,41 @@ namespace ElastoPlastic
     last_step.add_to(result);
     last_step.find_rates(result, displacement);
     last_step.result = result;
+    if (result.contact_area > largest_contact_area &&
+        load_program.is_segment_end(result.time))
+      look_at_contact();
+    largest_contact_area = std::max(largest_contact_area, result.contact_area);
     load_program.reached(result.time, result.depth, result.force);
     if (result.time != load_program.final_time())
       commit_state();
+  }
+
+
+
+  // At the end of a way in.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::look_at_contact()
+  {
+    if (const std::string warning =
+          contact_zone().warning(model.indenter.shape->detail());
+        !warning.empty())
+      log.warn(warning);
+  }
+
+
+
+  template <int dim>
+  ContactZone<dim>
+  ElastoPlasticContact<dim>::contact_zone() const
+  {
+    return ContactZone<dim>(dof_handler,
+                            supports.hanging_nodes(),
+                            supports.fixed_dofs(),
+                            model.boundary_conditions.ids(
+                              BoundaryConditionType::contact),
+                            contact,
+                            residual);
   }
 
 

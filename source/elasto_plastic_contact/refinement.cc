@@ -9,29 +9,76 @@
 
 namespace ElastoPlastic
 {
-  // The mesh is adapted in the first load step. What the next mesh would need
-  // is known only when it is there, when there is no way back; but a new cell
-  // hardly ever brings fewer unknowns than it has in the interior of a mesh.
+  // The mesh is adapted in the first load step: in cycles, and until its
+  // elements are small enough for the contact.
   template <int dim>
   bool
   ElastoPlasticContact<dim>::mark_next_mesh()
   {
-    const auto &refinement = parameters.refinement;
-    if (time_steps.number() > 1 || cycle + 1 >= refinement.n_cycles)
+    if (time_steps.number() > 1)
       return false;
 
-    flag_cells(refinement, error_indicators, triangulation);
+    clear_flags(triangulation);
+    const bool is_next_cycle = cycle + 1 < parameters.refinement.n_cycles;
+    if (is_next_cycle)
+      flag_cells(parameters.refinement, error_indicators, triangulation);
+    return (mark_contact_zone() || is_next_cycle) && next_mesh_is_allowed();
+  }
+
+
+
+  // What the next mesh would need is known only when it is there, when there is
+  // no way back; but a new cell hardly ever brings fewer unknowns than it has
+  // in the interior of a mesh.
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::next_mesh_is_allowed() const
+  {
     const double n_new_cells =
       n_cells_after_refinement(triangulation) -
       static_cast<double>(triangulation.n_global_active_cells());
-    if (refinement.allows(dof_handler.n_dofs() +
-                          estimated_unknowns(n_new_cells, fe)))
+    if (parameters.refinement.allows(dof_handler.n_dofs() +
+                                     estimated_unknowns(n_new_cells, fe)))
       return true;
 
     log.remark(
       "The next mesh would have more unknowns than "
       "'Refinement/Maximum number of unknowns' allows.");
     return false;
+  }
+
+
+
+  // Around the contact, as it is and as it will be soon: when some cells are
+  // too large, others are refined at the same time, so that the next steps can
+  // do with that mesh. Cells of the first mesh stay.
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::mark_contact_zone()
+  {
+    const unsigned int n_over_radius =
+      parameters.refinement.n_over_contact_radius;
+    if (n_over_radius == 0)
+      return false;
+    const ContactZone<dim> zone(dof_handler,
+                                supports.hanging_nodes(),
+                                supports.fixed_dofs(),
+                                model.boundary_conditions.ids(
+                                  BoundaryConditionType::contact),
+                                contact,
+                                residual);
+    const auto             sizes_after = [&](const double growth) {
+      return [&zone, n_over_radius, growth](const Point<dim> &x,
+                                            const double      reach) {
+        return zone.element_size(x, reach, n_over_radius, growth);
+      };
+    };
+    return has_larger_cells<dim>(sizes_after(0.05), triangulation) &&
+           flag_larger_cells<dim>(sizes_after(0.2),
+                                  parameters.refinement.is_adaptive() ?
+                                    std::nullopt :
+                                    std::make_optional(finest_first_level),
+                                  triangulation);
   }
 
 
@@ -47,9 +94,13 @@ namespace ElastoPlastic
     ++cycle;
     tangent_solver.reset();
     const bool                is_virgin = last_step.is_virgin();
+    EdgeMemory                edge      = contact.edge_memory();
     std::vector<VectorType *> fields    = {&displacement};
     if (!is_virgin)
       fields.push_back(&last_step.displacement_rate);
+    if (edge.n_steps > 0)
+      for (VectorType &distances : edge.distances)
+        fields.push_back(&distances);
 
     const GhostedCopies<dim> old_fields(fields, dof_handler);
     parallel::distributed::SolutionTransfer<dim, VectorType> transfer(
@@ -75,6 +126,33 @@ namespace ElastoPlastic
     if (!is_virgin)
       solid->set_states(state_transfer.take());
     setup_contact();
+    if (edge.n_steps > 0)
+      contact.edge_memory().take_over(edge);
+  }
+
+
+
+  // As it unloads, the contact stays on the mesh that its largest area has
+  // asked for; the stiffness of an unloading is that of one mesh.
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::mark_adapted_mesh()
+  {
+    const unsigned int interval = parameters.refinement.adaptation_interval;
+    const bool         is_due =
+      interval > 0 && time_steps.number() % interval == 0 &&
+      flag_cells_within(static_cast<double>(dof_handler.n_dofs()) /
+                          triangulation.n_global_active_cells(),
+                        parameters.refinement,
+                        error_indicators,
+                        triangulation);
+    if (!is_due)
+      clear_flags(triangulation);
+    const bool outgrows_mesh =
+      !load_program.is_segment_end(last_step.result.time) &&
+      last_step.result.contact_area >= largest_contact_area &&
+      mark_contact_zone();
+    return (outgrows_mesh && next_mesh_is_allowed()) || is_due;
   }
 
 
@@ -89,18 +167,14 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::adapt_mesh(Statistics &statistics)
   {
-    const unsigned int interval = parameters.refinement.adaptation_interval;
-    if (interval == 0 || time_steps.number() % interval != 0 ||
-        last_step.result.time == load_program.final_time() ||
-        !flag_cells_within(static_cast<double>(dof_handler.n_dofs()) /
-                             triangulation.n_global_active_cells(),
-                           parameters.refinement,
-                           error_indicators,
-                           triangulation))
+    if (last_step.result.time == load_program.final_time() ||
+        !mark_adapted_mesh())
       return;
 
     refine_mesh();
     contact.place(last_step.result.depth);
+    contact.activate_touching(displacement);
+    contact.divide_edge(last_step.result.depth);
     solid->predict_flow(displacement, displacement);
     last_step.displacement = displacement;
     try

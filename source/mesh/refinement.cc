@@ -4,126 +4,12 @@
 #include <deal.II/distributed/grid_refinement.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <iomanip>
-#include <sstream>
+#include <cmath>
 
-#include "base/exceptions.h"
 #include "mesh/refinement.h"
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    /// Trilinos numbers with 31 bits; the rest is for what an estimate misses.
-    constexpr double n_indices = 2e9;
-  } // namespace
-
-
-
-  bool
-  RefinementParameters::allows(const double n_unknowns) const
-  {
-    return n_unknowns <= n_indices &&
-           (max_unknowns == 0 || n_unknowns <= max_unknowns);
-  }
-
-
-
-  void
-  RefinementParameters::add_parameters(ParameterHandler &prm)
-  {
-    prm.enter_subsection("Refinement");
-    prm.add_parameter("Strategy",
-                      strategy,
-                      "none: one mesh. global: every cell is refined from one "
-                      "cycle to the next. adaptive: the cells with the largest "
-                      "errors are refined, those with the smallest coarsened; "
-                      "the errors are those that the analysis bounds, and for "
-                      "'Analysis = contact', as for Kelly, estimated by the "
-                      "jumps of the strain.");
-    prm.add_parameter("Number of cycles",
-                      n_cycles,
-                      "The number of meshes on which the problem is solved, "
-                      "one after the other; each solution is the starting "
-                      "guess on the next. In a load history, the first step "
-                      "is solved on all of them, the others on the last.",
-                      Patterns::Integer(1));
-    prm.add_parameter("Maximum number of unknowns",
-                      max_unknowns,
-                      "No further mesh is begun that would have more "
-                      "displacement unknowns than this, as far as can be told "
-                      "in advance (within some per cent). 0: no limit below "
-                      "2000000000, which indices of 32 bits reach.",
-                      Patterns::Integer(0));
-    prm.add_parameter(
-      "Refinement fraction",
-      refinement_fraction,
-      "adaptive, Kelly: the fraction of cells that are refined, between "
-      "0 and 1.",
-      Patterns::Double(0, 1));
-    prm.add_parameter(
-      "Coarsening fraction",
-      coarsening_fraction,
-      "adaptive, Kelly: the fraction of cells that are coarsened; "
-      "together with the refinement fraction at most 1.",
-      Patterns::Double(0, 1));
-    prm.add_parameter(
-      "Steps between adaptations",
-      adaptation_interval,
-      "In a load history: after how many steps the mesh is adapted to the "
-      "solution, with the fractions above; as many cells are refined as "
-      "'Maximum number of unknowns' allows. Not for the strategies none and global. 0: "
-      "the mesh of the first step stays.",
-      Patterns::Integer(0));
-    prm.leave_subsection();
-  }
-
-
-
-  void
-  RefinementParameters::check() const
-  {
-    if (strategy == RefinementStrategy::none && n_cycles > 1)
-      throw InputError("Refinement/Number of cycles",
-                       std::to_string(n_cycles),
-                       "'Refinement/Strategy = none' allows one cycle only. "
-                       "Choose the strategy global or adaptive.");
-    if (!is_adaptive() && adaptation_interval > 0)
-      throw InputError(
-        "Refinement/Steps between adaptations",
-        std::to_string(adaptation_interval),
-        "only 'Refinement/Strategy = adaptive' can adapt the mesh "
-        "during a history. Choose it, or 0.");
-    if (refinement_fraction + coarsening_fraction > 1)
-      throw InputError("Refinement/Coarsening fraction",
-                       Patterns::Tools::to_string(coarsening_fraction),
-                       "together with 'Refinement/Refinement fraction' it must "
-                       "not exceed 1.");
-  }
-
-
-
-  void
-  RefinementParameters::check_first_mesh(const double n_unknowns) const
-  {
-    if (allows(n_unknowns))
-      return;
-    std::ostringstream number;
-    number << std::fixed << std::setprecision(0) << n_unknowns;
-    if (n_unknowns > n_indices)
-      throw InputError("The first mesh has " + number.str() +
-                       " unknowns or more, but indices of 32 bits reach to "
-                       "2000000000 only. Start with a coarser mesh: reduce "
-                       "'Geometry/Initial refinements'.");
-    throw InputError("Refinement/Maximum number of unknowns",
-                     std::to_string(max_unknowns),
-                     "the first mesh has " + number.str() +
-                       " unknowns or more already. Allow more, or start with a "
-                       "coarser mesh.");
-  }
-
-
-
   namespace
   {
     /// What is to happen to a cell.
@@ -210,15 +96,22 @@ namespace ElastoPlastic
 
 
 
-    template <int dim>
-    void
-    clear_flags(parallel::distributed::Triangulation<dim> &triangulation)
+    /// The edge of a cube with the same diagonal.
+    template <typename Cell>
+    double
+    size_of(const Cell &cell)
     {
-      for (const auto &cell : triangulation.active_cell_iterators())
-        {
-          cell->clear_refine_flag();
-          cell->clear_coarsen_flag();
-        }
+      return cell->diameter() / std::sqrt(Cell::AccessorType::dimension);
+    }
+
+
+
+    template <int dim>
+    double
+    allowed_size(const CellSizes<dim>                                    &sizes,
+                 const typename Triangulation<dim>::active_cell_iterator &cell)
+    {
+      return sizes(cell->center(), 0.5 * cell->diameter());
     }
 
 
@@ -242,6 +135,66 @@ namespace ElastoPlastic
           parameters.coarsening_fraction);
     }
   } // namespace
+
+
+
+  template <int dim>
+  void
+  clear_flags(Triangulation<dim> &triangulation)
+  {
+    for (const auto &cell : triangulation.active_cell_iterators())
+      {
+        cell->clear_refine_flag();
+        cell->clear_coarsen_flag();
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  has_larger_cells(
+    const CellSizes<dim>                            &sizes,
+    const parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    bool found = false;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        found = found || size_of(cell) > allowed_size<dim>(sizes, cell);
+    return Utilities::MPI::logical_or(found, triangulation.get_communicator());
+  }
+
+
+
+  // Cells are put together well before that is too much, or the next step would
+  // divide them again.
+  template <int dim>
+  bool
+  flag_larger_cells(const CellSizes<dim>                      &sizes,
+                    const std::optional<int>                   coarsest_level,
+                    parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    bool any_refined = false;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const double allowed = allowed_size<dim>(sizes, cell);
+          if (size_of(cell) > allowed)
+            {
+              cell->clear_coarsen_flag();
+              cell->set_refine_flag();
+            }
+          else if (2. * size_of(cell) > 0.7 * allowed)
+            cell->clear_coarsen_flag();
+          else if (coarsest_level && cell->level() > *coarsest_level &&
+                   !cell->refine_flag_set())
+            cell->set_coarsen_flag();
+          any_refined = any_refined || cell->refine_flag_set();
+        }
+    smooth_flags(triangulation);
+    return Utilities::MPI::logical_or(any_refined,
+                                      triangulation.get_communicator());
+  }
 
 
 
@@ -312,6 +265,15 @@ namespace ElastoPlastic
 
 
   template void
+  clear_flags(Triangulation<2> &);
+  template bool
+  has_larger_cells(const CellSizes<2> &,
+                   const parallel::distributed::Triangulation<2> &);
+  template bool
+  flag_larger_cells(const CellSizes<2> &,
+                    const std::optional<int>,
+                    parallel::distributed::Triangulation<2> &);
+  template void
   flag_cells(const RefinementParameters &,
              const Vector<float> &,
              parallel::distributed::Triangulation<2> &);
@@ -324,6 +286,15 @@ namespace ElastoPlastic
   n_cells_after_refinement(const parallel::distributed::Triangulation<2> &);
   template double
   estimated_unknowns(const double, const FiniteElement<2> &);
+  template void
+  clear_flags(Triangulation<3> &);
+  template bool
+  has_larger_cells(const CellSizes<3> &,
+                   const parallel::distributed::Triangulation<3> &);
+  template bool
+  flag_larger_cells(const CellSizes<3> &,
+                    const std::optional<int>,
+                    parallel::distributed::Triangulation<3> &);
   template void
   flag_cells(const RefinementParameters &,
              const Vector<float> &,

@@ -17,6 +17,39 @@ def deviation_from_similarity(steps, name):
     return max(abs(v - factor * s) for v, s in zip(values, squares)) / max(values)
 
 
+def deviation_from_polynomial(places, values, degree=6):
+    """The largest deviation from the polynomial that is next in the mean square, relative to the largest value."""
+    middle, half = (places[0] + places[-1]) / 2, (places[-1] - places[0]) / 2
+    rest, basis = list(values), []
+    for power in range(degree + 1):
+        direction = [((x - middle) / half) ** power for x in places]
+        for other in basis:
+            part = sum(a * b for a, b in zip(direction, other))
+            direction = [a - part * b for a, b in zip(direction, other)]
+        length = sum(a * a for a in direction) ** 0.5
+        basis.append([a / length for a in direction])
+        part = sum(a * b for a, b in zip(rest, basis[-1]))
+        rest = [a - part * b for a, b in zip(rest, basis[-1])]
+    return max(abs(a) for a in rest) / max(values)
+
+
+def contact_mesh(runner):
+    """Sphere and cone on meshes that follow the edge of the contact: smooth curves, and the area of a finer mesh."""
+    loading = ("Loading/History=1: depth {}", "Loading/Number of steps=40")
+    for case, depth in (("sphere", 0.002), ("cone", 0.02)):
+        entries = [entry.format(depth) for entry in loading]
+        steps, finer = (
+            runner.history(f"indentation/{case}_axisymmetric.prm", f"Refinement/Elements over contact radius={n}", *entries)
+            for n in (20, 40))
+        last = [step for step in steps if step["depth"] > depth / 3]
+        for name, allowed in (("force", 0.003), ("contact_area", 0.01)):
+            deviation = deviation_from_polynomial([step["depth"] for step in last], [step[name] for step in last])
+            runner.compare(f"{case}: waves of {name}", deviation, 0, allowed, absolute=True)
+            runner.compare(f"{case}: {name} against 40 elements", steps[-1][name], finer[-1][name], 0.01)
+        runner.verify(f"{case}: cells do not become more ({steps[0]['cells']:.0f} to {steps[-1]['cells']:.0f})",
+                      steps[-1]["cells"] < 1.2 * steps[0]["cells"])
+
+
 def contact_edge(runner):
     """A cone in a perfectly plastic body: waves of force and area, with the edge within faces and at nodes."""
     for edge, limits in (("within faces", {"force": 0.015, "contact_area": 0.025}), ("at nodes", {})):

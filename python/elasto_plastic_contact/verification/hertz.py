@@ -7,7 +7,8 @@ import math
 from .runner import E_STAR, NU
 
 AXISYMMETRIC = ("indentation/sphere_axisymmetric.prm", "Loading/History=", "Loading/Depth=0.004",
-                "Geometry/Initial refinements=5", "Loading/Number of steps=1", "Indenter/Type=paraboloid",
+                "Geometry/Initial refinements=5", "Geometry/Local refinements=7", "Geometry/Local radius=4",
+                "Refinement/Elements over contact radius=0", "Loading/Number of steps=1", "Indenter/Type=paraboloid",
                 "Discretization/Volumetric treatment=standard")
 
 

@@ -137,7 +137,8 @@ def load_cycles(runner):
 def axisymmetric_against_space(runner):
     """The same sphere as an axisymmetric body and in space, cells of the same size."""
     body = ("Loading/History=", "Loading/Depth=0.01", "Loading/Number of steps=3",
-            "Geometry/Initial refinements=3", "Geometry/Local refinements=4", "Geometry/Local radius=1")
+            "Geometry/Initial refinements=3", "Geometry/Local refinements=4", "Geometry/Local radius=1",
+            "Refinement/Elements over contact radius=0")
     quarter = runner.history("indentation/sphere_3d.prm", *body)[-1]
     whole = runner.history("indentation/sphere_axisymmetric.prm", *body, "Geometry/Lower corner=0, -2",
                            "Geometry/Upper corner=2, 0", "Material/Law=isotropic hardening",

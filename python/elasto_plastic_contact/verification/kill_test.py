@@ -21,7 +21,8 @@ CASE = CASES / "indentation/sphere_axisymmetric.prm"
 # Small, with a mesh that follows the contact, so that checkpoints take a good
 # part of the time.
 ENTRIES = {
-    "Geometry/Initial refinements": 3, "Geometry/Local refinements": 5,
+    "Geometry/Initial refinements": 3, "Geometry/Local refinements": 6, "Geometry/Local radius": 4,
+    "Refinement/Elements over contact radius": 0,
     "Loading/History": "1: depth 0.002 | 2: force 0.5 | 3: depth 0.002",
     "Loading/Number of steps": 18, "Nonlinear solver/Tolerance": 1e-12,
     "Refinement/Strategy": "Kelly", "Refinement/Refinement fraction": 0.1,

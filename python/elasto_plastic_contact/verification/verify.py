@@ -12,7 +12,7 @@ import argparse
 import math
 
 from . import uniaxial as exact_uniaxial
-from .contact_edge import contact_edge
+from .contact_edge import contact_edge, contact_mesh
 from .runner import E, E_STAR, NU, Runner, add_program
 from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, error_bound,
                                 error_bound_ranks, error_bound_refinement, limit_load, safe_load)
@@ -161,7 +161,8 @@ def recovery_converges(runner):
 def chaboche_contact(runner):
     """A sphere on a material with recovering back stresses: the forces lead back to the depths."""
     entries = NONLINEAR_LAWS["Chaboche"].entries()
-    entries += ["Geometry/Local refinements=3", "Loading/Number of steps=6"]
+    entries += ["Geometry/Local refinements=4", "Geometry/Local radius=4", "Refinement/Elements over contact radius=0",
+                "Contact/Edge=at nodes", "Loading/Number of steps=6"]
     case = "indentation/sphere_axisymmetric.prm"
     by_depth = runner.history(case, *entries, "Loading/History=1: depth 0.02 | 2: depth 0.018")
     table = " | ".join(f"{step['time']:.15g}: force {step['force']:.15g}" for step in by_depth)
@@ -237,7 +238,7 @@ def oliver_pharr(runner, tables):
     maximum = next(step for step in tables["history"] if step["time"] == 1)
     for here, there in (("max_depth", "depth"), ("max_force", "force"), ("contact_area", "contact_area")):
         runner.compare(here, unloading[here], maximum[there], 1e-14)
-    runner.compare("reduced modulus from the contact area", unloading["reduced_modulus"], E_STAR, 0.03)
+    runner.compare("reduced modulus from the contact area", unloading["reduced_modulus"], E_STAR, 0.015)
     runner.compare("hardness", unloading["hardness"], maximum["force"] / maximum["contact_area"], 1e-14)
 
 
@@ -269,7 +270,7 @@ ALL = {
                      force_control, hertz, hertz_axisymmetric, hertz_cylinder,
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space,
-                     sphere_indentation, cone_indentation, contact_edge, strip_punch, strip_punch_locks,
+                     sphere_indentation, cone_indentation, contact_edge, contact_mesh, strip_punch, strip_punch_locks,
                      limit_load, blas_kernels, safe_load, error_bound, error_bound_ranks,
                      error_bound_refinement, equilibrium_hertz, equilibrium_limit, zero_stress,
                      zero_force, far_indenter, contrast, nearly_incompressible)
