@@ -92,6 +92,6 @@ def main(arguments):
         from .plots.experiment import draw  # (which needs matplotlib)
         draw(curves, found, arguments.output)
     if not found["measured"]:
-        raise UserError(f"'{arguments.curve}' has no unloading with three points between 95 and 40 % of its largest "
+        raise UserError(f"'{arguments.curve}' has no unloading with three points between 95 and 50 % of its largest "
                         "force; if the curve is noisy, try a larger --noise")
     return 0
