@@ -17,6 +17,7 @@
 #include "contact/gap_function.h"
 #include "error_bound_analysis.h"
 #include "evaluation/last_step.h"
+#include "evaluation/small_strain_guard.h"
 #include "io/checkpoint.h"
 #include "io/field_output.h"
 #include "io/log.h"
@@ -60,6 +61,11 @@ namespace ElastoPlastic
                          const Parameters &parameters,
                          const MPI_Comm    communicator);
 
+    /// Checks that the indenter can touch the body, which depends on how fine
+    /// the mesh is. @throws InputError
+    void
+    check_contact() const;
+
     /// Follows the load history, refines the mesh, and writes the results to
     /// the output directory. @p overwrite allows to replace earlier ones.
     /// @throws InputError, ConvergenceError, EquilibriumError, FileError
@@ -82,6 +88,10 @@ namespace ElastoPlastic
     solve_on_mesh_sequence(Statistics &statistics);
     void
     output_results(const bool last_cycle);
+    void
+    output_initial_state();
+    void
+    write_fields(const std::string &name, const double time);
 
     // A load step (load_step.cc): it ends with commit_step(), or it fails and
     // is taken back.
@@ -167,6 +177,9 @@ namespace ElastoPlastic
     // The body, and the indenter above it.
     parallel::distributed::Triangulation<dim> triangulation;
     const GapFunction<dim>                    gap_function;
+
+    // Whether they stay within the theory.
+    SmallStrainGuard<dim> small_strain_guard;
 
     // The finite element space; which of its unknowns are constrained or
     // fixed; the body's response; the nodes that may touch the indenter.

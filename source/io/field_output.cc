@@ -40,6 +40,20 @@ namespace ElastoPlastic
 
 
 
+    DataOutBase::VtkFlags
+    flags_with_units(const Units &units)
+    {
+      DataOutBase::VtkFlags flags;
+      for (const std::string field : {"displacement", "gap"})
+        if (!units.length.empty())
+          flags.physical_units[field] = units.of("length");
+      if (units.are_named())
+        flags.physical_units["contact_pressure"] = units.of("stress");
+      return flags;
+    }
+
+
+
     /// Output on the faces of some boundaries only.
     template <int dim>
     class BoundaryOutput : public DataOutFaces<dim>
@@ -89,8 +103,8 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  FieldOutput<dim>::FieldOutput(const std::string &directory)
-    : directory(directory)
+  FieldOutput<dim>::FieldOutput(const OutputParameters &parameters)
+    : parameters(parameters)
   {}
 
 
@@ -117,7 +131,8 @@ namespace ElastoPlastic
     const BodyOutput<dim> output(solution.dof_handler,
                                  solution.displacement,
                                  solution.solid,
-                                 solution.error_indicators);
+                                 solution.error_indicators,
+                                 parameters);
     write_files(
       output, solution.dof_handler.get_communicator(), "solution", name, time);
   }
@@ -160,6 +175,7 @@ namespace ElastoPlastic
     output.add_data_vector(solution.dof_handler, pressure, pressure_component);
     output.add_data_vector(solution.dof_handler, active, active_component);
 
+    output.set_flags(flags_with_units(parameters.units));
     output.build_patches(solution.dof_handler.get_fe().degree);
     write_files(
       output, solution.dof_handler.get_communicator(), "surface", name, time);
@@ -176,6 +192,7 @@ namespace ElastoPlastic
                                 const std::string &name,
                                 const double       time)
   {
+    const std::string &directory = parameters.directory;
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     const std::string  stem    = kind + "-" + name;
