@@ -24,7 +24,7 @@ namespace ElastoPlastic
   public:
     /// Beyond these values there is a warning.
     static constexpr double largest_plastic_strain = 0.1;
-    static constexpr double largest_slope          = 0.2;
+    static constexpr double largest_slope          = 0.25;
     static constexpr double largest_relative_depth = 0.2;
 
     explicit SmallStrainGuard(const NominalContact<dim> &contact);

@@ -4,6 +4,7 @@
 #include <deal.II/numerics/data_out_faces.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <cmath>
 #include <fstream>
 #include <limits>
 
@@ -19,13 +20,17 @@ namespace ElastoPlastic
     using Interpretation =
       DataComponentInterpretation::DataComponentInterpretation;
 
-    /// The vertical component of a field in the layout of displacements.
+    /// The vertical component of a field in the layout of displacements; not a
+    /// number where it is beyond a limit.
     template <int dim>
     class VerticalComponent : public DataPostprocessorScalar<dim>
     {
     public:
-      explicit VerticalComponent(const std::string &name)
+      explicit VerticalComponent(
+        const std::string &name,
+        const double       limit = std::numeric_limits<double>::infinity())
         : DataPostprocessorScalar<dim>(name, update_values)
+        , limit(limit)
       {}
 
       void
@@ -34,9 +39,37 @@ namespace ElastoPlastic
         std::vector<Vector<double>>                &quantities) const override
       {
         for (unsigned int q = 0; q < quantities.size(); ++q)
-          quantities[q](0) = inputs.solution_values[q](dim - 1);
+          {
+            const double value = inputs.solution_values[q](dim - 1);
+            quantities[q](0) =
+              value < limit ? value : std::numeric_limits<double>::quiet_NaN();
+          }
       }
+
+    private:
+      const double limit;
     };
+
+
+
+    /// Puts a number in place of those that are infinite, which no
+    /// interpolation would bear: larger than any other by so much that it
+    /// cannot be mistaken, but not so much that its rounding errors matter.
+    /// @return a limit below it.
+    double
+    replace_infinite_entries(VectorType &vector)
+    {
+      double largest = 0;
+      for (const double value : vector)
+        if (std::isfinite(value))
+          largest = std::max(largest, std::abs(value));
+      largest = Utilities::MPI::max(largest, vector.get_mpi_communicator());
+      const double replacement = largest > 0. ? 1e6 * largest : 1.;
+      for (double &value : vector)
+        if (!std::isfinite(value))
+          value = replacement;
+      return 0.5 * replacement;
+    }
 
 
 
@@ -149,7 +182,7 @@ namespace ElastoPlastic
     solution.solid.initialize_vector(gap);
     pressure.reinit(gap);
     active.reinit(gap);
-    gap = std::numeric_limits<double>::quiet_NaN(); // where nothing can touch
+    gap = std::numeric_limits<double>::infinity(); // where nothing can touch
     solution.contact.surface_fields(
       gap, pressure, active, solution.displacement, solution.residual);
     solution.constraints.distribute(pressure);
@@ -165,7 +198,8 @@ namespace ElastoPlastic
       std::vector<Interpretation>(
         dim, DataComponentInterpretation::component_is_part_of_vector));
 
-    const VerticalComponent<dim> gap_component("gap");
+    const VerticalComponent<dim> gap_component("gap",
+                                               replace_infinite_entries(gap));
     const VerticalComponent<dim> pressure_component("contact_pressure");
     const VerticalComponent<dim> active_component("active");
     gap      = ghosted_copy(gap, solution.dof_handler);

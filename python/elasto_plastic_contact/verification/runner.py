@@ -55,9 +55,9 @@ class Runner:
             self.check_balances(read_tables(folder))
             yield folder
 
-    def preview(self, case, *entries):
+    def preview(self, case, *entries, directory="nowhere"):
         """What --validate says: the texts of its lines by their titles."""
-        command = [self.program, CASES / case, "--validate", "--output-directory", "nowhere"]
+        command = [self.program, CASES / case, "--validate", "--output-directory", directory]
         for entry in entries:
             command += ["--set", entry]
         report = subprocess.run(command, check=True, env=os.environ | MPI_ENVIRONMENT, stdout=subprocess.PIPE,
