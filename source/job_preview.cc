@@ -56,7 +56,7 @@ namespace ElastoPlastic
     cost_per_unknown(const unsigned int dim, const unsigned int degree)
     {
       if (dim == 2)
-        return degree == 1 ? CostPerUnknown{1., 50.} : CostPerUnknown{1., 50.};
+        return degree == 1 ? CostPerUnknown{1., 50.} : CostPerUnknown{0.6, 40.};
       return degree == 1 ? CostPerUnknown{1., 75.} : CostPerUnknown{0.6, 55.};
     }
   } // namespace
