@@ -18,6 +18,7 @@
 #include "contact/gap_function.h"
 #include "error_bound_analysis.h"
 #include "evaluation/last_step.h"
+#include "evaluation/small_strain_guard.h"
 #include "io/checkpoint.h"
 #include "io/field_output.h"
 #include "io/log.h"
@@ -61,6 +62,11 @@ namespace ElastoPlastic
                          const Parameters &parameters,
                          const MPI_Comm    communicator);
 
+    /// Checks that the indenter can touch the body, which depends on how fine
+    /// the mesh is. @throws InputError
+    void
+    check_contact() const;
+
     /// Follows the load history, refines the mesh, and writes the results to
     /// the output directory. @p overwrite allows to replace earlier ones.
     /// @throws InputError, ConvergenceError, EquilibriumError, FileError
@@ -83,6 +89,10 @@ namespace ElastoPlastic
     solve_on_mesh_sequence(Statistics &statistics);
     void
     output_results(const bool last_cycle);
+    void
+    output_initial_state();
+    void
+    write_fields(const std::string &name, const double time);
 
     // A load step (load_step.cc): it ends with commit_step(), or it fails and
     // is taken back.
@@ -179,6 +189,9 @@ namespace ElastoPlastic
     parallel::distributed::Triangulation<dim> triangulation;
     const GapFunction<dim>                    gap_function;
     const int                                 finest_first_level;
+
+    // Whether they stay within the theory.
+    SmallStrainGuard<dim> small_strain_guard;
 
     // The finite element space; which of its unknowns are constrained or
     // fixed; the body's response; the nodes that may touch the indenter.

@@ -45,6 +45,11 @@ namespace ElastoPlastic
     void
     require_safe(const double force);
 
+    /// Whether the force is below the lower bound on the first mesh. Writes no
+    /// files. @throws EquilibriumError if it is not below the upper one.
+    bool
+    is_safe_at_first_sight(const double force);
+
     types::global_cell_index
     n_cells() const;
 
@@ -54,6 +59,15 @@ namespace ElastoPlastic
 
     void
     find_bounds();
+
+    /// Whether the force is below the last lower bound.
+    /// @throws EquilibriumError if it is not below the upper one.
+    bool
+    is_safe(const double force) const;
+
+    /// The last bounds, and what to do.
+    std::string
+    bounds_in_words() const;
 
     void
     write_results(Table<LimitLoadRow> &table);

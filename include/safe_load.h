@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <string>
+
 #include "base/exceptions.h"
 #include "evaluation/solve_result.h"
 #include "io/parameters.h"
@@ -26,6 +28,17 @@ namespace ElastoPlastic
   require_safe_load(const Model<dim> &model,
                     const Parameters &parameters,
                     const MPI_Comm    communicator);
+
+
+
+  /// What the first of the coarse meshes that require_safe_load() takes says
+  /// about that, as a clause; empty where nothing is done. Collective.
+  /// @throws EquilibriumError if the force is certainly not safe.
+  template <int dim>
+  std::string
+  first_look_at_load(const Model<dim> &model,
+                     const Parameters &parameters,
+                     const MPI_Comm    communicator);
 
 
 

@@ -41,7 +41,7 @@ namespace ElastoPlastic
     , parameters(parameters)
     , communicator(communicator)
     , gap_function(gap_function)
-    , output(parameters.output.directory, "equilibrium", "displacement")
+    , output(parameters.output, "equilibrium", "displacement")
   {
     check_is_linear(model.materials);
   }

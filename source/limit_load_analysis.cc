@@ -13,6 +13,7 @@
 #include "equilibrium/cell_indicators.h"
 #include "equilibrium/stress_check.h"
 #include "io/output_directory.h"
+#include "io/table_reference.h"
 #include "limit_load_analysis.h"
 #include "mesh/material_ids.h"
 #include "mesh/refinement.h"
@@ -51,7 +52,7 @@ namespace ElastoPlastic
     , communicator(communicator)
     , first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
     , log(communicator, parameters.output.screen)
-    , output(parameters.output.directory, "limit_load", "velocity")
+    , output(parameters.output, "limit_load", "velocity")
     , triangulation(communicator)
     , gap_function(make_mesh_and_place_indenter(model, triangulation))
   {
@@ -74,6 +75,7 @@ namespace ElastoPlastic
     setup_body();
     OutputDirectory directory(communicator, parameters.output.directory);
     directory.begin_run(overwrite, parameters.effective_input);
+    write_table_reference(communicator, parameters.output);
     Table<LimitLoadRow> table(communicator,
                               parameters.output.directory + "/limit_load.csv",
                               limit_load_columns());
@@ -96,29 +98,52 @@ namespace ElastoPlastic
   LimitLoadAnalysis::require_safe(const double force)
   {
     setup_body();
-    while (true)
+    find_bounds();
+    while (!is_safe(force))
       {
-        find_bounds();
-        if (force < row.lower_bound)
-          return;
-
-        const std::string between =
-          "between " + Patterns::Tools::to_string(row.lower_bound) + " and " +
-          Patterns::Tools::to_string(row.upper_bound) +
-          ". Prescribe a force below the first of these bounds, or the depth.";
-        const std::string the_force =
-          "the force " + Patterns::Tools::to_string(force);
-        if (force >= row.upper_bound)
-          throw EquilibriumError("There is no equilibrium under " + the_force +
-                                 ": the limit load of the body is " + between);
         if (n_cells() > max_cells_to_decide)
-          throw EquilibriumError("There may be no equilibrium under " +
-                                 the_force +
-                                 ", which is too close to the limit load of "
-                                 "the body to tell: that is " +
-                                 between);
+          throw EquilibriumError(
+            "There may be no equilibrium under the force " +
+            Patterns::Tools::to_string(force) +
+            ", which is too close to the limit load of "
+            "the body to tell: that is " +
+            bounds_in_words());
         refine_mesh();
+        find_bounds();
       }
+  }
+
+
+
+  bool
+  LimitLoadAnalysis::is_safe_at_first_sight(const double force)
+  {
+    setup_body();
+    find_bounds();
+    return is_safe(force);
+  }
+
+
+
+  bool
+  LimitLoadAnalysis::is_safe(const double force) const
+  {
+    if (force >= row.upper_bound)
+      throw EquilibriumError("There is no equilibrium under the force " +
+                             Patterns::Tools::to_string(force) +
+                             ": the limit load of the body is " +
+                             bounds_in_words());
+    return force < row.lower_bound;
+  }
+
+
+
+  std::string
+  LimitLoadAnalysis::bounds_in_words() const
+  {
+    return "between " + Patterns::Tools::to_string(row.lower_bound) + " and " +
+           Patterns::Tools::to_string(row.upper_bound) +
+           ". Prescribe a force below the first of these bounds, or the depth.";
   }
 
 

@@ -16,6 +16,7 @@
 #include "make_model.h"
 #include "program.h"
 #include "safe_load.h"
+#include "validation.h"
 #include "version.h"
 
 namespace
@@ -25,12 +26,13 @@ namespace
   template <int dim>
   void
   solve_contact_problem(const CommandLine &command_line,
-                        const Parameters  &parameters)
+                        const Parameters  &parameters,
+                        std::ostream      &out)
   {
-    const Model<dim>          model = make_model<dim>(parameters);
+    const Model<dim> model = make_model<dim>(parameters);
+    if (command_line.task == CommandLine::Task::validate)
+      return validate(model, parameters, MPI_COMM_WORLD, out);
     ElastoPlasticContact<dim> problem(model, parameters, MPI_COMM_WORLD);
-    if (command_line.task != CommandLine::Task::run)
-      return;
     if (command_line.resume)
       problem.resume();
     else
@@ -43,35 +45,41 @@ namespace
 
 
   void
-  find_limit_load(const CommandLine &command_line, const Parameters &parameters)
+  find_limit_load(const CommandLine &command_line,
+                  const Parameters  &parameters,
+                  std::ostream      &out)
   {
     if (command_line.resume)
       throw InputError(
         "A limit load analysis has no load steps and keeps no "
         "checkpoints: there is nothing to resume. Leave out "
         "--resume.");
-    const Model<2>    model = make_model<2>(parameters);
-    LimitLoadAnalysis analysis(model, parameters, MPI_COMM_WORLD);
-    if (command_line.task == CommandLine::Task::run)
-      analysis.run(command_line.overwrite);
+    const Model<2> model = make_model<2>(parameters);
+    if (command_line.task == CommandLine::Task::validate)
+      return validate_limit_load(model, parameters, MPI_COMM_WORLD, out);
+    LimitLoadAnalysis(model, parameters, MPI_COMM_WORLD)
+      .run(command_line.overwrite);
   }
 
 
 
   /// @throws InputError that names the parameter file.
   void
-  analyze(const CommandLine &command_line)
+  analyze(const CommandLine &command_line, std::ostream &out)
   {
     const Parameters parameters = Parameters::read(command_line);
+    std::ostream     nowhere(nullptr);
+    std::ostream    &report =
+      parameters.output.screen == Verbosity::quiet ? nowhere : out;
     try
       {
         parameters.check();
         if (parameters.analysis == Analysis::limit_load)
-          find_limit_load(command_line, parameters);
+          find_limit_load(command_line, parameters, report);
         else if (parameters.dimension == 2)
-          solve_contact_problem<2>(command_line, parameters);
+          solve_contact_problem<2>(command_line, parameters, report);
         else
-          solve_contact_problem<3>(command_line, parameters);
+          solve_contact_problem<3>(command_line, parameters, report);
       }
     catch (const InputError &error)
       {
@@ -98,7 +106,7 @@ namespace
           break;
         case CommandLine::Task::validate:
         case CommandLine::Task::run:
-          analyze(command_line);
+          analyze(command_line, out);
           break;
       }
   }

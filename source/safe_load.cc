@@ -8,7 +8,7 @@
 #include "equilibrium/hencky_material.h"
 #include "io/log.h"
 #include "limit_load_analysis.h"
-#include "loading/time_steps.h"
+#include "loading/largest_load.h"
 #include "safe_load.h"
 
 namespace ElastoPlastic
@@ -36,21 +36,41 @@ namespace ElastoPlastic
 
 
 
-    /// Of all that are prescribed at the ends of the load steps. A force that
-    /// a depth has reached, and from which the next segment begins, is safe.
+    /// The largest one that a limit load is to be compared with; 0 if there is
+    /// none. A force that a depth has reached, and from which the next segment
+    /// begins, is safe.
     double
-    largest_force(const LoadProgram &program, const unsigned int n_steps)
+    force_in_question(const Model<2> &model, const Parameters &parameters)
     {
-      double largest = 0;
-      for (TimeSteps steps(program.segment_ends(), n_steps, 0);
-           !steps.finished();
-           steps.advance())
-        {
-          const auto load = program.load(steps.next_time());
-          if (load && load->control == Control::force)
-            largest = std::max(largest, load->value);
-        }
-      return largest;
+      if (!has_limit_load(model))
+        return 0.;
+      return largest_load(model.load_program,
+                          TimeSteps(model.load_program.segment_ends(),
+                                    parameters.loading.n_steps,
+                                    0),
+                          Control::force)
+        .value_or(0.);
+    }
+
+
+
+    Model<2>
+    with_coarse_mesh(const Model<2> &model)
+    {
+      Model<2> result = model;
+      result.geometry = model.geometry.with_few_cells(max_initial_cells);
+      return result;
+    }
+
+
+
+    Parameters
+    with_refinement_of_few_cells(const Parameters &parameters)
+    {
+      Parameters result                     = parameters;
+      result.refinement                     = RefinementParameters();
+      result.refinement.refinement_fraction = 0.1;
+      return result;
     }
   } // namespace
 
@@ -66,29 +86,16 @@ namespace ElastoPlastic
                     const Parameters &parameters,
                     const MPI_Comm    communicator)
   {
-    const double force =
-      largest_force(model.load_program, parameters.loading.n_steps);
-    if (force <= 0 || !has_limit_load(model))
+    const double force = force_in_question(model, parameters);
+    if (force <= 0)
       return;
 
-    Model<2>   coarse_model                      = model;
-    Parameters few_at_a_time                     = parameters;
-    few_at_a_time.refinement                     = RefinementParameters();
-    few_at_a_time.refinement.refinement_fraction = 0.1;
+    const Model<2>   coarse_model = with_coarse_mesh(model);
+    const Parameters few_cells    = with_refinement_of_few_cells(parameters);
     try
       {
-        while (true)
-          {
-            LimitLoadAnalysis  analysis(coarse_model,
-                                       few_at_a_time,
-                                       communicator);
-            const unsigned int n =
-              coarse_model.geometry.n_initial_refinements();
-            if (n == 0 || analysis.n_cells() <= max_initial_cells)
-              return analysis.require_safe(force);
-            coarse_model.geometry =
-              coarse_model.geometry.with_initial_refinements(n - 1);
-          }
+        LimitLoadAnalysis(coarse_model, few_cells, communicator)
+          .require_safe(force);
       }
     catch (const ConvergenceError &error)
       {
@@ -102,11 +109,50 @@ namespace ElastoPlastic
 
 
 
+  template <>
+  std::string
+  first_look_at_load(const Model<2>   &model,
+                     const Parameters &parameters,
+                     const MPI_Comm    communicator)
+  {
+    const double force = force_in_question(model, parameters);
+    if (force <= 0)
+      return "";
+
+    const Model<2>   coarse_model = with_coarse_mesh(model);
+    const Parameters few_cells    = with_refinement_of_few_cells(parameters);
+    const auto       the_force    = Patterns::Tools::to_string(force);
+    try
+      {
+        return LimitLoadAnalysis(coarse_model, few_cells, communicator)
+                   .is_safe_at_first_sight(force) ?
+                 "the force " + the_force + " is below the limit load" :
+                 "a coarse mesh does not tell whether the force " + the_force +
+                   " is below it; the run begins with finding out";
+      }
+    catch (const ConvergenceError &error)
+      {
+        return "there is no bound to compare the force " + the_force +
+               " with. " + error.what();
+      }
+  }
+
+
+
   // Nothing is known in space.
   template <>
   void
   require_safe_load(const Model<3> &, const Parameters &, const MPI_Comm)
   {}
+
+
+
+  template <>
+  std::string
+  first_look_at_load(const Model<3> &, const Parameters &, const MPI_Comm)
+  {
+    return "";
+  }
 
 
 

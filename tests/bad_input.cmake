@@ -87,6 +87,8 @@ add_message_test(include_itself 2 "^Error: [^ ]*include_itself.prm, line 2: [^ ]
 string(ASCII 7 _bell)
 add_message_test(value_with_comment 2 "'Output/Directory' is 'run#1', but a value cannot contain '#'" ${_base} --validate --output-directory run\#1)
 add_message_test(value_with_backslash 2 "'Output/Directory' is 'C:.', but a value cannot .* end with a backslash" ${_base} --validate --output-directory "C:\\")
+add_entry_test(unit_in_brackets "'Output/Length unit' is '<mm>', but a unit is a name such as mm" "Output/Length unit=<mm>")
+add_message_test(unknown_field 2 "'Output/Additional fields' is 'temperature', but it must be: list.*`principal stresses`" ${_base} --validate --set "Output/Additional fields=temperature")
 add_message_test(value_with_bell 2 "'Output/Directory' is 'a.b', but a value cannot contain .* a control character" ${_base} --validate --output-directory "a${_bell}b")
 string(ASCII 233 _e_acute)
 file(WRITE ${_here}/latin_1.prm "include ${_base}\nsubsection Output\n set Directory = r${_e_acute}sultats\nend\nsubsection Indenter\n set Radius = 0\nend\n")
@@ -269,8 +271,20 @@ add_entry_test(adaptation_global "'Refinement/Steps between adaptations' is '2',
 add_message_test(resume_and_overwrite 2 "--overwrite begins anew, --resume goes on" ${_base} --resume --overwrite)
 add_message_test(nothing_to_resume 2 "base.prm: There is nothing to resume: 'nothing_to_resume/checkpoint' does not exist" ${_base} --output-directory nothing_to_resume --resume)
 add_message_test(first_mesh_too_fine 2 "'Refinement/Maximum number of unknowns' is '10', but the first mesh has 32 unknowns or more" ${_base} --output-directory first_mesh_too_fine --overwrite --set "Refinement/Maximum number of unknowns=10")
+add_message_test(validate_first_mesh_too_fine 2 "but the first mesh has 8396802 unknowns or more" ${_base} --validate --set "Geometry/Initial refinements=9" --set "Refinement/Maximum number of unknowns=1000000")
 add_message_test(no_convergence 3 "has not converged in 1 iterations" ${_base} --output-directory no_convergence --overwrite --set "Nonlinear solver/Maximum number of iterations=1" --set Loading/Depth=0.1)
 add_message_test(overflow 3 "forces are no longer finite numbers" ${_base} --output-directory overflow --overwrite --set Loading/Depth=1e300)
+
+# Each of these is said once, although all later steps are beyond the limit, too.
+add_message_test(large_plastic_strain 0 "^Warning: Step 3 leaves the theory of small strains: the largest equivalent plastic strain is 0.147 .limit: 0.1.. What follows"
+  ${CMAKE_SOURCE_DIR}/parameter_files/material/uniaxial_isotropic.prm --overwrite --quiet --output-directory large_plastic_strain
+  --set "Boundary conditions/Prescribed displacement=top: free; free; 0.2*t" --set "Loading/Final time=1" --set "Loading/Number of steps=4")
+set(_elastic_indentation ${CMAKE_SOURCE_DIR}/parameter_files/verification/hertz_axisymmetric.prm --overwrite --quiet
+  --set "Loading/Control=depth" --set "Loading/Number of steps=3" --set "Geometry/Initial refinements=3")
+add_message_test(steep_indenter 0 "^Warning: Step 1 leaves the theory of small strains: the slope of the indenter at the edge of the contact is 0.577 .limit: 0.25.. What follows"
+  ${_elastic_indentation} --output-directory steep_indenter --set "Loading/Depth=0.06" --set "Indenter/Type=cone" --set "Indenter/Semi-apex angle=60")
+add_message_test(deep_punch 0 "^Warning: Step 2 leaves the theory of small strains: the depth over the contact radius is 0.2[0-9]* .limit: 0.2.. What follows"
+  ${_elastic_indentation} --output-directory deep_punch --set "Loading/Depth=0.04" --set "Indenter/Type=circular punch" --set "Indenter/Radius=0.1")
 
 # In plane strain and plane stress, the two bounds of the limit load decide
 # before anything is computed. Here the exact one is (2 + pi)/sqrt(3) = 2.9685.
@@ -280,6 +294,8 @@ add_message_test(unsafe_load 4 "There is no equilibrium under the force 3: the l
   ${_punch_force} --output-directory unsafe_load --set "Loading/Force=3")
 add_message_test(unsafe_history 4 "There is no equilibrium under the force 4: the limit load of the body is between 2.[0-9]* and 3.[0-9]*."
   ${_punch_force} --output-directory unsafe_history --set "Loading/Force=4*t" --set "Loading/Number of steps=3")
+add_message_test(validate_unsafe_load 4 "There is no equilibrium under the force 4: the limit load of the body is between 2.[0-9]* and 3.[0-9]*."
+  ${_punch_force} --validate --output-directory validate_unsafe_load --set "Loading/Force=4")
 # The force is safe, as finer meshes tell, but the first ones have no stresses that could bear it.
 set(_no_bound ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --overwrite --quiet
   --set "Analysis=contact with error bound" --set "Geometry/Initial refinements=0" --set "Loading/Control=force"

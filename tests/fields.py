@@ -1,21 +1,23 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The fields of plane bodies: von Mises' stress and the equivalent plastic strain that
-follow from the tensors are those that are written, and the exact ones; what is
-extrapolated stays physical.
+follow from the tensors are those that are written, and the exact ones, as are additional
+fields; what is extrapolated stays physical; a history begins with the virgin body; units
+stand beside the fields and in tables.md.
 
 usage: fields.py PROGRAM
 """
 
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.append(str(ROOT / "python"))
-from elasto_plastic_contact.fields import read_fields  # noqa: E402
+from elasto_plastic_contact.fields import read_fields, times  # noqa: E402
 
 SINGLE_PRECISION = 2e-6
 YOUNGS_MODULUS, POISSON_RATIO, YIELD_STRESS, HARDENING = 200000, 0.3, 400, 2000
@@ -25,13 +27,18 @@ MATERIAL = ["Material/Law=isotropic hardening", f"Material/Young's modulus={YOUN
             f"Material/Poisson's ratio={POISSON_RATIO}", f"Material/Yield stress={YIELD_STRESS}",
             f"Material/Isotropic hardening modulus={HARDENING}"]
 STRAIN = 0.005
+ADDITIONAL = "Output/Additional fields=pressure, triaxiality, principal stresses, back stress"
 
 
-def last_fields(program, folder, case, *entries):
+def run(program, folder, case, *entries):
     command = [program, ROOT / "parameter_files" / case, "--quiet", "--overwrite", "--output-directory", folder]
     for entry in entries:
         command += ["--set", entry]
     subprocess.run(command, check=True)
+
+
+def last_fields(program, folder, case, *entries):
+    run(program, folder, case, *entries)
     return list(read_fields(folder, "solution"))[-1]
 
 
@@ -63,11 +70,17 @@ def check_confined_block(program, folder):
     plastic_strain = (2 * SHEAR_MODULUS * STRAIN - YIELD_STRESS) / (3 * SHEAR_MODULUS + HARDENING)
     von_mises = YIELD_STRESS + HARDENING * plastic_strain
     for kinematics in ("plane strain", "axisymmetric"):
-        fields = last_fields(program, folder, "verification/confined_block.prm", *MATERIAL, "Dimension=2",
+        fields = last_fields(program, folder, "verification/confined_block.prm", *MATERIAL, "Dimension=2", ADDITIONAL,
                              f"Kinematics={kinematics}", "Boundary conditions/Roller=bottom, left, right",
                              "Indenter/Type=strip punch", "Indenter/Half width=2", "Indenter/Position=0",
                              f"Loading/Depth={STRAIN}")
-        check_uniform(f"confined block, {kinematics}", fields, von_mises, plastic_strain, BULK_MODULUS * STRAIN)
+        pressure = BULK_MODULUS * STRAIN
+        check_uniform(f"confined block, {kinematics}", fields, von_mises, plastic_strain, pressure)
+        for field, exact in (("pressure", pressure), ("triaxiality", -pressure / von_mises),
+                             ("principal_stress_1", von_mises / 3 - pressure),
+                             ("principal_stress_2", von_mises / 3 - pressure),
+                             ("principal_stress_3", -2 / 3 * von_mises - pressure)):
+            expect(f"confined block, {kinematics}: {field}", fields[field], exact)
 
 
 def check_sheet(program, folder):
@@ -77,6 +90,47 @@ def check_sheet(program, folder):
                          f"Boundary conditions/Prescribed displacement=top: free; {STRAIN}*t",
                          "Loading/Final time=1", "Loading/Number of steps=1")
     check_uniform("sheet", fields, stress, STRAIN - stress / YOUNGS_MODULUS, -stress / 3)
+
+
+def check_back_stress(program, folder):
+    """The same sheet with kinematic hardening: Prager's back stress, 2/3 H times the plastic strain."""
+    stress = (YIELD_STRESS + HARDENING * STRAIN) / (1 + HARDENING / YOUNGS_MODULUS)
+    plastic_strain = STRAIN - stress / YOUNGS_MODULUS
+    fields = last_fields(program, folder, "material/plane_stress_tension.prm", *MATERIAL, ADDITIONAL,
+                         "Material/Law=kinematic hardening", f"Material/Kinematic hardening modulus={HARDENING}",
+                         f"Boundary conditions/Prescribed displacement=top: free; {STRAIN}*t",
+                         "Loading/Final time=1", "Loading/Number of steps=1")
+    expect("sheet, kinematic hardening: back stress along", [tensor[4] for tensor in fields["back_stress"]],
+           2 / 3 * HARDENING * plastic_strain)
+    expect("sheet, kinematic hardening: back stress across", [tensor[8] for tensor in fields["back_stress"]],
+           -1 / 3 * HARDENING * plastic_strain)
+
+
+def check_initial_state(program, folder):
+    """With the gap under the undisplaced cylinder, which is no number out of its reach."""
+    reach = 1.3
+    run(program, folder, "cylinder_2d.prm", "Refinement/Number of cycles=1", "Loading/Number of steps=2",
+        "Indenter/Radius=5", f"Indenter/Reach={reach}", "Output/Length unit=mm", "Output/Force unit=N")
+    solution, surface = (next(read_fields(folder, kind)) for kind in ("solution", "surface"))
+    gaps_are_right = all(math.isnan(gap) if abs(x) > reach else abs(gap - 5 + math.sqrt(25 - x * x)) < 1e-6
+                         for gap, (x, _, _) in zip(surface["gap"], surface["points"]))
+    holds = (times(folder, "solution") == [0., 0.5, 1.] == times(folder, "surface") and gaps_are_right and
+             all(value == 0. for name in ("displacement", "stress") for vector in solution[name] for value in vector)
+             and not any(surface["contact_pressure"]) and not any(surface["active"]))
+    print(f"initial state: {'ok' if holds else 'FAILED'}")
+    assert holds
+
+
+def check_units(_, folder):
+    """Those of the last run."""
+    for file, patterns in (
+            ("solution-001.0000.vtu", ('"stress"[^>]*units="MPa"', '"displacement"[^>]*units="mm"')),
+            ("surface-001.0000.vtu", ('"contact_pressure"[^>]*units="MPa"', '"gap"[^>]*units="mm"')),
+            ("tables.md", (r"\| `force` \| N \|", r"\| `plastic_work` \| N mm \|", r"\| `contact_area` \| mm\^2 \|"))):
+        text = (folder / file).read_text(encoding="utf-8")
+        missing = [pattern for pattern in patterns if not re.search(pattern, text)]
+        print(f"units in {file}: {f'FAILED, no {missing}' if missing else 'ok'}")
+        assert not missing
 
 
 def check_contact(program, folder):
@@ -92,7 +146,8 @@ def check_contact(program, folder):
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        for check in (check_confined_block, check_sheet, check_contact):
+        for check in (check_confined_block, check_sheet, check_back_stress, check_initial_state, check_units,
+                      check_contact):
             check(sys.argv[1], pathlib.Path(folder))
 
 

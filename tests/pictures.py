@@ -61,7 +61,7 @@ def check_animation(folder, n_steps):
     """All frames have the same bar of colours."""
     film = folder / "film"
     pictures = run_script("render.py", folder, "--animation", film, "--size", "600x450", "--zoom", "8", "--scale", "1")
-    frames = [f"frame_{i:04d}.png" for i in range(n_steps)]
+    frames = [f"frame_{i:04d}.png" for i in range(n_steps + 1)]  # the first at t = 0
     has_pillow = importlib.util.find_spec("PIL") is not None
     expect(pictures, frames + (["animation.gif"] if has_pillow else []))
     expect(run_script("render.py", folder, "--zoom", "8"), ["picture.png"])

@@ -8,6 +8,7 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include "io/point_field.h"
 #include "mechanics/solid_operator.h"
 
 namespace ElastoPlastic
@@ -29,12 +30,14 @@ namespace ElastoPlastic
   class BodyOutput
   {
   public:
-    /// The arguments must outlive this object; @p error_indicators has an
-    /// entry for each active cell.
+    /// The first arguments must outlive this object; @p error_indicators has an
+    /// entry for each active cell. @p parameters say which fields are written
+    /// and what their units are called.
     BodyOutput(const DoFHandler<dim>    &dof_handler,
                const VectorType         &displacement,
                const SolidOperator<dim> &solid,
-               const Vector<float>      &error_indicators);
+               const Vector<float>      &error_indicators,
+               const OutputParameters   &parameters);
 
     /// Whether there are no locally owned cells.
     bool
@@ -52,16 +55,38 @@ namespace ElastoPlastic
 
   private:
     using Patch = DataOutBase::Patch<dim, dim>;
+    using Range =
+      std::tuple<unsigned int,
+                 unsigned int,
+                 std::string,
+                 DataComponentInterpretation::DataComponentInterpretation>;
+
+    /// A name for each row of a patch's data: the displacement, the fields of
+    /// points, and those of cells.
+    std::vector<std::string>
+    row_names() const;
+
+    /// Which rows are vectors and tensors.
+    std::vector<Range>
+    vectors_and_tensors() const;
 
     Patch
     make_patch(const typename DoFHandler<dim>::active_cell_iterator &cell,
                const std::vector<PointResult> &points) const;
+
+    /// The fields of @p points at the points of the patch, from @p first_row
+    /// of its @p data on.
+    void
+    extrapolate(const std::vector<PointResult> &points,
+                const unsigned int              first_row,
+                dealii::Table<2, float>        &data) const;
 
     const DoFHandler<dim>    &dof_handler;
     const VectorType         &displacement;
     const SolidOperator<dim> &solid;
     const Vector<float>      &error_indicators;
 
+    const std::vector<PointField>   fields;
     const unsigned int              degree;
     const VectorType                ghosted_displacement;
     const std::vector<unsigned int> to_lexicographic;

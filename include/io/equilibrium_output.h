@@ -13,6 +13,7 @@
 #include "equilibrium/plane_body.h"
 #include "equilibrium/quadratic_field.h"
 #include "equilibrium/stress_field.h"
+#include "io/output_parameters.h"
 
 namespace ElastoPlastic
 {
@@ -33,11 +34,11 @@ namespace ElastoPlastic
   class EquilibriumOutput
   {
   public:
-    /// The files are @p directory/name-*.vtu and name.pvd; @p name_of_motion is
-    /// that of EquilibriumFields::motion.
-    EquilibriumOutput(const std::string &directory,
-                      const std::string &name,
-                      const std::string &name_of_motion);
+    /// The files in the output directory are name-*.vtu and name.pvd; @p
+    /// name_of_motion is that of EquilibriumFields::motion.
+    EquilibriumOutput(const OutputParameters &parameters,
+                      const std::string      &name,
+                      const std::string      &name_of_motion);
 
     /// @p cycle numbers the file. @throws FileError
     void
@@ -45,6 +46,7 @@ namespace ElastoPlastic
 
   private:
     const std::string                           directory;
+    const Units                                 units;
     const std::string                           name;
     const std::string                           name_of_motion;
     std::vector<std::pair<double, std::string>> records;

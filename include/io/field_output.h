@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "contact/contact_set.h"
+#include "io/output_parameters.h"
 #include "mechanics/solid_operator.h"
 
 namespace ElastoPlastic
@@ -37,7 +38,9 @@ namespace ElastoPlastic
       const Vector<float>               &error_indicators;
     };
 
-    explicit FieldOutput(const std::string &directory);
+    /// @p parameters say where the files go, which fields they hold and what
+    /// their units are called; they must outlive this object.
+    explicit FieldOutput(const OutputParameters &parameters);
 
     /// Writes both files for @p solution. @p name distinguishes them from
     /// others (the same name as before replaces them), @p time is their place
@@ -74,7 +77,7 @@ namespace ElastoPlastic
                 const std::string &name,
                 const double       time);
 
-    const std::string directory;
+    const OutputParameters &parameters;
 
     /// For each kind of file: the times and file names written so far.
     std::map<std::string, std::vector<std::pair<double, std::string>>> records;

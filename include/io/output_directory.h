@@ -36,6 +36,11 @@ namespace ElastoPlastic
     /// Brings earlier results back if they are still set aside.
     ~OutputDirectory();
 
+    /// Whether there are results in the folder, or set aside there.
+    /// @throws FileError if something stands in their way.
+    bool
+    holds_results() const;
+
     /// Makes the folder ready for a new run: creates it, and refuses to touch
     /// earlier results, or sets them aside if @p overwrite. The @p
     /// effective_input goes into the file parameters.prm.

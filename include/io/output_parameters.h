@@ -7,9 +7,11 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <vector>
 
 #include "base/enum_names.h"
 #include "io/log.h"
+#include "io/units.h"
 
 namespace ElastoPlastic
 {
@@ -31,17 +33,42 @@ namespace ElastoPlastic
 
 
 
+  /// Fields of the body that are written on request only; see the entry
+  /// "Additional fields".
+  enum class AdditionalField
+  {
+    principal_stresses,
+    pressure,
+    triaxiality,
+    back_stress
+  };
+
+  template <>
+  inline const EnumNames<AdditionalField> enum_names<AdditionalField> = {
+    {"principal stresses", AdditionalField::principal_stresses},
+    {"pressure", AdditionalField::pressure},
+    {"triaxiality", AdditionalField::triaxiality},
+    {"back stress", AdditionalField::back_stress}};
+
+
+
   /// The entries of the section "Output".
   struct OutputParameters
   {
-    std::string      directory = "output";
-    FieldOutputTimes fields    = FieldOutputTimes::every_cycle;
-    Verbosity        screen    = Verbosity::full;
+    std::string                  directory = "output";
+    FieldOutputTimes             fields    = FieldOutputTimes::every_cycle;
+    std::vector<AdditionalField> additional_fields;
+    Units                        units;
+    Verbosity                    screen = Verbosity::full;
     /// Load steps from one checkpoint to the next; 0: on request only.
     unsigned int checkpoint_interval = 1;
 
     void
     add_parameters(ParameterHandler &prm);
+
+    /// @throws InputError for the first value that is not allowed.
+    void
+    check() const;
   };
 } // namespace ElastoPlastic
 

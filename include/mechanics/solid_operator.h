@@ -37,6 +37,7 @@ namespace ElastoPlastic
   {
     SymmetricTensor<2, 3> stress;
     SymmetricTensor<2, 3> plastic_strain;
+    SymmetricTensor<2, 3> back_stress; ///< the sum of all
     double                equivalent_plastic_strain;
     /// Whether the point has ever yielded.
     bool plastic;

@@ -65,9 +65,15 @@ namespace ElastoPlastic
     unsigned int
     n_initial_refinements() const;
 
-    /// The same body with fewer or more initial refinements.
+    /// The same body with as many of its initial refinements as leave it some
+    /// @p n_cells cells at most; with none, if that is still too much.
     Geometry
-    with_initial_refinements(const unsigned int n) const;
+    with_few_cells(const double n_cells) const;
+
+    /// @throws InputError if the initial refinements make more cells than are
+    /// possible here. Collective over @p communicator.
+    void
+    check_size(const MPI_Comm communicator) const;
 
     /// Fills the empty @p triangulation, serial or distributed, with the mesh
     /// of the body: coarse mesh, manifolds, boundary ids, material ids and the

@@ -121,7 +121,7 @@ class Files(unittest.TestCase):
         return "\n".join(re.findall(r"<!-- (.*) -->", path.read_text(encoding="utf-8")))
 
     def test_history_side_by_side(self):
-        texts = self.texts_of("render", self.cone, "--steps", 1, 2, 5, "--zoom", 8, "--scale", 1,
+        texts = self.texts_of("render", self.cone, "--steps", 0, 2, 6, "--zoom", 8, "--scale", 1,
                              "--length-unit", "mm", "--force-unit", "N", "--output", self.folder / "history.svg")
         for words in ("(a)", "(b)", "(c)", "indenter", "plastic zone", "0.1 mm", "von Mises stress in MPa",
                       "t = 0.666667"):
@@ -132,8 +132,8 @@ class Files(unittest.TestCase):
         self.assertTrue(path.read_bytes().startswith(b"\x89PNG"))
         self.assertIn("no field 'temperature'; there are: displacement, ",
                       self.message("render", self.cone, "--field", "temperature"))
-        self.assertIn("--steps has 12, but solution.pvd has 12 entries",
-                      self.message("render", self.cone, "--steps", 12))
+        self.assertIn("--steps has 13, but solution.pvd has 13 entries",
+                      self.message("render", self.cone, "--steps", 13))
         self.assertIn("must end with .png, .svg or .pdf",
                       self.message("render", self.cone, "--output", self.folder / "picture.mesh"))
 

@@ -36,7 +36,7 @@ class ResultsOfARun(unittest.TestCase):
         self.assertEqual(fields["stress"].shape, (len(fields["points"]), 9))
         self.assertAlmostEqual(fields["stress"][:, 8].max(), (300 + 2000 * 0.02) / 1.01, places=3)
         self.assertAlmostEqual(fields["displacement"][:, 2].max(), 0.02)
-        with self.assertRaisesRegex(UserError, "there is no step 9 in .*solution.pvd': it has 4"):
+        with self.assertRaisesRegex(UserError, "there is no step 9 in .*solution.pvd': it has 5"):
             self.results.fields("solution", 9)
 
     def test_fields_in_pieces(self):

@@ -7,6 +7,7 @@
 #include "base/termination.h"
 #include "elasto_plastic_contact.h"
 #include "evaluation/modelled_part.h"
+#include "io/table_reference.h"
 #include "mesh/material_ids.h"
 #include "problem_checks.h"
 #include "safe_load.h"
@@ -32,10 +33,12 @@ namespace ElastoPlastic
                    parameters.loading.max_cuts)
     , log(communicator, parameters.output.screen)
     , timer(log.full_stream(), TimerOutput::never, TimerOutput::wall_times)
-    , field_output(parameters.output.directory)
+    , field_output(parameters.output)
     , triangulation(communicator)
     , gap_function(make_mesh_and_place_indenter(model, triangulation))
     , finest_first_level(triangulation.n_global_levels() - 1)
+    , small_strain_guard(
+        NominalContact<dim>(model, triangulation, gap_function))
     , fe(FE_Q<dim>(model.degree), dim)
     , dof_handler(triangulation)
     , supports(model)
@@ -58,8 +61,6 @@ namespace ElastoPlastic
     setup_contact();
     check_loads(model, load_program, time_steps, dof_handler);
     check_supports(model, dof_handler, supports, contact, external_forces);
-    if (gap_function.has_indenter())
-      check_reach(load_program, time_steps, parameters.loading, contact);
     parameters.refinement.check_first_mesh(dof_handler.n_dofs());
     for (const std::string &warning : model.geometry.warnings())
       log.warn(warning);
@@ -73,10 +74,23 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  ElastoPlasticContact<dim>::check_contact() const
+  {
+    if (gap_function.has_indenter())
+      check_reach(load_program, time_steps, parameters.loading, contact);
+  }
+
+
+
+  template <int dim>
+  void
   ElastoPlasticContact<dim>::run(const bool overwrite)
   {
+    check_contact();
     log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     output_directory.begin_run(overwrite, parameters.effective_input);
+    write_table_reference(communicator, parameters.output);
+    output_initial_state();
     run_load_history(Statistics::Progress());
   }
 
@@ -155,6 +169,9 @@ namespace ElastoPlastic
                                 result.time);
             commit_step(result);
             statistics.add_step(result, forces);
+            if (const std::string warning = small_strain_guard.warning(result);
+                !warning.empty())
+              log.warn(warning);
             step_is_under_way = false;
           }
         catch (const ConvergenceError &error)
@@ -227,20 +244,45 @@ namespace ElastoPlastic
       return;
 
     const unsigned int number = single_step ? cycle : time_steps.number();
-    TimerOutput::Scope scope(timer, "Output");
-    field_output.write(
-      {dof_handler,
-       supports.constraints(),
-       *solid,
-       contact,
-       model.boundary_conditions.ids(BoundaryConditionType::contact),
-       displacement,
-       residual,
-       error_indicators},
-      every_time ? Utilities::int_to_string(number, 3) : "last",
-      single_step ? cycle : time_steps.next_time());
+    write_fields(every_time ? Utilities::int_to_string(number, 3) : "last",
+                 single_step ? cycle : time_steps.next_time());
     if (error_bound && error_bound->why_missing().empty())
       error_bound->write_fields(cycle);
+  }
+
+
+
+  // The virgin body and the indenter where it stands, at t = 0 of a history.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::output_initial_state()
+  {
+    if (parameters.loading.is_single_step() ||
+        parameters.output.fields != FieldOutputTimes::every_cycle)
+      return;
+    contact.place(0.);
+    write_fields(Utilities::int_to_string(0, 3), 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::write_fields(const std::string &name,
+                                          const double       time)
+  {
+    TimerOutput::Scope scope(timer, "Output");
+    field_output.write({dof_handler,
+                        supports.constraints(),
+                        *solid,
+                        contact,
+                        model.boundary_conditions.ids(
+                          BoundaryConditionType::contact),
+                        displacement,
+                        residual,
+                        error_indicators},
+                       name,
+                       time);
   }
 
 

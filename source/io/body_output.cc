@@ -17,41 +17,27 @@ namespace ElastoPlastic
 
 
 
-    /// The rows of a patch's data.
-    template <int dim>
-    struct Rows
+    /// Of cells, in the last rows of a patch's data.
+    enum CellField
     {
-      static constexpr unsigned int displacement     = 0;
-      static constexpr unsigned int stress           = dim;
-      static constexpr unsigned int plastic_strain   = stress + 3 * 3;
-      static constexpr unsigned int von_mises        = plastic_strain + 3 * 3;
-      static constexpr unsigned int alpha            = von_mises + 1;
-      static constexpr unsigned int plastic_fraction = alpha + 1;
-      static constexpr unsigned int error_indicator  = plastic_fraction + 1;
-      static constexpr unsigned int material_id      = error_indicator + 1;
-      static constexpr unsigned int subdomain        = material_id + 1;
-      static constexpr unsigned int n                = subdomain + 1;
+      plastic_fraction,
+      error_indicator,
+      material_id,
+      subdomain,
+      n_cell_fields
     };
 
 
 
-    /// The values at one quadrature point, in the rows from stress on.
-    template <int dim>
-    std::array<float, Rows<dim>::n>
-    values_at(const PointResult &point)
+    unsigned int
+    n_components(const std::vector<PointField> &fields)
     {
-      using R = Rows<dim>;
-      std::array<float, R::n> values{};
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          {
-            values[R::stress + 3 * i + j]         = point.stress[i][j];
-            values[R::plastic_strain + 3 * i + j] = point.plastic_strain[i][j];
-          }
-      values[R::von_mises] = std::sqrt(1.5) * deviator(point.stress).norm();
-      values[R::alpha]     = point.equivalent_plastic_strain;
-      return values;
+      unsigned int n = 0;
+      for (const PointField &field : fields)
+        n += field.n_components;
+      return n;
     }
+
 
 
     template <int dim>
@@ -71,55 +57,17 @@ namespace ElastoPlastic
 
 
 
-    template <int dim>
-    std::vector<std::string>
-    field_names()
-    {
-      std::vector<std::string> names(dim, "displacement");
-      names.insert(names.end(), 3 * 3, "stress");
-      names.insert(names.end(), 3 * 3, "plastic_strain");
-      for (const auto *const name : {"von_mises_stress",
-                                     "equivalent_plastic_strain",
-                                     "plastic_fraction",
-                                     "error_indicator",
-                                     "material_id",
-                                     "subdomain"})
-        names.push_back(name);
-      return names;
-    }
-
-
-
-    template <int dim>
-    std::vector<
-      std::tuple<unsigned int,
-                 unsigned int,
-                 std::string,
-                 DataComponentInterpretation::DataComponentInterpretation>>
-    vectors_and_tensors()
-    {
-      using R = Rows<dim>;
-      return {{R::displacement,
-               R::stress - 1,
-               "displacement",
-               DataComponentInterpretation::component_is_part_of_vector},
-              {R::stress,
-               R::plastic_strain - 1,
-               "stress",
-               DataComponentInterpretation::component_is_part_of_tensor},
-              {R::plastic_strain,
-               R::von_mises - 1,
-               "plastic_strain",
-               DataComponentInterpretation::component_is_part_of_tensor}};
-    }
-
-
-
+    /// Compressed, with the units that have names.
     DataOutBase::VtkFlags
-    compressed()
+    make_flags(const std::vector<PointField> &fields, const Units &units)
     {
       DataOutBase::VtkFlags flags;
       flags.compression_level = DataOutBase::VtkFlags::best_speed;
+      if (!units.length.empty())
+        flags.physical_units["displacement"] = units.of("length");
+      if (units.are_named())
+        for (const PointField &field : fields)
+          flags.physical_units[field.name] = units.of(field.quantity);
       return flags;
     }
   } // namespace
@@ -130,17 +78,19 @@ namespace ElastoPlastic
   BodyOutput<dim>::BodyOutput(const DoFHandler<dim>    &dof_handler,
                               const VectorType         &displacement,
                               const SolidOperator<dim> &solid,
-                              const Vector<float>      &error_indicators)
+                              const Vector<float>      &error_indicators,
+                              const OutputParameters   &parameters)
     : dof_handler(dof_handler)
     , displacement(displacement)
     , solid(solid)
     , error_indicators(error_indicators)
+    , fields(point_fields(parameters.additional_fields))
     , degree(dof_handler.get_fe().degree)
     , ghosted_displacement(ghosted_copy(displacement, dof_handler))
     , to_lexicographic(
         FETools::hierarchic_to_lexicographic_numbering<dim>(degree))
     , extrapolation(make_extrapolation<dim>(degree))
-    , flags(compressed())
+    , flags(make_flags(fields, parameters.units))
   {}
 
 
@@ -157,13 +107,51 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  std::vector<std::string>
+  BodyOutput<dim>::row_names() const
+  {
+    std::vector<std::string> names(dim, "displacement");
+    for (const PointField &field : fields)
+      names.insert(names.end(), field.n_components, field.name);
+    for (const auto *const name :
+         {"plastic_fraction", "error_indicator", "material_id", "subdomain"})
+      names.push_back(name);
+    return names;
+  }
+
+
+
+  template <int dim>
+  std::vector<typename BodyOutput<dim>::Range>
+  BodyOutput<dim>::vectors_and_tensors() const
+  {
+    using namespace DataComponentInterpretation;
+    std::vector<Range> ranges = {
+      {0, dim - 1, "displacement", component_is_part_of_vector}};
+    unsigned int row = dim;
+    for (const PointField &field : fields)
+      {
+        const unsigned int next_row = row + field.n_components;
+        if (field.n_components > 1)
+          ranges.emplace_back(row,
+                              next_row - 1,
+                              field.name,
+                              component_is_part_of_tensor);
+        row = next_row;
+      }
+    return ranges;
+  }
+
+
+
+  template <int dim>
   void
   BodyOutput<dim>::write_vtu(std::ostream &out) const
   {
     std::vector<Patch> patches;
     const auto         write_piece = [&]() {
       DataOutBase::write_vtu_main(
-        patches, field_names<dim>(), vectors_and_tensors<dim>(), flags, out);
+        patches, row_names(), vectors_and_tensors(), flags, out);
       patches.clear();
     };
 
@@ -188,7 +176,7 @@ namespace ElastoPlastic
     std::ostream &out, const std::vector<std::string> &file_names) const
   {
     DataOutBase::write_pvtu_record(
-      out, file_names, field_names<dim>(), vectors_and_tensors<dim>(), flags);
+      out, file_names, row_names(), vectors_and_tensors(), flags);
   }
 
 
@@ -199,13 +187,13 @@ namespace ElastoPlastic
     const typename DoFHandler<dim>::active_cell_iterator &cell,
     const std::vector<PointResult>                       &points) const
   {
-    using R = Rows<dim>;
-    Patch patch;
+    const unsigned int first_cell_field = dim + n_components(fields);
+    Patch              patch;
     patch.n_subdivisions = degree;
     patch.reference_cell = ReferenceCells::get_hypercube<dim>();
     for (const unsigned int v : cell->vertex_indices())
       patch.vertices[v] = cell->vertex(v);
-    patch.data.reinit(R::n, points.size());
+    patch.data.reinit(first_cell_field + n_cell_fields, points.size());
 
     const auto    &fe = dof_handler.get_fe();
     Vector<double> values(fe.n_dofs_per_cell());
@@ -213,32 +201,52 @@ namespace ElastoPlastic
     for (unsigned int i = 0; i < values.size(); ++i)
       {
         const auto [component, node] = fe.system_to_component_index(i);
-        patch.data(R::displacement + component, to_lexicographic[node]) =
-          values(i);
+        patch.data(component, to_lexicographic[node]) = values(i);
       }
 
-    unsigned int n_plastic = 0;
-    for (unsigned int q = 0; q < points.size(); ++q)
-      {
-        const auto point_values = values_at<dim>(points[q]);
-        for (unsigned int row = R::stress; row < R::plastic_fraction; ++row)
-          for (unsigned int i = 0; i < points.size(); ++i)
-            patch.data(row, i) += extrapolation(q, i) * point_values[row];
-        if (points[q].plastic)
-          ++n_plastic;
-      }
+    extrapolate(points, dim, patch.data);
+
+    const float share_of_plastic =
+      static_cast<float>(
+        std::count_if(points.begin(),
+                      points.end(),
+                      [](const PointResult &point) { return point.plastic; })) /
+      points.size();
     for (unsigned int i = 0; i < points.size(); ++i)
       {
-        for (const unsigned int row : {R::von_mises, R::alpha})
-          patch.data(row, i) = std::max(patch.data(row, i), 0.f);
-        patch.data(R::plastic_fraction, i) =
-          static_cast<float>(n_plastic) / points.size();
-        patch.data(R::error_indicator, i) =
+        patch.data(first_cell_field + plastic_fraction, i) = share_of_plastic;
+        patch.data(first_cell_field + error_indicator, i) =
           error_indicators(cell->active_cell_index());
-        patch.data(R::material_id, i) = cell->material_id();
-        patch.data(R::subdomain, i)   = cell->subdomain_id();
+        patch.data(first_cell_field + material_id, i) = cell->material_id();
+        patch.data(first_cell_field + subdomain, i)   = cell->subdomain_id();
       }
     return patch;
+  }
+
+
+
+  template <int dim>
+  void
+  BodyOutput<dim>::extrapolate(const std::vector<PointResult> &points,
+                               const unsigned int              first_row,
+                               dealii::Table<2, float>        &data) const
+  {
+    unsigned int row = first_row;
+    for (const PointField &field : fields)
+      {
+        std::vector<float> values(field.n_components);
+        for (unsigned int q = 0; q < points.size(); ++q)
+          {
+            field.evaluate(points[q], values.data());
+            for (unsigned int c = 0; c < values.size(); ++c)
+              for (unsigned int i = 0; i < points.size(); ++i)
+                data(row + c, i) += extrapolation(q, i) * values[c];
+          }
+        if (field.is_positive)
+          for (unsigned int i = 0; i < points.size(); ++i)
+            data(row, i) = std::max(data(row, i), 0.f);
+        row += values.size();
+      }
   }
 
 

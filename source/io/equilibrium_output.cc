@@ -123,10 +123,11 @@ namespace ElastoPlastic
 
 
 
-  EquilibriumOutput::EquilibriumOutput(const std::string &directory,
-                                       const std::string &name,
-                                       const std::string &name_of_motion)
-    : directory(directory)
+  EquilibriumOutput::EquilibriumOutput(const OutputParameters &parameters,
+                                       const std::string      &name,
+                                       const std::string      &name_of_motion)
+    : directory(parameters.directory)
+    , units(parameters.units)
     , name(name)
     , name_of_motion(name_of_motion)
   {}
@@ -137,7 +138,12 @@ namespace ElastoPlastic
   EquilibriumOutput::write(const EquilibriumFields &fields,
                            const unsigned int       cycle)
   {
-    Triangles triangles(name_of_motion);
+    Triangles             triangles(name_of_motion);
+    DataOutBase::VtkFlags flags;
+    if (units.are_named())
+      for (const std::string field : {"stress", "von_mises_stress"})
+        flags.physical_units[field] = units.of("stress");
+    triangles.set_flags(flags);
     for (unsigned int t = 0; t < fields.body.mesh.triangles.size(); ++t)
       for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
         {

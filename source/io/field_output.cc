@@ -4,6 +4,7 @@
 #include <deal.II/numerics/data_out_faces.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <cmath>
 #include <fstream>
 #include <limits>
 
@@ -19,13 +20,17 @@ namespace ElastoPlastic
     using Interpretation =
       DataComponentInterpretation::DataComponentInterpretation;
 
-    /// The vertical component of a field in the layout of displacements.
+    /// The vertical component of a field in the layout of displacements; not a
+    /// number where it is beyond a limit.
     template <int dim>
     class VerticalComponent : public DataPostprocessorScalar<dim>
     {
     public:
-      explicit VerticalComponent(const std::string &name)
+      explicit VerticalComponent(
+        const std::string &name,
+        const double       limit = std::numeric_limits<double>::infinity())
         : DataPostprocessorScalar<dim>(name, update_values)
+        , limit(limit)
       {}
 
       void
@@ -34,9 +39,51 @@ namespace ElastoPlastic
         std::vector<Vector<double>>                &quantities) const override
       {
         for (unsigned int q = 0; q < quantities.size(); ++q)
-          quantities[q](0) = inputs.solution_values[q](dim - 1);
+          {
+            const double value = inputs.solution_values[q](dim - 1);
+            quantities[q](0) =
+              value < limit ? value : std::numeric_limits<double>::quiet_NaN();
+          }
       }
+
+    private:
+      const double limit;
     };
+
+
+
+    /// Puts a number in place of those that are infinite, which no
+    /// interpolation would bear: larger than any other by so much that it
+    /// cannot be mistaken, but not so much that its rounding errors matter.
+    /// @return a limit below it.
+    double
+    replace_infinite_entries(VectorType &vector)
+    {
+      double largest = 0;
+      for (const double value : vector)
+        if (std::isfinite(value))
+          largest = std::max(largest, std::abs(value));
+      largest = Utilities::MPI::max(largest, vector.get_mpi_communicator());
+      const double replacement = largest > 0. ? 1e6 * largest : 1.;
+      for (double &value : vector)
+        if (!std::isfinite(value))
+          value = replacement;
+      return 0.5 * replacement;
+    }
+
+
+
+    DataOutBase::VtkFlags
+    flags_with_units(const Units &units)
+    {
+      DataOutBase::VtkFlags flags;
+      for (const std::string field : {"displacement", "gap"})
+        if (!units.length.empty())
+          flags.physical_units[field] = units.of("length");
+      if (units.are_named())
+        flags.physical_units["contact_pressure"] = units.of("stress");
+      return flags;
+    }
 
 
 
@@ -89,8 +136,8 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  FieldOutput<dim>::FieldOutput(const std::string &directory)
-    : directory(directory)
+  FieldOutput<dim>::FieldOutput(const OutputParameters &parameters)
+    : parameters(parameters)
   {}
 
 
@@ -117,7 +164,8 @@ namespace ElastoPlastic
     const BodyOutput<dim> output(solution.dof_handler,
                                  solution.displacement,
                                  solution.solid,
-                                 solution.error_indicators);
+                                 solution.error_indicators,
+                                 parameters);
     write_files(
       output, solution.dof_handler.get_communicator(), "solution", name, time);
   }
@@ -134,7 +182,7 @@ namespace ElastoPlastic
     solution.solid.initialize_vector(gap);
     pressure.reinit(gap);
     active.reinit(gap);
-    gap = std::numeric_limits<double>::quiet_NaN(); // where nothing can touch
+    gap = std::numeric_limits<double>::infinity(); // where nothing can touch
     solution.contact.surface_fields(
       gap, pressure, active, solution.displacement, solution.residual);
     solution.constraints.distribute(pressure);
@@ -150,7 +198,8 @@ namespace ElastoPlastic
       std::vector<Interpretation>(
         dim, DataComponentInterpretation::component_is_part_of_vector));
 
-    const VerticalComponent<dim> gap_component("gap");
+    const VerticalComponent<dim> gap_component("gap",
+                                               replace_infinite_entries(gap));
     const VerticalComponent<dim> pressure_component("contact_pressure");
     const VerticalComponent<dim> active_component("active");
     gap      = ghosted_copy(gap, solution.dof_handler);
@@ -160,6 +209,7 @@ namespace ElastoPlastic
     output.add_data_vector(solution.dof_handler, pressure, pressure_component);
     output.add_data_vector(solution.dof_handler, active, active_component);
 
+    output.set_flags(flags_with_units(parameters.units));
     output.build_patches(solution.dof_handler.get_fe().degree);
     write_files(
       output, solution.dof_handler.get_communicator(), "surface", name, time);
@@ -176,6 +226,7 @@ namespace ElastoPlastic
                                 const std::string &name,
                                 const double       time)
   {
+    const std::string &directory = parameters.directory;
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     const std::string  stem    = kind + "-" + name;

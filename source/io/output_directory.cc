@@ -36,7 +36,7 @@ namespace ElastoPlastic
     is_name_of_result(const std::string &name)
     {
       static const std::regex names(
-        "parameters\\.prm|"
+        "parameters\\.prm|tables\\.md|"
         "(history|statistics|reactions|mesh_changes|indentation|limit_load|error_bound)"
         "\\.csv(\\.new)?|"
         "(solution|surface|limit_load|equilibrium)\\.pvd|"
@@ -144,6 +144,20 @@ namespace ElastoPlastic
         }
       catch (const std::exception &)
         {}
+  }
+
+
+
+  bool
+  OutputDirectory::holds_results() const
+  {
+    bool found = false;
+    on_first_rank([&]() {
+      found = fs::exists(fs::path(name) / aside) ||
+              fs::exists(fs::path(name) / moved) ||
+              (fs::is_directory(name) && !results_in(name).empty());
+    });
+    return Utilities::MPI::broadcast(communicator, found);
   }
 
 

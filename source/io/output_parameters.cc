@@ -1,10 +1,27 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "base/exceptions.h"
 #include "io/output_parameters.h"
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// Fields are written in XML, where these mean something else.
+    void
+    check_unit(const std::string &entry, const std::string &unit)
+    {
+      if (unit.find_first_of("\"<>&") != std::string::npos)
+        throw InputError("Output/" + entry,
+                         unit,
+                         "a unit is a name such as mm, without any of \" < > "
+                         "&.");
+    }
+  } // namespace
+
+
+
   void
   OutputParameters::add_parameters(ParameterHandler &prm)
   {
@@ -19,7 +36,28 @@ namespace ElastoPlastic
       fields,
       "When solution-*.vtu and surface-*.vtu are written: after "
       "every cycle (in a load history: after every step), after the last one "
-      "only, or never. The tables (.csv) are always written.");
+      "only, or never. The tables (.csv) are always written. With 'every cycle', "
+      "the fields of a load history begin with the state at t = 0.");
+    prm.add_parameter(
+      "Additional fields",
+      additional_fields,
+      "What else solution-*.vtu holds. principal stresses: "
+      "principal_stress_1, _2 and _3, the largest first. pressure: the mean "
+      "pressure, minus a third of the trace of the stress. triaxiality: minus "
+      "the pressure over von Mises' stress; 0 where there is none. back stress: "
+      "the tensor, the sum of all back stresses.");
+    prm.add_parameter("Length unit",
+                      units.length,
+                      "What the unit of length of this file is called, such as "
+                      "mm: for the fields (attribute units in the .vtu files), "
+                      "for the file tables.md, which says what the columns of "
+                      "the tables are, and for plots and pictures. It changes "
+                      "no number. Empty: not named.",
+                      Patterns::Anything());
+    prm.add_parameter("Force unit",
+                      units.force,
+                      "The same for the unit of force, such as N.",
+                      Patterns::Anything());
     prm.add_parameter(
       "Steps between checkpoints",
       checkpoint_interval,
@@ -35,5 +73,14 @@ namespace ElastoPlastic
       "anything that a clock or the number of processes could "
       "change. quiet: nothing but errors.");
     prm.leave_subsection();
+  }
+
+
+
+  void
+  OutputParameters::check() const
+  {
+    check_unit("Length unit", units.length);
+    check_unit("Force unit", units.force);
   }
 } // namespace ElastoPlastic

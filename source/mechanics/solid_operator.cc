@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <numeric>
+
 #include "material/plane_stress.h"
 #include "mechanics/solid_operator.h"
 
@@ -334,9 +336,14 @@ namespace ElastoPlastic
           const Number hardening_energy = plasticity.hardening_energy();
           const Number plastic_work     = plasticity.plastic_work();
           const Number dissipation      = plasticity.dissipation();
+          const Strain back_stress =
+            std::accumulate(state.back_stresses.begin(),
+                            state.back_stresses.end(),
+                            Strain());
           for (unsigned int lane = 0; lane < n_cells; ++lane)
             results[lane][q] = {lane_of(at_point.stress(), lane),
                                 lane_of(state.plastic_strain, lane),
+                                lane_of(back_stress, lane),
                                 state.equivalent_plastic_strain[lane],
                                 state.equivalent_plastic_strain[lane] > 0,
                                 strains[0].volume[q][lane],

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/patterns.h>
+#include <deal.II/distributed/tria.h>
 
 #include <algorithm>
 #include <cmath>
@@ -301,13 +302,37 @@ namespace ElastoPlastic
 
 
 
+  // Each more of them makes 2^dim times as many cells.
   template <int dim>
   Geometry<dim>
-  Geometry<dim>::with_initial_refinements(const unsigned int n) const
+  Geometry<dim>::with_few_cells(const double n_cells) const
   {
     Geometry result                       = *this;
-    result.parameters.initial_refinements = n;
+    result.parameters.initial_refinements = 0;
+    while (result.n_initial_refinements() < n_initial_refinements())
+      {
+        parallel::distributed::Triangulation<dim> mesh(MPI_COMM_SELF);
+        result.make_mesh(mesh);
+        if (GeometryInfo<dim>::max_children_per_cell *
+              static_cast<double>(mesh.n_active_cells()) >
+            n_cells)
+          break;
+        ++result.parameters.initial_refinements;
+      }
     return result;
+  }
+
+
+
+  template <int dim>
+  void
+  Geometry<dim>::check_size(const MPI_Comm communicator) const
+  {
+    check_n_cells("Geometry/Initial refinements",
+                  parameters.initial_refinements,
+                  coarse_mesh->n_active_cells() *
+                    std::pow(2., dim * parameters.initial_refinements),
+                  max_n_cells(communicator));
   }
 
 
@@ -316,15 +341,11 @@ namespace ElastoPlastic
   void
   Geometry<dim>::make_mesh(Triangulation<dim> &triangulation) const
   {
-    const double max_cells = max_n_cells(triangulation.get_communicator());
-    check_n_cells("Geometry/Initial refinements",
-                  parameters.initial_refinements,
-                  coarse_mesh->n_active_cells() *
-                    std::pow(2., dim * parameters.initial_refinements),
-                  max_cells);
+    const MPI_Comm communicator = triangulation.get_communicator();
+    check_size(communicator);
     triangulation.copy_triangulation(*coarse_mesh);
     triangulation.refine_global(parameters.initial_refinements);
-    refine_locally(parameters, max_cells, triangulation);
+    refine_locally(parameters, max_n_cells(communicator), triangulation);
     if (!parameters.material_id.empty())
       set_material_ids("Geometry/Material id",
                        parameters.material_id,

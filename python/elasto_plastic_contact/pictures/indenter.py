@@ -30,9 +30,11 @@ def profile(results):
 
 
 def depth_at(results, time):
-    """The depth at a time of the history; that of its last step if it has no such time, as the meshes
-    of a single step."""
+    """The depth at a time of the history, which begins at 0; that of its last step if it has no such
+    time, as the meshes of a single step."""
     history = results.history
+    if time == 0. and len(history) > 1:
+        return 0.
     found = numpy.flatnonzero(numpy.isclose(history["time"], time))
     return history["depth"][found[-1] if len(found) and len(history) > 1 else -1]
 

@@ -4,7 +4,7 @@
 dimensions, the contact pressure seen from above: one picture, the steps of a history side by side,
 or one picture for each step.
 
-    scripts/render.py output/cone_axisymmetric --steps 4 19 38 --zoom 25 --output history.pdf
+    scripts/render.py output/cone_axisymmetric --steps 5 20 39 --zoom 25 --output history.pdf
 """
 
 import argparse

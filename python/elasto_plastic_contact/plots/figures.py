@@ -21,6 +21,11 @@ plt.rcParams.update({"font.size": 11, "axes.grid": True, "grid.alpha": 0.3, "axe
                      "axes.formatter.useoffset": False, "svg.hashsalt": "elasto_plastic_contact"})
 
 
+# Units of stress with a name of their own, by the units of force and length.
+STRESS_UNITS = {("N", "m"): "Pa", ("N", "mm"): "MPa", ("kN", "mm"): "GPa", ("mN", "µm"): "GPa", ("µN", "µm"): "MPa",
+                ("nN", "nm"): "GPa", ("lbf", "in"): "psi"}
+
+
 @dataclass
 class Units:
     """Names of the units; empty if they are not known."""
@@ -42,12 +47,12 @@ class Units:
 
     @property
     def stress(self):
-        if (self.length, self.single_force) == ("mm", "N"):
-            return "MPa"
-        return f"{self.single_force}/{self.length}$^2$" if self.are_known else ""
+        if not self.are_known:
+            return ""
+        return STRESS_UNITS.get((self.single_force, self.length), f"{self.single_force}/{self.length}$^2$")
 
     def stress_label(self, field, label):
-        return with_unit(label, self.stress if field.endswith(("stress", "pressure")) else "")
+        return with_unit(label, self.stress if "stress" in field or field.endswith("pressure") else "")
 
 
 def with_unit(name, unit):
@@ -55,8 +60,9 @@ def with_unit(name, unit):
 
 
 def add_units(parser):
-    parser.add_argument("--length-unit", help="unit of length of the run, such as mm, for the labels")
-    parser.add_argument("--force-unit", help="unit of force, such as N")
+    parser.add_argument("--length-unit", help="unit of length of the run, such as mm, for the labels (default: "
+                                              "Output/Length unit of the run)")
+    parser.add_argument("--force-unit", help="unit of force, such as N (default: Output/Force unit)")
 
 
 def units_of(run, arguments):

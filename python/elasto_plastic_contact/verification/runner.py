@@ -55,6 +55,15 @@ class Runner:
             self.check_balances(read_tables(folder))
             yield folder
 
+    def preview(self, case, *entries, directory="nowhere"):
+        """What --validate says: the texts of its lines by their titles."""
+        command = [self.program, CASES / case, "--validate", "--output-directory", directory]
+        for entry in entries:
+            command += ["--set", entry]
+        report = subprocess.run(command, check=True, env=os.environ | MPI_ENVIRONMENT, stdout=subprocess.PIPE,
+                                text=True).stdout
+        return {line[:16].strip(): line[16:] for line in report.splitlines()}
+
     def check_balances(self, tables):
         """What must hold after every nonlinear solve, if there have been any."""
         if "statistics" not in tables:

@@ -19,6 +19,7 @@ from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, er
 from .hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
                                 johnson_limit, load_cycles)
+from .job_preview import job_preview
 from .rounding import contrast, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .zero_load import far_indenter, zero_force, zero_stress
@@ -273,7 +274,7 @@ ALL = {
                      sphere_indentation, cone_indentation, contact_edge, contact_mesh, strip_punch, strip_punch_locks,
                      limit_load, blas_kernels, safe_load, error_bound, error_bound_ranks,
                      error_bound_refinement, equilibrium_hertz, equilibrium_limit, zero_stress,
-                     zero_force, far_indenter, contrast, nearly_incompressible)
+                     zero_force, far_indenter, contrast, nearly_incompressible, job_preview)
 }
 
 

@@ -1,0 +1,53 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Verification of what --validate says of a job before it is done; see verify."""
+
+import re
+import time
+
+from ..tables import read_tables
+
+TWO_STEPS = ("Loading/History=1: depth 0.001", "Loading/Number of steps=2")
+
+# Case, entries, and how far cells and unknowns of first and last mesh may be off.
+CASES = [
+    ("sphere_3d.prm", ("Refinement/Number of cycles=3",), 0, 0.15),
+    ("cylinder_2d.prm", ("Refinement/Number of cycles=4",), 0, 0.1),
+    ("rough_surface_3d.prm", ("Refinement/Number of cycles=1",), 0, 0),
+    ("step42/sphere_uniform_q1.prm", ("Refinement/Number of cycles=3",), 0, 0),
+    ("step42/sphere_uniform_q2.prm", ("Refinement/Number of cycles=2",), 0, 0),
+    ("verification/thick_sphere_3d.prm", (), 0, 0.1),
+    ("indentation/hardened_steel.prm", TWO_STEPS, 0, 0),
+    ("indentation/cone_axisymmetric.prm", TWO_STEPS, 0, 0),
+    ("indentation/sphere_3d.prm", TWO_STEPS, 0, 0),
+    # too large to be made for a look: without local refinements exact, with them an estimate
+    ("verification/confined_block.prm", ("Geometry/Initial refinements=5",), 0, 0),
+    ("verification/confined_block.prm", ("Geometry/Initial refinements=4", "Discretization/Polynomial degree=2"), 0, 0),
+    ("indentation/sphere_axisymmetric.prm", (*TWO_STEPS, "Geometry/Initial refinements=7"), 0.1, 0.1),
+]
+
+
+def numbers(text):
+    return [float(number) for number in re.findall(r"(?<![\w.])[0-9]+", text)][-2:]
+
+
+def job_preview(runner):
+    """Cells and unknowns as --validate says them, against those of the run; in about a second."""
+    for case, entries, off_at_first, off_at_last in CASES:
+        preview = runner.preview(case, *entries)
+        with runner.results(case, entries) as folder:
+            rows = read_tables(folder)["statistics"]
+            results = runner.preview(case, *entries, directory=folder)["Results"]
+        runner.verify(f"{case}, results are noticed", "holds results already" in results)
+        for title, row, off in (("First mesh", rows[0], off_at_first), ("Last mesh", rows[-1], off_at_last)):
+            text = preview.get(title, preview["First mesh"]).split(";")[0]
+            for name, value in zip(("cells", "dofs"), numbers(text)):
+                # (the last mesh is said to three digits)
+                digits = 0.005 if title in preview and title == "Last mesh" else 0
+                runner.compare(f"{case}, {title.lower()}, {name}", value, row[name], max(off, digits))
+    begin = time.monotonic()
+    preview = runner.preview("step42/sphere_uniform_q1.prm", "Geometry/Initial refinements=7")
+    runner.compare("unknowns of a mesh that is not made", numbers(preview["First mesh"].split(";")[0])[1],
+                   3 * (2 ** 7 + 1) ** 3, 0)
+    seconds = time.monotonic() - begin
+    runner.verify(f"said in {seconds:.1f} s", seconds < 3)

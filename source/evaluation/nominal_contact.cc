@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <cmath>
+
+#include "evaluation/modelled_part.h"
+#include "evaluation/nominal_contact.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    template <int dim>
+    bool
+    is_plane(const Model<dim> &model)
+    {
+      return dim == 2 &&
+             model.strain_model.kinematics != Kinematics::axisymmetric;
+    }
+
+
+
+    /// Half, if the body is on one side of the tip only; 0 if on none.
+    template <int dim>
+    double
+    part_of_strip(
+      const parallel::distributed::Triangulation<dim> &triangulation,
+      const std::set<types::boundary_id>              &boundaries,
+      const double                                     position)
+    {
+      int has_left = 0, has_right = 0;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() &&
+                boundaries.count(face->boundary_id()) > 0)
+              (face->center()[0] < position ? has_left : has_right) = 1;
+      const MPI_Comm communicator = triangulation.get_communicator();
+      return 0.5 * (Utilities::MPI::max(has_left, communicator) +
+                    Utilities::MPI::max(has_right, communicator));
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  NominalContact<dim>::NominalContact(
+    const Model<dim>                                &model,
+    const parallel::distributed::Triangulation<dim> &triangulation,
+    const GapFunction<dim>                          &gap_function)
+    : shape(model.indenter.shape)
+    , initial_gap(model.indenter.initial_gap)
+    , in_plane(is_plane(model))
+    , part(in_plane ? part_of_strip(triangulation,
+                                    model.boundary_conditions.ids(
+                                      BoundaryConditionType::contact),
+                                    gap_function.position()[0]) :
+                      modelled_part(triangulation,
+                                    model.boundary_conditions.ids(
+                                      BoundaryConditionType::contact),
+                                    gap_function.position()))
+  {}
+
+
+
+  template <int dim>
+  bool
+  NominalContact<dim>::is_strip() const
+  {
+    return in_plane;
+  }
+
+
+
+  template <int dim>
+  bool
+  NominalContact<dim>::is_single() const
+  {
+    return shape && shape->is_convex();
+  }
+
+
+
+  template <int dim>
+  double
+  NominalContact<dim>::radius(const double area) const
+  {
+    if (part == 0.)
+      return 0.;
+    return in_plane ? area / (2 * part) :
+                      std::sqrt(area / (numbers::PI * part));
+  }
+
+
+
+  template <int dim>
+  double
+  NominalContact<dim>::depth_of_tip(const double depth) const
+  {
+    return depth - initial_gap;
+  }
+
+
+
+  template <int dim>
+  std::optional<double>
+  NominalContact<dim>::radius_at_surface(const double depth) const
+  {
+    if (!shape || part == 0. || !(depth_of_tip(depth) > 0.))
+      return {};
+    const double area = shape->section_area(depth_of_tip(depth));
+    if (area == 0.)
+      return {};
+    return std::sqrt(area / numbers::PI);
+  }
+
+
+
+  // A difference that is as good as the derivative: of a sphere, it is too
+  // small by a thousandth.
+  template <int dim>
+  std::optional<double>
+  NominalContact<dim>::slope(const double radius) const
+  {
+    const double   step = 2e-3 * radius;
+    Point<dim - 1> outside, inside;
+    outside[0]        = radius;
+    inside[0]         = radius - step;
+    const double rise = shape->profile(outside) - shape->profile(inside);
+    if (!std::isfinite(rise) || !(rise > 0.))
+      return {};
+    return rise / step;
+  }
+
+
+
+  template class NominalContact<2>;
+  template class NominalContact<3>;
+} // namespace ElastoPlastic

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+#include "elasto_plastic_contact.h"
+#include "io/output_directory.h"
+#include "job_preview.h"
+#include "limit_load_analysis.h"
+#include "safe_load.h"
+#include "validation.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// What a rank needs without any unknowns: shared libraries, mostly.
+    constexpr double megabytes_of_rank = 170.;
+
+
+
+    void
+    print_line(const std::string &title,
+               const std::string &text,
+               std::ostream      &out)
+    {
+      out << std::left << std::setw(16) << title << text << '\n';
+    }
+
+
+
+    std::string
+    whole(const double value)
+    {
+      std::ostringstream text;
+      text << std::fixed << std::setprecision(0) << value;
+      return text.str();
+    }
+
+
+
+    /// @p value to so many digits, without an exponent if it is large.
+    std::string
+    rounded(const double value, const unsigned int digits)
+    {
+      const double unit =
+        std::pow(10., std::floor(std::log10(std::max(value, 1.))) + 1 - digits);
+      if (unit >= 1.)
+        return whole(std::round(value / unit) * unit);
+      std::ostringstream text;
+      text << std::setprecision(digits) << value;
+      return text.str();
+    }
+
+
+
+    /// What has been estimated.
+    std::string
+    about(const double value)
+    {
+      return "about " + rounded(value, 3);
+    }
+
+
+
+    std::string
+    duration(const double seconds)
+    {
+      if (seconds < 100.)
+        return rounded(std::max(seconds, 1.), 1) + " s";
+      if (seconds < 100. * 60.)
+        return rounded(seconds / 60., 1) + " min";
+      return rounded(seconds / 3600., 2) + " h";
+    }
+
+
+
+    template <int dim>
+    void
+    print_meshes(const JobPreview<dim> &preview, std::ostream &out)
+    {
+      const auto meshes = preview.meshes();
+      print_line("First mesh",
+                 whole(meshes.front().cells) + " cells, " +
+                   whole(meshes.front().unknowns) + " unknowns" +
+                   (preview.is_first_mesh() ?
+                      "" :
+                      "; it has not been made: what follows is from a mesh "
+                      "with fewer initial refinements"),
+                 out);
+      if (meshes.size() > 1)
+        print_line("Last mesh",
+                   "number " + std::to_string(meshes.size()) + ", " +
+                     about(meshes.back().cells) + " cells, " +
+                     about(meshes.back().unknowns) + " unknowns",
+                   out);
+    }
+
+
+
+    template <int dim>
+    void
+    print_materials(const JobPreview<dim> &preview, std::ostream &out)
+    {
+      for (const auto &[id, share] : preview.materials())
+        print_line("Material " + std::to_string(id),
+                   rounded(100. * share.cells, 3) + " % of the cells, " +
+                     rounded(100. * share.volume, 3) + " % of the volume",
+                   out);
+    }
+
+
+
+    template <int dim>
+    void
+    print_contact(const JobPreview<dim> &preview,
+                  const Units           &units,
+                  std::ostream          &out)
+    {
+      const double n = preview.n_candidates();
+      print_line("Contact",
+                 (preview.is_first_mesh() ? whole(n) : about(n)) +
+                   " nodes within reach of the indenter",
+                 out);
+      const auto contact = preview.expected_contact();
+      if (!contact)
+        return;
+      const auto length = [&](const double value) {
+        return rounded(value, 3) +
+               (units.length.empty() ? "" : " " + units.length);
+      };
+      print_line("Contact radius",
+                 "about " + length(contact->radius) +
+                   ", where the indenter cuts the surface at the depth " +
+                   length(contact->depth) + ": " +
+                   rounded(contact->n_elements, 2) +
+                   " elements of the first mesh",
+                 out);
+      constexpr double limit = SmallStrainGuard<dim>::largest_slope;
+      if (contact->slope > limit)
+        print_line("Slope",
+                   "of the indenter there: " + rounded(*contact->slope, 3) +
+                     "; small strains reach to about " + rounded(limit, 3),
+                   out);
+    }
+
+
+
+    template <int dim>
+    void
+    print_cost(const JobPreview<dim> &preview,
+               const unsigned int     n_ranks,
+               std::ostream          &out)
+    {
+      const auto cost = preview.expected_cost();
+      print_line("Load steps", std::to_string(preview.n_steps()), out);
+      print_line("Memory",
+                 about(cost.megabytes + n_ranks * megabytes_of_rank) +
+                   " MB on " + std::to_string(n_ranks) + " rank(s)",
+                 out);
+      print_line("Time",
+                 "about " + duration(cost.processor_seconds) +
+                   " of one processor, give or take a factor of three",
+                 out);
+    }
+
+
+
+    /// Collective.
+    void
+    print_output_directory(const Parameters &parameters,
+                           const MPI_Comm    communicator,
+                           std::ostream     &out)
+    {
+      const std::string &name = parameters.output.directory;
+      print_line("Results",
+                 name + (OutputDirectory(communicator, name).holds_results() ?
+                           ", which holds results already: a run needs "
+                           "--overwrite, or --resume" :
+                           ""),
+                 out);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  validate(const Model<dim> &model,
+           const Parameters &parameters,
+           const MPI_Comm    communicator,
+           std::ostream     &out)
+  {
+    model.geometry.check_size(communicator);
+    const JobPreview<dim> preview(model, parameters);
+    parameters.refinement.check_first_mesh(preview.meshes().front().unknowns);
+
+    const ElastoPlasticContact<dim> problem(preview.quick_model(),
+                                            parameters,
+                                            communicator);
+    if (preview.is_first_mesh())
+      problem.check_contact();
+
+    print_meshes(preview, out);
+    print_materials(preview, out);
+    if (model.indenter.shape)
+      print_contact(preview, parameters.output.units, out);
+    print_cost(preview, Utilities::MPI::n_mpi_processes(communicator), out);
+    print_output_directory(parameters, communicator, out);
+    out << std::flush;
+    if (const std::string safety =
+          first_look_at_load(model, parameters, communicator);
+        !safety.empty())
+      print_line("Limit load", safety, out);
+  }
+
+
+
+  void
+  validate_limit_load(const Model<2>   &model,
+                      const Parameters &parameters,
+                      const MPI_Comm    communicator,
+                      std::ostream     &out)
+  {
+    const LimitLoadAnalysis analysis(model, parameters, communicator);
+    print_line("First mesh",
+               std::to_string(analysis.n_cells()) + " cells",
+               out);
+    print_line("Meshes", std::to_string(parameters.refinement.n_cycles), out);
+    print_output_directory(parameters, communicator, out);
+  }
+
+
+
+  template void
+  validate(const Model<2> &,
+           const Parameters &,
+           const MPI_Comm,
+           std::ostream &);
+  template void
+  validate(const Model<3> &,
+           const Parameters &,
+           const MPI_Comm,
+           std::ostream &);
+} // namespace ElastoPlastic
