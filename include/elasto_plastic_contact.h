@@ -16,7 +16,10 @@
 #include "contact/contact_set.h"
 #include "contact/gap_function.h"
 #include "error_bound_analysis.h"
+#include "evaluation/boundary_displacements.h"
+#include "evaluation/imprint.h"
 #include "evaluation/last_step.h"
+#include "evaluation/probe_points.h"
 #include "io/checkpoint.h"
 #include "io/field_output.h"
 #include "io/log.h"
@@ -82,6 +85,10 @@ namespace ElastoPlastic
     solve_on_mesh_sequence(Statistics &statistics);
     void
     output_results(const bool last_cycle);
+    StepResult
+    evaluate_step(const SolveResult &result) const;
+    bool
+    writes_surface_profile(const double time) const;
 
     // A load step (load_step.cc): it ends with commit_step(), or it fails and
     // is taken back.
@@ -121,6 +128,8 @@ namespace ElastoPlastic
     estimate_error(SolveResult &result);
     void
     bound_error(SolveResult &result);
+    ContactSurface<dim>
+    contact_surface() const;
 
     // The next mesh (refinement.cc), if there is to be one, in the first load
     // step or after any other.
@@ -176,6 +185,11 @@ namespace ElastoPlastic
     std::unique_ptr<SolidOperator<dim>> solid;
     const Reactions<dim>                reactions;
     ContactSet<dim>                     contact;
+
+    // What the tables say beside loads and reactions.
+    const BoundaryDisplacements<dim> boundary_displacements;
+    const ProbePoints<dim>           probe_points;
+    Imprint<dim>                     imprint;
 
     // Linear algebra. The residual is the force that the supports and the
     // indenter take from the body; it vanishes at all other unknowns.

@@ -36,6 +36,7 @@ namespace ElastoPlastic
   struct PointResult
   {
     SymmetricTensor<2, 3> stress;
+    SymmetricTensor<2, 3> strain;
     SymmetricTensor<2, 3> plastic_strain;
     double                equivalent_plastic_strain;
     /// Whether the point has ever yielded.

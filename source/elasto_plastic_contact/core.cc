@@ -45,6 +45,14 @@ namespace ElastoPlastic
     , contact([this](const Point<dim> &x) { return gap_function.value(x); },
               model.strain_model.kinematics,
               model.edge_rule)
+    , boundary_displacements(model, triangulation)
+    , probe_points(parameters.output.probe_points,
+                   model.boundary_conditions.names(),
+                   triangulation)
+    , imprint(model,
+              gap_function,
+              triangulation,
+              parameters.output.profile_lines)
     , output_directory(communicator, parameters.output.directory)
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
@@ -60,6 +68,7 @@ namespace ElastoPlastic
     if (gap_function.has_indenter())
       check_reach(load_program, time_steps, parameters.loading, contact);
     parameters.refinement.check_first_mesh(dof_handler.n_dofs());
+    imprint.check_lines(contact_surface());
     for (const std::string &warning : model.geometry.warnings())
       log.warn(warning);
     if (const std::string warning =
@@ -98,12 +107,16 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::run_load_history(
     const Statistics::Progress &progress)
   {
+    auto probes = boundary_displacements.names();
+    for (const std::string &name : probe_points.names())
+      probes.push_back(name);
     Statistics statistics(communicator,
                           parameters.output.directory,
-                          reactions.names(),
+                          {dim, reactions.names(), probes},
                           make_indentation_test(model,
                                                 triangulation,
-                                                gap_function),
+                                                gap_function,
+                                                parameters.evaluation),
                           progress);
     note_termination_requests();
     try
@@ -146,14 +159,10 @@ namespace ElastoPlastic
             apply_load();
             if (!cut)
               predict();
-            SolveResult result = solve_on_mesh_sequence(statistics);
-            const auto  forces =
-              reactions.compute(*solid,
-                                displacement,
-                                contact.forces_on_body(residual),
-                                result.time);
+            SolveResult      result = solve_on_mesh_sequence(statistics);
+            const StepResult step   = evaluate_step(result);
             commit_step(result);
-            statistics.add_step(result, forces);
+            statistics.add_step(step);
             step_is_under_way = false;
           }
         catch (const ConvergenceError &error)
@@ -240,6 +249,53 @@ namespace ElastoPlastic
       single_step ? cycle : time_steps.next_time());
     if (error_bound && error_bound->why_missing().empty())
       error_bound->write_fields(cycle);
+  }
+
+
+
+  // What the tables say of the end of a step, before the material points take
+  // it as the beginning of the next one. (The result that it refers to is still
+  // to grow.)
+  template <int dim>
+  StepResult
+  ElastoPlasticContact<dim>::evaluate_step(const SolveResult &result) const
+  {
+    TimerOutput::Scope scope(timer, "Output");
+    StepResult         step = {result,
+                               reactions.compute(*solid,
+                                         displacement,
+                                         contact.forces_on_body(residual),
+                                         result.time),
+                               boundary_displacements.compute(dof_handler,
+                                                      displacement),
+                               {}};
+    for (const double value :
+         probe_points.compute(dof_handler, *solid, displacement))
+      step.probes.push_back(value);
+    if (writes_surface_profile(result.time))
+      step.surface_profile = imprint.profile(result, contact_surface());
+    return step;
+  }
+
+
+
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::writes_surface_profile(const double time) const
+  {
+    switch (parameters.output.surface_profile)
+      {
+        case SurfaceProfileSteps::every_step:
+          return true;
+        case SurfaceProfileSteps::segment_ends:
+          return load_program.is_segment_end(time);
+        case SurfaceProfileSteps::last_step:
+          return time == load_program.final_time();
+        case SurfaceProfileSteps::none:
+          return false;
+      }
+    Assert(false, ExcInternalError());
+    return false;
   }
 
 

@@ -67,6 +67,7 @@ namespace ElastoPlastic
     last_step.add_to(result);
     last_step.find_rates(result, displacement);
     last_step.result = result;
+    imprint.note(result);
     load_program.reached(result.time, result.depth, result.force);
     if (result.time != load_program.final_time())
       commit_state();

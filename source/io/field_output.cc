@@ -5,12 +5,11 @@
 #include <deal.II/numerics/data_postprocessor.h>
 
 #include <fstream>
-#include <limits>
 
+#include "evaluation/surface_fields.h"
 #include "io/body_output.h"
 #include "io/checked_write.h"
 #include "io/field_output.h"
-#include "mechanics/ghosted_copy.h"
 
 namespace ElastoPlastic
 {
@@ -130,22 +129,15 @@ namespace ElastoPlastic
                                   const std::string &name,
                                   const double       time)
   {
-    VectorType gap, pressure, active;
-    solution.solid.initialize_vector(gap);
-    pressure.reinit(gap);
-    active.reinit(gap);
-    gap = std::numeric_limits<double>::quiet_NaN(); // where nothing can touch
-    solution.contact.surface_fields(
-      gap, pressure, active, solution.displacement, solution.residual);
-    solution.constraints.distribute(pressure);
-    solution.constraints.distribute(active);
-
+    const SurfaceFields fields = surface_fields(solution.dof_handler,
+                                                solution.constraints,
+                                                solution.contact,
+                                                solution.displacement,
+                                                solution.residual);
     BoundaryOutput<dim> output(solution.contact_boundaries);
-    const VectorType    displacement =
-      ghosted_copy(solution.displacement, solution.dof_handler);
     output.add_data_vector(
       solution.dof_handler,
-      displacement,
+      fields.displacement,
       std::vector<std::string>(dim, "displacement"),
       std::vector<Interpretation>(
         dim, DataComponentInterpretation::component_is_part_of_vector));
@@ -153,12 +145,13 @@ namespace ElastoPlastic
     const VerticalComponent<dim> gap_component("gap");
     const VerticalComponent<dim> pressure_component("contact_pressure");
     const VerticalComponent<dim> active_component("active");
-    gap      = ghosted_copy(gap, solution.dof_handler);
-    pressure = ghosted_copy(pressure, solution.dof_handler);
-    active   = ghosted_copy(active, solution.dof_handler);
-    output.add_data_vector(solution.dof_handler, gap, gap_component);
-    output.add_data_vector(solution.dof_handler, pressure, pressure_component);
-    output.add_data_vector(solution.dof_handler, active, active_component);
+    output.add_data_vector(solution.dof_handler, fields.gap, gap_component);
+    output.add_data_vector(solution.dof_handler,
+                           fields.pressure,
+                           pressure_component);
+    output.add_data_vector(solution.dof_handler,
+                           fields.active,
+                           active_component);
 
     output.build_patches(solution.dof_handler.get_fe().degree);
     write_files(
