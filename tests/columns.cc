@@ -36,6 +36,10 @@ main(int argc, char *argv[])
        "stress = force / length^2. What is per unit thickness in\nplane strain "
        "and plane stress is that of a slice of thickness 1.\n";
   print("history.csv", "converged load step", history_columns());
+  print("surface_profile.csv",
+        "point of the contact surface, for the steps that `Output/Surface "
+        "profile` names",
+        surface_profile_columns(3));
   print("statistics.csv",
         "nonlinear solve, that is per mesh",
         statistics_columns());
