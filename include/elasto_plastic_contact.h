@@ -128,6 +128,8 @@ namespace ElastoPlastic
     estimate_error(SolveResult &result);
     void
     bound_error(SolveResult &result);
+    void
+    measure_imprint(SolveResult &result);
     ContactSurface<dim>
     contact_surface() const;
 

@@ -273,7 +273,6 @@ add_message_test(no_convergence 3 "has not converged in 1 iterations" ${_base} -
 add_message_test(overflow 3 "forces are no longer finite numbers" ${_base} --output-directory overflow --overwrite --set Loading/Depth=1e300)
 
 # Surface profile, probes and evaluation
-add_entry_test(profile_steps "'Surface profile' is 'sometimes'" "Output/Surface profile=sometimes")
 add_entry_test(profile_lines_2d "entry 'Output/Profile lines' is '0, 0. 1, 0', but in two dimensions the contact surface is a line itself" "Output/Profile lines=0, 0@ 1, 0")
 set(_block Dimension=3 "Boundary conditions/Free=right, front, back")
 add_entry_test(profile_line_form "entry 'Output/Profile lines' is '0, 0', but it must look like 'x, y. x, y'" ${_block} "Output/Profile lines=0, 0@ 1, 1 | 0, 0")

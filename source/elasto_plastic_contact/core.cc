@@ -260,7 +260,7 @@ namespace ElastoPlastic
   StepResult
   ElastoPlasticContact<dim>::evaluate_step(const SolveResult &result) const
   {
-    TimerOutput::Scope scope(timer, "Output");
+    TimerOutput::Scope scope(timer, "Evaluation");
     StepResult         step = {result,
                                reactions.compute(*solid,
                                          displacement,
