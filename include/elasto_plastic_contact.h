@@ -17,8 +17,11 @@
 #include "contact/contact_zone.h"
 #include "contact/gap_function.h"
 #include "error_bound_analysis.h"
+#include "evaluation/boundary_displacements.h"
+#include "evaluation/imprint.h"
 #include "evaluation/last_step.h"
 #include "evaluation/small_strain_guard.h"
+#include "evaluation/probe_points.h"
 #include "io/checkpoint.h"
 #include "io/field_output.h"
 #include "io/log.h"
@@ -93,6 +96,10 @@ namespace ElastoPlastic
     output_initial_state();
     void
     write_fields(const std::string &name, const double time);
+    StepResult
+    evaluate_step(const SolveResult &result) const;
+    bool
+    writes_surface_profile(const double time) const;
 
     // A load step (load_step.cc): it ends with commit_step(), or it fails and
     // is taken back.
@@ -136,6 +143,10 @@ namespace ElastoPlastic
     estimate_error(SolveResult &result);
     void
     bound_error(SolveResult &result);
+    void
+    measure_imprint(SolveResult &result);
+    ContactSurface<dim>
+    contact_surface() const;
 
     // The next mesh (refinement.cc), if there is to be one, in the first load
     // step or after any other.
@@ -201,6 +212,11 @@ namespace ElastoPlastic
     std::unique_ptr<SolidOperator<dim>> solid;
     const Reactions<dim>                reactions;
     ContactSet<dim>                     contact;
+
+    // What the tables say beside loads and reactions.
+    const BoundaryDisplacements<dim> boundary_displacements;
+    const ProbePoints<dim>           probe_points;
+    Imprint<dim>                     imprint;
 
     // Linear algebra. The residual is the force that the supports and the
     // indenter take from the body; it vanishes at all other unknowns.

@@ -285,6 +285,22 @@ add_message_test(steep_indenter 0 "^Warning: Step 1 leaves the theory of small s
   ${_elastic_indentation} --output-directory steep_indenter --set "Loading/Depth=0.06" --set "Indenter/Type=cone" --set "Indenter/Semi-apex angle=60")
 add_message_test(deep_punch 0 "^Warning: Step 2 leaves the theory of small strains: the depth over the contact radius is 0.2[0-9]* .limit: 0.2.. What follows"
   ${_elastic_indentation} --output-directory deep_punch --set "Loading/Depth=0.04" --set "Indenter/Type=circular punch" --set "Indenter/Radius=0.1")
+# Surface profile, probes and evaluation
+add_entry_test(profile_lines_2d "entry 'Output/Profile lines' is '0, 0. 1, 0', but in two dimensions the contact surface is a line itself" "Output/Profile lines=0, 0@ 1, 0")
+set(_block Dimension=3 "Boundary conditions/Free=right, front, back")
+add_entry_test(profile_line_form "entry 'Output/Profile lines' is '0, 0', but it must look like 'x, y. x, y'" ${_block} "Output/Profile lines=0, 0@ 1, 1 | 0, 0")
+add_entry_test(profile_line_number "entry 'Output/Profile lines' is '0, a. 1, 1', but it must look like" ${_block} "Output/Profile lines=0, a@ 1, 1")
+add_entry_test(profile_line_point "entry 'Output/Profile lines' is '1, 0. 1, 0', but both ends are the same point" ${_block} "Output/Profile lines=1, 0@ 1, 0")
+add_entry_test(profile_line_outside "entry 'Output/Profile lines' is '2, 0. 3, 0', but this line does not meet any side" ${_block} "Output/Profile lines=2, 0@ 3, 0")
+add_entry_test(probe_form "entry 'Output/Probe points' is '0.5, 0.5', but it must look like 'name: x, y'" "Output/Probe points=0.5, 0.5")
+add_entry_test(probe_coordinates "entry 'Output/Probe points' is 'a: 0.5', but it must look like 'name: x, y'" "Output/Probe points=b: 0, 0 | a: 0.5")
+add_entry_test(probe_number "entry 'Output/Probe points' is 'a: 0, inf', but it must look like" "Output/Probe points=a: 0, inf")
+add_entry_test(probe_name "entry 'Output/Probe points' is 'a b: 0, 1', but it must look like .*letters, digits" "Output/Probe points=a b: 0, 1")
+add_entry_test(probe_twice "entry 'Output/Probe points' is 'a: 1, 1', but there is another point, or a boundary, that is called 'a'" "Output/Probe points=a: 0, 0 | a: 1, 1")
+add_entry_test(probe_as_boundary "there is another point, or a boundary, that is called 'top'" "Output/Probe points=top: 0, 0")
+add_entry_test(probe_outside "entry 'Output/Probe points' is 'a: 0.6, 1.5', but that point is outside of the body. The nearest node of its mesh is .0.5, 1." "Output/Probe points=b: 0, 0 | a: 0.6, 1.5")
+add_entry_test(evaluation_beta "entry 'Evaluation/Beta' is '0', but it must be greater than 0" Evaluation/Beta=0)
+add_entry_test(evaluation_epsilon "entry 'Evaluation/Epsilon' is '1.5', but it must lie between 0.* and 1" Evaluation/Epsilon=1.5)
 
 # In plane strain and plane stress, the two bounds of the limit load decide
 # before anything is computed. Here the exact one is (2 + pi)/sqrt(3) = 2.9685.

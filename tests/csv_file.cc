@@ -21,9 +21,9 @@ namespace
     const std::string name = "table.csv";
     CsvFile           table(MPI_COMM_WORLD, name, {"step", "force", "depth"});
     table.open();
-    table.add_row({1, 1. / 3., 1.5e-20});
-    table.add_row({2, -12345678.9012345, 1e300});
-    table.add_row({100000000, 0, std::numeric_limits<double>::infinity()});
+    table.add_rows({{1, 1. / 3., 1.5e-20}});
+    table.add_rows({{2, -12345678.9012345, 1e300},
+                    {100000000, 0, std::numeric_limits<double>::infinity()}});
 
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       output() << std::ifstream(name).rdbuf();
@@ -66,7 +66,7 @@ namespace
     print_error_of_all_ranks(title, [&] {
       CsvFile table(MPI_COMM_WORLD, name, {"step", "force"}, 2);
       table.open();
-      table.add_row({3, 0.75});
+      table.add_rows({{3, 0.75}});
     });
   }
 

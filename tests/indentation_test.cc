@@ -288,7 +288,9 @@ namespace
     mesh.refine_global(1);
     const auto verify_part = [&](const Point<2> &position, const double part) {
       verify("modelled part",
-             std::abs(modelled_part(mesh, {5}, position) - part),
+             std::abs(
+               modelled_part(mesh, {5}, position, Kinematics::cartesian) -
+               part),
              1e-12);
     };
     verify_part({0, 0}, 0.25);
@@ -299,6 +301,28 @@ namespace
     verify_part({1.5, 1.2}, 1);
     verify_part({2, 3}, 1);
     verify_part({-0.1, 3}, 0);
+  }
+
+
+
+  /// Of a plane body, one side or both.
+  void
+  check_modelled_part_of_plane()
+  {
+    dealii::parallel::distributed::Triangulation<2> mesh(MPI_COMM_WORLD);
+    dealii::GridGenerator::subdivided_hyper_rectangle(
+      mesh, {4, 2}, Point<2>(), Point<2>(4, 2), true);
+    const auto part = [&](const double x, const Kinematics kinematics) {
+      return modelled_part(mesh, {3}, Point<1>(x), kinematics);
+    };
+    verify("half of a plane body",
+           part(0., Kinematics::cartesian) == 0.5 &&
+             part(4., Kinematics::plane_stress) == 0.5);
+    verify("all of it",
+           part(1., Kinematics::cartesian) == 1. &&
+             part(1.5, Kinematics::cartesian) == 1.);
+    verify("beside it", part(4.5, Kinematics::cartesian) == 0.);
+    verify("whole rings", part(0., Kinematics::axisymmetric) == 1.);
   }
 
 
@@ -330,5 +354,6 @@ main(int argc, char *argv[])
   check_mesh_changes("less force on each mesh", 0., 0.9);
   check_sections();
   check_modelled_part();
+  check_modelled_part_of_plane();
   check_exponential();
 }

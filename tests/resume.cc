@@ -63,6 +63,8 @@ subsection Output
   set Directory                 = results
   set Steps between checkpoints = 3
   set Fields                    = never
+  set Surface profile           = every step
+  set Probe points              = below: 0.1, -0.3 | side: 4, 0
 end
 )";
 
@@ -129,6 +131,8 @@ end
   const std::vector<std::string> tables = {"history",
                                            "statistics",
                                            "reactions",
+                                           "probes",
+                                           "surface_profile",
                                            "mesh_changes"};
 
   fs::path

@@ -4,6 +4,8 @@
 #ifndef evaluation_indentation_test_h
 #define evaluation_indentation_test_h
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,18 +15,41 @@
 
 namespace ElastoPlastic
 {
+  using namespace dealii;
+
   /// The end of a load step: the columns of history.csv of the same names.
   struct IndentationPoint
   {
     unsigned int step = 0;
     double       time = 0, depth = 0, force = 0, contact_area = 0;
+    double       contact_radius = 0, pile_up = 0;
 
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /* version */)
     {
-      archive &step &time &depth &force &contact_area;
+      archive &step &time &depth &force &contact_area &contact_radius &pile_up;
     }
+  };
+
+
+
+  /// The constants of the evaluation, by which laboratories differ; see the
+  /// section "Evaluation".
+  struct EvaluationParameters
+  {
+    /// stiffness = 2 beta E_r sqrt(area / pi)
+    double beta = 1;
+    /// contact depth = depth - epsilon force / stiffness; 0 stands for that of
+    /// the tip.
+    double epsilon = 0;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// @throws InputError for the first value that is not allowed.
+    void
+    check() const;
   };
 
 
@@ -46,13 +71,15 @@ namespace ElastoPlastic
     double tip_area = 0;
     /// The part of the indenter that presses on the modelled part.
     double modelled_part = 1;
+    double beta          = 1;
 
     /// The mean pressure force / @p area at the maximum; 0 without area.
     double
     hardness(const double area) const;
 
-    /// sqrt(pi) stiffness / (2 sqrt(area)) of the whole contact, equation (2);
-    /// 0 without area. The indenter is rigid: this is E / (1 - nu^2).
+    /// sqrt(pi) stiffness / (2 beta sqrt(area)) of the whole contact, equation
+    /// (2); 0 without area. The indenter is rigid: with beta = 1 this is E / (1
+    /// - nu^2).
     double
     reduced_modulus(const double area) const;
   };
@@ -81,7 +108,8 @@ namespace ElastoPlastic
     /// quarter model; see modelled_part().
     IndentationTest(const std::shared_ptr<const TipShape> &tip,
                     const double                           initial_gap,
-                    const double                           modelled_part);
+                    const double                           modelled_part,
+                    const EvaluationParameters            &constants = {});
 
     /// Adds the end of the next step. @return the result of an unloading as
     /// soon as all steps for its fit are there: when the force has fallen below
@@ -138,6 +166,7 @@ namespace ElastoPlastic
     std::shared_ptr<const TipShape> tip;
     double                          initial_gap;
     double                          modelled_part;
+    EvaluationParameters            constants;
 
     Progress memory;
   };

@@ -19,13 +19,15 @@ namespace ElastoPlastic
   /// How much of the surroundings of the horizontal @p position belongs to the
   /// boundaries @p contact_boundaries, seen from above, between 0 and 1: 1/4 if
   /// a quarter of a body is modelled that has two planes of symmetry through
-  /// the indenter's axis. In two dimensions, where an indenter on the axis of
-  /// revolution presses on whole rings, it is 1. Collective.
+  /// the indenter's axis; 1/2 of a plane body with a line of symmetry there. In
+  /// an axisymmetric body, where the indenter presses on whole rings, it is 1.
+  /// Collective.
   template <int dim>
   double
   modelled_part(const parallel::distributed::Triangulation<dim> &triangulation,
                 const std::set<types::boundary_id> &contact_boundaries,
-                const Point<dim - 1>               &position);
+                const Point<dim - 1>               &position,
+                const Kinematics                    kinematics);
 
   /// What a test in a laboratory would evaluate; nothing without an indenter,
   /// where its axis does not meet the body, and in plane strain, where a depth
@@ -35,7 +37,8 @@ namespace ElastoPlastic
   make_indentation_test(
     const Model<dim>                                &model,
     const parallel::distributed::Triangulation<dim> &triangulation,
-    const GapFunction<dim>                          &gap_function);
+    const GapFunction<dim>                          &gap_function,
+    const EvaluationParameters                      &constants);
 } // namespace ElastoPlastic
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "evaluation/indentation_test.h"
 #include "evaluation/solve_result.h"
+#include "evaluation/surface_row.h"
 #include "io/table.h"
 
 namespace ElastoPlastic
@@ -69,6 +70,11 @@ namespace ElastoPlastic
   /// The columns of history.csv: a row per converged load step.
   const Columns<SolveResult> &
   history_columns();
+
+  /// The columns of surface_profile.csv in @p dimension dimensions: a row per
+  /// point of the contact surface.
+  const Columns<SurfaceRow> &
+  surface_profile_columns(const unsigned int dimension);
 
   /// The columns of mesh_changes.csv: a row per change of the mesh.
   const Columns<MeshChange> &

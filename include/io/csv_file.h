@@ -13,7 +13,7 @@
 namespace ElastoPlastic
 {
   /// A table that grows row by row: comma separated, a header line, 15
-  /// significant digits, every row handed to the system before the program goes
+  /// significant digits, all rows handed to the system before the program goes
   /// on. Written by the first rank; all ranks call all functions.
   class CsvFile
   {
@@ -32,10 +32,10 @@ namespace ElastoPlastic
     void
     open();
 
-    /// Appends one row; after open(). @throws FileError, on all ranks, if it
+    /// Appends rows; after open(). @throws FileError, on all ranks, if they
     /// cannot be written.
     void
-    add_row(const std::vector<double> &values);
+    add_rows(const std::vector<std::vector<double>> &rows);
 
     /// Waits until all rows are on the disk. @throws FileError, on all ranks,
     /// if that is not possible.

@@ -49,6 +49,22 @@ namespace ElastoPlastic
     {"pressure", AdditionalField::pressure},
     {"triaxiality", AdditionalField::triaxiality},
     {"back stress", AdditionalField::back_stress}};
+  /// The load steps that surface_profile.csv is about; see the entry "Surface
+  /// profile".
+  enum class SurfaceProfileSteps
+  {
+    every_step,
+    segment_ends,
+    last_step,
+    none
+  };
+
+  template <>
+  inline const EnumNames<SurfaceProfileSteps> enum_names<SurfaceProfileSteps> =
+    {{"every step", SurfaceProfileSteps::every_step},
+     {"segment ends", SurfaceProfileSteps::segment_ends},
+     {"last step", SurfaceProfileSteps::last_step},
+     {"none", SurfaceProfileSteps::none}};
 
 
 
@@ -61,7 +77,10 @@ namespace ElastoPlastic
     Units                        units;
     Verbosity                    screen = Verbosity::full;
     /// Load steps from one checkpoint to the next; 0: on request only.
-    unsigned int checkpoint_interval = 1;
+    unsigned int        checkpoint_interval = 1;
+    SurfaceProfileSteps surface_profile     = SurfaceProfileSteps::segment_ends;
+    std::string         profile_lines; ///< see read_profile_lines()
+    std::string         probe_points;  ///< see ProbePoints
 
     void
     add_parameters(ParameterHandler &prm);

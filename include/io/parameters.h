@@ -11,6 +11,7 @@
 #include "base/enum_names.h"
 #include "contact/contact_edge.h"
 #include "contact/indenter_parameters.h"
+#include "evaluation/indentation_test.h"
 #include "io/command_line.h"
 #include "io/output_parameters.h"
 #include "loading/loading_parameters.h"
@@ -58,6 +59,7 @@ namespace ElastoPlastic
     RefinementParameters        refinement;
     NewtonParameters            newton;
     LinearSolverParameters      linear_solver;
+    EvaluationParameters        evaluation;
     OutputParameters            output;
 
     /// The complete effective input, in the format of a parameter file.

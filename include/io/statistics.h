@@ -10,10 +10,25 @@
 
 namespace ElastoPlastic
 {
-  /// The tables statistics.csv (a row per nonlinear solve), history.csv and
-  /// reactions.csv (a row per converged load step), mesh_changes.csv (a row per
-  /// change of the mesh between two load steps), and indentation.csv (a row per
-  /// unloading that can be evaluated; without one there is no file).
+  /// What the tables say of a load step that has converged.
+  struct StepResult
+  {
+    /// Of the last solve.
+    const SolveResult &solve;
+    /// In the order of their names.
+    std::vector<double> reactions, probes;
+    /// Empty if it is not written for this step.
+    std::vector<SurfaceRow> surface_profile;
+  };
+
+
+
+  /// The tables statistics.csv (a row per nonlinear solve), history.csv,
+  /// reactions.csv and probes.csv (a row per converged load step),
+  /// surface_profile.csv (a row per point of the contact surface, for some
+  /// steps), mesh_changes.csv (a row per change of the mesh between two load
+  /// steps), and indentation.csv (a row per unloading that can be evaluated).
+  /// Without rows there is no surface_profile.csv and no indentation.csv.
   class Statistics
   {
   public:
@@ -21,8 +36,8 @@ namespace ElastoPlastic
     /// that is not over.
     struct Progress
     {
-      unsigned int statistics = 0, history = 0, reactions = 0;
-      unsigned int mesh_changes = 0, indentation = 0;
+      unsigned int statistics = 0, history = 0, reactions = 0, probes = 0;
+      unsigned int surface_profile = 0, mesh_changes = 0, indentation = 0;
 
       IndentationTest::Progress unloading;
 
@@ -30,19 +45,25 @@ namespace ElastoPlastic
       void
       serialize(Archive &archive, const unsigned int /* version */)
       {
-        archive &statistics &history       &reactions;
-        archive &mesh_changes &indentation &unloading;
+        archive &statistics &history &reactions             &probes;
+        archive &surface_profile &mesh_changes &indentation &unloading;
       }
     };
 
+    /// What the columns depend on.
+    struct Names
+    {
+      unsigned int             dimension;
+      std::vector<std::string> reactions, probes;
+    };
+
     /// Creates the files in @p directory, or goes on after the first rows, as
-    /// many as @p progress says, of those that are there; reactions.csv has a
-    /// column for each of @p reaction_names. All files are looked at before
-    /// the first one is touched. @throws FileError; InputError if rows are
-    /// missing
+    /// many as @p progress says, of those that are there. All files are looked
+    /// at before the first one is touched. @throws FileError; InputError if
+    /// rows are missing
     Statistics(const MPI_Comm                        communicator,
                const std::string                    &directory,
-               const std::vector<std::string>       &reaction_names,
+               const Names                          &names,
                const std::optional<IndentationTest> &indentation_test,
                const Progress                       &progress);
 
@@ -56,10 +77,8 @@ namespace ElastoPlastic
     void
     add_solve(const SolveResult &result);
 
-    /// @p result is that of the last solve of the step, @p reactions in the
-    /// order of their names.
     void
-    add_step(const SolveResult &result, const std::vector<double> &reactions);
+    add_step(const StepResult &result);
 
     /// After the last step.
     void
@@ -76,6 +95,9 @@ namespace ElastoPlastic
     tables();
 
     void
+    make_surface_profile(const unsigned int n_rows);
+
+    void
     make_indentation(const unsigned int n_rows);
 
     /// Adds the result of @p evaluate, if there is one. @throws InputError
@@ -83,12 +105,15 @@ namespace ElastoPlastic
     evaluate_unloading(
       const std::function<std::optional<UnloadingResult>()> &evaluate);
 
-    const MPI_Comm    communicator;
-    const std::string directory;
+    const MPI_Comm     communicator;
+    const std::string  directory;
+    const unsigned int dimension;
 
     Table<SolveResult>                    statistics;
     Table<SolveResult>                    history;
     CsvFile                               reactions;
+    CsvFile                               probes;
+    std::optional<Table<SurfaceRow>>      surface_profile;
     Table<MeshChange>                     mesh_changes;
     std::optional<Table<UnloadingResult>> indentation;
 

@@ -45,10 +45,17 @@ namespace ElastoPlastic
     void
     add(const Record &record)
     {
-      std::vector<double> row;
-      for (const auto &column : columns)
-        row.push_back(column.value(record));
-      add_row(row);
+      add_rows({values(record)});
+    }
+
+    /// The same for several rows.
+    void
+    add_all(const std::vector<Record> &records)
+    {
+      std::vector<std::vector<double>> rows;
+      for (const Record &record : records)
+        rows.push_back(values(record));
+      add_rows(rows);
     }
 
   private:
@@ -58,6 +65,15 @@ namespace ElastoPlastic
       std::vector<std::string> result;
       for (const auto &column : columns)
         result.push_back(column.name);
+      return result;
+    }
+
+    std::vector<double>
+    values(const Record &record) const
+    {
+      std::vector<double> result;
+      for (const auto &column : columns)
+        result.push_back(column.value(record));
       return result;
     }
 

@@ -36,6 +36,7 @@ namespace ElastoPlastic
   struct PointResult
   {
     SymmetricTensor<2, 3> stress;
+    SymmetricTensor<2, 3> strain;
     SymmetricTensor<2, 3> plastic_strain;
     SymmetricTensor<2, 3> back_stress; ///< the sum of all
     double                equivalent_plastic_strain;

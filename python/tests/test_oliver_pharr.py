@@ -70,6 +70,16 @@ class OliverPharr(unittest.TestCase):
                           overwrite=True)
             self.compare(results, Tip.sphere(results.number("Indenter/Radius")))
 
+    def test_constants_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            results = run("indentation/cone_axisymmetric.prm", folder, {
+                "Geometry/Local refinements": 3, "Loading/Number of steps": 40, "Output/Fields": "never",
+                "Evaluation/Beta": 1.05, "Evaluation/Epsilon": 0.75})
+            self.compare(results, Tip.cone(70.3), beta=1.05, epsilon=0.75)
+            row = results.indentation[0]
+            self.assertAlmostEqual(row["reduced_modulus"] * 2. * 1.05 / row["stiffness"]
+                                   * numpy.sqrt(row["contact_area"] / numpy.pi), 1.)
+
     def test_history_on_meshes_that_change(self):
         with tempfile.TemporaryDirectory() as folder:
             results = run("indentation/sphere_axisymmetric.prm", folder, {
@@ -84,9 +94,9 @@ class OliverPharr(unittest.TestCase):
             self.assertTrue(shift[-1] != shift[top] or factor[-1] != factor[top])
             self.compare(results, Tip.sphere(results.number("Indenter/Radius")))
 
-    def compare(self, results, tip, gap=0.):
+    def compare(self, results, tip, gap=0., **constants):
         found = evaluate(results.history["depth"], results.history["force"], tip, initial_gap=gap,
-                         jumps=jumps_of_meshes(results))
+                         jumps=jumps_of_meshes(results), **constants)
         self.assertEqual(len(found), len(results.indentation))
         for unloading, row in zip(found, results.indentation):
             for name, value in dataclasses.asdict(unloading).items():

@@ -22,7 +22,7 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::serialize_progress(Archive              &archive,
                                                 Statistics::Progress &progress)
   {
-    archive &time_steps &load_program &field_output &cycle &last_step
+    archive &time_steps &load_program &field_output &cycle &last_step &imprint
       &largest_forces &largest_contact_area &progress;
   }
 

@@ -49,6 +49,14 @@ namespace ElastoPlastic
     , contact([this](const Point<dim> &x) { return gap_function.value(x); },
               model.strain_model.kinematics,
               model.edge_rule)
+    , boundary_displacements(model, triangulation)
+    , probe_points(parameters.output.probe_points,
+                   model.boundary_conditions.names(),
+                   triangulation)
+    , imprint(model,
+              gap_function,
+              triangulation,
+              parameters.output.profile_lines)
     , output_directory(communicator, parameters.output.directory)
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
@@ -62,6 +70,7 @@ namespace ElastoPlastic
     check_loads(model, load_program, time_steps, dof_handler);
     check_supports(model, dof_handler, supports, contact, external_forces);
     parameters.refinement.check_first_mesh(dof_handler.n_dofs());
+    imprint.check_lines(contact_surface());
     for (const std::string &warning : model.geometry.warnings())
       log.warn(warning);
     if (const std::string warning =
@@ -113,12 +122,16 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::run_load_history(
     const Statistics::Progress &progress)
   {
+    auto probes = boundary_displacements.names();
+    for (const std::string &name : probe_points.names())
+      probes.push_back(name);
     Statistics statistics(communicator,
                           parameters.output.directory,
-                          reactions.names(),
+                          {dim, reactions.names(), probes},
                           make_indentation_test(model,
                                                 triangulation,
-                                                gap_function),
+                                                gap_function,
+                                                parameters.evaluation),
                           progress);
     note_termination_requests();
     try
@@ -161,14 +174,10 @@ namespace ElastoPlastic
             apply_load();
             if (!cut)
               predict();
-            SolveResult result = solve_on_mesh_sequence(statistics);
-            const auto  forces =
-              reactions.compute(*solid,
-                                displacement,
-                                contact.forces_on_body(residual),
-                                result.time);
+            SolveResult      result = solve_on_mesh_sequence(statistics);
+            const StepResult step   = evaluate_step(result);
             commit_step(result);
-            statistics.add_step(result, forces);
+            statistics.add_step(step);
             if (const std::string warning = small_strain_guard.warning(result);
                 !warning.empty())
               log.warn(warning);
@@ -266,6 +275,32 @@ namespace ElastoPlastic
 
 
 
+  // What the tables say of the end of a step, before the material points take
+  // it as the beginning of the next one. (The result that it refers to is still
+  // to grow.)
+  template <int dim>
+  StepResult
+  ElastoPlasticContact<dim>::evaluate_step(const SolveResult &result) const
+  {
+    TimerOutput::Scope scope(timer, "Evaluation");
+    StepResult         step = {result,
+                               reactions.compute(*solid,
+                                         displacement,
+                                         contact.forces_on_body(residual),
+                                         result.time),
+                               boundary_displacements.compute(dof_handler,
+                                                      displacement),
+                               {}};
+    for (const double value :
+         probe_points.compute(dof_handler, *solid, displacement))
+      step.probes.push_back(value);
+    if (writes_surface_profile(result.time))
+      step.surface_profile = imprint.profile(result, contact_surface());
+    return step;
+  }
+
+
+
   template <int dim>
   void
   ElastoPlasticContact<dim>::write_fields(const std::string &name,
@@ -283,6 +318,27 @@ namespace ElastoPlastic
                         error_indicators},
                        name,
                        time);
+  }
+
+
+
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::writes_surface_profile(const double time) const
+  {
+    switch (parameters.output.surface_profile)
+      {
+        case SurfaceProfileSteps::every_step:
+          return true;
+        case SurfaceProfileSteps::segment_ends:
+          return load_program.is_segment_end(time);
+        case SurfaceProfileSteps::last_step:
+          return time == load_program.final_time();
+        case SurfaceProfileSteps::none:
+          return false;
+      }
+    Assert(false, ExcInternalError());
+    return false;
   }
 
 

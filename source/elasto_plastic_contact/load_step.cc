@@ -71,6 +71,7 @@ namespace ElastoPlastic
         load_program.is_segment_end(result.time))
       look_at_contact();
     largest_contact_area = std::max(largest_contact_area, result.contact_area);
+    imprint.note(result);
     load_program.reached(result.time, result.depth, result.force);
     if (result.time != load_program.final_time())
       commit_state();

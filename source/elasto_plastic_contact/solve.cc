@@ -107,6 +107,7 @@ namespace ElastoPlastic
     static_cast<ContactState &>(result) = contact.state(displacement, residual);
     static_cast<BodyState &>(result)    = body_state(*solid, displacement);
     result.depth = gap_function.has_indenter() ? contact.depth() : 0.;
+    measure_imprint(result);
     check_force_balance(result);
     estimate_error(result);
 
@@ -161,6 +162,29 @@ namespace ElastoPlastic
         " of all forces, above 'Nonlinear solver/Tolerance': parts of the "
         "body are so stiff, or so nearly incompressible, that the rounding "
         "of the displacements does not allow for less.");
+  }
+
+
+
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::measure_imprint(SolveResult &result)
+  {
+    TimerOutput::Scope scope(timer, "Evaluation");
+    imprint.measure(result, contact_surface());
+  }
+
+
+
+  template <int dim>
+  ContactSurface<dim>
+  ElastoPlasticContact<dim>::contact_surface() const
+  {
+    return ContactSurface<dim>(
+      dof_handler,
+      model.boundary_conditions.ids(BoundaryConditionType::contact),
+      surface_fields(
+        dof_handler, supports.constraints(), contact, displacement, residual));
   }
 
 

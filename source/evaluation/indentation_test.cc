@@ -5,11 +5,52 @@
 
 #include <cmath>
 
+#include "base/exceptions.h"
 #include "evaluation/indentation_test.h"
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
+  void
+  EvaluationParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Evaluation");
+    prm.add_parameter(
+      "Beta",
+      beta,
+      "The factor beta in the stiffness 2 beta E_r sqrt(A / pi) at the "
+      "beginning of an unloading, by which indentation.csv finds the reduced "
+      "modulus E_r. 1 is exact for the small contact of a smooth axisymmetric "
+      "tip; laboratories use 1.034 to 1.05 for Berkovich's pyramid. To compare "
+      "with a measured modulus, take that of the measurement. Allowed: > 0.",
+      Patterns::Double());
+    prm.add_parameter(
+      "Epsilon",
+      epsilon,
+      "The factor epsilon in the contact depth h_max - epsilon F_max / S of "
+      "Oliver and Pharr; laboratories mostly use 0.75. 0 stands for that of "
+      "the tip's shape: 1 for a flat face, 2 - 4/pi for a cone, 0.75 for all "
+      "others. Allowed: from 0 to 1.",
+      Patterns::Double());
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  EvaluationParameters::check() const
+  {
+    if (!(beta > 0.))
+      throw InputError("Evaluation/Beta",
+                       Patterns::Tools::to_string(beta),
+                       "it must be greater than 0.");
+    if (!(epsilon >= 0. && epsilon <= 1.))
+      throw InputError("Evaluation/Epsilon",
+                       Patterns::Tools::to_string(epsilon),
+                       "it must lie between 0, which stands for that of the "
+                       "tip's shape, and 1, that of a flat face.");
+  }
+
+
 
   double
   UnloadingResult::hardness(const double area) const
@@ -23,18 +64,21 @@ namespace ElastoPlastic
   UnloadingResult::reduced_modulus(const double area) const
   {
     return area > 0 ?
-             0.5 * std::sqrt(numbers::PI / (area * modelled_part)) * stiffness :
+             0.5 / beta * std::sqrt(numbers::PI / (area * modelled_part)) *
+               stiffness :
              0.;
   }
 
 
 
   IndentationTest::IndentationTest(const std::shared_ptr<const TipShape> &tip,
-                                   const double initial_gap,
-                                   const double modelled_part)
+                                   const double                initial_gap,
+                                   const double                modelled_part,
+                                   const EvaluationParameters &constants)
     : tip(tip)
     , initial_gap(initial_gap)
     , modelled_part(modelled_part)
+    , constants(constants)
   {}
 
 
@@ -108,9 +152,11 @@ namespace ElastoPlastic
     result.law           = fit_power_law(points);
     result.stiffness     = result.law.stiffness(result.maximum.depth);
     result.modelled_part = modelled_part;
-    result.contact_depth =
-      result.maximum.depth - initial_gap -
-      tip->depth_factor() * result.maximum.force / result.stiffness;
+    result.beta          = constants.beta;
+    const double epsilon =
+      constants.epsilon > 0. ? constants.epsilon : tip->depth_factor();
+    result.contact_depth = result.maximum.depth - initial_gap -
+                           epsilon * result.maximum.force / result.stiffness;
     const double fit_error = 1e-6 * result.maximum.depth;
     if (result.contact_depth > -fit_error)
       result.tip_area =

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -32,11 +33,29 @@ namespace ElastoPlastic
 
   template <>
   double
-  modelled_part(const parallel::distributed::Triangulation<2> &,
-                const std::set<types::boundary_id> &,
-                const Point<1> &)
+  modelled_part(const parallel::distributed::Triangulation<2> &triangulation,
+                const std::set<types::boundary_id> &contact_boundaries,
+                const Point<1>                     &position,
+                const Kinematics                    kinematics)
   {
-    return 1.;
+    if (kinematics == Kinematics::axisymmetric)
+      return 1.;
+    double n_sides = 0;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() &&
+              contact_boundaries.count(face->boundary_id()) > 0)
+            {
+              const double a         = face->vertex(0)[0] - position[0];
+              const double b         = face->vertex(1)[0] - position[0];
+              const double tolerance = 1e-10 * std::abs(b - a);
+              if (std::min(a, b) < -tolerance && std::max(a, b) >= -tolerance)
+                n_sides += 1.;
+              if (std::min(a, b) <= tolerance && std::max(a, b) > tolerance)
+                n_sides += 1.;
+            }
+    return 0.5 * Utilities::MPI::sum(n_sides, triangulation.get_communicator());
   }
 
 
@@ -45,7 +64,8 @@ namespace ElastoPlastic
   double
   modelled_part(const parallel::distributed::Triangulation<3> &triangulation,
                 const std::set<types::boundary_id> &contact_boundaries,
-                const Point<2>                     &position)
+                const Point<2>                     &position,
+                const Kinematics /* cartesian */)
   {
     double angle = 0;
     for (const auto &cell : triangulation.active_cell_iterators())
@@ -72,7 +92,8 @@ namespace ElastoPlastic
   make_indentation_test(
     const Model<dim>                                &model,
     const parallel::distributed::Triangulation<dim> &triangulation,
-    const GapFunction<dim>                          &gap_function)
+    const GapFunction<dim>                          &gap_function,
+    const EvaluationParameters                      &constants)
   {
     const bool is_plane =
       dim == 2 && model.strain_model.kinematics != Kinematics::axisymmetric;
@@ -81,12 +102,14 @@ namespace ElastoPlastic
     const double part = modelled_part(triangulation,
                                       model.boundary_conditions.ids(
                                         BoundaryConditionType::contact),
-                                      gap_function.position());
+                                      gap_function.position(),
+                                      model.strain_model.kinematics);
     if (part == 0.)
       return {};
     return IndentationTest(model.indenter.shape,
                            model.indenter.initial_gap,
-                           part);
+                           part,
+                           constants);
   }
 
 
@@ -94,9 +117,11 @@ namespace ElastoPlastic
   template std::optional<IndentationTest>
   make_indentation_test(const Model<2> &,
                         const parallel::distributed::Triangulation<2> &,
-                        const GapFunction<2> &);
+                        const GapFunction<2> &,
+                        const EvaluationParameters &);
   template std::optional<IndentationTest>
   make_indentation_test(const Model<3> &,
                         const parallel::distributed::Triangulation<3> &,
-                        const GapFunction<3> &);
+                        const GapFunction<3> &,
+                        const EvaluationParameters &);
 } // namespace ElastoPlastic

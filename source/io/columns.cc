@@ -84,8 +84,45 @@ namespace ElastoPlastic
       {"hardening_energy", "force x length", "stored in the body by hardening", &R::hardening_energy},
       {"plastic_work", "force x length", "since the virgin state", &R::plastic_work},
       {"dissipation", "force x length", "the part of the plastic work that is not stored", &R::dissipation},
-      {"external_work", "force x length", "of indenter, supports and tractions since the virgin state, by the trapezoidal rule; a single step counts half of the final forces times displacements", &R::external_work}};
+      {"external_work", "force x length", "of indenter, supports and tractions since the virgin state, by the trapezoidal rule; a single step counts half of the final forces times displacements", &R::external_work},
+      {"contact_radius", "length", "of the circle with the area of the contact, of which the modelled part may be a half or a quarter; in a plane problem half the width", &R::contact_radius},
+      {"pile_up", "length", "how far the surface stands above the undeformed one: its largest height within twice the largest contact radius until now, if that is positive (pile-up), else that of the edge of the contact, negative (sink-in)", &R::pile_up}};
     return columns;
+  }
+
+
+
+  namespace
+  {
+    Columns<SurfaceRow>
+    make_surface_profile_columns(const unsigned int dimension)
+    {
+      using R = SurfaceRow;
+      const std::string axes = "xyz";
+      Columns<R> columns = {
+        {"step", "1", "load step", &R::step},
+        {"time", "time", "the value of t at its end", &R::time}};
+      for (unsigned int d = 0; d + 1 < dimension; ++d)
+        columns.push_back({axes.substr(d, 1), "length", d == 0 ? "of the undeformed surface; in an axisymmetric body r" : "the same; in three dimensions only", [d](const R &r) { return r.position[d]; }});
+      columns.push_back({"height", "length", "the vertical coordinate of the undeformed surface", [dimension](const R &r) { return r.position[dimension - 1]; }});
+      for (unsigned int d = 0; d < dimension; ++d)
+        columns.push_back({"displacement_" + axes.substr(d, 1), "length", d == 0 ? "added to x, it gives where the deformed surface is" : d == 1 ? "the vertical one in two dimensions" : "the vertical one in three dimensions", [d](const R &r) { return r.displacement[d]; }});
+      columns.push_back({"gap", "length", "to the indenter in its present position; `nan` where it does not reach", &R::gap});
+      columns.push_back({"contact_pressure", "stress", "nodal", &R::contact_pressure});
+      if (dimension == 3)
+        columns.push_back({"line", "1", "of `Output/Profile lines`, from 1; in three dimensions only", &R::line});
+      return columns;
+    }
+  } // namespace
+
+
+
+  const Columns<SurfaceRow> &
+  surface_profile_columns(const unsigned int dimension)
+  {
+    static const Columns<SurfaceRow> in_plane = make_surface_profile_columns(2);
+    static const Columns<SurfaceRow> in_space = make_surface_profile_columns(3);
+    return dimension == 2 ? in_plane : in_space;
   }
 
 
@@ -129,16 +166,18 @@ namespace ElastoPlastic
       {"max_depth", "length", "there, as in history.csv", [](const R &r) { return r.maximum.depth; }},
       {"max_force", "force", "there, as in history.csv", [](const R &r) { return r.maximum.force; }},
       {"contact_area", "area", "there, as in history.csv", [](const R &r) { return r.maximum.contact_area; }},
+      {"contact_radius", "length", "there, as in history.csv", [](const R &r) { return r.maximum.contact_radius; }},
+      {"pile_up", "length", "there, as in history.csv", [](const R &r) { return r.maximum.pile_up; }},
       {"modelled_part", "1", "of the indenter: 0.25 if two planes of symmetry cut it", &R::modelled_part},
       {"stiffness", "force / length", "initial slope of the unloading, by the fit", &R::stiffness},
       {"exponent", "1", "m of the fitted power law", [](const R &r) { return r.law.exponent; }},
       {"final_depth", "length", "the depth without force of the fitted power law", [](const R &r) { return r.law.final_depth; }},
       {"hardness", "stress", "with contact_area", [](const R &r) { return r.hardness(r.maximum.contact_area); }},
-      {"reduced_modulus", "stress", "with contact_area; to be compared with E/(1 - nu^2)", [](const R &r) { return r.reduced_modulus(r.maximum.contact_area); }},
-      {"contact_depth", "length", "how deep the tip touches, by Oliver and Pharr", &R::contact_depth},
+      {"reduced_modulus", "stress", "with contact_area and `Evaluation/Beta`; with its default 1 to be compared with E/(1 - nu^2)", [](const R &r) { return r.reduced_modulus(r.maximum.contact_area); }},
+      {"contact_depth", "length", "how deep the tip touches, by Oliver and Pharr, with `Evaluation/Epsilon`", &R::contact_depth},
       {"tip_area", "area", "the section of the tip there; 0, as are the next two, if it has none: a cylinder in three dimensions, a height map", &R::tip_area},
       {"tip_hardness", "stress", "with tip_area: what a laboratory would find", [](const R &r) { return r.hardness(r.tip_area); }},
-      {"tip_reduced_modulus", "stress", "with tip_area: what a laboratory would find", [](const R &r) { return r.reduced_modulus(r.tip_area); }}};
+      {"tip_reduced_modulus", "stress", "with tip_area and `Evaluation/Beta`: what a laboratory would find", [](const R &r) { return r.reduced_modulus(r.tip_area); }}};
     return columns;
   }
 

@@ -113,14 +113,15 @@ namespace ElastoPlastic
 
 
   void
-  CsvFile::add_row(const std::vector<double> &values)
+  CsvFile::add_rows(const std::vector<std::vector<double>> &rows)
   {
-    ++row_count;
+    row_count += rows.size();
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        for (unsigned int i = 0; i < values.size(); ++i)
-          file << (i > 0 ? "," : "") << values[i];
-        file << std::endl;
+        for (const std::vector<double> &row : rows)
+          for (unsigned int i = 0; i < row.size(); ++i)
+            file << row[i] << (i + 1 < row.size() ? ',' : '\n');
+        file << std::flush;
       }
     check_written(communicator, name, static_cast<bool>(file));
   }

@@ -6,12 +6,11 @@
 
 #include <cmath>
 #include <fstream>
-#include <limits>
 
+#include "evaluation/surface_fields.h"
 #include "io/body_output.h"
 #include "io/checked_write.h"
 #include "io/field_output.h"
-#include "mechanics/ghosted_copy.h"
 
 namespace ElastoPlastic
 {
@@ -52,12 +51,12 @@ namespace ElastoPlastic
 
 
 
-    /// Puts a number in place of those that are infinite, which no
-    /// interpolation would bear: larger than any other by so much that it
-    /// cannot be mistaken, but not so much that its rounding errors matter.
+    /// Puts a number in place of those that are none, which no interpolation
+    /// would bear: larger than any other by so much that it cannot be mistaken,
+    /// but not so much that its rounding errors matter.
     /// @return a limit below it.
     double
-    replace_infinite_entries(VectorType &vector)
+    replace_missing_entries(VectorType &vector)
     {
       double largest = 0;
       for (const double value : vector)
@@ -68,6 +67,7 @@ namespace ElastoPlastic
       for (double &value : vector)
         if (!std::isfinite(value))
           value = replacement;
+      vector.update_ghost_values();
       return 0.5 * replacement;
     }
 
@@ -178,36 +178,29 @@ namespace ElastoPlastic
                                   const std::string &name,
                                   const double       time)
   {
-    VectorType gap, pressure, active;
-    solution.solid.initialize_vector(gap);
-    pressure.reinit(gap);
-    active.reinit(gap);
-    gap = std::numeric_limits<double>::infinity(); // where nothing can touch
-    solution.contact.surface_fields(
-      gap, pressure, active, solution.displacement, solution.residual);
-    solution.constraints.distribute(pressure);
-    solution.constraints.distribute(active);
-
+    const SurfaceFields fields = surface_fields(solution.dof_handler,
+                                                solution.constraints,
+                                                solution.contact,
+                                                solution.displacement,
+                                                solution.residual);
     BoundaryOutput<dim> output(solution.contact_boundaries);
-    const VectorType    displacement =
-      ghosted_copy(solution.displacement, solution.dof_handler);
     output.add_data_vector(
       solution.dof_handler,
-      displacement,
+      fields.displacement,
       std::vector<std::string>(dim, "displacement"),
       std::vector<Interpretation>(
         dim, DataComponentInterpretation::component_is_part_of_vector));
 
-    const VerticalComponent<dim> gap_component("gap",
-                                               replace_infinite_entries(gap));
+    const VerticalComponent<dim> gap_component("gap", limit);
     const VerticalComponent<dim> pressure_component("contact_pressure");
     const VerticalComponent<dim> active_component("active");
-    gap      = ghosted_copy(gap, solution.dof_handler);
-    pressure = ghosted_copy(pressure, solution.dof_handler);
-    active   = ghosted_copy(active, solution.dof_handler);
     output.add_data_vector(solution.dof_handler, gap, gap_component);
-    output.add_data_vector(solution.dof_handler, pressure, pressure_component);
-    output.add_data_vector(solution.dof_handler, active, active_component);
+    output.add_data_vector(solution.dof_handler,
+                           fields.pressure,
+                           pressure_component);
+    output.add_data_vector(solution.dof_handler,
+                           fields.active,
+                           active_component);
 
     output.set_flags(flags_with_units(parameters.units));
     output.build_patches(solution.dof_handler.get_fe().degree);

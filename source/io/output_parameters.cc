@@ -72,6 +72,30 @@ namespace ElastoPlastic
       "step, times. summary: only the table of results, without "
       "anything that a clock or the number of processes could "
       "change. quiet: nothing but errors.");
+    prm.add_parameter(
+      "Surface profile",
+      surface_profile,
+      "The load steps whose deformed contact surface is written to "
+      "surface_profile.csv: every step, those at the ends of the segments of "
+      "'Loading/History' (such as the largest depth and the end of the "
+      "unloading; without a history the last step), the last step, or none.");
+    prm.add_parameter(
+      "Profile lines",
+      profile_lines,
+      "The lines on the contact surface of a body in space, seen from above, "
+      "that surface_profile.csv is about: 'x, y; x, y', the ends of a line, "
+      "with '|' between lines. There is a row wherever a line meets the side "
+      "of a face. Empty: the line along x through the axis of the indenter. In "
+      "two dimensions there is one surface, and all of its nodes are written.",
+      Patterns::Anything());
+    prm.add_parameter(
+      "Probe points",
+      probe_points,
+      "Points of the undeformed body whose displacement, stress and strain are "
+      "written to probes.csv at the end of each step: 'name: x, y, z' (in two "
+      "dimensions 'name: x, y'), with '|' between points. The mean "
+      "displacements of all boundaries are always there.",
+      Patterns::Anything());
     prm.leave_subsection();
   }
 

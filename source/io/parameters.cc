@@ -75,6 +75,7 @@ namespace ElastoPlastic
     refinement.add_parameters(prm);
     newton.add_parameters(prm);
     linear_solver.add_parameters(prm);
+    evaluation.add_parameters(prm);
     output.add_parameters(prm);
   }
 
@@ -133,6 +134,7 @@ namespace ElastoPlastic
     refinement.check();
     newton.check();
     output.check();
+    evaluation.check();
 
     const bool has_contact_boundary = !boundary_conditions.contact.empty();
     if (!indenter.is_present() && has_contact_boundary)

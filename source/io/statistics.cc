@@ -9,7 +9,7 @@ namespace ElastoPlastic
   namespace
   {
     std::vector<std::string>
-    reaction_columns(const std::vector<std::string> &names)
+    step_columns(const std::vector<std::string> &names)
     {
       std::vector<std::string> columns = {"step", "time"};
       columns.insert(columns.end(), names.begin(), names.end());
@@ -18,10 +18,26 @@ namespace ElastoPlastic
 
 
 
+    std::vector<double>
+    step_row(const SolveResult &result, const std::vector<double> &values)
+    {
+      std::vector<double> row = {static_cast<double>(result.step), result.time};
+      row.insert(row.end(), values.begin(), values.end());
+      return row;
+    }
+
+
+
     IndentationPoint
     indentation_point(const SolveResult &r)
     {
-      return {r.step, r.time, r.depth, r.force, r.contact_area};
+      return {r.step,
+              r.time,
+              r.depth,
+              r.force,
+              r.contact_area,
+              r.contact_radius,
+              r.pile_up};
     }
   } // namespace
 
@@ -29,11 +45,12 @@ namespace ElastoPlastic
 
   Statistics::Statistics(const MPI_Comm                        communicator,
                          const std::string                    &directory,
-                         const std::vector<std::string>       &reaction_names,
+                         const Names                          &names,
                          const std::optional<IndentationTest> &indentation_test,
                          const Progress                       &progress)
     : communicator(communicator)
     , directory(directory)
+    , dimension(names.dimension)
     , statistics(communicator,
                  directory + "/statistics.csv",
                  statistics_columns(),
@@ -44,14 +61,20 @@ namespace ElastoPlastic
               progress.history)
     , reactions(communicator,
                 directory + "/reactions.csv",
-                reaction_columns(reaction_names),
+                step_columns(names.reactions),
                 progress.reactions)
+    , probes(communicator,
+             directory + "/probes.csv",
+             step_columns(names.probes),
+             progress.probes)
     , mesh_changes(communicator,
                    directory + "/mesh_changes.csv",
                    mesh_change_columns(),
                    progress.mesh_changes)
     , indentation_test(indentation_test)
   {
+    if (progress.surface_profile > 0)
+      make_surface_profile(progress.surface_profile);
     if (this->indentation_test)
       {
         this->indentation_test->resume(progress.unloading);
@@ -67,10 +90,10 @@ namespace ElastoPlastic
   std::vector<CsvFile *>
   Statistics::tables()
   {
-    std::vector<CsvFile *> result = {&statistics,
-                                     &history,
-                                     &reactions,
-                                     &mesh_changes};
+    std::vector<CsvFile *> result = {
+      &statistics, &history, &reactions, &probes, &mesh_changes};
+    if (surface_profile)
+      result.push_back(&*surface_profile);
     if (indentation)
       result.push_back(&*indentation);
     return result;
@@ -84,6 +107,8 @@ namespace ElastoPlastic
     return {statistics.n_rows(),
             history.n_rows(),
             reactions.n_rows(),
+            probes.n_rows(),
+            surface_profile ? surface_profile->n_rows() : 0,
             mesh_changes.n_rows(),
             indentation ? indentation->n_rows() : 0,
             indentation_test ? indentation_test->progress() :
@@ -110,17 +135,22 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::add_step(const SolveResult         &r,
-                       const std::vector<double> &reaction_forces)
+  Statistics::add_step(const StepResult &result)
   {
-    history.add(r);
-
-    std::vector<double> row = {static_cast<double>(r.step), r.time};
-    row.insert(row.end(), reaction_forces.begin(), reaction_forces.end());
-    reactions.add_row(row);
-
+    history.add(result.solve);
+    reactions.add_rows({step_row(result.solve, result.reactions)});
+    probes.add_rows({step_row(result.solve, result.probes)});
+    if (!result.surface_profile.empty())
+      {
+        if (!surface_profile)
+          {
+            make_surface_profile(0);
+            surface_profile->open();
+          }
+        surface_profile->add_all(result.surface_profile);
+      }
     evaluate_unloading(
-      [&]() { return indentation_test->add(indentation_point(r)); });
+      [&]() { return indentation_test->add(indentation_point(result.solve)); });
   }
 
 
@@ -129,6 +159,17 @@ namespace ElastoPlastic
   Statistics::finish()
   {
     evaluate_unloading([&]() { return indentation_test->finish(); });
+  }
+
+
+
+  void
+  Statistics::make_surface_profile(const unsigned int n_rows)
+  {
+    surface_profile.emplace(communicator,
+                            directory + "/surface_profile.csv",
+                            surface_profile_columns(dimension),
+                            n_rows);
   }
 
 

@@ -44,6 +44,12 @@ namespace ElastoPlastic
            "that of a slice of thickness 1.\n";
     print_columns(
       "history.csv", "converged load step", history_columns(), units, out);
+    print_columns("surface_profile.csv",
+                  "point of the contact surface, for the steps that "
+                  "`Output/Surface profile` names",
+                  surface_profile_columns(3),
+                  units,
+                  out);
     print_columns("statistics.csv",
                   "nonlinear solve, that is per mesh",
                   statistics_columns(),

@@ -332,6 +332,7 @@ namespace ElastoPlastic
           const auto   at_point         = response(strains[0], q);
           const auto  &plasticity       = at_point.plasticity();
           const auto   state            = plasticity.state();
+          const auto   strain           = strain_at(strains[0], q);
           const Number elastic_energy   = at_point.elastic_energy();
           const Number hardening_energy = plasticity.hardening_energy();
           const Number plastic_work     = plasticity.plastic_work();
@@ -342,6 +343,7 @@ namespace ElastoPlastic
                             Strain());
           for (unsigned int lane = 0; lane < n_cells; ++lane)
             results[lane][q] = {lane_of(at_point.stress(), lane),
+                                lane_of(strain, lane),
                                 lane_of(state.plastic_strain, lane),
                                 lane_of(back_stress, lane),
                                 state.equivalent_plastic_strain[lane],

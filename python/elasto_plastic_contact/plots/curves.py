@@ -7,7 +7,7 @@ import numpy
 
 from . import material_test
 from .figures import BLUE, RED
-from .quantities import contact_radii, hertz_of_run
+from .quantities import hertz_of_run
 from ..errors import UserError
 
 
@@ -93,13 +93,56 @@ def force_depth(run, _, scales, axes):
     return True
 
 
-def contact_radius(run, arguments, scales, axes):
+def contact_radius(run, _, scales, axes):
     """Radius of the circle with the area of the contact, over depth."""
     if run.is_plane or not has_indenter(run) or not is_history(run):
         return False
     label(axes, scales.length.label("depth", r"\delta"), scales.length.label("contact radius", "a"))
-    axes.plot(run.history["depth"] / scales.length.unit, contact_radii(run, arguments) / scales.length.unit, "o-",
-              markersize=3., color=BLUE)
+    axes.plot(run.history["depth"] / scales.length.unit, run.history["contact_radius"] / scales.length.unit,
+              "o-", markersize=3., color=BLUE)
+    return True
+
+
+def steps_of_imprint(run, table):
+    """Of the steps in surface_profile.csv the one with the largest depth and, unless the force goes on to grow,
+    the later one with the smallest force, with their names."""
+    written = run.history[numpy.isin(run.history["step"], table["step"])]
+    deepest = int(written["depth"].argmax())
+    later = written[deepest:]
+    lowest = int(later["force"].argmin())
+    steps = {"at the largest depth": written["step"][deepest]}
+    if lowest > 0:
+        steps["after unloading" if later["force"][lowest] < 0.01 * later["force"][0] else "unloaded in part"] = \
+            later["step"][lowest]
+    return steps
+
+
+def imprint(run, arguments, scales, axes):
+    """The deformed contact surface, in three dimensions along the first line, under load and after it."""
+    if not has_indenter(run) or not run.has("surface_profile.csv"):
+        return False
+    table = run.table("surface_profile")
+    if "line" in table.dtype.names:
+        table = table[table["line"] == 1.]
+    axes_of_plane = [name for name in "xy" if name in table.dtype.names]
+    centre = ((arguments.centre or run.numbers("Indenter/Position")) + [0., 0.])[:2]
+    direction = numpy.array([table[name][-1] - table[name][0] for name in axes_of_plane])
+    direction /= numpy.linalg.norm(direction)
+    reach = 3. * run.history["contact_radius"].max() or numpy.inf
+    surface, unit = table["height"].max(), scales.length.unit
+
+    label(axes, scales.length.label("distance from the axis", "r" if run.is_axisymmetric else "x"),
+          scales.length.label("height of the surface", "z"))
+    axes.axhline(0., color="gray", linewidth=0.8)
+    for (name, step), style in zip(steps_of_imprint(run, table).items(), ({"color": RED}, {"color": BLUE})):
+        rows = table[table["step"] == step]
+        place = sum((rows[axis] - c + rows[f"displacement_{axis}"]) * d
+                    for axis, c, d in zip(axes_of_plane, centre, direction))
+        vertical = "xyz"[len(axes_of_plane)]
+        height = rows["height"] + rows[f"displacement_{vertical}"] - surface
+        shown = numpy.abs(place) <= reach
+        axes.plot(place[shown] / unit, height[shown] / unit, "o-", markersize=2., label=name, **style)
+    axes.legend()
     return True
 
 
@@ -140,4 +183,4 @@ def reactions(run, _, scales, axes):
     return True
 
 
-ALL = (pressure, convergence, force_depth, contact_radius, energies, stress_strain, reactions)
+ALL = (pressure, convergence, force_depth, contact_radius, imprint, energies, stress_strain, reactions)

@@ -48,12 +48,6 @@ def n_parts(run, arguments):
     return 1. / run.indentation["modelled_part"][0] if run.has("indentation.csv") else 1.
 
 
-def contact_radii(run, arguments):
-    """Radius of the circle with the area of the contact, or in the plane its half-width, of all steps."""
-    area = run.history["contact_area"] * n_parts(run, arguments)
-    return 0.5 * area if run.is_plane else numpy.sqrt(area / math.pi)
-
-
 @dataclass
 class Scale:
     """unit: what the numbers are divided by; name: how the axis calls it."""
@@ -92,7 +86,7 @@ def normalised_scales(run, arguments):
         whole = 2. * length if run.is_plane else math.pi * length ** 2
         area = whole / n_parts(run, arguments)
     else:
-        length, stress = contact_radii(run, arguments).max(), run.number("Material/Yield stress")
+        length, stress = run.history["contact_radius"].max(), run.number("Material/Yield stress")
         names = (r"a_{\max}", "Y", r"A_{\max}")
         area = run.history["contact_area"].max()
     if not length > 0. or not stress > 0.:

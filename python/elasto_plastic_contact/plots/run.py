@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Plot what a run has written, as far as it has it: the contact pressure over the
 distance from the indenter's axis (pressure.png), the force over the number of
-unknowns (convergence.png); of a load history, force and contact radius over the
+unknowns (convergence.png), the deformed contact surface at the largest depth and
+after unloading (imprint.png); of a load history, force and contact radius over the
 depth (force_depth.png, contact_radius.png) and the energies over time
 (energies.png); without an indenter, the forces of the supports over time
-(reactions.png) and the stress-strain curve of a box that is displaced at one end
+(reactions.png) and the stress-strain curve of a box that is loaded along an axis
 (stress_strain.png).
 
     scripts/plot.py output/sphere_axisymmetric

@@ -17,6 +17,7 @@ from .runner import E, E_STAR, NU, Runner, add_program
 from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, error_bound,
                                 error_bound_ranks, error_bound_refinement, limit_load, safe_load)
 from .hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
+from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
 from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
                                 johnson_limit, load_cycles)
 from .job_preview import job_preview
@@ -271,7 +272,8 @@ ALL = {
                      force_control, hertz, hertz_axisymmetric, hertz_cylinder,
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space,
-                     sphere_indentation, cone_indentation, contact_edge, contact_mesh, strip_punch, strip_punch_locks,
+                     sphere_indentation, cone_indentation, contact_edge, contact_mesh, imprint,
+                     imprint_ranks, probes, mean_strain_of_rings, strip_punch, strip_punch_locks,
                      limit_load, blas_kernels, safe_load, error_bound, error_bound_ranks,
                      error_bound_refinement, equilibrium_hertz, equilibrium_limit, zero_stress,
                      zero_force, far_indenter, contrast, nearly_incompressible, job_preview)

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef evaluation_imprint_h
+#define evaluation_imprint_h
+
+#include <deal.II/distributed/tria.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "evaluation/contact_surface.h"
+#include "evaluation/solve_result.h"
+#include "evaluation/surface_row.h"
+#include "model/model.h"
+
+namespace ElastoPlastic
+{
+  /// The radius of the circle that has the area of the contact, of which
+  /// @p area is the modelled @p part; in a plane problem half its width.
+  double
+  contact_radius(const double area, const double part, const bool is_plane);
+
+
+
+  /// What the indenter leaves on the contact surface: how wide the contact is,
+  /// how far the surface piles up or sinks in beside it, and its profile.
+  template <int dim>
+  class Imprint
+  {
+  public:
+    /// @p profile_lines is the entry Output/Profile lines. @p model and
+    /// @p gap_function must outlive this object. Collective.
+    /// @throws InputError
+    Imprint(const Model<dim>                                &model,
+            const GapFunction<dim>                          &gap_function,
+            const parallel::distributed::Triangulation<dim> &triangulation,
+            const std::string                               &profile_lines);
+
+    /// Every line that the user has named must meet @p surface. Collective.
+    /// @throws InputError
+    void
+    check_lines(const ContactSurface<dim> &surface) const;
+
+    /// Finds contact radius and pile-up of @p result, whose contact area is
+    /// known. The pile-up is how far the surface stands above the undeformed
+    /// one: its largest height within twice the largest contact radius until
+    /// now, if that is positive, else the height of the edge of the contact,
+    /// which has sunk in; zero without contact. Collective.
+    void
+    measure(SolveResult &result, const ContactSurface<dim> &surface) const;
+
+    /// A load step has ended with @p result.
+    void
+    note(const SolveResult &result);
+
+    /// The rows of surface_profile.csv: the nodes in two dimensions, the lines
+    /// in three. On all ranks. Collective.
+    std::vector<SurfaceRow>
+    profile(const SolveResult         &result,
+            const ContactSurface<dim> &surface) const;
+
+    /// What has been noted, for checkpoints.
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /* version */)
+    {
+      archive &largest_radius;
+    }
+
+  private:
+    const GapFunction<dim>  &gap_function;
+    const bool               is_plane;
+    const bool               has_own_lines;
+    std::vector<ProfileLine> lines; ///< none in two dimensions
+    /// Of the indenter; see modelled_part().
+    double part;
+
+    double largest_radius = 0;
+  };
+} // namespace ElastoPlastic
+
+#endif
