@@ -78,10 +78,18 @@ namespace ElastoPlastic
     run_load_history(const Statistics::Progress &progress);
     void
     take_load_steps(Statistics &statistics);
+    void
+    finish_step(Statistics &statistics);
+    void
+    go_on_after_end(Statistics &statistics);
     SolveResult
     solve_on_mesh_sequence(Statistics &statistics);
     void
     output_results(const bool last_cycle);
+    bool
+    fields_are_due() const;
+    void
+    remark_on_holds();
 
     // A load step (load_step.cc): it ends with commit_step(), or it fails and
     // is taken back.
@@ -120,12 +128,16 @@ namespace ElastoPlastic
     void
     estimate_error(SolveResult &result);
     void
+    find_error_indicators();
+    void
     bound_error(SolveResult &result);
 
     // The next mesh (refinement.cc), if there is to be one, in the first load
     // step or after any other.
     bool
     mark_next_mesh();
+    bool
+    adaptation_is_due() const;
     void
     refine_mesh();
     void
@@ -138,6 +150,8 @@ namespace ElastoPlastic
     // Checkpoints (checkpoint.cc).
     void
     save_checkpoint(Statistics &statistics);
+    bool
+    checkpoint_is_due() const;
     Statistics::Progress
     load_checkpoint();
     void
@@ -196,6 +210,7 @@ namespace ElastoPlastic
     // step is under way that can be taken back when the user wants to stop.
     OutputDirectory  output_directory;
     const Checkpoint checkpoint;
+    Timer            time_since_checkpoint;
     bool             step_is_under_way = false;
   };
 } // namespace ElastoPlastic

@@ -7,6 +7,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <vector>
 
 #include "base/enum_names.h"
 #include "io/log.h"
@@ -20,6 +21,7 @@ namespace ElastoPlastic
   {
     every_cycle,
     last_cycle,
+    at_times,
     never
   };
 
@@ -27,6 +29,7 @@ namespace ElastoPlastic
   inline const EnumNames<FieldOutputTimes> enum_names<FieldOutputTimes> = {
     {"every cycle", FieldOutputTimes::every_cycle},
     {"last cycle", FieldOutputTimes::last_cycle},
+    {"at times", FieldOutputTimes::at_times},
     {"never", FieldOutputTimes::never}};
 
 
@@ -37,11 +40,22 @@ namespace ElastoPlastic
     std::string      directory = "output";
     FieldOutputTimes fields    = FieldOutputTimes::every_cycle;
     Verbosity        screen    = Verbosity::full;
-    /// Load steps from one checkpoint to the next; 0: on request only.
-    unsigned int checkpoint_interval = 1;
+    /// For FieldOutputTimes::at_times.
+    std::vector<double> field_times;
+    /// Of wall time; 0: a checkpoint after every load step.
+    double minutes_between_checkpoints = 10;
 
     void
     add_parameters(ParameterHandler &prm);
+
+    /// @throws InputError
+    void
+    check() const;
+
+    /// Whether one of the field times lies after @p begin, but not after
+    /// @p end, up to rounding.
+    bool
+    has_time_within(const double begin, const double end) const;
   };
 } // namespace ElastoPlastic
 

@@ -83,7 +83,11 @@ namespace ElastoPlastic
           {
             phi.reinit(batch);
             phi.read_dof_values(src);
-            apply_tangent(phi, tangents);
+            if constexpr (keeps_cell_matrices)
+              multiply(&tangents.cell_matrices[batch * n_matrix_entries],
+                       phi.begin_dof_values());
+            else
+              apply_tangent(phi, tangents);
             phi.distribute_local_to_global(dst);
           }
       },
@@ -189,6 +193,70 @@ namespace ElastoPlastic
 
 
   // The columns of the cell matrices are the forces of unit vectors.
+  template <int dim, int degree, typename StrainMeasure, typename Tangents>
+  void
+  MatrixFreeKernel<dim, degree, StrainMeasure, Tangents>::compute_cell_matrices(
+    AlignedVector<Number> &columns,
+    Evaluation            &phi,
+    const Tangents        &tangents) const
+  {
+    for (unsigned int j = 0; j < n_dofs; ++j)
+      {
+        std::fill_n(phi.begin_dof_values(), n_dofs, Number(0.));
+        phi.begin_dof_values()[j] = Number(1.);
+        apply_tangent(phi, tangents);
+        std::copy_n(phi.begin_dof_values(), n_dofs, &columns[j * n_dofs]);
+      }
+  }
+
+
+
+  template <int dim, int degree, typename StrainMeasure, typename Tangents>
+  void
+  MatrixFreeKernel<dim, degree, StrainMeasure, Tangents>::prepare_products(
+    [[maybe_unused]] Tangents &tangents) const
+  {
+    if constexpr (keeps_cell_matrices)
+      {
+        Evaluation            phi(matrix_free);
+        AlignedVector<Number> columns(n_dofs * n_dofs);
+        tangents.cell_matrices.resize_fast(this->n_batches() *
+                                           n_matrix_entries);
+        Number *entry = tangents.cell_matrices.begin();
+        for (unsigned int batch = 0; batch < this->n_batches(); ++batch)
+          {
+            phi.reinit(batch);
+            compute_cell_matrices(columns, phi, tangents);
+            for (unsigned int i = 0; i < n_dofs; ++i)
+              for (unsigned int j = i; j < n_dofs; ++j)
+                *entry++ = columns[j * n_dofs + i];
+          }
+      }
+  }
+
+
+
+  template <int dim, int degree, typename StrainMeasure, typename Tangents>
+  DEAL_II_ALWAYS_INLINE inline void
+  MatrixFreeKernel<dim, degree, StrainMeasure, Tangents>::multiply(
+    const Number *matrix, Number *const values)
+  {
+    std::array<Number, n_dofs> products;
+    products.fill(Number(0.));
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      {
+        products[i] += *matrix++ * values[i];
+        for (unsigned int j = i + 1; j < n_dofs; ++j, ++matrix)
+          {
+            products[i] += *matrix * values[j];
+            products[j] += *matrix * values[i];
+          }
+      }
+    std::copy_n(products.begin(), n_dofs, values);
+  }
+
+
+
   // (MatrixFreeTools::compute_matrix() of deal.II 9.4 takes the categories of
   // cells for indices of finite elements.)
   template <int dim, int degree, typename StrainMeasure, typename Tangents>
@@ -199,28 +267,21 @@ namespace ElastoPlastic
     const Tangents                  &tangents) const
   {
     Evaluation                           phi(matrix_free);
-    constexpr unsigned int               n = Evaluation::static_dofs_per_cell;
-    FullMatrix<double>                   cell_matrix(n, n);
-    std::vector<types::global_dof_index> dofs(n);
-    AlignedVector<Number>                columns(n * n);
+    FullMatrix<double>                   cell_matrix(n_dofs, n_dofs);
+    std::vector<types::global_dof_index> dofs(n_dofs);
+    AlignedVector<Number>                columns(n_dofs * n_dofs);
     const auto                          &numbering =
       matrix_free.get_shape_info().lexicographic_numbering;
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {
         phi.reinit(batch);
-        for (unsigned int j = 0; j < n; ++j)
-          {
-            std::fill_n(phi.begin_dof_values(), n, Number(0.));
-            phi.begin_dof_values()[j] = Number(1.);
-            apply_tangent(phi, tangents);
-            std::copy_n(phi.begin_dof_values(), n, &columns[j * n]);
-          }
+        compute_cell_matrices(columns, phi, tangents);
         for (unsigned int lane = 0; lane < this->n_cells(batch); ++lane)
           {
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int j = 0; j < n; ++j)
+            for (unsigned int i = 0; i < n_dofs; ++i)
+              for (unsigned int j = 0; j < n_dofs; ++j)
                 cell_matrix(numbering[i], numbering[j]) =
-                  columns[j * n + i][lane];
+                  columns[j * n_dofs + i][lane];
             this->cell(batch, lane)->get_dof_indices(dofs);
             all_constraints.distribute_local_to_global(cell_matrix,
                                                        dofs,

@@ -56,8 +56,8 @@ namespace ElastoPlastic
 
 
 
-  // The end of a step: the work that has been done in it, and what the next
-  // step begins with, if there is one.
+  // The end of a step: the work that has been done in it, and, in a history,
+  // what the next step begins with.
   template <int dim>
   void
   ElastoPlasticContact<dim>::commit_step(SolveResult &result)
@@ -68,7 +68,7 @@ namespace ElastoPlastic
     last_step.find_rates(result, displacement);
     last_step.result = result;
     load_program.reached(result.time, result.depth, result.force);
-    if (result.time != load_program.final_time())
+    if (!parameters.loading.is_single_step())
       commit_state();
   }
 

@@ -79,6 +79,16 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::adaptation_is_due() const
+  {
+    const unsigned int interval = parameters.refinement.adaptation_interval;
+    return interval > 0 && time_steps.number() % interval == 0;
+  }
+
+
+
   // In a history, the mesh may follow the contact. On the new one, the
   // interpolated state is not in equilibrium, nor are all its stresses
   // admissible: the solution under the same load is both, and the difference
@@ -89,10 +99,7 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::adapt_mesh(Statistics &statistics)
   {
-    const unsigned int interval = parameters.refinement.adaptation_interval;
-    if (interval == 0 || time_steps.number() % interval != 0 ||
-        last_step.result.time == load_program.final_time() ||
-        !flag_cells_within(static_cast<double>(dof_handler.n_dofs()) /
+    if (!flag_cells_within(static_cast<double>(dof_handler.n_dofs()) /
                              triangulation.n_global_active_cells(),
                            parameters.refinement,
                            error_indicators,

@@ -132,6 +132,7 @@ namespace ElastoPlastic
     indenter.check(dimension);
     refinement.check();
     newton.check();
+    output.check();
 
     const bool has_contact_boundary = !boundary_conditions.contact.empty();
     if (!indenter.is_present() && has_contact_boundary)
