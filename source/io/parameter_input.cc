@@ -284,16 +284,20 @@ namespace ElastoPlastic
                          "a value cannot contain '#' or a control character, "
                          "nor end with a backslash: parameters.prm could not "
                          "be read again. Rename the file or folder.");
+      const auto leave = [&]() {
+        for (unsigned int i = 0; i < sections.size(); ++i)
+          prm.leave_subsection();
+      };
       try
         {
           for (const std::string &section : sections)
             prm.enter_subsection(section);
           prm.set(entry, value);
-          for (unsigned int i = 0; i < sections.size(); ++i)
-            prm.leave_subsection();
+          leave();
         }
       catch (const ParameterHandler::ExcEntryUndeclared &)
         {
+          leave();
           throw InputError("There is no entry '" + path + "'." +
                            did_you_mean(path, all_paths(prm)) + see_reference);
         }
