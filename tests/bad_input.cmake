@@ -325,7 +325,7 @@ add_message_test(multigrid_fails 0 "Warning: Conjugate gradients with geometric 
 
 # Output
 add_entry_test(no_field_times "'Output/Field times' is '', but with 'Output/Fields = at times' it must name at least one time" "Output/Fields=at times")
-add_entry_test(negative_minutes "'Output/Minutes between checkpoints' is '-1', but it must be: number >= 0" "Output/Minutes between checkpoints=-1")
+add_message_test(negative_minutes 2 "'Output/Minutes between checkpoints' is '-1', but it must be: number >= 0" ${_base} --set "Output/Minutes between checkpoints=-1")
 add_message_test(results_exist 2 "results' holds results already \\(history.csv\\).*--overwrite" ${_base} --output-directory ${_files}/results)
 add_message_test(output_is_file 5 "base.prm' cannot be used: Not a directory" ${_base} --output-directory ${_base})
 add_message_test(output_below_file 5 "base.prm/results' cannot be used: Not a directory" ${_base} --output-directory ${_base}/results)
