@@ -88,6 +88,10 @@ namespace ElastoPlastic
     run_load_history(const Statistics::Progress &progress);
     void
     take_load_steps(Statistics &statistics);
+    void
+    finish_step(Statistics &statistics);
+    void
+    go_on_after_end(Statistics &statistics);
     SolveResult
     solve_on_mesh_sequence(Statistics &statistics);
     void
@@ -100,6 +104,10 @@ namespace ElastoPlastic
     evaluate_step(const SolveResult &result) const;
     bool
     writes_surface_profile(const double time) const;
+    bool
+    fields_are_due() const;
+    void
+    remark_on_holds();
 
     // A load step (load_step.cc): it ends with commit_step(), or it fails and
     // is taken back.
@@ -142,6 +150,8 @@ namespace ElastoPlastic
     void
     estimate_error(SolveResult &result);
     void
+    find_error_indicators();
+    void
     bound_error(SolveResult &result);
     void
     measure_imprint(SolveResult &result);
@@ -158,6 +168,7 @@ namespace ElastoPlastic
     mark_contact_zone();
     bool
     next_mesh_is_allowed() const;
+    adaptation_is_due() const;
     void
     refine_mesh();
     void
@@ -170,6 +181,8 @@ namespace ElastoPlastic
     // Checkpoints (checkpoint.cc).
     void
     save_checkpoint(Statistics &statistics);
+    bool
+    checkpoint_is_due() const;
     Statistics::Progress
     load_checkpoint();
     void
@@ -238,6 +251,7 @@ namespace ElastoPlastic
     // step is under way that can be taken back when the user wants to stop.
     OutputDirectory  output_directory;
     const Checkpoint checkpoint;
+    Timer            time_since_checkpoint;
     bool             step_is_under_way = false;
   };
 } // namespace ElastoPlastic

@@ -35,6 +35,10 @@ add_message_test(set_without_entry 2 "--set '=2' does not have the form" ${_base
 add_message_test(set_unknown_section 2 "no section for the entry 'No such section/Entry'" ${_base} --set "No such section/Entry=1")
 add_message_test(set_empty_section 2 "no section for the entry '/Dimension'" ${_base} --set /Dimension=2)
 add_message_test(set_unknown_entry 2 "no entry 'Refinement/No such entry'.*--print-parameters" ${_base} --set "Refinement/No such entry=1")
+add_message_test(set_other_section 2 "no entry 'Material/Radius'. Did you mean '(Geometry|Indenter)/Radius'" ${_base} --set "Material/Radius=1")
+add_message_test(set_misspelt_section 2 "no section for the entry 'Materials/Law'. Did you mean 'Material/Law'" ${_base} --set "Materials/Law=x")
+add_message_test(set_small_letters 2 "no entry 'Refinement/number of cycle'. Did you mean 'Refinement/Number of cycles'" ${_base} --set "Refinement/number of cycle=1")
+add_message_test(set_nothing_similar 2 "no entry 'Refinement/Colour'. All sections and entries" ${_base} --set "Refinement/Colour=1")
 add_message_test(set_section 2 "no entry 'Geometry'" ${_base} --set "Geometry=box")
 
 # Limit load
@@ -58,14 +62,17 @@ add_message_test(file_missing 2 "'does_not_exist.prm' does not exist or cannot b
 add_message_test(file_directory 2 "bad_input' does not exist or cannot be read" ${_files})
 add_file_test(empty "'Boundary conditions/Contact' is empty")
 add_file_test(binary "line 1: This is none of 'set Entry = value'")
-add_file_test(not_closed "Close each section with 'end'")
+add_file_test(not_closed "The section 'Geometry' is not closed: an 'end' is missing. \\([^ ]*not_closed.prm, line 2\\)")
+add_file_test(end_missing "line 3: There is no section 'Geometry/Material'. Is the 'end' of the section 'Geometry' missing. \\([^ ]*end_missing.prm, line 1\\)")
+add_file_test(closes_outer "line 3: [^ ]*end_only.prm, line 1: This 'end' closes no 'subsection'")
+add_file_test(byte_order_mark "line 1: The file begins with a byte order mark, .*UTF-8 without")
 add_file_test(end_only "line 1: This 'end' closes no 'subsection'")
 add_file_test(end_with_name "line 2: After 'end' nothing can follow")
 add_file_test(no_equal_sign "line 1: An entry must look like 'set Entry = value'")
-add_file_test(include "line 1: The file 'no_such_file.prm' to be included does not exist")
+add_file_test(include "line 1: The file '[^ ]*bad_input/no_such_file.prm' to be included does not exist .*in the folder of the file that includes it")
 add_file_test(braces "line 1: The entry 'Dimension' is '\\{2\\}', but it must be: integer from 2 to 3")
-add_file_test(unknown_section "line 2: There is no section 'Geometri'.*--print-parameters")
-add_file_test(unknown_entry "line 3: There is no entry 'Geometry/Typ'.*--print-parameters")
+add_file_test(unknown_section "line 2: There is no section 'Geometri'. Did you mean 'Geometry'. All .*--print-parameters")
+add_file_test(unknown_entry "line 3: There is no entry 'Geometry/Typ'. Did you mean 'Geometry/Type'. All .*--print-parameters")
 add_file_test(wrong_value "line 4: The entry 'Material/Yield stress' is 'high', but it must be: list.*number")
 
 # However long they are.
@@ -254,6 +261,7 @@ add_entry_test(depth_not_finite "'Loading/Depth' is '0.001/.t-0.5.', but at t = 
 add_entry_test(never_deep_enough "'Loading/Depth' is '0.1.t', but the indenter can never touch the body" "Loading/Depth=0.1*t" "Indenter/Initial gap=1")
 add_entry_test(negative_force "'Loading/Force' is '-1', but a force cannot be negative" "Loading/Control=force" "Loading/Force=-1")
 add_entry_test(force_below_zero "'Loading/Force' is 'at t = 1: -0.5', but a force cannot be negative" "Loading/Control=force" "Loading/Force=t-1.5")
+add_entry_test(hold_first "'Loading/History' is '1: hold', but a row must look like .* or, but for the first, '3: hold'" "Loading/History=1: hold | 2: depth 0.1")
 add_entry_test(final_time "'Loading/Final time' is '0', but it must be a number greater than 0" "Loading/Final time=0")
 add_entry_test(history_row "'Loading/History' is '1 depth 0.1', but a row must look like" "Loading/History=1 depth 0.1")
 add_entry_test(history_word "'Loading/History' is '2: load 1', but a row must look like" "Loading/History=1: depth 0.1 | 2: load 1")
@@ -348,6 +356,8 @@ add_message_test(multigrid_fails 0 "Warning: Conjugate gradients with geometric 
   --set "Geometry/Initial refinements=2" --set "Refinement/Number of cycles=1" --set "Linear solver/Type=multigrid" --set "Linear solver/Maximum number of iterations=40")
 
 # Output
+add_entry_test(no_field_times "'Output/Field times' is '', but with 'Output/Fields = at times' it must name at least one time" "Output/Fields=at times")
+add_message_test(negative_minutes 2 "'Output/Minutes between checkpoints' is '-1', but it must be: number >= 0" ${_base} --set "Output/Minutes between checkpoints=-1")
 add_message_test(results_exist 2 "results' holds results already \\(history.csv\\).*--overwrite" ${_base} --output-directory ${_files}/results)
 add_message_test(output_is_file 5 "base.prm' cannot be used: Not a directory" ${_base} --output-directory ${_base})
 add_message_test(output_below_file 5 "base.prm/results' cannot be used: Not a directory" ${_base} --output-directory ${_base}/results)

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The load over time, and the steps that follow it: segments, cutting, growing.
+// The load over time, and the steps that follow it: segments, cutting, growing;
+// which history can go on where another one has got to.
 
 #include <boost/archive/text_iarchive.hpp>
 #include <boost/archive/text_oarchive.hpp>
@@ -9,7 +10,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/exceptions.h"
 #include "loading/load_program.h"
+#include "loading/same_past.h"
 #include "loading/time_steps.h"
 #include "verdict.h"
 
@@ -103,6 +106,76 @@ namespace
 
 
   void
+  check_holds()
+  {
+    output() << "Nothing happens" << std::endl;
+    LoadingParameters parameters;
+    parameters.history =
+      "1: force 2 | 1.5: hold | 2: depth 1 | 3: hold | 4: depth 1";
+    const LoadProgram program(parameters);
+    print_loads(program, {1.25, 1.5, 2.5, 3, 4});
+    for (const auto &[begin, end] : program.holds())
+      output() << "  from t = " << begin << " to " << end << std::endl;
+  }
+
+
+
+  /// How a history goes on that begins with @p before.
+  void
+  print_answer(const std::string       &what,
+               const LoadingParameters &before,
+               const LoadingParameters &now,
+               const double             time)
+  {
+    std::string answer = "ok";
+    try
+      {
+        check_same_past(before, now, time);
+      }
+    catch (const InputError &error)
+      {
+        answer = error.what();
+      }
+    output() << "  " << what << ": " << answer << std::endl;
+  }
+
+
+
+  void
+  check_pasts()
+  {
+    output() << "Loaded in four steps until t = 1" << std::endl;
+    LoadingParameters before;
+    before.depth   = "0.2";
+    before.n_steps = 4;
+
+    LoadingParameters now = before;
+    now.final_time        = 2;
+    print_answer("longer steps", before, now, 1.);
+    now.n_steps = 8;
+    print_answer("less depth", before, now, 1.);
+    now.depth = "0.4";
+    print_answer("twice as long", before, now, 1.);
+    now.depth = "0.2*t";
+    print_answer("an expression", before, now, 1.);
+    now.depth = "0.2*if(t < 0.6, t, 1.2 - t)";
+    print_answer("turning earlier", before, now, 1.);
+    print_answer("turning later", before, now, 0.5);
+    now.history = "1: depth 0.2 | 2: force 0";
+    print_answer("unloaded", before, now, 1.);
+    now.control = Control::force;
+    now.history = "";
+    print_answer("by force", before, now, 1.);
+    now            = before;
+    now.final_time = 0.5;
+    now.n_steps    = 2;
+    now.depth      = "0.1";
+    print_answer("shorter", before, now, 1.);
+  }
+
+
+
+  void
   print_steps(TimeSteps steps, const std::vector<unsigned int> &failures)
   {
     for (unsigned int attempt = 1; !steps.finished(); ++attempt)
@@ -130,6 +203,8 @@ main(int argc, char *argv[])
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_expressions();
   check_history();
+  check_holds();
+  check_pasts();
 
   output() << "Three steps" << std::endl;
   print_steps(TimeSteps({3.}, 3, 4), {});

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// A run that is resumed gives the tables of one that was not interrupted: with
-// meshes that follow the contact, where the control changes, and after a first
-// step whose next mesh would have been too large. Tables that are not what the
-// interrupted run has left are refused.
+// A run that is resumed with a longer history gives the tables of one that has
+// had it from the beginning: with meshes that follow the contact, where the
+// control changes, and after a first step whose next mesh would have been too
+// large. Tables that are not what the interrupted run has left are refused, and
+// so are histories that have not begun alike.
 
 #include <cmath>
 #include <filesystem>
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
-  /// Six steps; the last checkpoint is that of the third.
+  /// Six steps.
   const std::string input = R"(
 set Dimension = 2
 subsection Geometry
@@ -60,30 +61,49 @@ subsection Nonlinear solver
   set Tolerance = 1e-12
 end
 subsection Output
-  set Directory                 = results
-  set Steps between checkpoints = 3
-  set Fields                    = never
-  set Surface profile           = every step
-  set Probe points              = below: 0.1, -0.3 | side: 4, 0
+  set Directory       = results
+  set Fields          = never
+  set Surface profile = every step
+  set Probe points    = below: 0.1, -0.3 | side: 4, 0
 end
 )";
+
+
+
+  using Entries = std::vector<std::string>;
+
+  /// The first four of them.
+  const Entries first_part = {"Loading/History=1: depth 0.03 | 2: force 10",
+                              "Loading/Number of steps=4"};
+
+
+
+  Entries
+  both(Entries a, const Entries &b)
+  {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  }
 
 
 
   /// @return the exit status, and what the program has to say on standard
   /// error.
   std::pair<int, std::string>
-  run(const std::string &option, const std::string &entry)
+  run(const std::string &option, const Entries &entries)
   {
+    std::vector<const char *> arguments = {"elasto_plastic_contact",
+                                           "resume.prm",
+                                           "--quiet",
+                                           option.c_str()};
+    for (const std::string &entry : entries)
+      {
+        arguments.push_back("--set");
+        arguments.push_back(entry.c_str());
+      }
     std::ostringstream    errors;
-    std::streambuf *const buffer      = std::cerr.rdbuf(errors.rdbuf());
-    const char *const     arguments[] = {"elasto_plastic_contact",
-                                         "resume.prm",
-                                         "--quiet",
-                                         option.c_str(),
-                                         "--set",
-                                         entry.c_str()};
-    const int             status      = run_program(6, arguments);
+    std::streambuf *const buffer = std::cerr.rdbuf(errors.rdbuf());
+    const int status = run_program(arguments.size(), arguments.data());
     std::cerr.rdbuf(buffer);
     return {status, errors.str()};
   }
@@ -148,13 +168,21 @@ end
   check_same_results(const std::string &entry)
   {
     output() << entry << std::endl;
-    verify("  the run", run("--overwrite", entry).first == 0);
+    verify("  the run", run("--overwrite", {entry}).first == 0);
     std::map<std::string, std::vector<Row>> straight;
     for (const std::string &table : tables)
       straight[table] = read_table(file(table));
     output() << "  mesh changes: " << straight["mesh_changes"].size()
              << std::endl;
-    verify("  the resumed run", run("--resume", entry).first == 0);
+    verify("  its first part",
+           run("--overwrite", both({entry}, first_part)).first == 0);
+    verify("  the resumed run", run("--resume", {entry}).first == 0);
+    for (const std::string &table : tables)
+      verify("  " + table,
+             difference(straight[table], read_table(file(table))),
+             1e-6);
+
+    verify("  resumed at its end", run("--resume", {entry}).first == 0);
     for (const std::string &table : tables)
       verify("  " + table,
              difference(straight[table], read_table(file(table))),
@@ -177,9 +205,9 @@ end
 
 
   void
-  report_resume(const std::string &situation, const std::string &entry)
+  report_resume(const std::string &situation, const Entries &entries)
   {
-    const auto [status, message] = run("--resume", entry);
+    const auto [status, message] = run("--resume", entries);
     output() << "  " << situation << ": exit status " << status << std::endl
              << "  " << message;
   }
@@ -200,7 +228,7 @@ end
             task();
           });
           const auto size = size_of_others(table);
-          report_resume(damage, entry);
+          report_resume(damage, {entry});
           verify("  the other tables are as they were",
                  size_of_others(table) == size);
           on_first_rank([&]() { fs::rename(saved, name); });
@@ -220,7 +248,27 @@ end
           std::ofstream(name) << std::string(fs::file_size(saved), '\0');
         });
       }
-    report_resume("put back", entry);
+    report_resume("put back", {entry});
+  }
+
+
+
+  void
+  check_other_histories(const std::string &entry)
+  {
+    output() << "other histories" << std::endl;
+    const auto report = [&](const std::string &situation,
+                            const Entries     &other) {
+      report_resume(situation, both({entry}, other));
+    };
+    report("less depth",
+           {"Loading/History=1: depth 0.02 | 2: force 10 | 3: depth 0.04"});
+    report("another control",
+           {"Loading/History=1: depth 0.03 | 2: depth 0.02 | 3: depth 0.04"});
+    report("more steps", {"Loading/Number of steps=9"});
+    report("shorter", first_part);
+    report("another time",
+           {"Loading/History=1: depth 0.03 | 2.5: force 10 | 3: depth 0.04"});
   }
 } // namespace
 
@@ -234,4 +282,5 @@ main(int argc, char *argv[])
   check_same_results("Refinement/Steps between adaptations=4");
   check_same_results("Refinement/Steps between adaptations=2");
   check_refusals("Refinement/Steps between adaptations=2");
+  check_other_histories("Refinement/Steps between adaptations=2");
 }

@@ -6,6 +6,8 @@
 
 #include <boost/serialization/base_object.hpp>
 
+#include <limits>
+
 #include "contact/contact_state.h"
 #include "mechanics/body_state.h"
 
@@ -33,14 +35,16 @@ namespace ElastoPlastic
     /// |force - reaction of the supports - tractions| / the largest sum of the
     /// magnitudes of all nodal forces so far
     double force_balance_error = 0;
-    double estimated_error     = 0;
-    double wall_seconds        = 0;
+    /// not a number if it has not been computed
+    double estimated_error = std::numeric_limits<double>::quiet_NaN();
+    double wall_seconds    = 0;
     /// peak, all ranks together
     double memory_mb = 0;
     /// of the indenter, the supports and the tractions since the virgin state,
     /// once the step has been committed
     double external_work = 0;
 
+    /// (But for the estimated error, which belongs to one mesh.)
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /* version */)
@@ -49,8 +53,7 @@ namespace ElastoPlastic
       archive &boost::serialization::base_object<BodyState>(*this);
       archive &step &time &cycle &cells &dofs &newton_iterations
         &linear_iterations &depth &contact_radius &pile_up &residual &energy
-          &force_balance_error &estimated_error &wall_seconds &memory_mb
-            &external_work;
+          &force_balance_error &wall_seconds &memory_mb &external_work;
     }
   };
 } // namespace ElastoPlastic

@@ -35,11 +35,13 @@ namespace ElastoPlastic
     /// The entries of a parameter file: paths like "Material/Law" and values.
     using Entries = std::map<std::string, std::string>;
 
-    /// What load() finds.
+    /// What load() finds: the state, where the mesh is, and the entries of the
+    /// run that has written it.
     struct Contents
     {
       std::string state;
       std::string mesh_file;
+      Entries     entries;
     };
 
     /// @p entries are those of the present run.
@@ -56,7 +58,8 @@ namespace ElastoPlastic
          const std::function<void(const std::string &)> &save_mesh) const;
 
     /// Finds the last complete checkpoint and checks it: that it is undamaged,
-    /// written by this version of the program, and for the same problem.
+    /// written by this version of the program, and for the same problem. (The
+    /// load history is for the caller to compare.)
     /// @throws InputError
     Contents
     load() const;

@@ -54,6 +54,10 @@ namespace ElastoPlastic
     void
     resume_run();
 
+    /// Writes the file parameters.prm. @throws FileError
+    void
+    write_input(const std::string &effective_input) const;
+
     /// There is a first complete result: what has been set aside is removed.
     /// @throws FileError
     void

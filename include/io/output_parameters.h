@@ -22,6 +22,7 @@ namespace ElastoPlastic
   {
     every_cycle,
     last_cycle,
+    at_times,
     never
   };
 
@@ -29,6 +30,7 @@ namespace ElastoPlastic
   inline const EnumNames<FieldOutputTimes> enum_names<FieldOutputTimes> = {
     {"every cycle", FieldOutputTimes::every_cycle},
     {"last cycle", FieldOutputTimes::last_cycle},
+    {"at times", FieldOutputTimes::at_times},
     {"never", FieldOutputTimes::never}};
 
 
@@ -71,14 +73,16 @@ namespace ElastoPlastic
   /// The entries of the section "Output".
   struct OutputParameters
   {
-    std::string                  directory = "output";
-    FieldOutputTimes             fields    = FieldOutputTimes::every_cycle;
+    std::string      directory = "output";
+    FieldOutputTimes fields    = FieldOutputTimes::every_cycle;
+    /// For FieldOutputTimes::at_times.
+    std::vector<double>          field_times;
     std::vector<AdditionalField> additional_fields;
     Units                        units;
     Verbosity                    screen = Verbosity::full;
-    /// Load steps from one checkpoint to the next; 0: on request only.
-    unsigned int        checkpoint_interval = 1;
-    SurfaceProfileSteps surface_profile     = SurfaceProfileSteps::segment_ends;
+    /// Of wall time; 0: a checkpoint after every load step.
+    double              minutes_between_checkpoints = 10;
+    SurfaceProfileSteps surface_profile = SurfaceProfileSteps::segment_ends;
     std::string         profile_lines; ///< see read_profile_lines()
     std::string         probe_points;  ///< see ProbePoints
 
@@ -88,6 +92,11 @@ namespace ElastoPlastic
     /// @throws InputError for the first value that is not allowed.
     void
     check() const;
+
+    /// Whether one of the field times lies after @p begin, but not after
+    /// @p end, up to rounding.
+    bool
+    has_time_within(const double begin, const double end) const;
   };
 } // namespace ElastoPlastic
 

@@ -4,9 +4,14 @@
 #ifndef loading_load_program_h
 #define loading_load_program_h
 
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/utility.hpp>
+
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/expression.h"
@@ -43,24 +48,23 @@ namespace ElastoPlastic
     std::optional<Load>
     load(const double time) const;
 
+    /// Begin and end of the segments of a table in which the load does not
+    /// change.
+    std::vector<std::pair<double, double>>
+    holds() const;
+
     /// Tells what has been reached at @p time. If a segment ends then, and the
     /// next one has another control, it starts from there.
     void
     reached(const double time, const double depth, const double force);
 
-    /// What has been reached, for checkpoints.
+    /// What has been reached, for checkpoints. It may be taken over by another
+    /// history with the same segments until then.
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /* version */)
     {
-      for (Segment &segment : segments)
-        {
-          bool               is_known = segment.begin_value.has_value();
-          double             value    = segment.begin_value.value_or(0.);
-          archive &is_known &value;
-          if (is_known)
-            segment.begin_value = value;
-        }
+      archive &turning_points;
     }
 
   private:
@@ -69,7 +73,7 @@ namespace ElastoPlastic
       double  end_time;
       Control control;
       double  end_value = 0;
-      /// None if it is still to be reached.
+      /// None if it is what has been reached there.
       std::optional<double> begin_value = 0.;
       /// Instead of the two values, if there is one.
       std::shared_ptr<const Expression<1>> expression = nullptr;
@@ -82,6 +86,9 @@ namespace ElastoPlastic
     read_expression(const LoadingParameters &parameters);
 
     std::vector<Segment> segments;
+
+    /// Depth and force that have been reached at the ends of segments.
+    std::map<double, std::pair<double, double>> turning_points;
   };
 } // namespace ElastoPlastic
 

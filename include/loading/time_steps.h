@@ -14,9 +14,9 @@ namespace ElastoPlastic
   ///
   /// In each segment there is a number of equal steps. A cut halves the step
   /// under way; a shorter step is doubled again after it has succeeded, as soon
-  /// as the doubled one ends where an uncut one would. The position in a
-  /// segment is counted in units of the shortest possible step, so that times
-  /// do not depend on rounding.
+  /// as the doubled one ends where an uncut one would. The position in an uncut
+  /// step is counted in units of the shortest possible one, so that times do
+  /// not depend on rounding.
   class TimeSteps
   {
   public:
@@ -39,9 +39,13 @@ namespace ElastoPlastic
     double
     time() const;
 
-    /// The end of the step under way.
+    /// The end of the step under way; after the last one, the end of all.
     double
     next_time() const;
+
+    /// The ends of all steps as long as none is cut, increasing.
+    const std::vector<double> &
+    uncut_ends() const;
 
     /// The step under way has succeeded: on to the next.
     void
@@ -52,26 +56,28 @@ namespace ElastoPlastic
     bool
     cut();
 
-    /// The position in the history, for checkpoints.
+    /// The position in the history, for checkpoints. It may be taken over by
+    /// another history with the same steps until then.
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /* version */)
     {
-      archive &step_number &segment &position &length;
+      archive &step_number &n_uncut &position &length;
     }
 
   private:
+    /// In the uncut step under way.
     double
     time_at(const std::uint64_t units) const;
 
-    const std::vector<double> segment_ends;
-    const unsigned int        n_steps;
+    std::vector<double> ends;
     /// Of an uncut step.
     const std::uint64_t units_per_step;
 
-    unsigned int  step_number = 1;
-    unsigned int  segment     = 0;
-    std::uint64_t position    = 0;
+    unsigned int step_number = 1;
+    /// The uncut steps behind us, and the position in the next.
+    std::uint64_t n_uncut  = 0;
+    std::uint64_t position = 0;
     std::uint64_t length;
   };
 } // namespace ElastoPlastic

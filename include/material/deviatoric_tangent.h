@@ -33,35 +33,42 @@ namespace ElastoPlastic
     product(const SymmetricTensor<2, 3, Number> &strain,
             const Number                        &share) const
     {
-      const auto m      = normal_in_space();
-      const auto l      = flow_in_space();
-      auto       stress = elastic_product(strain);
-      stress -= (share * (l * strain)) * m;
-      stress -= ((Number(1.) - share) * (m * strain)) * l;
+      const Number along_normal = share * contraction(flow, strain);
+      const Number along_flow =
+        (Number(1.) - share) * contraction(normal, strain);
+      const Number mean = trace(strain) * (1. / 3.);
+
+      // component by component: the compiler would copy whole tensors
+      SymmetricTensor<2, 3, Number> stress;
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          stress[i][i] = shear * (strain[i][i] - mean) -
+                         along_normal * normal[i][i] - along_flow * flow[i][i];
+          for (unsigned int j = i + 1; j < dim; ++j)
+            stress[i][j] = shear * strain[i][j] - along_normal * normal[i][j] -
+                           along_flow * flow[i][j];
+        }
+      if (dim == 2)
+        stress[2][2] = -(stress[0][0] + stress[1][1]);
       return stress;
     }
 
   private:
-    SymmetricTensor<2, 3, Number>
-    normal_in_space() const
+    /// The product of a @p deviator with a strain. (In two dimensions, there is
+    /// no shear out of plane.)
+    DEAL_II_ALWAYS_INLINE static inline Number
+    contraction(const SymmetricTensor<2, dim, Number> &deviator,
+                const SymmetricTensor<2, 3, Number>   &strain)
     {
-      return in_space<dim>(normal, Number(-trace(normal)));
-    }
-
-    SymmetricTensor<2, 3, Number>
-    flow_in_space() const
-    {
-      return in_space<dim>(flow, Number(-trace(flow)));
-    }
-
-    DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
-    elastic_product(const SymmetricTensor<2, 3, Number> &strain) const
-    {
-      const Number                  mean   = shear * trace(strain) * (1. / 3.);
-      SymmetricTensor<2, 3, Number> stress = shear * strain;
-      for (unsigned int d = 0; d < 3; ++d)
-        stress[d][d] -= mean;
-      return stress;
+      Number normal = 0., shear = 0.;
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          normal += deviator[i][i] *
+                    (dim == 3 ? strain[i][i] : strain[i][i] - strain[2][2]);
+          for (unsigned int j = i + 1; j < dim; ++j)
+            shear += deviator[i][j] * strain[i][j];
+        }
+      return normal + 2. * shear;
     }
   };
 

@@ -135,6 +135,11 @@ namespace ElastoPlastic
                const AffineConstraints<double> &all_constraints,
                const Tangents                  &tangents) const = 0;
 
+    /// To be called when the @p tangents are complete, before products with
+    /// them. Where that pays, it computes the matrices of the cells.
+    virtual void
+    prepare_products(Tangents &tangents) const = 0;
+
   protected:
     /// Adds the masters' shares in the entries of eliminated unknowns to a
     /// diagonal, and makes these entries zero.

@@ -50,6 +50,9 @@ namespace ElastoPlastic
                const AffineConstraints<double> &all_constraints,
                const Tangents                  &tangents) const override;
 
+    void
+    prepare_products(Tangents &tangents) const override;
+
   private:
     using Evaluation = FEEvaluation<dim,
                                     degree,
@@ -63,6 +66,16 @@ namespace ElastoPlastic
     static constexpr unsigned int n_1d     = degree + 1;
     static constexpr unsigned int n_points = Utilities::pow(n_1d, dim);
     static constexpr unsigned int n_slopes = StrainMeasure::n_slopes;
+    static constexpr unsigned int n_dofs   = dim * n_points;
+
+    /// Bilinear elements are so small that a product with the matrix of the
+    /// cell, of which many are needed with each tangent of a level, takes far
+    /// less than strains and stresses do. (Matrices of larger elements would
+    /// have to come from the memory.)
+    static constexpr bool keeps_cell_matrices =
+      Tangents::constant_on_cells && dim == 2 && degree == 1;
+    /// Of a symmetric matrix, row by row from the diagonal on.
+    static constexpr unsigned int n_matrix_entries = n_dofs * (n_dofs + 1) / 2;
 
     /// For each component, the stiffness at a point against the slopes of a
     /// field that has no other component: a quadratic form.
@@ -99,6 +112,16 @@ namespace ElastoPlastic
     /// Makes nodal forces of the dof values of @p phi.
     void
     apply_tangent(Evaluation &phi, const Tangents &tangents) const;
+
+    /// The matrices of the current cells of @p phi, column by column.
+    void
+    compute_cell_matrices(AlignedVector<Number> &columns,
+                          Evaluation            &phi,
+                          const Tangents        &tangents) const;
+
+    /// The product of the packed symmetric @p matrix with @p values, in place.
+    static void
+    multiply(const Number *matrix, Number *values);
 
     template <typename Law>
     SlopeStiffness

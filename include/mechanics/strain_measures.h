@@ -128,7 +128,8 @@ namespace ElastoPlastic
     DEAL_II_ALWAYS_INLINE static auto
     trace_at(const Evaluation &phi, const unsigned int point)
     {
-      return trace(at(phi, point));
+      return phi.get_divergence(point) +
+             phi.get_value(point)[0] / radius(phi, point);
     }
 
     /// The volume of a ring.
@@ -147,7 +148,7 @@ namespace ElastoPlastic
       const auto ring =
         extent(phi.quadrature_point(point), Kinematics::axisymmetric);
       Tensor<1, 2, NumberOf<Evaluation>> radial;
-      radial[0] = stress[2][2] * ring / radius(phi, point);
+      radial[0] = 2. * numbers::PI * stress[2][2]; // ring / radius
       phi.submit_value(radial, point);
       phi.submit_symmetric_gradient(ring * in_plane<2>(stress), point);
     }

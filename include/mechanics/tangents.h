@@ -253,6 +253,9 @@ namespace ElastoPlastic
       const TangentLaw<dim, Number> of_all_points;
     };
 
+    /// What CellKernel::prepare_products() has computed of the tangents.
+    AlignedVector<Number> cell_matrices;
+
   private:
     AlignedVector<Tangent<dim, Number>> tangents;
   };

@@ -46,6 +46,10 @@ namespace ElastoPlastic
     void
     set_tangent_value(const unsigned int index, const LevelVector &values);
 
+    /// To be called when all of these numbers have been set.
+    void
+    finish_tangents();
+
     /// Cuts off the unknowns at which @p constrained is 1 (and not those where
     /// it is 0).
     void

@@ -12,10 +12,29 @@
 
 #include "base/termination.h"
 #include "elasto_plastic_contact.h"
+#include "io/parameter_input.h"
 #include "io/saved_mesh.h"
+#include "loading/same_past.h"
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    LoadingParameters
+    loading_parameters(const Checkpoint::Entries &entries)
+    {
+      LoadingParameters parameters;
+      ParameterHandler  prm;
+      parameters.add_parameters(prm);
+      for (const auto &[path, value] : entries)
+        if (path.rfind("Loading/", 0) == 0)
+          set_entry(prm, path, value);
+      return parameters;
+    }
+  } // namespace
+
+
+
   template <int dim>
   template <typename Archive>
   void
@@ -69,6 +88,20 @@ namespace ElastoPlastic
     checkpoint.save(state.str(), [&](const std::string &mesh_file) {
       save_mesh(triangulation, values, mesh_file);
     });
+    time_since_checkpoint.restart();
+  }
+
+
+
+  // The clock of the first rank decides.
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::checkpoint_is_due() const
+  {
+    return Utilities::MPI::broadcast(
+      communicator,
+      time_since_checkpoint.wall_time() >=
+        60. * parameters.output.minutes_between_checkpoints);
   }
 
 
@@ -84,6 +117,9 @@ namespace ElastoPlastic
     boost::archive::text_iarchive archive(state);
     Statistics::Progress          progress;
     serialize_progress(archive, progress);
+    check_same_past(loading_parameters(contents.entries),
+                    parameters.loading,
+                    last_step.result.time);
 
     coarsen_to_coarse_mesh(triangulation);
     CellValues values = load_mesh(triangulation, contents.mesh_file);
@@ -101,8 +137,8 @@ namespace ElastoPlastic
     take_back_step();
     contact.restore_edge();
     log.remark(
-      "Resumed at t = " + Patterns::Tools::to_string(time_steps.time()) +
-      ", before step " + std::to_string(time_steps.number()) + ".");
+      "Resumed at t = " + Patterns::Tools::to_string(last_step.result.time) +
+      ", after step " + std::to_string(last_step.result.step) + ".");
     return progress;
   }
 

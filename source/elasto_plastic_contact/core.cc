@@ -97,6 +97,7 @@ namespace ElastoPlastic
   {
     check_contact();
     log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
+    remark_on_holds();
     output_directory.begin_run(overwrite, parameters.effective_input);
     write_table_reference(communicator, parameters.output);
     output_initial_state();
@@ -111,7 +112,9 @@ namespace ElastoPlastic
   {
     log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     output_directory.resume_run();
-    run_load_history(load_checkpoint());
+    const Statistics::Progress progress = load_checkpoint();
+    output_directory.write_input(parameters.effective_input);
+    run_load_history(progress);
   }
 
 
@@ -136,6 +139,8 @@ namespace ElastoPlastic
     note_termination_requests();
     try
       {
+        if (last_step.result.step == time_steps.number())
+          go_on_after_end(statistics);
         take_load_steps(statistics);
       }
     catch (const TerminationError &)
@@ -159,13 +164,13 @@ namespace ElastoPlastic
 
 
   // One load step after the other. A step that does not converge is taken back
-  // and tried again in two halves.
+  // and tried again in two halves. The checkpoint at the end of a history is
+  // that before finish_step(), which depends on whether the history goes on.
   template <int dim>
   void
   ElastoPlasticContact<dim>::take_load_steps(Statistics &statistics)
   {
-    const unsigned int interval = parameters.output.checkpoint_interval;
-    bool               cut      = false;
+    bool cut = false;
     while (!time_steps.finished())
       {
         try
@@ -199,14 +204,64 @@ namespace ElastoPlastic
             cut = true;
             continue;
           }
-        adapt_mesh(statistics);
-        time_steps.advance();
+        const bool is_last = last_step.result.time == load_program.final_time();
+        if (is_last && !parameters.loading.is_single_step())
+          save_checkpoint(statistics);
+        finish_step(statistics);
         cut = false;
-        if (interval > 0 && (time_steps.number() - 1) % interval == 0 &&
-            !time_steps.finished())
+        if (!is_last && checkpoint_is_due())
           save_checkpoint(statistics);
       }
     statistics.finish();
+  }
+
+
+
+  // What the next step needs, if there is one.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::finish_step(Statistics &statistics)
+  {
+    if (last_step.result.time != load_program.final_time())
+      adapt_mesh(statistics);
+    time_steps.advance();
+  }
+
+
+
+  // The checkpoint is that of a history which had come to its end. The mesh is
+  // what this step has left.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::go_on_after_end(Statistics &statistics)
+  {
+    if (adaptation_is_due())
+      find_error_indicators();
+    finish_step(statistics);
+    if (time_steps.finished())
+      log.remark(
+        "The load history is complete, and nothing is left to do. To "
+        "go on, make it longer: 'Loading/History', or 'Final time', and "
+        "'Number of steps'.");
+  }
+
+
+
+  // No material depends on rates; but what is prescribed elsewhere may depend
+  // on time.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::remark_on_holds()
+  {
+    if (model.boundary_conditions.prescribed_displacements().empty() &&
+        model.boundary_conditions.tractions().empty())
+      for (const auto &[begin, end] : load_program.holds())
+        log.remark(
+          "'Loading/History' holds the load from t = " +
+          Patterns::Tools::to_string(begin) + " to " +
+          Patterns::Tools::to_string(end) +
+          ": nothing happens meanwhile, because no material depends on "
+          "rates. The steps repeat the same equilibrium.");
   }
 
 
@@ -234,111 +289,6 @@ namespace ElastoPlastic
             error_bound->why_missing());
         refine_mesh();
       }
-  }
-
-
-
-  // In a history, the fields of a step are those on its last mesh.
-  template <int dim>
-  void
-  ElastoPlasticContact<dim>::output_results(const bool last_cycle)
-  {
-    const bool single_step = parameters.loading.is_single_step();
-    const bool is_last = time_steps.next_time() == load_program.final_time();
-    const bool every_time =
-      (parameters.output.fields == FieldOutputTimes::every_cycle);
-    if (parameters.output.fields == FieldOutputTimes::never ||
-        (!last_cycle && !(every_time && single_step)) ||
-        (!is_last && !every_time))
-      return;
-
-    const unsigned int number = single_step ? cycle : time_steps.number();
-    write_fields(every_time ? Utilities::int_to_string(number, 3) : "last",
-                 single_step ? cycle : time_steps.next_time());
-    if (error_bound && error_bound->why_missing().empty())
-      error_bound->write_fields(cycle);
-  }
-
-
-
-  // The virgin body and the indenter where it stands, at t = 0 of a history.
-  template <int dim>
-  void
-  ElastoPlasticContact<dim>::output_initial_state()
-  {
-    if (parameters.loading.is_single_step() ||
-        parameters.output.fields != FieldOutputTimes::every_cycle)
-      return;
-    contact.place(0.);
-    write_fields(Utilities::int_to_string(0, 3), 0.);
-  }
-
-
-
-  // What the tables say of the end of a step, before the material points take
-  // it as the beginning of the next one. (The result that it refers to is still
-  // to grow.)
-  template <int dim>
-  StepResult
-  ElastoPlasticContact<dim>::evaluate_step(const SolveResult &result) const
-  {
-    TimerOutput::Scope scope(timer, "Evaluation");
-    StepResult         step = {result,
-                               reactions.compute(*solid,
-                                         displacement,
-                                         contact.forces_on_body(residual),
-                                         result.time),
-                               boundary_displacements.compute(dof_handler,
-                                                      displacement),
-                               {}};
-    for (const double value :
-         probe_points.compute(dof_handler, *solid, displacement))
-      step.probes.push_back(value);
-    if (writes_surface_profile(result.time))
-      step.surface_profile = imprint.profile(result, contact_surface());
-    return step;
-  }
-
-
-
-  template <int dim>
-  void
-  ElastoPlasticContact<dim>::write_fields(const std::string &name,
-                                          const double       time)
-  {
-    TimerOutput::Scope scope(timer, "Output");
-    field_output.write({dof_handler,
-                        supports.constraints(),
-                        *solid,
-                        contact,
-                        model.boundary_conditions.ids(
-                          BoundaryConditionType::contact),
-                        displacement,
-                        residual,
-                        error_indicators},
-                       name,
-                       time);
-  }
-
-
-
-  template <int dim>
-  bool
-  ElastoPlasticContact<dim>::writes_surface_profile(const double time) const
-  {
-    switch (parameters.output.surface_profile)
-      {
-        case SurfaceProfileSteps::every_step:
-          return true;
-        case SurfaceProfileSteps::segment_ends:
-          return load_program.is_segment_end(time);
-        case SurfaceProfileSteps::last_step:
-          return time == load_program.final_time();
-        case SurfaceProfileSteps::none:
-          return false;
-      }
-    Assert(false, ExcInternalError());
-    return false;
   }
 
 

@@ -56,8 +56,8 @@ namespace ElastoPlastic
 
 
 
-  // The end of a step: the work that has been done in it, and what the next
-  // step begins with, if there is one.
+  // The end of a step: the work that has been done in it, and, in a history,
+  // what the next step begins with.
   template <int dim>
   void
   ElastoPlasticContact<dim>::commit_step(SolveResult &result)
@@ -73,7 +73,7 @@ namespace ElastoPlastic
     largest_contact_area = std::max(largest_contact_area, result.contact_area);
     imprint.note(result);
     load_program.reached(result.time, result.depth, result.force);
-    if (result.time != load_program.final_time())
+    if (!parameters.loading.is_single_step())
       commit_state();
   }
 

@@ -138,9 +138,8 @@ namespace ElastoPlastic
   bool
   ElastoPlasticContact<dim>::mark_adapted_mesh()
   {
-    const unsigned int interval = parameters.refinement.adaptation_interval;
-    const bool         is_due =
-      interval > 0 && time_steps.number() % interval == 0 &&
+    const bool is_due =
+      adaptation_is_due() &&
       flag_cells_within(static_cast<double>(dof_handler.n_dofs()) /
                           triangulation.n_global_active_cells(),
                         parameters.refinement,
@@ -157,6 +156,16 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::adaptation_is_due() const
+  {
+    const unsigned int interval = parameters.refinement.adaptation_interval;
+    return interval > 0 && time_steps.number() % interval == 0;
+  }
+
+
+
   // In a history, the mesh may follow the contact. On the new one, the
   // interpolated state is not in equilibrium, nor are all its stresses
   // admissible: the solution under the same load is both, and the difference
@@ -167,8 +176,7 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::adapt_mesh(Statistics &statistics)
   {
-    if (last_step.result.time == load_program.final_time() ||
-        !mark_adapted_mesh())
+    if (!mark_adapted_mesh())
       return;
 
     refine_mesh();

@@ -38,9 +38,17 @@ namespace ElastoPlastic
     /// the version that has written it.
     const std::string signature = program_name + ELASTO_PLASTIC_CONTACT_VERSION;
 
-    /// Sections whose entries may change when a run is resumed.
-    const std::array<std::string, 3> free_sections = {
-      {"Linear solver/", "Nonlinear solver/", "Output/"}};
+    /// What the paths of entries begin with that may change when a run is
+    /// resumed.
+    const std::array<std::string, 9> free_entries = {{"Linear solver/",
+                                                      "Nonlinear solver/",
+                                                      "Output/",
+                                                      "Loading/Control",
+                                                      "Loading/Depth",
+                                                      "Loading/Force",
+                                                      "Loading/History",
+                                                      "Loading/Number of steps",
+                                                      "Loading/Final time"}};
 
 
 
@@ -251,15 +259,15 @@ namespace ElastoPlastic
       if (folder.empty())
         throw InputError("There is nothing to resume: '" + directory +
                          "' does not exist. Start the run without --resume; "
-                         "load histories write a checkpoint after every "
-                         "'Output/Steps between checkpoints' steps.");
+                         "load histories write a checkpoint every "
+                         "'Output/Minutes between checkpoints', and at their "
+                         "end.");
       check_index(folder);
       std::ifstream file(fs::path(folder) / "state");
-      Entries       saved;
       try
         {
           boost::archive::text_iarchive archive(file);
-          archive >> saved >> contents.state;
+          archive >> contents.entries >> contents.state;
         }
       catch (const boost::archive::archive_exception &error)
         {
@@ -269,9 +277,11 @@ namespace ElastoPlastic
                            "of the library Boost." +
                            remedy);
         }
-      check_entries(saved);
+      check_entries(contents.entries);
     });
     contents.state = Utilities::MPI::broadcast(communicator, contents.state);
+    contents.entries =
+      Utilities::MPI::broadcast(communicator, contents.entries);
     contents.mesh_file =
       Utilities::MPI::broadcast(communicator, folder) + "/mesh";
     return contents;
@@ -285,8 +295,8 @@ namespace ElastoPlastic
     for (const auto &[path, value] : entries)
       {
         bool is_free = false;
-        for (const std::string &section : free_sections)
-          is_free = is_free || path.compare(0, section.size(), section) == 0;
+        for (const std::string &begin : free_entries)
+          is_free = is_free || path.compare(0, begin.size(), begin) == 0;
         const auto before = saved.find(path);
         if (!is_free && (before == saved.end() || before->second != value))
           throw InputError(
@@ -296,7 +306,8 @@ namespace ElastoPlastic
               (before == saved.end() ? "" : before->second) +
               "'. A run can only be resumed with the parameters it has been "
               "started with (those of the sections Output, Linear solver and "
-              "Nonlinear solver may change).");
+              "Nonlinear solver may change, and the load history after the "
+              "checkpoint).");
       }
   }
 } // namespace ElastoPlastic

@@ -185,11 +185,7 @@ namespace ElastoPlastic
     });
     earlier_results_are_aside =
       Utilities::MPI::broadcast(communicator, earlier_results_are_aside);
-    checked_write(communicator,
-                  Utilities::MPI::this_mpi_process(communicator) == 0 ?
-                    name + "/parameters.prm" :
-                    "",
-                  [&](std::ostream &file) { file << effective_input; });
+    write_input(effective_input);
   }
 
 
@@ -203,6 +199,18 @@ namespace ElastoPlastic
       lock();
       bring_back(name);
     });
+  }
+
+
+
+  void
+  OutputDirectory::write_input(const std::string &effective_input) const
+  {
+    checked_write(communicator,
+                  Utilities::MPI::this_mpi_process(communicator) == 0 ?
+                    name + "/parameters.prm" :
+                    "",
+                  [&](std::ostream &file) { file << effective_input; });
   }
 
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+
 #include "base/exceptions.h"
 #include "io/output_parameters.h"
 
@@ -36,8 +38,9 @@ namespace ElastoPlastic
       fields,
       "When solution-*.vtu and surface-*.vtu are written: after "
       "every cycle (in a load history: after every step), after the last one "
-      "only, or never. The tables (.csv) are always written. With 'every cycle', "
-      "the fields of a load history begin with the state at t = 0.");
+      "only, at the 'Field times', or never. The tables (.csv) are always "
+      "written. With 'every cycle', the fields of a load history begin with the "
+      "state at t = 0.");
     prm.add_parameter(
       "Additional fields",
       additional_fields,
@@ -59,12 +62,22 @@ namespace ElastoPlastic
                       "The same for the unit of force, such as N.",
                       Patterns::Anything());
     prm.add_parameter(
-      "Steps between checkpoints",
-      checkpoint_interval,
-      "In a load history: after how many steps the folder checkpoint is "
-      "written, from which the option --resume goes on. A run that receives "
-      "the signal SIGTERM writes one before it ends. 0: only then.",
-      Patterns::Integer(0));
+      "Field times",
+      field_times,
+      "For 'Fields = at times': values of the time t, such as 1, 1.5, 2. The "
+      "fields are those at the end of the load step that reaches or passes one "
+      "of them. Unit: time.",
+      Patterns::List(Patterns::Double(0)));
+    prm.add_parameter(
+      "Minutes between checkpoints",
+      minutes_between_checkpoints,
+      "In a load history: how often the folder checkpoint is written, from "
+      "which the option --resume goes on: at the end of the load step under "
+      "way after so many minutes, and at the end of the history. A run that "
+      "receives the signal SIGTERM writes one before it ends, so that only what "
+      "kills at once or takes the power away can cost so many minutes of work. "
+      "0: after every step.",
+      Patterns::Double(0));
     prm.add_parameter(
       "Screen",
       screen,
@@ -106,5 +119,24 @@ namespace ElastoPlastic
   {
     check_unit("Length unit", units.length);
     check_unit("Force unit", units.force);
+    if (fields == FieldOutputTimes::at_times && field_times.empty())
+      throw InputError("Output/Field times",
+                       "",
+                       "with 'Output/Fields = at times' it must name at least "
+                       "one time.");
+  }
+
+
+
+  bool
+  OutputParameters::has_time_within(const double begin, const double end) const
+  {
+    constexpr double rounding = 1e-9;
+    return std::any_of(field_times.begin(),
+                       field_times.end(),
+                       [&](const double time) {
+                         return time > begin + rounding * end &&
+                                time <= end + rounding * end;
+                       });
   }
 } // namespace ElastoPlastic

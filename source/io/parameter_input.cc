@@ -8,10 +8,12 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
 
+#include "base/closest_name.h"
 #include "base/exceptions.h"
 #include "io/parameter_input.h"
 #include "io/parameter_reference.h"
@@ -41,6 +43,29 @@ namespace ElastoPlastic
 
 
 
+    std::vector<std::string>
+    all_paths(const ParameterHandler &prm)
+    {
+      std::vector<std::string> paths;
+      for (const auto &[path, value] : all_entries(prm))
+        paths.push_back(path);
+      return paths;
+    }
+
+
+
+    std::vector<std::string>
+    all_sections(const ParameterHandler &prm)
+    {
+      std::set<std::string> sections;
+      for (const std::string &path : all_paths(prm))
+        if (const auto slash = path.rfind('/'); slash != std::string::npos)
+          sections.insert(path.substr(0, slash));
+      return {sections.begin(), sections.end()};
+    }
+
+
+
     /// The language of deal.II's parameter files, line by line. deal.II's own
     /// reader follows a file that includes itself until the stack is full, does
     /// not say which of several files is wrong, and takes a brace for the
@@ -65,11 +90,12 @@ namespace ElastoPlastic
         if (!stream || fs::is_directory(name))
           throw InputError("The file '" + name +
                            "' does not exist or cannot be read.");
-        const fs::path file = fs::canonical(name);
-        if (std::count(open_files.begin(), open_files.end(), file) > 0)
-          throw InputError("The file '" + name +
-                           "' is included while it is being read.");
-        open_files.push_back(file);
+        const fs::path path = fs::canonical(name);
+        for (const OpenFile &file : open_files)
+          if (file.path == path)
+            throw InputError("The file '" + name +
+                             "' is included while it is being read.");
+        open_files.push_back({name, path, sections.size()});
         read(stream, name);
         open_files.pop_back();
       }
@@ -82,6 +108,8 @@ namespace ElastoPlastic
         std::string line, text;
         for (unsigned int number = 1; std::getline(stream, line); ++number)
           {
+            if (number == 1)
+              refuse_byte_order_mark(line, name);
             text += Utilities::trim(line);
             if (!text.empty() && text.back() == '\\')
               text.pop_back();
@@ -90,13 +118,34 @@ namespace ElastoPlastic
                         name + ", line " + std::to_string(number));
           }
         interpret(text, name);
-        if (sections.size() != n_sections)
-          throw InputError(name +
-                           ": The number of lines 'subsection' and 'end' is "
-                           "not the same. Close each section with 'end'.");
+        if (sections.size() > n_sections)
+          throw InputError(name + ": The section '" + sections.back() +
+                           "' is not closed: an 'end' is missing. (" +
+                           places.back() + ")");
       }
 
     private:
+      /// A file that is being read, and how many sections were open when it
+      /// was opened.
+      struct OpenFile
+      {
+        std::string name;
+        fs::path    path;
+        std::size_t n_sections;
+      };
+
+      static void
+      refuse_byte_order_mark(const std::string &line, const std::string &name)
+      {
+        for (const std::string mark : {"\xEF\xBB\xBF", "\xFF\xFE", "\xFE\xFF"})
+          if (line.rfind(mark, 0) == 0)
+            throw InputError(
+              name +
+              ", line 1: The file begins with a byte order mark, "
+              "which editors do not show. Save it as plain text, "
+              "or as UTF-8 without byte order mark.");
+      }
+
       void
       interpret(const std::string &line, const std::string &place)
       {
@@ -115,7 +164,7 @@ namespace ElastoPlastic
             if (is("set", "SET"))
               set(rest);
             else if (is("subsection", "SUBSECTION"))
-              enter(rest);
+              enter(rest, place);
             else if (is("end", "END"))
               leave(rest);
             else if (is("include", "INCLUDE"))
@@ -143,12 +192,19 @@ namespace ElastoPlastic
       }
 
       void
-      enter(const std::string &name)
+      enter(const std::string &name, const std::string &place)
       {
-        sections.push_back(name);
-        if (!prm.subsection_path_exists(sections))
-          throw InputError("There is no section '" + name + "'." +
-                           see_reference);
+        Sections inner = sections;
+        inner.push_back(name);
+        if (!prm.subsection_path_exists(inner))
+          throw InputError(
+            "There is no section '" + path_of(sections, name) + "'." +
+            (prm.subsection_path_exists({name}) ?
+               " Is the 'end' of the section '" + sections.back() +
+                 "' missing? (" + places.back() + ")" :
+               did_you_mean(name, all_sections(prm)) + see_reference));
+        sections = inner;
+        places.push_back(place);
       }
 
       void
@@ -156,26 +212,32 @@ namespace ElastoPlastic
       {
         if (!rest.empty())
           throw InputError("After 'end' nothing can follow but a comment.");
-        if (sections.empty())
+        if (sections.size() ==
+            (open_files.empty() ? 0 : open_files.back().n_sections))
           throw InputError("This 'end' closes no 'subsection'.");
         sections.pop_back();
+        places.pop_back();
       }
 
       void
       include(const std::string &name)
       {
-        if (!fs::is_regular_file(name))
+        const fs::path file =
+          fs::path(open_files.back().name).parent_path() / name;
+        if (!fs::is_regular_file(file))
           throw InputError(
-            "The file '" + name +
+            "The file '" + file.string() +
             "' to be included does not exist or cannot be opened. A relative "
-            "name starts in the working directory.");
-        read_file(name);
+            "name starts in the folder of the file that includes it.");
+        read_file(file.string());
       }
 
       const ParameterHandler &prm;
       const SetEntry          set_entry;
       Sections                sections;
-      std::vector<fs::path>   open_files;
+      /// Where the sections begin, in words.
+      std::vector<std::string> places;
+      std::vector<OpenFile>    open_files;
     };
 
 
@@ -222,17 +284,22 @@ namespace ElastoPlastic
                          "a value cannot contain '#' or a control character, "
                          "nor end with a backslash: parameters.prm could not "
                          "be read again. Rename the file or folder.");
+      const auto leave = [&]() {
+        for (unsigned int i = 0; i < sections.size(); ++i)
+          prm.leave_subsection();
+      };
       try
         {
           for (const std::string &section : sections)
             prm.enter_subsection(section);
           prm.set(entry, value);
-          for (unsigned int i = 0; i < sections.size(); ++i)
-            prm.leave_subsection();
+          leave();
         }
       catch (const ParameterHandler::ExcEntryUndeclared &)
         {
-          throw InputError("There is no entry '" + path + "'." + see_reference);
+          leave();
+          throw InputError("There is no entry '" + path + "'." +
+                           did_you_mean(path, all_paths(prm)) + see_reference);
         }
       catch (const ParameterHandler::ExcValueDoesNotMatchPattern &exception)
         {
@@ -271,7 +338,7 @@ namespace ElastoPlastic
     if (std::count(sections.begin(), sections.end(), "") > 0 ||
         !prm.subsection_path_exists(sections))
       throw InputError("There is no section for the entry '" + path + "'." +
-                       see_reference);
+                       did_you_mean(path, all_paths(prm)) + see_reference);
     set_entry_in(prm, sections, entry, Utilities::trim(value));
   }
 

@@ -68,18 +68,29 @@ namespace ElastoPlastic
       {
         const std::vector<std::string> words = words_of(row);
         std::optional<double>          time, value;
+        Control                        control = Control::depth;
         if (words.size() == 4 && words[1] == ":" &&
             (words[2] == "depth" || words[2] == "force"))
           {
-            time  = as_number(words[0]);
-            value = as_number(words[3]);
+            time    = as_number(words[0]);
+            value   = as_number(words[3]);
+            control = words[2] == "depth" ? Control::depth : Control::force;
+          }
+        else if (words.size() == 3 && words[1] == ":" && words[2] == "hold" &&
+                 !segments.empty())
+          {
+            time    = as_number(words[0]);
+            value   = segments.back().end_value;
+            control = segments.back().control;
           }
         if (!time || !value)
-          throw InputError(path,
-                           row,
-                           "a row must look like '1.5: depth 0.02' or '2: "
-                           "force 0': a time, then what is reached at that "
-                           "time. Rows are separated by '|'.");
+          throw InputError(
+            path,
+            row,
+            "a row must look like '1.5: depth 0.02', '2: force "
+            "0' or, but for the first, '3: hold': a time, then "
+            "what is reached at that time. Rows are separated by "
+            "'|'.");
         if (!std::isfinite(*time) || !std::isfinite(*value))
           throw InputError(path, row, "its numbers must be finite.");
         const double last_time = segments.empty() ? 0. : final_time();
@@ -88,8 +99,6 @@ namespace ElastoPlastic
                            row,
                            "the times must increase, and the first must be "
                            "greater than 0.");
-        const Control control =
-          words[2] == "depth" ? Control::depth : Control::force;
         if (control == Control::force)
           check_force(path, row, *value);
         std::optional<double> begin;
@@ -166,6 +175,22 @@ namespace ElastoPlastic
 
 
 
+  std::vector<std::pair<double, double>>
+  LoadProgram::holds() const
+  {
+    std::vector<std::pair<double, double>> result;
+    double                                 begin_time = 0;
+    for (const Segment &segment : segments)
+      {
+        if (!segment.expression && segment.begin_value == segment.end_value)
+          result.emplace_back(begin_time, segment.end_time);
+        begin_time = segment.end_time;
+      }
+    return result;
+  }
+
+
+
   std::optional<Load>
   LoadProgram::load(const double time) const
   {
@@ -186,13 +211,21 @@ namespace ElastoPlastic
       }
     if (time == segment->end_time)
       return Load{segment->control, segment->end_value};
-    if (!segment->begin_value)
-      return {};
+
+    std::optional<double> begin_value = segment->begin_value;
+    if (!begin_value)
+      {
+        const auto reached = turning_points.find(begin_time);
+        if (reached == turning_points.end())
+          return {};
+        begin_value = segment->control == Control::depth ?
+                        reached->second.first :
+                        reached->second.second;
+      }
     const double fraction =
       (time - begin_time) / (segment->end_time - begin_time);
     return Load{segment->control,
-                (1 - fraction) * *segment->begin_value +
-                  fraction * segment->end_value};
+                (1 - fraction) * *begin_value + fraction * segment->end_value};
   }
 
 
@@ -202,10 +235,7 @@ namespace ElastoPlastic
                        const double depth,
                        const double force)
   {
-    for (unsigned int i = 0; i + 1 < segments.size(); ++i)
-      if (segments[i].end_time == time &&
-          segments[i].control != segments[i + 1].control)
-        segments[i + 1].begin_value =
-          segments[i + 1].control == Control::depth ? depth : force;
+    if (is_segment_end(time))
+      turning_points[time] = {depth, force};
   }
 } // namespace ElastoPlastic

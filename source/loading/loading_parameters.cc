@@ -38,7 +38,8 @@ namespace ElastoPlastic
       "times with the depth or the force that is reached then, linear in "
       "between, beginning with zero at t = 0. For instance: 1: depth 0.02 | "
       "2: force 0 | 3: depth 0.03. Where the control changes, the new one "
-      "starts from what has been reached.",
+      "starts from what has been reached. A row '4: hold' keeps depth or force; "
+      "no material here depends on rates, so that nothing happens meanwhile.",
       Patterns::Anything());
     prm.add_parameter(
       "Number of steps",

@@ -11,21 +11,28 @@ namespace ElastoPlastic
   namespace
   {
     double
-    segment_begin(const std::vector<double> &ends, const unsigned int segment)
+    between(const double begin, const double end, const double fraction)
     {
-      return segment == 0 ? 0. : ends[segment - 1];
+      return (1 - fraction) * begin + fraction * end;
     }
 
 
 
-    std::uint64_t
-    n_steps_in(const std::vector<double> &ends,
-               const unsigned int         segment,
-               const unsigned int         n_steps)
+    std::vector<double>
+    ends_of_steps(const std::vector<double> &segment_ends,
+                  const unsigned int         n_steps)
     {
-      const double share =
-        (ends[segment] - segment_begin(ends, segment)) / ends.back() * n_steps;
-      return std::max(1., std::ceil(share - 1e-9 * n_steps));
+      std::vector<double> ends;
+      double              begin = 0;
+      for (const double end : segment_ends)
+        {
+          const double share = (end - begin) / segment_ends.back() * n_steps;
+          const double n     = std::max(1., std::ceil(share - 1e-9 * n_steps));
+          for (unsigned int i = 1; i <= n; ++i)
+            ends.push_back(between(begin, end, i / n));
+          begin = end;
+        }
+      return ends;
     }
   } // namespace
 
@@ -34,8 +41,7 @@ namespace ElastoPlastic
   TimeSteps::TimeSteps(const std::vector<double> &segment_ends,
                        const unsigned int         n_steps,
                        const unsigned int         max_cuts)
-    : segment_ends(segment_ends)
-    , n_steps(n_steps)
+    : ends(ends_of_steps(segment_ends, n_steps))
     , units_per_step(std::uint64_t(1) << max_cuts)
     , length(units_per_step)
   {}
@@ -45,7 +51,7 @@ namespace ElastoPlastic
   bool
   TimeSteps::finished() const
   {
-    return segment == segment_ends.size();
+    return n_uncut == ends.size();
   }
 
 
@@ -61,11 +67,11 @@ namespace ElastoPlastic
   double
   TimeSteps::time_at(const std::uint64_t units) const
   {
-    const std::uint64_t all =
-      n_steps_in(segment_ends, segment, n_steps) * units_per_step;
-    const double fraction = static_cast<double>(units) / all;
-    return (1 - fraction) * segment_begin(segment_ends, segment) +
-           fraction * segment_ends[segment];
+    if (finished())
+      return ends.back();
+    return between(n_uncut == 0 ? 0. : ends[n_uncut - 1],
+                   ends[n_uncut],
+                   static_cast<double>(units) / units_per_step);
   }
 
 
@@ -73,7 +79,7 @@ namespace ElastoPlastic
   double
   TimeSteps::time() const
   {
-    return finished() ? segment_ends.back() : time_at(position);
+    return time_at(position);
   }
 
 
@@ -86,6 +92,14 @@ namespace ElastoPlastic
 
 
 
+  const std::vector<double> &
+  TimeSteps::uncut_ends() const
+  {
+    return ends;
+  }
+
+
+
   void
   TimeSteps::advance()
   {
@@ -93,9 +107,9 @@ namespace ElastoPlastic
     position += length;
     if (length < units_per_step && position % (2 * length) == 0)
       length *= 2;
-    if (position == n_steps_in(segment_ends, segment, n_steps) * units_per_step)
+    if (position == units_per_step)
       {
-        ++segment;
+        ++n_uncut;
         position = 0;
       }
   }

@@ -192,6 +192,8 @@ namespace ElastoPlastic
           two_level_transfers[l]->average_cells(coarse_value, values[i]);
           values[i].swap(coarse_value);
         }
+    for (unsigned int l = 0; l <= max_level(); ++l)
+      level_operators[l]->finish_tangents();
   }
 
 

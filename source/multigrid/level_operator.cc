@@ -81,6 +81,15 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  LevelOperator<dim>::finish_tangents()
+  {
+    kernel->prepare_products(tangents);
+  }
+
+
+
+  template <int dim>
+  void
   LevelOperator<dim>::set_constrained(const LevelVector &constrained)
   {
     constrained_indices.clear();

@@ -28,6 +28,7 @@ ENTRIES = {
     "Refinement/Strategy": "Kelly", "Refinement/Refinement fraction": 0.1,
     "Refinement/Coarsening fraction": 0.3, "Refinement/Steps between adaptations": 4,
     "Refinement/Maximum number of unknowns": 1200,
+    "Output/Minutes between checkpoints": 0,
 }
 # What a clock says, or what depends on how the process has lived; what would be zero
 # without rounding; and numbers of iterations, which rounding, and so the number of ranks, can

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+#include <utility>
+
+#include "base/closest_name.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// Nobody has misspelt a longer one.
+    constexpr std::size_t longest_name = 100;
+
+
+
+    bool
+    is_same_letter(const unsigned char a, const unsigned char b)
+    {
+      return std::tolower(a) == std::tolower(b);
+    }
+
+
+
+    /// What comes before and after the last slash.
+    std::pair<std::string, std::string>
+    split_at_last_slash(const std::string &path)
+    {
+      const auto slash = path.rfind('/');
+      return slash == std::string::npos ?
+               std::make_pair(std::string(), path) :
+               std::make_pair(path.substr(0, slash), path.substr(slash + 1));
+    }
+  } // namespace
+
+
+
+  // Row i of the table holds the distances of the first i letters of a to the
+  // beginnings of b.
+  unsigned int
+  edit_distance(const std::string &a, const std::string &b)
+  {
+    std::vector<unsigned int> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (std::size_t i = 1; i <= a.size(); ++i)
+      {
+        unsigned int diagonal = row[0];
+        row[0]                = i;
+        for (std::size_t j = 1; j <= b.size(); ++j)
+          {
+            const unsigned int replaced =
+              diagonal + !is_same_letter(a[i - 1], b[j - 1]);
+            diagonal = row[j];
+            row[j]   = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+          }
+      }
+    return row.back();
+  }
+
+
+
+  std::string
+  did_you_mean(const std::string &path, const std::vector<std::string> &paths)
+  {
+    if (path.size() > longest_name)
+      return "";
+    const auto [section, name] = split_at_last_slash(path);
+    const unsigned int farthest =
+      std::max<unsigned int>(1, (name.size() + 1) / 3);
+
+    std::string                           closest;
+    std::pair<unsigned int, unsigned int> smallest = {farthest + 1, 0};
+    for (const std::string &candidate : paths)
+      {
+        const auto [other_section, other_name] = split_at_last_slash(candidate);
+        const unsigned int between_sections =
+          edit_distance(section, other_section);
+        const std::pair<unsigned int, unsigned int> distance = {
+          edit_distance(name, other_name) + (between_sections > 0 ? 1 : 0),
+          between_sections};
+        if (distance < smallest)
+          {
+            smallest = distance;
+            closest  = candidate;
+          }
+      }
+    return closest.empty() ? "" : " Did you mean '" + closest + "'?";
+  }
+} // namespace ElastoPlastic
