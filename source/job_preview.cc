@@ -99,6 +99,21 @@ namespace ElastoPlastic
 
 
 
+  namespace
+  {
+    /// Around one spot with this many elements over its radius, in space around
+    /// a quarter of it: what the cases in parameter_files/indentation/ had.
+    template <int dim>
+    double
+    cells_around_contact(const unsigned int n_over_radius)
+    {
+      return dim == 2 ? 190. * n_over_radius :
+                        200. * n_over_radius * n_over_radius;
+    }
+  } // namespace
+
+
+
   // The sequence ends as ElastoPlasticContact::mark_next_mesh() ends it.
   template <int dim>
   std::vector<typename JobPreview<dim>::MeshSize>
@@ -133,6 +148,15 @@ namespace ElastoPlastic
                                estimated_unknowns(next.cells - last.cells, fe)))
           break;
         sizes.push_back(next);
+      }
+    if (refinement.n_over_contact_radius > 0)
+      {
+        MeshSize     following = sizes.back();
+        const double n_cells =
+          cells_around_contact<dim>(refinement.n_over_contact_radius);
+        following.cells += n_cells;
+        following.unknowns += estimated_unknowns(n_cells, fe);
+        sizes.push_back(following);
       }
     return sizes;
   }

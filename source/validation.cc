@@ -80,7 +80,9 @@ namespace ElastoPlastic
 
     template <int dim>
     void
-    print_meshes(const JobPreview<dim> &preview, std::ostream &out)
+    print_meshes(const JobPreview<dim> &preview,
+                 const unsigned int     n_over_radius,
+                 std::ostream          &out)
     {
       const auto meshes = preview.meshes();
       print_line("First mesh",
@@ -93,7 +95,9 @@ namespace ElastoPlastic
                  out);
       if (meshes.size() > 1)
         print_line("Last mesh",
-                   "number " + std::to_string(meshes.size()) + ", " +
+                   (n_over_radius > 0 ?
+                      "" :
+                      "number " + std::to_string(meshes.size()) + ", ") +
                      about(meshes.back().cells) + " cells, " +
                      about(meshes.back().unknowns) + " unknowns",
                    out);
@@ -118,6 +122,7 @@ namespace ElastoPlastic
     void
     print_contact(const JobPreview<dim> &preview,
                   const Units           &units,
+                  const unsigned int     n_over_radius,
                   std::ostream          &out)
     {
       const double n = preview.n_candidates();
@@ -137,7 +142,10 @@ namespace ElastoPlastic
                    ", where the indenter cuts the surface at the depth " +
                    length(contact->depth) + ": " +
                    rounded(contact->n_elements, 2) +
-                   " elements of the first mesh",
+                   " elements of the first mesh" +
+                   (n_over_radius > 0 ? "; the mesh will follow it with " +
+                                          std::to_string(n_over_radius) :
+                                        ""),
                  out);
       constexpr double limit = SmallStrainGuard<dim>::largest_slope;
       if (contact->slope > limit)
@@ -204,10 +212,12 @@ namespace ElastoPlastic
     if (preview.is_first_mesh())
       problem.check_contact();
 
-    print_meshes(preview, out);
+    const unsigned int n_over_radius =
+      parameters.refinement.n_over_contact_radius;
+    print_meshes(preview, n_over_radius, out);
     print_materials(preview, out);
     if (model.indenter.shape)
-      print_contact(preview, parameters.output.units, out);
+      print_contact(preview, parameters.output.units, n_over_radius, out);
     print_cost(preview, Utilities::MPI::n_mpi_processes(communicator), out);
     print_output_directory(parameters, communicator, out);
     out << std::flush;

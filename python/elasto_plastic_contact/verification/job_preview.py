@@ -7,7 +7,7 @@ import time
 
 from ..tables import read_tables
 
-TWO_STEPS = ("Loading/History=1: depth 0.001", "Loading/Number of steps=2")
+ONE_MESH = ("Loading/History=1: depth 0.001", "Loading/Number of steps=2", "Refinement/Elements over contact radius=0")
 
 # Case, entries, and how far cells and unknowns of first and last mesh may be off.
 CASES = [
@@ -17,13 +17,14 @@ CASES = [
     ("step42/sphere_uniform_q1.prm", ("Refinement/Number of cycles=3",), 0, 0),
     ("step42/sphere_uniform_q2.prm", ("Refinement/Number of cycles=2",), 0, 0),
     ("verification/thick_sphere_3d.prm", (), 0, 0.1),
-    ("indentation/hardened_steel.prm", TWO_STEPS, 0, 0),
-    ("indentation/cone_axisymmetric.prm", TWO_STEPS, 0, 0),
-    ("indentation/sphere_3d.prm", TWO_STEPS, 0, 0),
+    ("indentation/hardened_steel.prm", ONE_MESH, 0, 0),
+    ("indentation/cone_axisymmetric.prm", ONE_MESH, 0, 0),
+    ("indentation/sphere_3d.prm", ONE_MESH, 0, 0),
+    ("indentation/sphere_axisymmetric.prm", ("Loading/History=1: depth 0.002",), 0, 0.3),
     # too large to be made for a look: without local refinements exact, with them an estimate
     ("verification/confined_block.prm", ("Geometry/Initial refinements=5",), 0, 0),
     ("verification/confined_block.prm", ("Geometry/Initial refinements=4", "Discretization/Polynomial degree=2"), 0, 0),
-    ("indentation/sphere_axisymmetric.prm", (*TWO_STEPS, "Geometry/Initial refinements=7"), 0.1, 0.1),
+    ("indentation/sphere_axisymmetric.prm", (*ONE_MESH, "Geometry/Initial refinements=7"), 0.1, 0.1),
 ]
 
 
