@@ -168,6 +168,7 @@ namespace ElastoPlastic
     mark_contact_zone();
     bool
     next_mesh_is_allowed() const;
+    bool
     adaptation_is_due() const;
     void
     refine_mesh();
