@@ -18,27 +18,6 @@ namespace ElastoPlastic
              model.strain_model.kinematics != Kinematics::axisymmetric;
     }
 
-
-
-    /// Half, if the body is on one side of the tip only; 0 if on none.
-    template <int dim>
-    double
-    part_of_strip(
-      const parallel::distributed::Triangulation<dim> &triangulation,
-      const std::set<types::boundary_id>              &boundaries,
-      const double                                     position)
-    {
-      int has_left = 0, has_right = 0;
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() &&
-                boundaries.count(face->boundary_id()) > 0)
-              (face->center()[0] < position ? has_left : has_right) = 1;
-      const MPI_Comm communicator = triangulation.get_communicator();
-      return 0.5 * (Utilities::MPI::max(has_left, communicator) +
-                    Utilities::MPI::max(has_right, communicator));
-    }
   } // namespace
 
 
@@ -51,14 +30,11 @@ namespace ElastoPlastic
     : shape(model.indenter.shape)
     , initial_gap(model.indenter.initial_gap)
     , in_plane(is_plane(model))
-    , part(in_plane ? part_of_strip(triangulation,
-                                    model.boundary_conditions.ids(
-                                      BoundaryConditionType::contact),
-                                    gap_function.position()[0]) :
-                      modelled_part(triangulation,
-                                    model.boundary_conditions.ids(
-                                      BoundaryConditionType::contact),
-                                    gap_function.position()))
+    , part(modelled_part(triangulation,
+                         model.boundary_conditions.ids(
+                           BoundaryConditionType::contact),
+                         gap_function.position(),
+                         model.strain_model.kinematics))
   {}
 
 

@@ -183,6 +183,8 @@ namespace ElastoPlastic
                                                 solution.contact,
                                                 solution.displacement,
                                                 solution.residual);
+    VectorType          gap    = fields.gap;
+    const double        limit  = replace_missing_entries(gap);
     BoundaryOutput<dim> output(solution.contact_boundaries);
     output.add_data_vector(
       solution.dof_handler,
