@@ -22,7 +22,14 @@ namespace ElastoPlastic
     const bool is_next_cycle = cycle + 1 < parameters.refinement.n_cycles;
     if (is_next_cycle)
       flag_cells(parameters.refinement, error_indicators, triangulation);
-    return (mark_contact_zone() || is_next_cycle) && next_mesh_is_allowed();
+    if (!mark_contact_zone() && !is_next_cycle)
+      return false;
+    if (next_mesh_is_allowed())
+      return true;
+    log.remark(
+      "The next mesh would have more unknowns than "
+      "'Refinement/Maximum number of unknowns' allows.");
+    return false;
   }
 
 
@@ -37,14 +44,8 @@ namespace ElastoPlastic
     const double n_new_cells =
       n_cells_after_refinement(triangulation) -
       static_cast<double>(triangulation.n_global_active_cells());
-    if (parameters.refinement.allows(dof_handler.n_dofs() +
-                                     estimated_unknowns(n_new_cells, fe)))
-      return true;
-
-    log.remark(
-      "The next mesh would have more unknowns than "
-      "'Refinement/Maximum number of unknowns' allows.");
-    return false;
+    return parameters.refinement.allows(dof_handler.n_dofs() +
+                                        estimated_unknowns(n_new_cells, fe));
   }
 
 
@@ -60,13 +61,7 @@ namespace ElastoPlastic
       parameters.refinement.n_over_contact_radius;
     if (n_over_radius == 0)
       return false;
-    const ContactZone<dim> zone(dof_handler,
-                                supports.hanging_nodes(),
-                                supports.fixed_dofs(),
-                                model.boundary_conditions.ids(
-                                  BoundaryConditionType::contact),
-                                contact,
-                                residual);
+    const ContactZone<dim> zone        = contact_zone();
     const auto             sizes_after = [&](const double growth) {
       return [&zone, n_over_radius, growth](const Point<dim> &x,
                                             const double      reach) {
@@ -151,7 +146,7 @@ namespace ElastoPlastic
       !load_program.is_segment_end(last_step.result.time) &&
       last_step.result.contact_area >= largest_contact_area &&
       mark_contact_zone();
-    return (outgrows_mesh && next_mesh_is_allowed()) || is_due;
+    return outgrows_mesh ? next_mesh_is_allowed() : is_due;
   }
 
 
