@@ -290,11 +290,11 @@ add_message_test(large_plastic_strain 0 "^Warning: Step 3 leaves the theory of s
 set(_elastic_indentation ${CMAKE_SOURCE_DIR}/parameter_files/verification/hertz_axisymmetric.prm --overwrite --quiet
   --set "Loading/Control=depth" --set "Loading/Number of steps=3" --set "Geometry/Initial refinements=3")
 add_message_test(few_elements 0 "Warning: The contact is only [0-9]+ elements wide. with fewer than 8, force and contact area are rough. Set 'Refinement/Elements over contact radius'"
-  ${_elastic_indentation} --output-directory few_elements --set "Loading/Depth=0.004")
+  ${_elastic_indentation} --output-directory few_elements --set "Loading/Depth=0.004" --set "Geometry/Local refinements=4")
 add_message_test(few_elements_on_spots 0 "Warning: [0-9]+ % of the force is on spots of [0-9]+ that are fewer than 4 elements wide"
   ${CMAKE_SOURCE_DIR}/parameter_files/rough_surface_3d.prm --overwrite --quiet --output-directory few_elements_on_spots --set "Refinement/Number of cycles=1")
 add_message_test(coarse_pixels 0 "Warning: Where the indenter touches, the elements are larger than the pixels of its height map"
-  ${CMAKE_SOURCE_DIR}/parameter_files/step42/height_map.prm --overwrite --quiet --output-directory coarse_pixels --set "Refinement/Number of cycles=1")
+  ${CMAKE_SOURCE_DIR}/parameter_files/step42/height_map.prm --overwrite --quiet --output-directory coarse_pixels --set "Refinement/Number of cycles=1" --set "Geometry/Initial refinements=4")
 add_message_test(steep_indenter 0 "Warning: Step 1 leaves the theory of small strains: the slope of the indenter at the edge of the contact is 0.577 .limit: 0.25.. What follows"
   ${_elastic_indentation} --output-directory steep_indenter --set "Loading/Depth=0.06" --set "Indenter/Type=cone" --set "Indenter/Semi-apex angle=60")
 add_message_test(deep_punch 0 "Warning: Step 2 leaves the theory of small strains: the depth over the contact radius is 0.2[0-9]* .limit: 0.2.. What follows"

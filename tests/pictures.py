@@ -53,7 +53,7 @@ def check_indentation_test(program, folder):
     run_program(program, "indentation/cone_axisymmetric.prm", folder, "Geometry/Local refinements=4", "Geometry/Local radius=4",
                 "Refinement/Elements over contact radius=0",
                 "Loading/History=1: depth 0.05 | 2: force 0", f"Loading/Number of steps={n_steps}")
-    expect(run_script("plot.py", folder), ["pressure.png", "force_depth.png", "contact_radius.png", "energies.png"])
+    expect(run_script("plot.py", folder), ["pressure.png", "force_depth.png", "contact_radius.png", "imprint.png", "energies.png"])
     return n_steps
 
 

@@ -171,6 +171,10 @@ namespace ElastoPlastic
     Vector
     neighbors(const Vector &kinds) const;
 
+    /// Ones at the nodes of the faces all of whose nodes touch. Collective.
+    Vector
+    inside(const Vector &kinds) const;
+
     /// How much @p values grow from these @p neighbors to the next open nodes:
     /// the largest difference on a common face, for both of them; 0 elsewhere.
     /// Collective.

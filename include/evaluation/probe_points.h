@@ -64,7 +64,7 @@ namespace ElastoPlastic
     /// Where the probes are: on exactly one rank each. Collective.
     /// @throws InputError
     std::vector<std::optional<Place>>
-    locate() const;
+    locate(const double widest) const;
 
     /// @throws InputError, collectively.
     [[noreturn]] void

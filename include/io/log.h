@@ -6,6 +6,7 @@
 
 #include <deal.II/base/conditional_ostream.h>
 
+#include <set>
 #include <string>
 
 #include "base/enum_names.h"
@@ -61,14 +62,19 @@ namespace ElastoPlastic
     void
     warn(const std::string &text);
 
+    /// The same, unless that has been said.
+    void
+    warn_once(const std::string &text);
+
     /// For the table of times.
     ConditionalOStream &
     full_stream();
 
   private:
-    ConditionalOStream full;
-    ConditionalOStream summary;
-    ConditionalOStream warnings;
+    ConditionalOStream    full;
+    ConditionalOStream    summary;
+    ConditionalOStream    warnings;
+    std::set<std::string> said;
   };
 } // namespace ElastoPlastic
 

@@ -123,7 +123,7 @@ class Files(unittest.TestCase):
     def test_history_side_by_side(self):
         texts = self.texts_of("render", self.cone, "--steps", 0, 2, 6, "--zoom", 8, "--scale", 1,
                              "--length-unit", "mm", "--force-unit", "N", "--output", self.folder / "history.svg")
-        for words in ("(a)", "(b)", "(c)", "indenter", "plastic zone", "0.1 mm", "von Mises stress in MPa",
+        for words in ("(a)", "(b)", "(c)", "indenter", "plastic zone", "0.2 mm", "von Mises stress in MPa",
                       "t = 0.666667"):
             self.assertIn(words, texts)
 

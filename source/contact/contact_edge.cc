@@ -326,6 +326,26 @@ namespace ElastoPlastic
 
   template <int dim>
   typename ContactEdge<dim>::Vector
+  ContactEdge<dim>::inside(const Vector &kinds) const
+  {
+    const Vector kind_of = ghosted(kinds);
+    Vector       marks(ghosted_vectors);
+    for (const Face &face : faces)
+      if (std::all_of(face.dofs.begin(), face.dofs.end(), [&](const auto dof) {
+            return kind_of(dof) == touching;
+          }))
+        for (const auto dof : face.dofs)
+          marks(dof) = 1.;
+    marks.compress(VectorOperation::max);
+    Vector result(vectors);
+    result.copy_locally_owned_data_from(marks);
+    return result;
+  }
+
+
+
+  template <int dim>
+  typename ContactEdge<dim>::Vector
   ContactEdge<dim>::growth_beyond(const Vector &kinds,
                                   const Vector &neighbors,
                                   const Vector &values) const

@@ -32,6 +32,8 @@ namespace ElastoPlastic
 
 
 
+  // A node that touches with none of its faces as a whole counts like one of a
+  // contact that ends at nodes: there is no edge that could be followed.
   template <int dim>
   double
   ContactSet<dim>::touched_area(const Vector &u) const
@@ -44,16 +46,21 @@ namespace ElastoPlastic
         return Utilities::MPI::sum(area, communicator);
       }
 
-    const auto part =
-      edge.touched_part(kinds(), levels(distances(u, present_depth)));
+    const Vector kinds  = this->kinds();
+    const Vector inside = edge.inside(kinds);
+    const auto   part =
+      edge.touched_part(kinds, levels(distances(u, present_depth)));
     Vector ones(u.get_partitioner()), taken_over(u.get_partitioner());
     set_candidate_entries(ones, 1.);
     part.taken_over->vmult(taken_over, ones);
     for (const Node &node : candidates)
       if (node.active)
-        area += edge.areas().local_element(node.index) +
-                taken_over.local_element(node.index) -
-                part.missing.local_element(node.index);
+        {
+          const unsigned int i = node.index;
+          area += edge.areas().local_element(i) +
+                  inside.local_element(i) * (taken_over.local_element(i) -
+                                             part.missing.local_element(i));
+        }
     return Utilities::MPI::sum(area, communicator);
   }
 

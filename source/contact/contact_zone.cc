@@ -272,12 +272,16 @@ namespace ElastoPlastic
   ContactZone<dim>::warning(const double detail) const
   {
     double force = 0, on_coarse_spots = 0, on_coarse_elements = 0;
+    double fewest = std::numeric_limits<double>::infinity();
     for (const auto &spot : all_spots)
       {
         const double n_enough = all_spots.size() <= few_spots ? 8. : 4.;
         force += spot.force;
         if (spot.elements_across < n_enough)
-          on_coarse_spots += spot.force;
+          {
+            on_coarse_spots += spot.force;
+            fewest = std::min(fewest, spot.elements_across);
+          }
         if (spot.element_size > 1.001 * detail)
           on_coarse_elements += spot.force;
       }
@@ -287,9 +291,8 @@ namespace ElastoPlastic
     const auto percent = [force](const double part) {
       return std::to_string(std::lround(100. * part / force)) + " %";
     };
-    if (all_spots.size() <= few_spots && on_coarse_spots > 0.)
-      return "The contact is only " +
-             std::to_string(std::lround(all_spots.front().elements_across)) +
+    if (on_coarse_spots > 0.05 * force && all_spots.size() <= few_spots)
+      return "The contact is only " + std::to_string(std::lround(fewest)) +
              " elements wide; with fewer than 8, force and contact area are "
              "rough." +
              remedy;

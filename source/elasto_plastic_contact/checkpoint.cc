@@ -136,6 +136,7 @@ namespace ElastoPlastic
       tangent_solver->set_response(response);
     take_back_step();
     contact.restore_edge();
+    small_strain_guard.warning(last_step.result); // has been said
     log.remark(
       "Resumed at t = " + Patterns::Tools::to_string(last_step.result.time) +
       ", after step " + std::to_string(last_step.result.step) + ".");

@@ -70,7 +70,6 @@ namespace ElastoPlastic
     check_loads(model, load_program, time_steps, dof_handler);
     check_supports(model, dof_handler, supports, contact, external_forces);
     parameters.refinement.check_first_mesh(dof_handler.n_dofs());
-    imprint.check_lines(contact_surface());
     for (const std::string &warning : model.geometry.warnings())
       log.warn(warning);
     if (const std::string warning =
@@ -87,6 +86,7 @@ namespace ElastoPlastic
   {
     if (gap_function.has_indenter())
       check_reach(load_program, time_steps, parameters.loading, contact);
+    imprint.check_lines(contact_surface());
   }
 
 
@@ -99,7 +99,6 @@ namespace ElastoPlastic
     log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     remark_on_holds();
     output_directory.begin_run(overwrite, parameters.effective_input);
-    write_table_reference(communicator, parameters.output);
     output_initial_state();
     run_load_history(Statistics::Progress());
   }
@@ -113,7 +112,6 @@ namespace ElastoPlastic
     log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     output_directory.resume_run();
     const Statistics::Progress progress = load_checkpoint();
-    output_directory.write_input(parameters.effective_input);
     run_load_history(progress);
   }
 
@@ -136,6 +134,8 @@ namespace ElastoPlastic
                                                 gap_function,
                                                 parameters.evaluation),
                           progress);
+    output_directory.write_input(parameters.effective_input);
+    write_table_reference(communicator, parameters.output);
     note_termination_requests();
     try
       {

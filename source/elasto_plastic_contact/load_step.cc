@@ -67,7 +67,8 @@ namespace ElastoPlastic
     last_step.add_to(result);
     last_step.find_rates(result, displacement);
     last_step.result = result;
-    if (result.contact_area > largest_contact_area &&
+    if (result.contact_area > 0. &&
+        result.contact_area >= largest_contact_area &&
         load_program.is_segment_end(result.time))
       look_at_contact();
     largest_contact_area = std::max(largest_contact_area, result.contact_area);
@@ -87,7 +88,7 @@ namespace ElastoPlastic
     if (const std::string warning =
           contact_zone().warning(model.indenter.shape->detail());
         !warning.empty())
-      log.warn(warning);
+      log.warn_once(warning);
   }
 
 

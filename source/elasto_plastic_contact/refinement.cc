@@ -52,7 +52,8 @@ namespace ElastoPlastic
 
   // Around the contact, as it is and as it will be soon: when some cells are
   // too large, others are refined at the same time, so that the next steps can
-  // do with that mesh. Cells of the first mesh stay.
+  // do with that mesh. Cells of the first mesh stay. Where the errors of the
+  // solution decide, too, they do not coarsen that zone.
   template <int dim>
   bool
   ElastoPlasticContact<dim>::mark_contact_zone()
@@ -68,11 +69,13 @@ namespace ElastoPlastic
         return zone.element_size(x, reach, n_over_radius, growth);
       };
     };
-    return has_larger_cells<dim>(sizes_after(0.05), triangulation) &&
+    const auto strategy = parameters.refinement.strategy;
+    return (adaptation_is_due() ||
+            has_larger_cells<dim>(sizes_after(0.05), triangulation)) &&
            flag_larger_cells<dim>(sizes_after(0.2),
-                                  parameters.refinement.is_adaptive() ?
-                                    std::nullopt :
-                                    std::make_optional(finest_first_level),
+                                  strategy == RefinementStrategy::none ?
+                                    std::make_optional(finest_first_level) :
+                                    std::nullopt,
                                   triangulation);
   }
 
@@ -95,7 +98,10 @@ namespace ElastoPlastic
       fields.push_back(&last_step.displacement_rate);
     if (edge.n_steps > 0)
       for (VectorType &distances : edge.distances)
-        fields.push_back(&distances);
+        {
+          supports.hanging_nodes().distribute(distances);
+          fields.push_back(&distances);
+        }
 
     const GhostedCopies<dim> old_fields(fields, dof_handler);
     parallel::distributed::SolutionTransfer<dim, VectorType> transfer(

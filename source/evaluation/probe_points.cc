@@ -101,7 +101,7 @@ namespace ElastoPlastic
                            "called '" +
                              probes.back().name + "'. Choose another name.");
       }
-    locate();
+    locate(widest_gap);
   }
 
 
@@ -156,7 +156,7 @@ namespace ElastoPlastic
 
   template <int dim>
   std::vector<std::optional<typename ProbePoints<dim>::Place>>
-  ProbePoints<dim>::locate() const
+  ProbePoints<dim>::locate(const double widest) const
   {
     // For each probe, how far it is outside of the nearest cell, and the cell.
     using Rank = std::array<double, 5>;
@@ -170,7 +170,7 @@ namespace ElastoPlastic
           {
             const auto [distance, unit_point] =
               place_in_cell<dim>(cell, probes[i].point);
-            if (distance > widest_gap)
+            if (distance > widest)
               continue;
             Rank       rank = {{distance}};
             const auto id   = cell->id().template to_binary<dim>();
@@ -189,7 +189,7 @@ namespace ElastoPlastic
         Rank first = nearest[i];
         for (const auto &of_rank : of_ranks)
           first = std::min(first, of_rank[i]);
-        if (first[0] > widest_gap)
+        if (first[0] > widest)
           report_outside(probes[i]);
         if (nearest[i] != first)
           places[i].reset();
@@ -240,11 +240,11 @@ namespace ElastoPlastic
   {
     if (probes.empty())
       return {};
-    const auto         &fe         = dof_handler.get_fe();
-    const auto          places     = locate();
-    const VectorType    ghosted_u  = ghosted_copy(u, dof_handler);
-    const auto          components = tensor_components<dim>();
-    const unsigned int  n          = dim + 2 * components.size() + 1;
+    const auto        &fe     = dof_handler.get_fe();
+    const auto         places = locate(std::numeric_limits<double>::infinity());
+    const VectorType   ghosted_u  = ghosted_copy(u, dof_handler);
+    const auto         components = tensor_components<dim>();
+    const unsigned int n          = dim + 2 * components.size() + 1;
     std::vector<double> values(n * probes.size());
 
     for (unsigned int i = 0; i < probes.size(); ++i)

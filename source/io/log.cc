@@ -137,6 +137,15 @@ namespace ElastoPlastic
 
 
   void
+  Log::warn_once(const std::string &text)
+  {
+    if (said.insert(text).second)
+      warn(text);
+  }
+
+
+
+  void
   Log::warn(const std::string &text)
   {
     warnings << "Warning: " << text << std::endl;

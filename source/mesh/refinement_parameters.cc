@@ -80,7 +80,7 @@ namespace ElastoPlastic
       "times as many per length at its edge (in space twice); in a load history, the mesh follows the edge of "
       "the contact as it grows. Cells that this has made are put together "
       "again when the contact has grown so much that they are not needed, "
-      "unless the strategy is adaptive. 0: the mesh does not depend on the "
+      "if the strategy is none. 0: the mesh does not depend on the "
       "contact. 10 to 40 are usual.",
       Patterns::Integer(0));
     prm.leave_subsection();
