@@ -119,7 +119,7 @@ namespace ElastoPlastic
     areas.reinit(layout);
     compute_lumped_areas(
       dof_handler, constraints, boundaries, kinematics, areas);
-    const double no_area = 1e-10 * areas.linfty_norm();
+    const double no_area = 1e-14 * areas.linfty_norm(); // rounding
 
     std::map<types::global_dof_index, double> gaps;
     rethrow_collectively(layout.get_mpi_communicator(), [&]() {

@@ -73,10 +73,11 @@ class Runner:
         rounding = 1e-12 * max(abs(row["force"]) for row in rows)
         pressed = [row for row in rows if abs(row["force"]) > rounding]
         # forces that rounding leaves on free unknowns, where it is worth a warning
-        unbalanced = 10 * max(row["residual"] for row in rows)
-        for name, checked in (("force_balance_error", rows), ("complementarity_error", pressed)):
+        unbalanced = max(row["residual"] for row in rows)
+        # nodes that do not touch may be some thousand depths away
+        for name, checked, factor in (("force_balance_error", rows, 10), ("complementarity_error", pressed, 3000)):
             largest = max((row[name] for row in checked), default=0)
-            self.compare(f"largest {name}", largest, 0, max(1e-8, unbalanced), absolute=True)
+            self.compare(f"largest {name}", largest, 0, max(1e-8, factor * unbalanced), absolute=True)
         dissipation = [0] + [step["dissipation"] for step in tables["history"]]
         self.verify("dissipation never negative",
                     all(b >= a for a, b in zip(dissipation, dissipation[1:])))

@@ -30,7 +30,7 @@ def check(runner, part, case, *entries):
     exact = (expansion(200), expansion(200) - elastic, expansion(300))
     for pressure, published, value in zip((200, 0, 300), (0.0312122, 0.0026408, 0.0782325), exact):
         runner.compare(f"closed form at {pressure}", value, published, 2e-5)  # its digits
-    for name, data, value, allowed in zip(("at 200", "unloaded", "at 300"), fields, exact,
+    for name, data, value, allowed in zip(("at 200", "unloaded", "at 300"), fields[1:], exact,
                                           (0.005, 0.01, 0.005)):
         runner.compare(f"displacement of the outside, {name}", outer_displacement(data), value, allowed)
     for step, pressure in ((steps[0], 200), (steps[2], 300)):

@@ -193,7 +193,9 @@ def force_control(runner):
     for case, entries in (
         ("step42/sphere_uniform_q1.prm", ("Refinement/Number of cycles=2",)),
         ("cylinder_2d.prm", ("Refinement/Strategy=global", "Refinement/Number of cycles=3")),
-        ("indentation/cone_axisymmetric.prm", ("Loading/History=", "Loading/Number of steps=1")),
+        ("indentation/cone_axisymmetric.prm",
+         ("Loading/History=", "Loading/Number of steps=1", "Geometry/Local refinements=7", "Geometry/Local radius=4",
+          "Refinement/Elements over contact radius=0")),
     ):
         depth = runner.run(case, *entries)[-1]
         force = runner.run(case, *entries, "Loading/Control=force",
