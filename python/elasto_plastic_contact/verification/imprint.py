@@ -23,7 +23,7 @@ def imprint(runner):
     runner.compare("contact radius", row["contact_radius"], a, 0.005)
     runner.compare("sink-in of the edge", row["pile_up"], -a**2 / 2, 0.02)
     runner.verify("the profile begins at the axis and ends at the side",
-                  profile[0]["x"] == 0 and profile[-1]["x"] == 4)
+                  profile[0]["x"] == 0 and profile[-1]["x"] == 8)
     # (the body is finite: it is softer by a uniform displacement)
     beside = [point for point in profile if 1.2 * a < point["x"] < 5 * a]
     shift = row["depth"] - a**2
