@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The fields of plane bodies: von Mises' stress and the equivalent plastic strain that
 follow from the tensors are those that are written, and the exact ones, as are additional
-fields; what is extrapolated stays physical; a history begins with the virgin body; units
-stand beside the fields and in tables.md.
+fields; what is extrapolated stays physical; a history begins with the virgin body, and may
+have fields at chosen times only; units stand beside the fields and in tables.md.
 
 usage: fields.py PROGRAM
 """
@@ -121,6 +121,17 @@ def check_initial_state(program, folder):
     assert holds
 
 
+def check_field_times(program, folder):
+    """Those of the steps that reach or pass the times asked for."""
+    run(program, folder, "cylinder_2d.prm", "Refinement/Strategy=none", "Refinement/Number of cycles=1",
+        "Loading/History=1: depth 0.02 | 2: force 0", "Loading/Number of steps=8",
+        "Output/Fields=at times", "Output/Field times=0.3, 1, 2")
+    found = times(folder, "solution"), times(folder, "surface")
+    holds = found == ([0.5, 1., 2.], [0.5, 1., 2.])
+    print(f"field times: {'ok' if holds else f'FAILED, {found}'}")
+    assert holds
+
+
 def check_units(_, folder):
     """Those of the last run."""
     for file, patterns in (
@@ -147,7 +158,7 @@ def check_contact(program, folder):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         for check in (check_confined_block, check_sheet, check_back_stress, check_initial_state, check_units,
-                      check_contact):
+                      check_field_times, check_contact):
             check(sys.argv[1], pathlib.Path(folder))
 
 
