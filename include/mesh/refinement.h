@@ -119,10 +119,9 @@ namespace ElastoPlastic
 
   /// Adds flags for refinement to cells that are larger than @p sizes allow,
   /// and takes away those for coarsening from cells that would become too
-  /// large; if
-  /// @p coarsest_level is given, flags cells above that level for coarsening
-  /// that are much smaller. All ranks together. @return whether any cell is to
-  /// be refined.
+  /// large; if @p coarsest_level is given, flags cells above that level for
+  /// coarsening that are much smaller. Collective. @return whether any cell is
+  /// to be refined.
   template <int dim>
   bool
   flag_larger_cells(const CellSizes<dim>                      &sizes,
