@@ -50,6 +50,20 @@ namespace ElastoPlastic
       const double root = at_0 / (at_0 - at_1);
       return at_0 < 0 ? std::make_pair(0., root) : std::make_pair(root, 1.);
     }
+
+
+
+    /// For each node, with the @p owned partition, the largest of the @p values
+    /// that its owner and other ranks have set, not negative.
+    template <typename Vector, typename Partitioner>
+    Vector
+    largest_of_all_ranks(Vector &values, const Partitioner &owned)
+    {
+      values.compress(VectorOperation::max);
+      Vector result(owned);
+      result.copy_locally_owned_data_from(values);
+      return result;
+    }
   } // namespace
 
 
@@ -316,10 +330,7 @@ namespace ElastoPlastic
         for (const auto dof : face.dofs)
           if (kind_of(dof) == open)
             marks(dof) = 1.;
-    marks.compress(VectorOperation::max);
-    Vector result(vectors);
-    result.copy_locally_owned_data_from(marks);
-    return result;
+    return largest_of_all_ranks(marks, vectors);
   }
 
 
@@ -336,10 +347,7 @@ namespace ElastoPlastic
           }))
         for (const auto dof : face.dofs)
           marks(dof) = 1.;
-    marks.compress(VectorOperation::max);
-    Vector result(vectors);
-    result.copy_locally_owned_data_from(marks);
-    return result;
+    return largest_of_all_ranks(marks, vectors);
   }
 
 
@@ -361,10 +369,7 @@ namespace ElastoPlastic
               for (const auto dof : {near, far})
                 growth(dof) =
                   std::max<double>(growth(dof), value_of(far) - value_of(near));
-    growth.compress(VectorOperation::max);
-    Vector result(vectors);
-    result.copy_locally_owned_data_from(growth);
-    return result;
+    return largest_of_all_ranks(growth, vectors);
   }
 
 
