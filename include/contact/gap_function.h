@@ -32,7 +32,21 @@ namespace ElastoPlastic
     double
     value(const Point<dim> &p) const;
 
+    /// The gap at @p p, and its derivatives with respect to the horizontal
+    /// coordinates: the slope and curvature of the indenter above p, zero
+    /// where the gap is infinite.
+    IndenterSurface<dim>
+    surface(const Point<dim> &p) const;
+
   private:
+    /// From the tip to @p p, horizontally.
+    Point<dim - 1>
+    offset(const Point<dim> &p) const;
+
+    /// Whether contact is looked for at an offset from the tip.
+    bool
+    reaches(const Point<dim - 1> &offset) const;
+
     const PlacedIndenter<dim> indenter;
     const double              tip_height;
   };

@@ -5,7 +5,9 @@
 #define contact_indenter_h
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/symmetric_tensor.h>
 
+#include <limits>
 #include <memory>
 
 #include "contact/tip_shape.h"
@@ -13,6 +15,18 @@
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+  /// The surface of an indenter above a point, to second order in the
+  /// horizontal coordinates.
+  template <int dim>
+  struct IndenterSurface
+  {
+    double                      height;
+    Tensor<1, dim - 1>          slope;     ///< first derivatives
+    SymmetricTensor<2, dim - 1> curvature; ///< second derivatives
+  };
+
+
 
   /// The shape of a rigid indenter, seen from its lowest point: the function
   /// phi of Johnson's paper @cite johnson_1978. It knows points only: where the
@@ -27,6 +41,14 @@ namespace ElastoPlastic
     /// does not reach.
     virtual double
     profile(const Point<dim - 1> &x) const = 0;
+
+    /// The profile and its derivatives at @p x. On an edge or at the tip, the
+    /// shapes give those of one side, or a mean of the sides; slope and
+    /// curvature are zero where the height is infinite. By difference quotients
+    /// over difference_step(), one-sided where the profile ends, unless a shape
+    /// knows better.
+    virtual IndenterSurface<dim>
+    surface(const Point<dim - 1> &x) const;
 
     /// Whether the profile is certainly a convex function where it is finite:
     /// false, unless a shape knows better.
@@ -48,6 +70,12 @@ namespace ElastoPlastic
     /// star-shaped about the tip, and the profile to grow along each direction.
     double
     section_area(const double height) const override;
+
+  protected:
+    /// The distance of the points of the difference quotients of surface():
+    /// 1e-4 units of length, unless a shape knows better.
+    virtual double
+    difference_step() const;
   };
 
 

@@ -19,14 +19,24 @@ namespace ElastoPlastic
   public:
     /// @param path is the entry the text comes from. A text that does not parse
     /// is an InputError.
-    IndenterExpression(const std::string &path, const std::string &text);
+    /// @param reach is where the indenter ends, a distance from the tip; it may
+    /// be infinite.
+    IndenterExpression(const std::string &path,
+                       const std::string &text,
+                       const double       reach);
 
-    /// Throws InputError where the value is not finite.
+    /// Throws InputError where the value is not finite within the reach.
     double
     profile(const Point<dim - 1> &x) const override;
 
+  protected:
+    /// 1e-4 of the reach; of a unit of length if that is infinite.
+    double
+    difference_step() const override;
+
   private:
     const Expression<2> expression;
+    const double        reach;
   };
 } // namespace ElastoPlastic
 

@@ -34,6 +34,10 @@ namespace ElastoPlastic
     double
     profile(const Point<dim - 1> &x) const override;
 
+    /// On an edge of pixels, that of one of them.
+    IndenterSurface<dim>
+    surface(const Point<dim - 1> &x) const override;
+
     /// The larger distance of pixels.
     double
     detail() const override;
@@ -43,8 +47,8 @@ namespace ElastoPlastic
     section_area(const double height) const override;
 
   private:
-    const std::vector<double>                             size;
-    const double                                          pixel;
+    const std::vector<double> size;
+    const Tensor<1, dim - 1>  spacing; ///< of pixels
     const Functions::InterpolatedUniformGridData<dim - 1> interpolation;
   };
 } // namespace ElastoPlastic

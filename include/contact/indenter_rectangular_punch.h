@@ -21,6 +21,9 @@ namespace ElastoPlastic
     double
     profile(const Point<dim - 1> &x) const override;
 
+    IndenterSurface<dim>
+    surface(const Point<dim - 1> &x) const override;
+
     bool
     is_convex() const override;
 

@@ -27,6 +27,11 @@ namespace ElastoPlastic
     double
     profile(const Point<dim - 1> &x) const override;
 
+    /// On the axis of revolution, the slope is zero and the curvature
+    /// isotropic, that of a cone zero.
+    IndenterSurface<dim>
+    surface(const Point<dim - 1> &x) const override;
+
     bool
     is_convex() const override;
 
@@ -34,6 +39,10 @@ namespace ElastoPlastic
     depth_factor() const override;
 
   private:
+    /// The component of @p x on which the height depends.
+    Tensor<1, dim - 1>
+    across(const Point<dim - 1> &x) const;
+
     const Symmetry symmetry;
     const Section  section;
   };

@@ -8,13 +8,21 @@
 
 namespace ElastoPlastic
 {
-  /// Half of a symmetric profile: the height above the tip as a function of
-  /// the distance r >= 0 from the axis or plane of symmetry; +infinity beyond
-  /// the edge. IndenterSymmetric turns a section into a body.
+  /// A section at a distance r from the axis or plane of symmetry.
+  struct SectionPoint
+  {
+    double height;    ///< above the tip; +infinity beyond the edge
+    double slope;     ///< d height / d r; 0 beyond the edge
+    double curvature; ///< d^2 height / d r^2; 0 beyond the edge
+  };
+
+
+
+  /// Half of a symmetric profile. IndenterSymmetric turns it into a body.
   struct Section
   {
-    /// Convex, and growing, where it is finite.
-    std::function<double(const double r)> profile;
+    /// For r >= 0. The height is convex, and grows, where it is finite.
+    std::function<SectionPoint(const double r)> at;
     /// TipShape::depth_factor().
     double depth_factor = 0.75;
   };
@@ -22,6 +30,7 @@ namespace ElastoPlastic
   namespace Sections
   {
     /// The lower half of a circle, R - sqrt(R^2 - r^2) without cancellation.
+    /// Its slope, infinite at the equator, is bounded by 1e5.
     Section
     circle(const double radius);
 

@@ -38,13 +38,44 @@ namespace ElastoPlastic
   double
   GapFunction<dim>::value(const Point<dim> &p) const
   {
-    Point<dim - 1> offset;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      offset[d] = p[d] - indenter.position[d];
+    const Point<dim - 1> x = offset(p);
+    return reaches(x) ? indenter.shape->profile(x) + tip_height - p[dim - 1] :
+                        std::numeric_limits<double>::infinity();
+  }
 
-    if (!has_indenter() || !within(offset.norm(), indenter.reach))
-      return std::numeric_limits<double>::infinity();
-    return indenter.shape->profile(offset) + tip_height - p[dim - 1];
+
+
+  template <int dim>
+  IndenterSurface<dim>
+  GapFunction<dim>::surface(const Point<dim> &p) const
+  {
+    const Point<dim - 1> x = offset(p);
+    if (!reaches(x))
+      return {std::numeric_limits<double>::infinity(), {}, {}};
+    IndenterSurface<dim> result = indenter.shape->surface(x);
+    result.height += tip_height - p[dim - 1];
+    return result;
+  }
+
+
+
+  template <int dim>
+  Point<dim - 1>
+  GapFunction<dim>::offset(const Point<dim> &p) const
+  {
+    Point<dim - 1> x;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      x[d] = p[d] - indenter.position[d];
+    return x;
+  }
+
+
+
+  template <int dim>
+  bool
+  GapFunction<dim>::reaches(const Point<dim - 1> &offset) const
+  {
+    return has_indenter() && within(offset.norm(), indenter.reach);
   }
 
 

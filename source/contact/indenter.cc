@@ -3,6 +3,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -40,7 +41,65 @@ namespace ElastoPlastic
         }
       return inside;
     }
+
+
+
+    /// Where the three points for the derivatives at @p x along an axis have
+    /// their middle: at x, or a step to the side where the profile is finite.
+    template <int dim>
+    double
+    shift_of_stencil(const Indenter<dim>      &indenter,
+                     const Point<dim - 1>     &x,
+                     const Tensor<1, dim - 1> &step)
+    {
+      if (std::isinf(indenter.profile(x + step)))
+        return -1.;
+      if (std::isinf(indenter.profile(x - step)))
+        return 1.;
+      return 0.;
+    }
   } // namespace
+
+
+
+  template <int dim>
+  IndenterSurface<dim>
+  Indenter<dim>::surface(const Point<dim - 1> &x) const
+  {
+    IndenterSurface<dim> result{profile(x), {}, {}};
+    if (std::isinf(result.height))
+      return result;
+
+    const double                            h = difference_step();
+    std::array<Tensor<1, dim - 1>, dim - 1> step;
+    Point<dim - 1>                          middle = x;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      {
+        step[d][d]                 = h;
+        const double         shift = shift_of_stencil(*this, x, step[d]);
+        const Point<dim - 1> z     = x + shift * step[d];
+        const double left = profile(z - step[d]), right = profile(z + step[d]);
+        middle += shift * step[d];
+        if (std::isinf(left) || std::isinf(right))
+          continue;
+        result.curvature[d][d] = (left - 2 * profile(z) + right) / (h * h);
+        result.slope[d] =
+          (right - left) / (2 * h) - shift * h * result.curvature[d][d];
+      }
+
+    if (dim == 3)
+      {
+        const Tensor<1, dim - 1> along  = step[0] + step[dim - 2],
+                                 across = step[0] - step[dim - 2];
+        const double twist =
+          (profile(middle + along) - profile(middle + across) -
+           profile(middle - across) + profile(middle - along)) /
+          (4 * h * h);
+        if (std::isfinite(twist))
+          result.curvature[0][dim - 2] = twist;
+      }
+    return result;
+  }
 
 
 
@@ -90,6 +149,15 @@ namespace ElastoPlastic
         sum += reach * reach;
       }
     return numbers::PI * sum / n_directions;
+  }
+
+
+
+  template <int dim>
+  double
+  Indenter<dim>::difference_step() const
+  {
+    return 1e-4;
   }
 
 

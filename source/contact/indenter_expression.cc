@@ -1,14 +1,19 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cmath>
+#include <limits>
+
 #include "contact/indenter_expression.h"
 
 namespace ElastoPlastic
 {
   template <int dim>
   IndenterExpression<dim>::IndenterExpression(const std::string &path,
-                                              const std::string &text)
+                                              const std::string &text,
+                                              const double       reach)
     : expression(path, text)
+    , reach(reach)
   {}
 
 
@@ -17,10 +22,21 @@ namespace ElastoPlastic
   double
   IndenterExpression<dim>::profile(const Point<dim - 1> &x) const
   {
+    if (!within(x.norm(), reach))
+      return std::numeric_limits<double>::infinity();
     Point<2> horizontal;
     for (unsigned int d = 0; d < dim - 1; ++d)
       horizontal[d] = x[d];
     return expression.value(horizontal);
+  }
+
+
+
+  template <int dim>
+  double
+  IndenterExpression<dim>::difference_step() const
+  {
+    return 1e-4 * (std::isinf(reach) ? 1. : reach);
   }
 
 

@@ -44,6 +44,20 @@ namespace ElastoPlastic
 
 
     template <int dim>
+    Tensor<1, dim - 1>
+    distance_of_pixels(const Table<2, double>    &heights,
+                       const std::vector<double> &size)
+    {
+      AssertDimension(size.size(), dim - 1);
+      Tensor<1, dim - 1> spacing;
+      spacing[dim - 2] = size[dim - 2] / (heights.n_rows() - 1.);
+      spacing[0]       = size[0] / (heights.n_cols() - 1.);
+      return spacing;
+    }
+
+
+
+    template <int dim>
     Functions::InterpolatedUniformGridData<dim - 1>
     interpolate(const Table<2, double>    &heights,
                 const double               scale,
@@ -71,9 +85,7 @@ namespace ElastoPlastic
                                             const double               scale,
                                             const std::vector<double> &size)
     : size(size)
-    , pixel(dim == 2 ? size[0] / (heights.n_cols() - 1.) :
-                       std::max(size[0] / (heights.n_cols() - 1.),
-                                size.back() / (heights.n_rows() - 1.)))
+    , spacing(distance_of_pixels<dim>(heights, size))
     , interpolation(interpolate<dim>(heights, scale, size))
   {}
 
@@ -91,11 +103,43 @@ namespace ElastoPlastic
 
 
 
+  // The only second derivative of a bilinear function is the mixed one, here of
+  // the heights at the four corners of a pixel.
+  template <int dim>
+  IndenterSurface<dim>
+  IndenterHeightMap<dim>::surface(const Point<dim - 1> &x) const
+  {
+    IndenterSurface<dim> result{profile(x), {}, {}};
+    if (std::isinf(result.height))
+      return result;
+    result.slope = interpolation.gradient(x);
+    if (dim == 3)
+      {
+        Point<dim - 1> corner;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          {
+            const double n = std::round(size[d] / spacing[d]);
+            const double i = std::floor((x[d] + size[d] / 2) / spacing[d]);
+            corner[d] = std::clamp(i, 0., n - 1) * spacing[d] - size[d] / 2;
+          }
+        Point<dim - 1> right = corner, upper = corner;
+        right[0] += spacing[0];
+        upper[dim - 2] += spacing[dim - 2];
+        result.curvature[0][dim - 2] =
+          (interpolation.value(corner + spacing) - interpolation.value(right) -
+           interpolation.value(upper) + interpolation.value(corner)) /
+          (spacing[0] * spacing[dim - 2]);
+      }
+    return result;
+  }
+
+
+
   template <int dim>
   double
   IndenterHeightMap<dim>::detail() const
   {
-    return pixel;
+    return std::max(spacing[0], spacing[dim - 2]);
   }
 
 

@@ -51,6 +51,25 @@ namespace ElastoPlastic
 
 
 
+    double
+    reach_of(const IndenterParameters &p)
+    {
+      return p.reach > 0 ? p.reach : std::numeric_limits<double>::infinity();
+    }
+
+
+
+    template <int dim>
+    Pointer<dim>
+    expression(const IndenterParameters &p)
+    {
+      return std::make_unique<IndenterExpression<dim>>("Indenter/Expression",
+                                                       p.expression,
+                                                       reach_of(p));
+    }
+
+
+
     template <int dim>
     Pointer<dim>
     revolve(const Section &section)
@@ -156,7 +175,7 @@ namespace ElastoPlastic
         {"circular punch",    [](const P &p) { return revolve<dim>(face(p.radius)); }},
         {"strip punch",       strip_punch<dim>},
         {"rectangular punch", rectangular_punch<dim>},
-        {"expression",        [](const P &p) { return std::make_unique<IndenterExpression<dim>>("Indenter/Expression", p.expression); }},
+        {"expression",        expression<dim>},
         {"image",             [](const P &p) { return height_map<dim>(p, decode_image); }},
         {"height matrix",     [](const P &p) { return height_map<dim>(p, decode_matrix); }},
         {"none",              [](const P &) { return nullptr; }}};
@@ -189,9 +208,7 @@ namespace ElastoPlastic
     for (unsigned int d = 0; d < parameters.position.size(); ++d)
       indenter.position[d] = parameters.position[d];
     indenter.initial_gap = parameters.initial_gap;
-    indenter.reach       = parameters.reach > 0 ?
-                             parameters.reach :
-                             std::numeric_limits<double>::infinity();
+    indenter.reach       = reach_of(parameters);
     return indenter;
   }
 

@@ -54,7 +54,9 @@ namespace ElastoPlastic
         "function of the horizontal coordinates x and y relative to 'Position' "
         "(y is 0 in two dimensions). It is used as typed: if its smallest value "
         "is not 0, the indenter does not just touch at 'Initial gap = 0'. It must "
-        "be finite within 'Reach'. Unit: length.",
+        "be finite within 'Reach'. Its slope and curvature are difference "
+        "quotients over 1e-4 of 'Reach', of a unit of length without it. Unit: "
+        "length.",
         Patterns::Anything());
     }
 

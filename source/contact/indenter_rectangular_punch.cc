@@ -33,6 +33,15 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  IndenterSurface<dim>
+  IndenterRectangularPunch<dim>::surface(const Point<dim - 1> &x) const
+  {
+    return {profile(x), {}, {}};
+  }
+
+
+
+  template <int dim>
   bool
   IndenterRectangularPunch<dim>::is_convex() const
   {

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <cmath>
-
 #include "contact/indenter_symmetric.h"
 
 namespace ElastoPlastic
@@ -20,8 +18,48 @@ namespace ElastoPlastic
   double
   IndenterSymmetric<dim>::profile(const Point<dim - 1> &x) const
   {
-    return section.profile(symmetry == Symmetry::revolution ? x.norm() :
-                                                              std::abs(x[0]));
+    return section.at(across(x).norm()).height;
+  }
+
+
+
+  // Of a function f(r): f'' along e = x/r, and in a body of revolution f'/r
+  // along the circle.
+  template <int dim>
+  IndenterSurface<dim>
+  IndenterSymmetric<dim>::surface(const Point<dim - 1> &x) const
+  {
+    const Tensor<1, dim - 1> distance = across(x);
+    const double             r        = distance.norm();
+    const SectionPoint       point    = section.at(r);
+    Tensor<1, dim - 1>       e;
+    e[0]                      = 1.;
+    double               hoop = point.curvature;
+    IndenterSurface<dim> result{point.height, {}, {}};
+    if (r > 0.)
+      {
+        e            = distance / r;
+        hoop         = point.slope / r;
+        result.slope = point.slope * e;
+      }
+    if (symmetry == Symmetry::translation)
+      hoop = 0.;
+    const auto along = symmetrize(outer_product(e, e));
+    result.curvature = point.curvature * along +
+                       hoop * (unit_symmetric_tensor<dim - 1>() - along);
+    return result;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim - 1>
+  IndenterSymmetric<dim>::across(const Point<dim - 1> &x) const
+  {
+    Tensor<1, dim - 1> result = x;
+    if (dim == 3 && symmetry == Symmetry::translation)
+      result[dim - 2] = 0.;
+    return result;
   }
 
 
