@@ -88,7 +88,9 @@ main(int argc, char **argv)
                                  "wedge",
                                  "circular punch",
                                  "strip punch",
-                                 "rectangular punch"})
+                                 "rectangular punch",
+                                 "spheroconical tip",
+                                 "area function"})
     {
       parameters.type = type;
       compare_all(parameters);

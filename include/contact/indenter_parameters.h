@@ -35,8 +35,14 @@ namespace ElastoPlastic
     std::string         type            = "sphere";
     double              radius          = 1;
     double              semi_apex_angle = 70.3; ///< degrees
-    std::vector<double> half_widths     = {1};
-    std::string         expression      = "(x^2 + y^2)/2";
+    unsigned int        n_faces    = 4;  ///< of a pyramid, as are the next four
+    double              face_angle = 68; ///< degrees
+    double              rotation   = 0;  ///< degrees
+    double              rounding_radius   = 0;
+    double              truncation        = 0;
+    std::vector<double> half_widths       = {1};
+    std::vector<double> area_coefficients = {24.5};
+    std::string         expression        = "(x^2 + y^2)/2";
     std::string         file;
     std::vector<double> size; ///< one per horizontal direction
     double              height_scale = 1;
@@ -58,6 +64,10 @@ namespace ElastoPlastic
     /// @throws InputError for the first value that is not allowed.
     void
     check(const unsigned int dim) const;
+
+  private:
+    void
+    check_pyramid() const;
   };
 } // namespace ElastoPlastic
 

@@ -38,6 +38,10 @@ namespace ElastoPlastic
     double
     depth_factor() const override;
 
+    /// In two dimensions of the body of revolution, 0 for a cylinder in three.
+    double
+    section_area(const double height) const override;
+
   private:
     /// The component of @p x on which the height depends.
     Tensor<1, dim - 1>

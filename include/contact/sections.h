@@ -6,6 +6,8 @@
 
 #include <functional>
 
+#include "contact/area_function.h"
+
 namespace ElastoPlastic
 {
   /// A section at a distance r from the axis or plane of symmetry.
@@ -21,10 +23,14 @@ namespace ElastoPlastic
   /// Half of a symmetric profile. IndenterSymmetric turns it into a body.
   struct Section
   {
-    /// For r >= 0. The height is convex, and grows, where it is finite.
+    /// For r >= 0. The height grows, where it is finite.
     std::function<SectionPoint(const double r)> at;
+    /// The largest r with no more than a height > 0.
+    std::function<double(const double height)> radius;
     /// TipShape::depth_factor().
     double depth_factor = 0.75;
+    /// Indenter::is_convex().
+    bool is_convex = true;
   };
 
   namespace Sections
@@ -47,6 +53,15 @@ namespace ElastoPlastic
     /// A flat face.
     Section
     face(const double half_width);
+
+    /// A straight flank with a cap, a part of a circle that is tangent to it.
+    /// @param semi_apex_angle between axis and flank, in degrees.
+    Section
+    spheroconical(const double radius, const double semi_apex_angle);
+
+    /// The body of revolution with the sections of an area function.
+    Section
+    of_area(const AreaFunction &area);
   } // namespace Sections
 } // namespace ElastoPlastic
 

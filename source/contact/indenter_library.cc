@@ -14,6 +14,7 @@
 #include "contact/indenter_expression.h"
 #include "contact/indenter_height_map.h"
 #include "contact/indenter_library.h"
+#include "contact/indenter_pyramid.h"
 #include "contact/indenter_rectangular_punch.h"
 #include "contact/indenter_symmetric.h"
 
@@ -148,6 +149,49 @@ namespace ElastoPlastic
 
 
 
+    template <int dim>
+    Pointer<dim>
+    pyramid(const IndenterParameters &p)
+    {
+      IndenterPyramid::Shape shape;
+      shape.n_faces         = p.n_faces;
+      shape.face_angle      = p.face_angle;
+      shape.rotation        = p.rotation;
+      shape.rounding_radius = p.rounding_radius;
+      shape.truncation      = p.truncation;
+      if constexpr (dim == 3)
+        return std::make_unique<IndenterPyramid>(shape);
+      else
+        throw InputError(
+          "Indenter/Type",
+          p.type,
+          "in two dimensions there are no pyramids. The cone that displaces the "
+          "same volume is 'Type = cone' with 'Semi-apex angle = " +
+            Patterns::Tools::to_string(
+              IndenterPyramid::semi_apex_angle_of_cone(shape)) +
+            "'.");
+    }
+
+
+
+    template <int dim>
+    Pointer<dim>
+    area_function(const IndenterParameters &p)
+    {
+      const AreaFunction area(p.area_coefficients);
+      if (const auto height = area.height_of_decrease())
+        throw InputError("Indenter/Area coefficients",
+                         Patterns::Tools::to_string(p.area_coefficients),
+                         "the section of the tip must grow with the height "
+                         "above it, which it does not at the height " +
+                           Patterns::Tools::to_string(*height) +
+                           ". Fit fewer coefficients, or none below 0. " +
+                           decimal_point_hint);
+      return revolve<dim>(Sections::of_area(area));
+    }
+
+
+
     /// A shape: the name a user types and what it stands for.
     template <int dim>
     using Shape =
@@ -173,6 +217,9 @@ namespace ElastoPlastic
         {"cone",              [](const P &p) { return revolve<dim>(flank(p.semi_apex_angle)); }},
         {"wedge",             [](const P &p) { return extrude<dim>(flank(p.semi_apex_angle)); }},
         {"circular punch",    [](const P &p) { return revolve<dim>(face(p.radius)); }},
+        {"spheroconical tip", [](const P &p) { return revolve<dim>(spheroconical(p.radius, p.semi_apex_angle)); }},
+        {"pyramid",           pyramid<dim>},
+        {"area function",     area_function<dim>},
         {"strip punch",       strip_punch<dim>},
         {"rectangular punch", rectangular_punch<dim>},
         {"expression",        expression<dim>},

@@ -20,7 +20,8 @@ namespace ElastoPlastic
       prm.add_parameter(
         "Type",
         p.type,
-        "The shape of the rigid indenter. Sphere, paraboloid, cone and circular "
+        "The shape of the rigid indenter. Sphere, paraboloid, cone, "
+        "spheroconical tip, area function and circular "
         "punch are axisymmetric bodies; cylinder, wedge and strip punch have "
         "their axis along y. In two dimensions each shape is its section y = 0, "
         "so that cone and wedge, for instance, are the same there. 'expression', "
@@ -30,15 +31,17 @@ namespace ElastoPlastic
       prm.add_parameter(
         "Radius",
         p.radius,
-        "Radius of sphere, cylinder and circular punch; radius of curvature R of "
+        "Radius of sphere, cylinder and circular punch, and of the spherical cap "
+        "of a spheroconical tip; radius of curvature R of "
         "the paraboloid, whose profile is r^2/(2R). Sphere and cylinder are true "
-        "circles and end at this radius. Unit: length, > 0.",
+        "circles and end at this radius; the cap ends where it is tangent to the "
+        "cone. Unit: length, > 0.",
         Patterns::Double());
       prm.add_parameter(
         "Semi-apex angle",
         p.semi_apex_angle,
-        "Angle between axis and flank of cone and wedge; the profile is "
-        "r/tan(angle). The default is the cone that displaces the same volume as "
+        "Angle between axis and flank of cone, wedge and spheroconical tip; the "
+        "profile of the first two is r/tan(angle). The default is the cone that displaces the same volume as "
         "Berkovich's pyramid. Unit: degrees, between 0 and 90, both excluded.",
         Patterns::Double());
       prm.add_parameter(
@@ -47,6 +50,16 @@ namespace ElastoPlastic
         "Half the width of the face: one value for a strip punch, one per "
         "horizontal direction (x, y) for a rectangular punch. Unit: length, > 0.",
         Patterns::List(Patterns::Double(), 1, 2));
+      prm.add_parameter(
+        "Area coefficients",
+        p.area_coefficients,
+        "C0, C1, C2, ... of the type 'area function', a calibrated tip: the body "
+        "of revolution whose section at the height h above its lowest point has "
+        "the area C0 h^2 + C1 h + C2 h^(1/2) + C3 h^(1/4) + ..., up to "
+        "h^(1/128). The area must grow with h, from h = 0 on. The default is "
+        "the ideal pyramid of Berkovich or Vickers. Units: area over the power "
+        "of the length.",
+        Patterns::List(Patterns::Double(), 1, 9));
       prm.add_parameter(
         "Expression",
         p.expression,
@@ -58,6 +71,48 @@ namespace ElastoPlastic
         "quotients over 1e-4 of 'Reach', of a unit of length without it. Unit: "
         "length.",
         Patterns::Anything());
+    }
+
+
+
+    void
+    add_pyramid(IndenterParameters &p, ParameterHandler &prm)
+    {
+      prm.add_parameter(
+        "Number of faces",
+        p.n_faces,
+        "Of the type 'pyramid', which is regular and exists in three dimensions "
+        "only. 4 for that of Vickers, 3 for that of Berkovich and the corner of "
+        "a cube. Allowed: >= 3.",
+        Patterns::Integer(3));
+      prm.add_parameter(
+        "Face angle",
+        p.face_angle,
+        "Angle between axis and faces of the pyramid: 68 for that of Vickers, "
+        "65.27 for the modified one of Berkovich, which has the same area as "
+        "Vickers' (65.03 for his original one), 35.2644 for the corner of a "
+        "cube. Unit: degrees, between 0 and 90, both excluded.",
+        Patterns::Double());
+      prm.add_parameter(
+        "Rotation",
+        p.rotation,
+        "From the x axis to the direction in which a face of the pyramid looks, "
+        "about the vertical axis. With 0, y = 0 is a plane of symmetry, and x = "
+        "0 is one if the number of faces is even. Unit: degrees.",
+        Patterns::Double());
+      prm.add_parameter(
+        "Rounding radius",
+        p.rounding_radius,
+        "Radius of a ball that rounds the tip of the pyramid, and its edges as "
+        "well: the pyramid is what the ball reaches from inside, tangent to the "
+        "faces. 0 stands for a sharp pyramid. Unit: length, >= 0.",
+        Patterns::Double());
+      prm.add_parameter(
+        "Truncation",
+        p.truncation,
+        "The height that is cut off the sharp tip of the pyramid, which leaves a "
+        "flat face. Not together with 'Rounding radius'. Unit: length, >= 0.",
+        Patterns::Double());
     }
 
 
@@ -152,9 +207,34 @@ namespace ElastoPlastic
   {
     prm.enter_subsection("Indenter");
     add_shape(*this, prm);
+    add_pyramid(*this, prm);
     add_height_map(*this, prm);
     add_place(*this, prm);
     prm.leave_subsection();
+  }
+
+
+
+  void
+  IndenterParameters::check_pyramid() const
+  {
+    require(face_angle > 0 && face_angle < 90,
+            "Face angle",
+            face_angle,
+            "it must lie between 0 and 90 degrees, both excluded.");
+    require(rounding_radius >= 0,
+            "Rounding radius",
+            rounding_radius,
+            "it must not be negative; 0 stands for a sharp pyramid.");
+    require(truncation >= 0,
+            "Truncation",
+            truncation,
+            "it must not be negative; 0 stands for a sharp pyramid.");
+    require(truncation == 0 || rounding_radius == 0,
+            "Truncation",
+            truncation,
+            "'Rounding radius' rounds the tip already. Leave one of the two at "
+            "0.");
   }
 
 
@@ -168,6 +248,7 @@ namespace ElastoPlastic
             semi_apex_angle,
             "it must lie between 0 and 90 degrees, both excluded. A flat face "
             "is a punch.");
+    check_pyramid();
     require(all_positive(half_widths),
             "Half width",
             half_widths,

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/numbers.h>
+
 #include "contact/indenter_symmetric.h"
 
 namespace ElastoPlastic
@@ -68,7 +70,7 @@ namespace ElastoPlastic
   bool
   IndenterSymmetric<dim>::is_convex() const
   {
-    return true;
+    return section.is_convex;
   }
 
 
@@ -78,6 +80,18 @@ namespace ElastoPlastic
   IndenterSymmetric<dim>::depth_factor() const
   {
     return section.depth_factor;
+  }
+
+
+
+  template <int dim>
+  double
+  IndenterSymmetric<dim>::section_area(const double height) const
+  {
+    if (dim == 3 && symmetry == Symmetry::translation)
+      return 0.;
+    const double radius = section.radius(height);
+    return numbers::PI * radius * radius;
   }
 
 
