@@ -221,6 +221,9 @@ add_entry_test(image_absurd_header "absurd_header.pgm', but the header of this i
 add_entry_test(matrix_no_number "no_number.txt', but number 3 .* is not a finite number" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/no_number.txt")
 add_entry_test(matrix_ragged "ragged.txt', but .* All rows must have the same length" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/ragged.txt")
 add_entry_test(matrix_two_rows "two_rows.txt', but it has 2 rows" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/two_rows.txt")
+add_entry_test(stl_of_wrong_type "base.prm', but its content is not an STL surface" "Indenter/Type=STL surface" "Indenter/File=${_base}")
+add_entry_test(stl_truncated "truncated.stl', but line 8 of this STL text should have 'endfacet' here" "Indenter/Type=STL surface" "Indenter/File=${_files}/truncated.stl")
+add_entry_test(length_scale "'Indenter/Length scale' is '0', but it must be greater than 0" "Indenter/Length scale=0")
 add_entry_test(out_of_reach "indenter can never touch the body: no node" "Indenter/Position=50")
 add_entry_test(too_short "'Loading/Depth' is '0.001', but the indenter can never touch the body: the smallest gap" "Indenter/Initial gap=1")
 

@@ -224,6 +224,12 @@ namespace
     const auto read_matrix = [](const std::string &) {
       decode_matrix(HeightFile("Indenter/File", input_file));
     };
+    const auto read_stl = [](const std::string &) {
+      IndenterParameters parameters;
+      parameters.type = "STL surface";
+      parameters.file = input_file;
+      make_indenter<3>(parameters).shape->surface({0.1, 0.2});
+    };
     const auto read_expression = [](const std::string &text) {
       Expression<2>("Indenter/Expression", text).value(Point<2>(0.5, 2), 1);
     };
@@ -275,6 +281,9 @@ namespace
             {"height matrix",
              {"# heights\n1 2.5 3e-1\n4, 5, 6\n7 8 9\n", "1,2\n\n3,-4\n5,6"},
              read_matrix},
+            {"STL surface",
+             contents({"fuzz_seeds/tip.stl", "fuzz_seeds/tip_binary.stl"}),
+             read_stl},
             {"table of an interrupted run",
              {"time,force\n0.5,-1e-3\n1,2.25\n1.5,7\n"},
              read_table},

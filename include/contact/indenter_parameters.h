@@ -46,6 +46,7 @@ namespace ElastoPlastic
     std::string         file;
     std::vector<double> size; ///< one per horizontal direction
     double              height_scale = 1;
+    double              length_scale = 1;
     SideDown            side_down    = SideDown::dark;
     std::vector<double> position; ///< horizontal; empty stands for the origin
     double              initial_gap = 0;

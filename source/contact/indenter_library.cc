@@ -11,11 +11,13 @@
 #include "base/exceptions.h"
 #include "contact/decode_image.h"
 #include "contact/decode_matrix.h"
+#include "contact/decode_stl.h"
 #include "contact/indenter_expression.h"
 #include "contact/indenter_height_map.h"
 #include "contact/indenter_library.h"
 #include "contact/indenter_pyramid.h"
 #include "contact/indenter_rectangular_punch.h"
+#include "contact/indenter_stl_surface.h"
 #include "contact/indenter_symmetric.h"
 
 namespace ElastoPlastic
@@ -117,6 +119,20 @@ namespace ElastoPlastic
       return std::make_unique<IndenterHeightMap<dim>>(heights,
                                                       sign * p.height_scale,
                                                       p.size);
+    }
+
+
+
+    template <int dim>
+    Pointer<dim>
+    stl_surface(const IndenterParameters &p)
+    {
+      std::vector<Facet> facets =
+        decode_stl(HeightFile("Indenter/File", p.file));
+      for (Facet &facet : facets)
+        for (Point<3> &corner : facet)
+          corner *= p.length_scale;
+      return std::make_unique<IndenterStlSurface<dim>>(facets);
     }
 
 
@@ -225,6 +241,7 @@ namespace ElastoPlastic
         {"expression",        expression<dim>},
         {"image",             [](const P &p) { return height_map<dim>(p, decode_image); }},
         {"height matrix",     [](const P &p) { return height_map<dim>(p, decode_matrix); }},
+        {"STL surface",       stl_surface<dim>},
         {"none",              [](const P &) { return nullptr; }}};
       // clang-format on
       return list;

@@ -25,7 +25,8 @@ namespace ElastoPlastic
         "punch are axisymmetric bodies; cylinder, wedge and strip punch have "
         "their axis along y. In two dimensions each shape is its section y = 0, "
         "so that cone and wedge, for instance, are the same there. 'expression', "
-        "'image' and 'height matrix' read the entries of that name below; 'none' "
+        "'image', 'height matrix' and 'STL surface' read the entries that name them "
+        "below; 'none' "
         "is a body without contact.",
         Patterns::Selection(indenter_types()));
       prm.add_parameter(
@@ -123,13 +124,17 @@ namespace ElastoPlastic
       prm.add_parameter(
         "File",
         p.file,
-        "The file of the types 'image' and 'height matrix'. An image is a PNG of "
+        "The file of the types 'image', 'height matrix' and 'STL surface'. An image is a PNG of "
         "any kind (colours become grey, transparency is ignored), a PGM or a PBM, "
         "up to 16 bit. A matrix is a text of numbers separated by white space or "
         "commas, one row per line, '#' begins a comment; the first row has the "
         "largest y, like the top of an image. In two dimensions there is one row "
         "only. Heights are linear between the centres of the pixels and shifted so "
-        "that the lowest is 0. A relative name starts in the folder of the parameter file.",
+        "that the lowest is 0. An STL surface, text or binary, consists of up to "
+        "2*10^6 triangles; its z axis points up, its origin, moved up or down to "
+        "the lowest corner, comes to 'Position', and the lowest triangle "
+        "above a point counts; triangles of the upper side do no harm. In two "
+        "dimensions it is cut at y = 0. A relative name starts in the folder of the parameter file.",
         Patterns::Anything());
       prm.add_parameter(
         "Size",
@@ -143,6 +148,12 @@ namespace ElastoPlastic
         p.height_scale,
         "Difference in height between black and white for an image (unit: "
         "length), factor on the numbers of a height matrix. Allowed: > 0.",
+        Patterns::Double());
+      prm.add_parameter(
+        "Length scale",
+        p.length_scale,
+        "Factor on the coordinates of an STL surface, such as 0.001 to make "
+        "metres of millimetres. Allowed: > 0.",
         Patterns::Double());
       prm.add_parameter(
         "Side down",
@@ -259,6 +270,10 @@ namespace ElastoPlastic
             height_scale,
             "it must be greater than 0. To turn the indenter upside down, "
             "change 'Side down'.");
+    require(length_scale > 0,
+            "Length scale",
+            length_scale,
+            "it must be greater than 0.");
     require(initial_gap >= 0,
             "Initial gap",
             initial_gap,
