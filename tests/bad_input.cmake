@@ -104,6 +104,7 @@ add_message_test(latin_1 2 "^Error: [^ ]*latin_1.prm: The entry 'Indenter/Radius
 # Values that are not of the right kind
 add_message_test(dimension 2 "'Dimension' is '4', but it must be: integer from 2 to 3" ${_base} --set Dimension=4)
 add_message_test(no_number 2 "'Dimension' is 'two', but" ${_base} --set Dimension=two)
+add_message_test(n_faces 2 "'Indenter/Number of faces' is '2', but it must be: integer >= 3" ${_base} --set "Indenter/Number of faces=2")
 add_message_test(fraction 2 "'Discretization/Polynomial degree' is '1.5', but it must be: integer from 1 to 2" ${_base} --set "Discretization/Polynomial degree=1.5")
 add_message_test(nan 2 "'Indenter/Radius' is 'nan', but it must be: number" ${_base} --set Indenter/Radius=nan)
 add_message_test(infinity 2 "'Loading/Depth' is 'inf', but it must be finite" ${_base} --set Loading/Depth=inf)
@@ -199,7 +200,6 @@ add_entry_test(half_width "'Indenter/Half width' is '-1', but it must be greater
 add_entry_test(strip_punch "'Indenter/Half width' is '1, 1', but a strip punch has a single half width" "Indenter/Type=strip punch" "Indenter/Half width=1,1")
 add_entry_test(rectangular_punch "'Indenter/Half width' is '1, 1', but in 2 dimensions" "Indenter/Type=rectangular punch" "Indenter/Half width=1,1")
 add_entry_test(face_angle "'Indenter/Face angle' is '90', but it must lie between 0 and 90 degrees" "Indenter/Face angle=90")
-add_entry_test(n_faces "'Indenter/Number of faces' is '2', but it must be: integer" "Indenter/Number of faces=2")
 add_entry_test(rounding_radius "'Indenter/Rounding radius' is '-1', but it must not be negative" "Indenter/Rounding radius=-1")
 add_entry_test(truncation "'Indenter/Truncation' is '-1', but it must not be negative" "Indenter/Truncation=-1")
 add_entry_test(rounded_truncation "'Indenter/Truncation' is '1', but 'Rounding radius' rounds the tip already" "Indenter/Truncation=1" "Indenter/Rounding radius=1")
@@ -324,6 +324,8 @@ add_entry_test(probe_twice "entry 'Output/Probe points' is 'a: 1, 1', but there 
 add_entry_test(probe_as_boundary "there is another point, or a boundary, that is called 'top'" "Output/Probe points=top: 0, 0")
 add_entry_test(probe_outside "entry 'Output/Probe points' is 'a: 0.6, 1.5', but that point is outside of the body. The nearest node of its mesh is .0.5, 1." "Output/Probe points=b: 0, 0 | a: 0.6, 1.5")
 add_entry_test(evaluation_beta "entry 'Evaluation/Beta' is '0', but it must be greater than 0" Evaluation/Beta=0)
+add_entry_test(evaluation_modulus "entry 'Evaluation/Young's modulus of the indenter' is '-1', but it must not be negative" "Evaluation/Young's modulus of the indenter=-1")
+add_entry_test(evaluation_poisson "entry 'Evaluation/Poisson's ratio of the indenter' is '0.6', but it must lie between -1 and 0.5" "Evaluation/Poisson's ratio of the indenter=0.6")
 add_entry_test(evaluation_epsilon "entry 'Evaluation/Epsilon' is '1.5', but it must lie between 0.* and 1" Evaluation/Epsilon=1.5)
 
 # In plane strain and plane stress, the two bounds of the limit load decide

@@ -128,6 +128,28 @@ namespace
 
 
 
+  /// An elastic half-space and an elastic indenter: the stiffnesses 2 E a add
+  /// up as springs in a row, whatever part is modelled.
+  void
+  check_elastic_indenter()
+  {
+    UnloadingResult result;
+    result.modelled_part      = 0.25;
+    result.stiffness          = 0.25 * 2. * modulus * 3.;
+    const double         area = 0.25 * PI * 9.;
+    EvaluationParameters constants;
+    verify("a rigid indenter has no compliance",
+           constants.indenter_compliance() == 0.);
+    constants.indenter_modulus = 1141e3;
+    result.indenter_compliance = constants.indenter_compliance();
+    verify("reduced modulus with a diamond",
+           relative_error(1. / result.reduced_modulus(area),
+                          1. / modulus + (1. - 0.07 * 0.07) / 1141e3),
+           1e-14);
+  }
+
+
+
   /// The steps of an imprint: force = 1e6 (depth - 0.006)^1.4 between the given
   /// shares of the force at the depth 0.01.
   std::vector<IndentationPoint>
@@ -349,6 +371,7 @@ main(int argc, char *argv[])
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check_sneddon();
+  check_elastic_indenter();
   check_histories();
   check_mesh_changes("deeper on each mesh", 2e-4, 1.);
   check_mesh_changes("less force on each mesh", 0., 0.9);

@@ -43,6 +43,13 @@ namespace ElastoPlastic
     /// contact depth = depth - epsilon force / stiffness; 0 stands for that of
     /// the tip.
     double epsilon = 0;
+    /// Of the indenter's material: Young's modulus, 0 if it is rigid, and
+    /// Poisson's ratio.
+    double indenter_modulus = 0, indenter_ratio = 0.07;
+
+    /// (1 - nu^2) / E of the indenter; 0 if it is rigid.
+    double
+    indenter_compliance() const;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -72,14 +79,17 @@ namespace ElastoPlastic
     /// The part of the indenter that presses on the modelled part.
     double modelled_part = 1;
     double beta          = 1;
+    /// EvaluationParameters::indenter_compliance().
+    double indenter_compliance = 0;
 
     /// The mean pressure force / @p area at the maximum; 0 without area.
     double
     hardness(const double area) const;
 
     /// sqrt(pi) stiffness / (2 beta sqrt(area)) of the whole contact, equation
-    /// (2); 0 without area. The indenter is rigid: with beta = 1 this is E / (1
-    /// - nu^2).
+    /// (2); 0 without area. The indenter of the simulation is rigid: with
+    /// beta = 1, this is E / (1 - nu^2). The compliance of a real one is added
+    /// to its inverse.
     double
     reduced_modulus(const double area) const;
   };

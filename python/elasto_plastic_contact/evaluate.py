@@ -34,6 +34,8 @@ def parse_arguments(arguments):
     parser.add_argument("--beta", type=float, default=1., help="E_r = sqrt(pi) S / (2 beta sqrt(A)) (default: 1)")
     parser.add_argument("--epsilon", type=float, help="h_c = h_max - epsilon F_max / S (default: 2 - 4/pi for a "
                         "cone, else 0.75)")
+    parser.add_argument("--indenter", type=float, nargs=2, metavar=("E", "NU"), help="Young's modulus and Poisson's "
+                        "ratio of the measurement's indenter, in units of the run: its E_r gets the compliance")
     parser.add_argument("--noise", type=float, default=0.01, help="how much depth and force may rise during an "
                         "unloading, relative to their largest values (default: %(default)s)")
     parser.add_argument("--columns", nargs=2, default=["depth", "force"], metavar=("DEPTH", "FORCE"),
@@ -68,6 +70,16 @@ def choose_tip(arguments):
     return Tip.polynomial(arguments.area)
 
 
+def compliance(indenter):
+    """(1 - nu^2) / E; 0 of a rigid indenter, None."""
+    if indenter is None:
+        return 0.
+    modulus, ratio = indenter
+    if modulus <= 0. or not -1. < ratio <= 0.5:
+        raise UserError(f"--indenter is {modulus:g} {ratio:g}, but must be a modulus > 0 and a ratio from -1 to 0.5")
+    return (1. - ratio ** 2) / modulus
+
+
 def curve_of_run(run):
     """Depth and force of the whole indenter, the depth counted from the first contact."""
     part = run.indentation["modelled_part"][0] if run.has("indentation.csv") else 1.
@@ -83,7 +95,8 @@ def main(arguments):
     if arguments.run:
         run = Results(arguments.run)
         curves["computed"] = curve_of_run(run)
-        found["computed"] = evaluate(*curves["computed"], tip, jumps=jumps_of_meshes(run), **constants)
+        found["computed"] = evaluate(*curves["computed"], tip, jumps=jumps_of_meshes(run),
+                                     indenter_compliance=compliance(arguments.indenter), **constants)
     print("curve", *(field.name for field in dataclasses.fields(Unloading)), sep=",")
     for name, unloadings in found.items():
         for unloading in unloadings:

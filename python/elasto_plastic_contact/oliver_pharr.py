@@ -54,7 +54,8 @@ class Unloading:
     tip_reduced_modulus: float
 
 
-def evaluate(depth, force, tip, *, beta=1., epsilon=None, noise=0., initial_gap=0., modelled_part=1., jumps=None):
+def evaluate(depth, force, tip, *, beta=1., epsilon=None, noise=0., initial_gap=0., modelled_part=1., indenter_compliance=0.,
+             jumps=None):
     """All Unloadings of a curve that have at least three points between 95 and 50 per cent of
     their largest force.
 
@@ -65,6 +66,7 @@ def evaluate(depth, force, tip, *, beta=1., epsilon=None, noise=0., initial_gap=
     fall by less is none, and forces below are not evaluated.
     initial_gap: the depth at which the tip first touches.
     modelled_part: of the indenter, as in indentation.csv.
+    indenter_compliance: (1 - nu_i^2) / E_i, which is added to 1 / E_r of a run; its indenter is rigid.
     jumps: of a history whose mesh changes, jumps_of_meshes().
     """
     points = numpy.column_stack([depth, force]).astype(float)
@@ -85,6 +87,7 @@ def evaluate(depth, force, tip, *, beta=1., epsilon=None, noise=0., initial_gap=
         area = modelled_part * tip.area(contact_depth) if contact_depth > 0. else 0.
         hardness, modulus = (largest / area, numpy.sqrt(numpy.pi / (area * modelled_part)) * stiffness / (2. * beta)
                              ) if area > 0. else (0., 0.)
+        modulus /= 1. + indenter_compliance * modulus
         found.append(Unloading(*map(float, (deepest, largest, stiffness, exponent, final_depth,
                                             contact_depth, area, hardness, modulus))))
     return found

@@ -74,11 +74,12 @@ class OliverPharr(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             results = run("indentation/cone_axisymmetric.prm", folder, {
                 "Geometry/Local refinements": 3, "Loading/Number of steps": 40, "Output/Fields": "never",
-                "Evaluation/Beta": 1.05, "Evaluation/Epsilon": 0.75})
-            self.compare(results, Tip.cone(70.3), beta=1.05, epsilon=0.75)
+                "Evaluation/Beta": 1.05, "Evaluation/Epsilon": 0.75, "Evaluation/Young's modulus of the indenter": 1e6,
+                "Evaluation/Poisson's ratio of the indenter": 0.5})
+            self.compare(results, Tip.cone(70.3), beta=1.05, epsilon=0.75, indenter_compliance=0.75e-6)
             row = results.indentation[0]
-            self.assertAlmostEqual(row["reduced_modulus"] * 2. * 1.05 / row["stiffness"]
-                                   * numpy.sqrt(row["contact_area"] / numpy.pi), 1.)
+            of_rigid_indenter = row["stiffness"] / (2. * 1.05) * numpy.sqrt(numpy.pi / row["contact_area"])
+            self.assertAlmostEqual(row["reduced_modulus"] * (1. / of_rigid_indenter + 0.75e-6), 1.)
 
     def test_history_on_meshes_that_change(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -4,6 +4,7 @@
 
 import contextlib
 import io
+import math
 import pathlib
 import re
 import tempfile
@@ -71,7 +72,7 @@ class Outlines(unittest.TestCase):
         results = types.SimpleNamespace(
             parameters={"Indenter/Type": shape},
             number=lambda path: entries[path.removeprefix("Indenter/")],
-            numbers=lambda path: [])
+            numbers=lambda path: entries.get(path.removeprefix("Indenter/"), []))
         return numpy.interp(distance, *indenter.profile(results))
 
     def test_shapes(self):
@@ -79,6 +80,10 @@ class Outlines(unittest.TestCase):
         self.assertAlmostEqual(self.profile("cylinder", -0.6, Radius=1.), 0.2, places=5)
         self.assertAlmostEqual(self.profile("paraboloid", 0.5, Radius=2.), 0.0625, places=5)
         self.assertAlmostEqual(self.profile("wedge", 0.5, **{"Semi-apex angle": 45.}), 0.5)
+        spheroconical = {"Radius": 1., "Semi-apex angle": 53.13010235415598}  # its sine is 0.8
+        self.assertAlmostEqual(self.profile("spheroconical tip", -0.28, **spheroconical), 0.04, places=5)
+        self.assertAlmostEqual(self.profile("spheroconical tip", 0.6 + 0.8, **spheroconical), 0.2 + 0.6)
+        self.assertAlmostEqual(self.profile("area function", 0.6, Area_coefficients=[math.pi]), 0.6, places=5)
         self.assertEqual(self.profile("strip punch", 0.9, Half_width=1.), 0.)
         self.assertGreater(self.profile("circular punch", 1.1, Radius=1.), 100.)
         self.assertIsNone(indenter.profile(types.SimpleNamespace(parameters={"Indenter/Type": "image"})))

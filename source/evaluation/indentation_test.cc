@@ -31,6 +31,21 @@ namespace ElastoPlastic
       "the tip's shape: 1 for a flat face, 2 - 4/pi for a cone, 0.75 for all "
       "others. Allowed: from 0 to 1.",
       Patterns::Double());
+    prm.add_parameter(
+      "Young's modulus of the indenter",
+      indenter_modulus,
+      "With it the reduced moduli of indentation.csv become those of a real "
+      "indenter, 1/E_r = (1 - nu^2)/E + (1 - nu_i^2)/E_i, as measured ones are: "
+      "1141 GPa for diamond. The simulation itself has a rigid indenter, and the "
+      "other columns remain those of a rigid one. 0 stands for rigid. Unit: "
+      "stress, >= 0.",
+      Patterns::Double());
+    prm.add_parameter(
+      "Poisson's ratio of the indenter",
+      indenter_ratio,
+      "nu_i of the entry above; the default is that of diamond. Allowed: between "
+      "-1, excluded, and 0.5.",
+      Patterns::Double());
     prm.leave_subsection();
   }
 
@@ -48,6 +63,25 @@ namespace ElastoPlastic
                        Patterns::Tools::to_string(epsilon),
                        "it must lie between 0, which stands for that of the "
                        "tip's shape, and 1, that of a flat face.");
+    if (!(indenter_modulus >= 0.))
+      throw InputError("Evaluation/Young's modulus of the indenter",
+                       Patterns::Tools::to_string(indenter_modulus),
+                       "it must not be negative; 0 stands for a rigid "
+                       "indenter.");
+    if (!(indenter_ratio > -1. && indenter_ratio <= 0.5))
+      throw InputError("Evaluation/Poisson's ratio of the indenter",
+                       Patterns::Tools::to_string(indenter_ratio),
+                       "it must lie between -1 and 0.5, -1 excluded.");
+  }
+
+
+
+  double
+  EvaluationParameters::indenter_compliance() const
+  {
+    return indenter_modulus > 0. ?
+             (1. - indenter_ratio * indenter_ratio) / indenter_modulus :
+             0.;
   }
 
 
@@ -63,10 +97,11 @@ namespace ElastoPlastic
   double
   UnloadingResult::reduced_modulus(const double area) const
   {
-    return area > 0 ?
-             0.5 / beta * std::sqrt(numbers::PI / (area * modelled_part)) *
-               stiffness :
-             0.;
+    if (!(area > 0))
+      return 0.;
+    const double of_rigid_indenter =
+      0.5 / beta * std::sqrt(numbers::PI / (area * modelled_part)) * stiffness;
+    return of_rigid_indenter / (1. + indenter_compliance * of_rigid_indenter);
   }
 
 
@@ -148,11 +183,12 @@ namespace ElastoPlastic
       return {};
 
     UnloadingResult result;
-    result.maximum       = memory.unloading.front();
-    result.law           = fit_power_law(points);
-    result.stiffness     = result.law.stiffness(result.maximum.depth);
-    result.modelled_part = modelled_part;
-    result.beta          = constants.beta;
+    result.maximum             = memory.unloading.front();
+    result.law                 = fit_power_law(points);
+    result.stiffness           = result.law.stiffness(result.maximum.depth);
+    result.modelled_part       = modelled_part;
+    result.beta                = constants.beta;
+    result.indenter_compliance = constants.indenter_compliance();
     const double epsilon =
       constants.epsilon > 0. ? constants.epsilon : tip->depth_factor();
     result.contact_depth = result.maximum.depth - initial_gap -

@@ -173,11 +173,11 @@ namespace ElastoPlastic
       {"exponent", "1", "m of the fitted power law", [](const R &r) { return r.law.exponent; }},
       {"final_depth", "length", "the depth without force of the fitted power law", [](const R &r) { return r.law.final_depth; }},
       {"hardness", "stress", "with contact_area", [](const R &r) { return r.hardness(r.maximum.contact_area); }},
-      {"reduced_modulus", "stress", "with contact_area and `Evaluation/Beta`; with its default 1 to be compared with E/(1 - nu^2)", [](const R &r) { return r.reduced_modulus(r.maximum.contact_area); }},
+      {"reduced_modulus", "stress", "with contact_area and `Evaluation/Beta`; with its default 1 to be compared with E/(1 - nu^2). With the compliance of the indenter if `Evaluation/Young's modulus of the indenter` is given", [](const R &r) { return r.reduced_modulus(r.maximum.contact_area); }},
       {"contact_depth", "length", "how deep the tip touches, by Oliver and Pharr, with `Evaluation/Epsilon`", &R::contact_depth},
       {"tip_area", "area", "the section of the tip there; 0, as are the next two, if it has none: a cylinder in three dimensions, a height map", &R::tip_area},
       {"tip_hardness", "stress", "with tip_area: what a laboratory would find", [](const R &r) { return r.hardness(r.tip_area); }},
-      {"tip_reduced_modulus", "stress", "with tip_area and `Evaluation/Beta`: what a laboratory would find", [](const R &r) { return r.reduced_modulus(r.tip_area); }}};
+      {"tip_reduced_modulus", "stress", "the same with tip_area: what a laboratory would find", [](const R &r) { return r.reduced_modulus(r.tip_area); }}};
     return columns;
   }
 

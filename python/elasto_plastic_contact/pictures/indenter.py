@@ -6,10 +6,12 @@ import math
 
 import numpy
 
+from ..oliver_pharr import Tip
+
 
 def profile(results):
     """Horizontal distances from the tip and the heights above it; None for shapes that are not
-    known here (expressions and images)."""
+    known here (expressions, images and STL surfaces)."""
     shape = results.parameters.get("Indenter/Type")
     if shape in ("sphere", "cylinder"):
         radius = results.number("Indenter/Radius")
@@ -21,12 +23,32 @@ def profile(results):
         return distance, distance ** 2 / (2. * radius)
     if shape in ("cone", "wedge"):
         slope = 1. / math.tan(math.radians(results.number("Indenter/Semi-apex angle")))
-        reach = 1e3 * (results.numbers("Geometry/Upper corner") or [1.])[0]
+        reach = 1e3 * size_of_body(results)
         return numpy.array([-reach, 0., reach]), numpy.array([reach * slope, 0., reach * slope])
+    if shape == "spheroconical tip":
+        radius, angle = results.number("Indenter/Radius"), math.radians(results.number("Indenter/Semi-apex angle"))
+        cap = numpy.linspace(0., 0.5 * math.pi - angle, 1001)
+        flank = 1e3 * radius
+        return mirrored(numpy.append(radius * numpy.sin(cap), radius * math.cos(angle) + flank * math.sin(angle)),
+                        numpy.append(radius * (1. - numpy.cos(cap)),
+                                     radius * (1. - math.sin(angle)) + flank * math.cos(angle)))
+    if shape == "area function":
+        height = size_of_body(results) * numpy.linspace(0., 1., 1001) ** 4
+        area = Tip.polynomial(results.numbers("Indenter/Area coefficients")).area(height)
+        return mirrored(numpy.sqrt(area / math.pi), height)
     if shape in ("circular punch", "strip punch", "rectangular punch"):
         half_width = results.number("Indenter/Radius" if shape == "circular punch" else "Indenter/Half width")
         return half_width * numpy.array([-1., -1., 1., 1.]), half_width * numpy.array([1e3, 0., 0., 1e3])
     return None
+
+
+def mirrored(distance, height):
+    """Both sides of an outline from that for distances >= 0."""
+    return numpy.append(-distance[::-1], distance), numpy.append(height[::-1], height)
+
+
+def size_of_body(results):
+    return (results.numbers("Geometry/Upper corner") or [1.])[0]
 
 
 def depth_at(results, time):
