@@ -159,13 +159,10 @@ namespace ElastoPlastic
   IndenterSurface<3>
   IndenterPyramid::rounded_surface(const Point<2> &x) const
   {
-    const double       R         = shape.rounding_radius;
-    const Sector       s         = sector(x);
-    const Tensor<1, 2> on_face   = x - R * cosine * s.normal;
-    const double       from_axis = on_face * s.normal;
-    const double       from_middle =
-      std::sqrt(std::max(0., on_face.norm_square() - from_axis * from_axis));
-    if (from_middle <= from_axis * std::tan(half_angle))
+    const double       R      = shape.rounding_radius;
+    const Sector       s      = sector(x);
+    const Tensor<1, 2> across = x - (x * s.edge) * s.edge;
+    if (across.norm() >= R * cosine * std::sin(half_angle))
       return face(x, s.normal);
 
     const double height_of_centre = std::sqrt(std::max(0., R * R - x.square()));
