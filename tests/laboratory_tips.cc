@@ -293,6 +293,13 @@ namespace
       }
     verify("sphere: ends at its equator, refused", refused);
 
+    parameters.area_coefficients = {0, 0, 0, 0, 0, 0, 0, 0, 1};
+    const auto needle            = make(parameters);
+    verify("section h^(1/128): flat, then a wall",
+           needle->profile({0.05, 0.}) == 0. &&
+             std::isinf(needle->profile({2000., 0.})));
+    verify_section("of h^(1/128)", parameters, 1., 1.);
+
     parameters.area_coefficients = {24.5, -0.1, 0.03, 0, 0.02};
     const auto   calibrated      = make(parameters);
     const double h               = 0.2,

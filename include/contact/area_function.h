@@ -36,7 +36,8 @@ namespace ElastoPlastic
     double
     second_derivative(const double height) const;
 
-    /// The inverse of value(), for an @p area >= 0.
+    /// The inverse of value(), for an @p area >= 0; infinite beyond the inverse
+    /// of the smallest height.
     double
     height(const double area) const;
 

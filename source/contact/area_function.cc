@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "contact/area_function.h"
 
@@ -70,6 +71,8 @@ namespace ElastoPlastic
     const double lowest = std::log(smallest_height);
     if (excess(lowest) >= 0)
       return 0.;
+    if (excess(-lowest) <= 0)
+      return std::numeric_limits<double>::infinity();
     std::uintmax_t n_iterations = 200;
     const auto     interval     = boost::math::tools::toms748_solve(
       excess,

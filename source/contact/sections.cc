@@ -114,6 +114,8 @@ namespace ElastoPlastic
     {
       return {[area](const double r) -> SectionPoint {
                 const double height = area.height(numbers::PI * r * r);
+                if (std::isinf(height))
+                  return beyond_edge;
                 if (height < AreaFunction::smallest_height)
                   return {height, 0., area.tip_curvature()};
                 const double derivative = area.derivative(height);
