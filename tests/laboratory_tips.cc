@@ -126,6 +126,22 @@ namespace
 
 
 
+  /// Slope and curvature against difference quotients.
+  void
+  verify_derivatives(const std::string &name,
+                     const Indenter<3> &indenter,
+                     const Point<2>    &x)
+  {
+    const auto exact     = indenter.surface(x);
+    const auto quotients = indenter.Indenter<3>::surface(x);
+    verify(name + ", slope", (exact.slope - quotients.slope).norm(), 1e-7);
+    verify(name + ", curvature",
+           (exact.curvature - quotients.curvature).norm(),
+           1e-6);
+  }
+
+
+
   /// Many points on a spiral up to r = 3: heights follow from slopes, and
   /// slopes from curvatures.
   void
@@ -217,6 +233,7 @@ namespace
               height_of_balls(0.7, slope, n_faces, n, x) - indenter->profile(x);
             verify(name + ", lowest of the balls",
                    above > -1e-12 && above < slope * 0.7 / n);
+            verify_derivatives(name, *indenter, x);
           }
         for (const double h : {0.01, 0.04, 0.15, 0.3, 1.})
           verify(name + ", section",
@@ -309,12 +326,7 @@ namespace
     verify_value("calibrated, height", calibrated->profile({0., r}), h, 1e-14);
     verify_section("calibrated", parameters, h, PI * r * r);
     verify("calibrated, not known to be convex", !calibrated->is_convex());
-    const auto exact     = calibrated->surface({0.3, 0.4});
-    const auto quotients = calibrated->Indenter<3>::surface({0.3, 0.4});
-    verify("calibrated, slope", (exact.slope - quotients.slope).norm(), 1e-7);
-    verify("calibrated, curvature",
-           (exact.curvature - quotients.curvature).norm(),
-           1e-6);
+    verify_derivatives("calibrated", *calibrated, {0.3, 0.4});
   }
 } // namespace
 

@@ -7,7 +7,6 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <limits>
 #include <memory>
 
 #include "contact/tip_shape.h"
