@@ -46,20 +46,43 @@ namespace ElastoPlastic
 
 
 
+  /// How large strains may become.
+  enum class Strain
+  {
+    small,      ///< the symmetric part of the displacement gradient
+    logarithmic ///< ln(F^T F) / 2, of the deformation gradient F
+  };
+
+  template <>
+  inline const EnumNames<Strain> enum_names<Strain> = {{"small", Strain::small},
+                                                       {"logarithmic",
+                                                        Strain::logarithmic}};
+
+
+
   /// How strains follow from displacements. In plane stress, the volumetric
   /// strain follows from the stress; so there is nothing to treat.
   struct StrainModel
   {
     StrainModel(const VolumetricTreatment treatment,
-                const Kinematics          kinematics = Kinematics::cartesian)
+                const Kinematics          kinematics = Kinematics::cartesian,
+                const Strain              strain     = Strain::small)
       : treatment(kinematics == Kinematics::plane_stress ?
                     VolumetricTreatment::standard :
                     treatment)
       , kinematics(kinematics)
+      , strain(strain)
     {}
+
+    bool
+    is_finite() const
+    {
+      return strain == Strain::logarithmic;
+    }
 
     VolumetricTreatment treatment;
     Kinematics          kinematics;
+    Strain              strain;
   };
 
 

@@ -9,8 +9,6 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
-#include <array>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,32 +19,11 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// The strain, and what belongs to it, at the quadrature points of a batch of
-  /// cells, which are in the order of QGauss<dim>(degree + 1).
-  template <int dim, typename Number>
-  struct CellStrains
-  {
-    /// Of elements of degree 2.
-    static constexpr unsigned int max_points = Utilities::pow(3, dim);
-
-    unsigned int batch, n_points;
-    /// A sheet's has no strain out of plane: the material says what it is.
-    std::array<SymmetricTensor<2, 3, Number>, max_points> strain;
-    /// Point values or, for B-bar, the cell mean.
-    std::array<Number, max_points> volumetric;
-    /// The volume (in plane strain: the area) that the point stands for.
-    std::array<Number, max_points> volume;
-  };
-
-
-
-  /// What the finite element method does with a body: displacements -> strains,
-  /// and stresses -> nodal forces, on the cells of one mesh, with one class of
-  /// tangents (tangents.h). Nothing is known here of materials. The weak form
-  /// is, with the volumetric strain tr of CellStrains,
-  ///   int s(u) : strain(v) + p(u) tr(v) dx.
-  /// For B-bar, the mean of tr(v) may be replaced by the trace of strain(v)
-  /// itself, because the pressure p = K tr(u) is then constant on the cell.
+  /// What the finite element method does with the tangent of a body, on the
+  /// cells of one mesh, with one class of tangents (tangents.h). The weak form
+  /// is
+  ///   int s(u) : strain(v) + p(u) tr(v) dx,
+  /// with the volumetric strain tr, point by point or, for B-bar, its mean.
   ///
   /// There is one implementation, for all strain models and degrees of the
   /// elements, which are fixed when it is made: what depends on them is
@@ -54,16 +31,14 @@ namespace ElastoPlastic
   ///
   /// Vectors passed in need no ghost values; displacements must satisfy the
   /// constraints. Forces come out condensed, and zero at eliminated unknowns.
-  template <int dim, typename Tangents>
+  template <int dim, typename TangentsType>
   class CellKernel
   {
   public:
-    using Number = typename Tangents::Number;
+    using Tangents = TangentsType;
+    using Number   = typename Tangents::Number;
     using Vector =
       LinearAlgebra::distributed::Vector<typename Tangents::value_type>;
-    using Strains = CellStrains<dim, Number>;
-    using Stresses =
-      std::array<SymmetricTensor<2, 3, Number>, Strains::max_points>;
     using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
 
     explicit CellKernel(const StrainModel &strain_model)
@@ -100,21 +75,6 @@ namespace ElastoPlastic
     /// The local indices of the eliminated unknowns.
     const std::vector<unsigned int> &
     eliminated_entries() const;
-
-    /// Calls @p receive for all cell batches with the strains of the
-    /// displacement fields @p fields.
-    virtual void
-    for_each_batch(const std::vector<const Vector *> &fields,
-                   const std::function<void(const std::vector<Strains> &)>
-                     &receive) const = 0;
-
-    /// The nodal forces int stress : strain(phi_i) dx, where @p law makes
-    /// stresses of the strains of @p u.
-    virtual void
-    integrate(
-      Vector                                                 &forces,
-      const Vector                                           &u,
-      const std::function<void(const Strains &, Stresses &)> &law) const = 0;
 
     /// The product of the tangent with @p increment.
     virtual void
@@ -153,10 +113,10 @@ namespace ElastoPlastic
 
 
 
-  /// The kernel for FE_Q(@p degree)^dim.
-  template <int dim, typename Tangents>
-  std::unique_ptr<CellKernel<dim, Tangents>>
-  make_cell_kernel(const unsigned int degree, const StrainModel &strain_model);
+  /// The kernel of a level of multigrid, for FE_Q(@p degree)^dim.
+  template <int dim>
+  std::unique_ptr<CellKernel<dim, CellTangents<dim>>>
+  make_level_kernel(const unsigned int degree, const StrainModel &strain_model);
 } // namespace ElastoPlastic
 
 #endif

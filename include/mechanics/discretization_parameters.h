@@ -12,12 +12,14 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// The entries of the section "Discretization", and the entry "Kinematics".
+  /// The entries of the section "Discretization", and the entries "Kinematics"
+  /// and "Strain".
   struct DiscretizationParameters
   {
     unsigned int        degree               = 1;
     VolumetricTreatment volumetric_treatment = VolumetricTreatment::standard;
     Kinematics          kinematics           = Kinematics::cartesian;
+    Strain              strain               = Strain::small;
 
     void
     add_parameters(ParameterHandler &prm);

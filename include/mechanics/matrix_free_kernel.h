@@ -10,32 +10,21 @@
 
 namespace ElastoPlastic
 {
-  /// The CellKernel on deal.II's MatrixFree. A new kinematics is a new
+  /// The CellKernel on deal.II's MatrixFree. New kinematics are a new
   /// @p StrainMeasure, a new material tangent a new class of @p Tangents; loops
   /// and integration stay. Residual, tangent product, matrix and diagonal use
-  /// the same strains and laws, and so cannot drift apart.
-  template <int dim, int degree, typename StrainMeasure, typename Tangents>
-  class MatrixFreeKernel : public CellKernel<dim, Tangents>
+  /// the same strains and laws, and so cannot drift apart. @p Base is the
+  /// interface: a CellKernel or one derived from it.
+  template <int degree, typename StrainMeasure, typename Base>
+  class MatrixFreeKernel : public Base
   {
   public:
-    using Base = CellKernel<dim, Tangents>;
+    static constexpr int dim = StrainMeasure::dim;
+    using Tangents           = typename Base::Tangents;
     using typename Base::Number;
-    using typename Base::Strains;
-    using typename Base::Stresses;
     using typename Base::Vector;
 
     using Base::Base;
-
-    void
-    for_each_batch(const std::vector<const Vector *> &fields,
-                   const std::function<void(const std::vector<Strains> &)>
-                     &receive) const override;
-
-    void
-    integrate(Vector                                                 &forces,
-              const Vector                                           &u,
-              const std::function<void(const Strains &, Stresses &)> &law)
-      const override;
 
     void
     vmult(Vector         &forces,
@@ -53,15 +42,15 @@ namespace ElastoPlastic
     void
     prepare_products(Tangents &tangents) const override;
 
-  private:
+  protected:
     using Evaluation = FEEvaluation<dim,
                                     degree,
                                     degree + 1,
                                     dim,
                                     typename Tangents::value_type,
                                     Number>;
-    using Strain     = SymmetricTensor<2, 3, Number>;
     using CellRange  = std::pair<unsigned int, unsigned int>;
+    using OfBatch    = typename Tangents::OfBatch;
 
     static constexpr unsigned int n_1d     = degree + 1;
     static constexpr unsigned int n_points = Utilities::pow(n_1d, dim);
@@ -92,22 +81,12 @@ namespace ElastoPlastic
       return strain_model.treatment == VolumetricTreatment::b_bar;
     }
 
-    /// The volumetric strains of the current cells of @p phi, as in
-    /// CellStrains.
-    std::array<Number, n_points>
-    volumetric_strain(const Evaluation &phi) const;
+    using AtPoints = std::array<Number, n_points>;
 
+    /// What B-bar takes in place of the volumetric strains @p values of the
+    /// current cells of @p phi: their mean.
     void
-    compute_strains(Strains &strains, const Evaluation &phi) const;
-
-    /// The stress that belongs to a strain in a linear law: the strain in a
-    /// sheet becomes that for which there is no stress out of plane.
-    template <typename Law>
-    static Strain
-    linear_stress(const Law    &deviatoric_stress,
-                  const Number &bulk_modulus,
-                  const Strain &strain,
-                  const Number &volumetric);
+    average(AtPoints &values, const Evaluation &phi) const;
 
     /// Makes nodal forces of the dof values of @p phi.
     void
@@ -123,10 +102,8 @@ namespace ElastoPlastic
     static void
     multiply(const Number *matrix, Number *values);
 
-    template <typename Law>
     SlopeStiffness
-    slope_stiffness(const Law    &deviatoric_stress,
-                    const Number &bulk_modulus) const;
+    slope_stiffness(const OfBatch &tangents, const unsigned int point) const;
 
     /// The slopes of a shape function at a quadrature point.
     Tensor<1, n_slopes, Number>

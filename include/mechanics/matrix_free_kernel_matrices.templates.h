@@ -14,9 +14,9 @@
 namespace ElastoPlastic
 {
   // The columns of the cell matrices are the forces of unit vectors.
-  template <int dim, int degree, typename StrainMeasure, typename Tangents>
+  template <int degree, typename StrainMeasure, typename Base>
   void
-  MatrixFreeKernel<dim, degree, StrainMeasure, Tangents>::compute_cell_matrices(
+  MatrixFreeKernel<degree, StrainMeasure, Base>::compute_cell_matrices(
     AlignedVector<Number> &columns,
     Evaluation            &phi,
     const Tangents        &tangents) const
@@ -32,9 +32,9 @@ namespace ElastoPlastic
 
 
 
-  template <int dim, int degree, typename StrainMeasure, typename Tangents>
+  template <int degree, typename StrainMeasure, typename Base>
   void
-  MatrixFreeKernel<dim, degree, StrainMeasure, Tangents>::prepare_products(
+  MatrixFreeKernel<degree, StrainMeasure, Base>::prepare_products(
     [[maybe_unused]] Tangents &tangents) const
   {
     if constexpr (keeps_cell_matrices)
@@ -57,10 +57,10 @@ namespace ElastoPlastic
 
 
 
-  template <int dim, int degree, typename StrainMeasure, typename Tangents>
+  template <int degree, typename StrainMeasure, typename Base>
   DEAL_II_ALWAYS_INLINE inline void
-  MatrixFreeKernel<dim, degree, StrainMeasure, Tangents>::multiply(
-    const Number *matrix, Number *const values)
+  MatrixFreeKernel<degree, StrainMeasure, Base>::multiply(const Number *matrix,
+                                                          Number *const values)
   {
     std::array<Number, n_dofs> products;
     products.fill(Number(0.));
@@ -80,9 +80,9 @@ namespace ElastoPlastic
 
   // (MatrixFreeTools::compute_matrix() of deal.II 9.4 takes the categories of
   // cells for indices of finite elements.)
-  template <int dim, int degree, typename StrainMeasure, typename Tangents>
+  template <int degree, typename StrainMeasure, typename Base>
   void
-  MatrixFreeKernel<dim, degree, StrainMeasure, Tangents>::add_matrix(
+  MatrixFreeKernel<degree, StrainMeasure, Base>::add_matrix(
     TrilinosWrappers::SparseMatrix  &matrix,
     const AffineConstraints<double> &all_constraints,
     const Tangents                  &tangents) const
@@ -114,41 +114,46 @@ namespace ElastoPlastic
 
 
 
-  template <int dim, int degree, typename StrainMeasure, typename Tangents>
-  template <typename Law>
+  template <int degree, typename StrainMeasure, typename Base>
   auto
-  MatrixFreeKernel<dim, degree, StrainMeasure, Tangents>::slope_stiffness(
-    const Law &deviatoric_stress, const Number &bulk_modulus) const
-    -> SlopeStiffness
+  MatrixFreeKernel<degree, StrainMeasure, Base>::slope_stiffness(
+    const OfBatch &tangents, const unsigned int point) const -> SlopeStiffness
   {
+    const auto of_unit_slope = [](const unsigned int k, const unsigned int c) {
+      Tensor<1, n_slopes, Number> slopes;
+      slopes[k] = Number(1.);
+      return StrainMeasure::increment_of_slopes(slopes, c);
+    };
+    using Increment = decltype(of_unit_slope(0, 0));
+
     SlopeStiffness stiffness;
     for (unsigned int c = 0; c < dim; ++c)
       {
-        std::array<Strain, n_slopes> strains, stresses;
+        std::array<Increment, n_slopes> increments, conjugates;
         for (unsigned int k = 0; k < n_slopes; ++k)
           {
-            Tensor<1, n_slopes, Number> slopes;
-            slopes[k]   = Number(1.);
-            strains[k]  = StrainMeasure::of_slopes(slopes, c);
-            stresses[k] = linear_stress(deviatoric_stress,
-                                        bulk_modulus,
-                                        strains[k],
-                                        is_b_bar() ? Number(0.) :
-                                                     Number(trace(strains[k])));
+            increments[k] = of_unit_slope(k, c);
+            conjugates[k] = StrainMeasure::linear_conjugate(
+              tangents,
+              point,
+              increments[k],
+              is_b_bar() ?
+                Number(0.) :
+                StrainMeasure::volumetric(tangents, point, increments[k]));
           }
         for (unsigned int k = 0; k < n_slopes; ++k)
           for (unsigned int l = k; l < n_slopes; ++l)
-            stiffness[c][k][l] =
-              0.5 * (strains[k] * stresses[l] + strains[l] * stresses[k]);
+            stiffness[c][k][l] = 0.5 * (increments[k] * conjugates[l] +
+                                        increments[l] * conjugates[k]);
       }
     return stiffness;
   }
 
 
 
-  template <int dim, int degree, typename StrainMeasure, typename Tangents>
+  template <int degree, typename StrainMeasure, typename Base>
   DEAL_II_ALWAYS_INLINE inline auto
-  MatrixFreeKernel<dim, degree, StrainMeasure, Tangents>::shape_slopes(
+  MatrixFreeKernel<degree, StrainMeasure, Base>::shape_slopes(
     const Evaluation  &phi,
     const unsigned int point,
     const unsigned int node) const -> Tensor<1, n_slopes, Number>
@@ -177,13 +182,12 @@ namespace ElastoPlastic
   // strain, by the same law as everywhere, on that strain: a quadratic form in
   // its slopes. So the law is needed for unit slopes only, whatever the number
   // of shape functions.
-  template <int dim, int degree, typename StrainMeasure, typename Tangents>
+  template <int degree, typename StrainMeasure, typename Base>
   void
-  MatrixFreeKernel<dim, degree, StrainMeasure, Tangents>::compute_cell_diagonal(
+  MatrixFreeKernel<degree, StrainMeasure, Base>::compute_cell_diagonal(
     Evaluation &phi, const Tangents &tangents) const
   {
-    const typename Tangents::OfBatch of_cells(tangents,
-                                              phi.get_current_cell_index());
+    const OfBatch of_cells(tangents, phi.get_current_cell_index());
 
     std::array<std::array<Number, n_points>, dim> entries, divergences;
     for (unsigned int c = 0; c < dim; ++c)
@@ -196,7 +200,7 @@ namespace ElastoPlastic
     for (unsigned int q = 0; q < n_points; ++q)
       {
         if (q == 0 || !Tangents::constant_on_cells)
-          stiffness = slope_stiffness(of_cells.law(q), of_cells.bulk_modulus);
+          stiffness = slope_stiffness(of_cells, q);
         const Number dx = StrainMeasure::volume_at(phi, q);
         volume += dx;
         for (unsigned int node = 0; node < n_points; ++node)
@@ -210,7 +214,9 @@ namespace ElastoPlastic
               {
                 entries[c][node] += stiffness[c] * squares;
                 divergences[c][node] +=
-                  dx * trace(StrainMeasure::of_slopes(slopes, c));
+                  dx *
+                  StrainMeasure::volumetric(
+                    of_cells, q, StrainMeasure::increment_of_slopes(slopes, c));
               }
           }
       }
@@ -226,9 +232,9 @@ namespace ElastoPlastic
 
 
 
-  template <int dim, int degree, typename StrainMeasure, typename Tangents>
+  template <int degree, typename StrainMeasure, typename Base>
   void
-  MatrixFreeKernel<dim, degree, StrainMeasure, Tangents>::diagonal(
+  MatrixFreeKernel<degree, StrainMeasure, Base>::diagonal(
     Vector &values, const Tangents &tangents) const
   {
     this->initialize_vector(values);

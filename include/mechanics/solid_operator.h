@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "mechanics/batch_materials.h"
-#include "mechanics/cell_kernel.h"
 #include "mechanics/point_history.h"
 #include "mechanics/point_response.h"
+#include "mechanics/solid_kernel.h"
 #include "solver/tangent_operator.h"
 
 namespace ElastoPlastic
@@ -35,14 +35,15 @@ namespace ElastoPlastic
   /// What is known at one quadrature point of a displacement field.
   struct PointResult
   {
-    SymmetricTensor<2, 3> stress;
+    SymmetricTensor<2, 3> stress; ///< the true one
     SymmetricTensor<2, 3> strain;
     SymmetricTensor<2, 3> plastic_strain;
     SymmetricTensor<2, 3> back_stress; ///< the sum of all
     double                equivalent_plastic_strain;
     /// Whether the point has ever yielded.
     bool plastic;
-    /// The volume (in plane strain: the area) that the point stands for.
+    /// The volume (in plane strain: the area) that the point stands for, before
+    /// the deformation.
     double volume;
     /// Per unit of volume: the elastic energy, what hardening has stored, and
     /// the plastic work and the dissipation of the step under way.
@@ -148,14 +149,14 @@ namespace ElastoPlastic
                const AffineConstraints<double> &all_constraints) const override;
 
     /// Calls @p receive for all locally owned cells with the mean of the stored
-    /// tangent, or of a definite approximation. (The means of the two factors
-    /// of the soft direction make the mean stiffer than the tangent, and so
-    /// positive definite.)
+    /// tangent, or of a definite approximation, as the numbers that
+    /// CellTangents wants. (The means of the two factors of the soft direction
+    /// make the mean stiffer than the tangent, and so positive definite.)
     void
     for_each_cell_tangent(
       const std::function<
         void(const typename DoFHandler<dim>::active_cell_iterator &cell,
-             const Tangent<dim, double> &tangent)> &receive) const;
+             const std::vector<double> &values)> &receive) const;
 
     /// Calls @p receive for all locally owned cells, in no particular order,
     /// with what is known at their quadrature points, which are in the order of
@@ -168,10 +169,11 @@ namespace ElastoPlastic
                     const std::vector<PointResult> &points)> &receive) const;
 
   private:
-    using Number  = Simd<double>;
-    using Strain  = SymmetricTensor<2, 3, Number>;
-    using Kernel  = CellKernel<dim, PointTangents<dim>>;
-    using Strains = typename Kernel::Strains;
+    using Number   = Simd<double>;
+    using Strain   = SymmetricTensor<2, 3, Number>;
+    using Kernel   = SolidKernel<dim>;
+    using Strains  = typename Kernel::Strains;
+    using Stresses = typename Kernel::Stresses;
 
     /// The strain at a point. Out of plane, the material of a sheet says it.
     Strain
@@ -180,15 +182,17 @@ namespace ElastoPlastic
     PointResponse<Number>
     response(const Strains &strains, const unsigned int point) const;
 
-    /// The sum of a density over the points of all cells of all ranks:
-    /// @p density(strains, point) of the fields.
-    template <typename Density>
-    double
-    integral(const std::vector<const VectorType *> &fields,
-             const Density                         &density) const;
+    /// The law of all points of a batch of cells.
+    void
+    find_stresses(const Strains &strains, Stresses &stresses) const;
+
+    /// The mean tangent of a batch of cells, as values of CellTangents.
+    std::vector<Number>
+    mean_tangent(const unsigned int batch) const;
 
     BatchMaterials     materials;
     const bool         is_sheet;
+    const bool         is_finite;
     const unsigned int n_points;
     /// Whether a back stress recovers.
     const bool recovers;

@@ -4,188 +4,277 @@
 #ifndef mechanics_strain_measures_h
 #define mechanics_strain_measures_h
 
-#include <deal.II/matrix_free/fe_evaluation.h>
-
-#include "base/kinematics.h"
-#include "base/tensors.h"
+#include "mechanics/coordinates.h"
+#include "mechanics/logarithmic_strain.h"
+#include "mechanics/point_response.h"
 
 namespace ElastoPlastic
 {
-  /// The numbers that an FEEvaluation treats at a time.
-  template <typename Evaluation>
-  using NumberOf = decltype(std::declval<Evaluation>().JxW(0));
-
-
-
-  /// The strain of a body in space or in plane strain, as the cell kernel wants
-  /// to see it: at a quadrature point of a batch of cells, where what flags()
-  /// says has been evaluated. The other strains, below, have the same members.
+  /// How the cell kernel makes strains of displacements, at a quadrature point
+  /// of a batch of cells: small strains. What depends on the place only comes
+  /// from the @p Coordinates. The other measures, below, have the same members.
   ///
-  /// The strain of a field whose only component, @p component, has the slopes g
-  /// (its derivatives, and in an axisymmetric body its quotient by r) is linear
-  /// in them: what of_slopes() says.
-  template <int dim>
-  struct CartesianStrain
+  /// Small changes of a deformation are described by Increments, those of a
+  /// small strain by strains; what is conjugate to them, and what nodal forces
+  /// are made of, has the same type.
+  template <typename Coordinates>
+  struct SmallStrain : Coordinates
   {
-    static constexpr unsigned int n_slopes = dim;
-    /// Whether the body is a sheet, without stress out of plane. The material
-    /// then says what the strain out of plane is, and that of at() is zero.
-    static constexpr bool is_sheet = false;
+    /// Whether tangents are NominalTangents, which linearize() makes.
+    static constexpr bool has_nominal_tangents = false;
 
-    static EvaluationFlags::EvaluationFlags
-    flags()
+    /// What is known of the deformation at a point.
+    template <typename Number>
+    struct Deformation
     {
-      return EvaluationFlags::gradients;
+      SymmetricTensor<2, 3, Number> strain;
+
+      Number
+      volumetric() const
+      {
+        return trace(strain);
+      }
+    };
+
+    template <typename Evaluation>
+    DEAL_II_ALWAYS_INLINE static auto
+    deformation_at(const Evaluation &phi, const unsigned int point)
+    {
+      return Deformation<NumberOf<Evaluation>>{
+        Coordinates::strain_at(phi, point)};
+    }
+
+    /// The conjugate of the stress that a material law has given.
+    template <typename Number>
+    DEAL_II_ALWAYS_INLINE static const SymmetricTensor<2, 3, Number> &
+    conjugate(const Deformation<Number> &,
+              const SymmetricTensor<2, 3, Number> &stress)
+    {
+      return stress;
+    }
+
+    template <typename Number>
+    DEAL_II_ALWAYS_INLINE static const SymmetricTensor<2, 3, Number> &
+    true_stress(const Deformation<Number> &,
+                const SymmetricTensor<2, 3, Number> &stress)
+    {
+      return stress;
     }
 
     template <typename Evaluation>
     DEAL_II_ALWAYS_INLINE static auto
-    at(const Evaluation &phi, const unsigned int point)
+    increment_at(const Evaluation &phi, const unsigned int point)
     {
-      using Number = NumberOf<Evaluation>;
-      return in_space<dim>(phi.get_symmetric_gradient(point), Number(0.));
-    }
-
-    template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
-    trace_at(const Evaluation &phi, const unsigned int point)
-    {
-      return phi.get_divergence(point);
-    }
-
-    /// What the point stands for: a volume, in plane strain an area.
-    template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
-    volume_at(const Evaluation &phi, const unsigned int point)
-    {
-      return phi.JxW(point);
-    }
-
-    /// Hands in a stress, to be integrated against the strains of the shape
-    /// functions.
-    template <typename Evaluation, typename Stress>
-    DEAL_II_ALWAYS_INLINE static void
-    submit(Evaluation &phi, const Stress &stress, const unsigned int point)
-    {
-      phi.submit_symmetric_gradient(in_plane<dim>(stress), point);
-    }
-
-    template <typename Evaluation, typename Number>
-    DEAL_II_ALWAYS_INLINE static Tensor<1, n_slopes, Number>
-    slopes_at(const Evaluation &,
-              const unsigned int,
-              const Number &,
-              const Tensor<1, dim, Number> &gradient)
-    {
-      return gradient;
+      return Coordinates::strain_at(phi, point);
     }
 
     template <typename Number>
     DEAL_II_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
-    of_slopes(const Tensor<1, n_slopes, Number> &slopes,
-              const unsigned int                 component)
+    increment_of_slopes(const Tensor<1, Coordinates::n_slopes, Number> &slopes,
+                        const unsigned int component)
     {
-      SymmetricTensor<2, 3, Number> strain;
-      for (unsigned int d = 0; d < dim; ++d)
-        strain[d][component] = 0.5 * slopes[d];
-      strain[component][component] = slopes[component];
-      return strain;
+      return Coordinates::strain_of_slopes(slopes, component);
+    }
+
+    /// How much an @p increment changes the volumetric strain. @p tangents are
+    /// Tangents::OfBatch.
+    template <typename TangentsOfBatch, typename Number>
+    DEAL_II_ALWAYS_INLINE static Number
+    volumetric(const TangentsOfBatch &,
+               const unsigned int,
+               const SymmetricTensor<2, 3, Number> &increment)
+    {
+      return trace(increment);
+    }
+
+    /// The conjugate of an @p increment in the linear law of @p tangents; in a
+    /// sheet, the strain becomes that for which there is no stress out of
+    /// plane.
+    template <typename TangentsOfBatch, typename Number>
+    DEAL_II_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
+    linear_conjugate(const TangentsOfBatch               &tangents,
+                     const unsigned int                   point,
+                     const SymmetricTensor<2, 3, Number> &increment,
+                     const Number                        &volumetric)
+    {
+      return linear_stress(tangents.law(point),
+                           tangents.bulk_modulus,
+                           increment,
+                           volumetric);
+    }
+
+    /// Hands in a @p conjugate, to be integrated against the increments that
+    /// belong to the shape functions.
+    template <typename Evaluation, typename Number>
+    DEAL_II_ALWAYS_INLINE static void
+    submit(Evaluation                          &phi,
+           const SymmetricTensor<2, 3, Number> &conjugate,
+           const unsigned int                   point)
+    {
+      Coordinates::submit_stress(phi, conjugate, point);
+    }
+
+    template <typename Law, typename Number>
+    DEAL_II_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
+    linear_stress(const Law                           &deviatoric_stress,
+                  const Number                        &bulk_modulus,
+                  const SymmetricTensor<2, 3, Number> &strain,
+                  const Number                        &volumetric)
+    {
+      constexpr bool                is_sheet = Coordinates::is_sheet;
+      SymmetricTensor<2, 3, Number> stress   = deviatoric_stress(strain);
+      if constexpr (is_sheet)
+        {
+          SymmetricTensor<2, 3, Number> across;
+          across[2][2]         = Number(1.);
+          const auto of_across = deviatoric_stress(across);
+          stress -= ((bulk_modulus * trace(strain) + stress[2][2]) /
+                     (bulk_modulus + of_across[2][2])) *
+                    of_across;
+        }
+      const Number pressure =
+        mean_stress(is_sheet, Number(bulk_modulus * volumetric), stress);
+      for (unsigned int d = 0; d < 3; ++d)
+        stress[d][d] += pressure;
+      return stress;
     }
   };
 
 
 
-  /// The strain of a thin sheet.
-  struct SheetStrain : CartesianStrain<2>
+  /// Small changes of a finite deformation, whose tangents are NominalTangents:
+  /// all that a level of multigrid needs.
+  template <typename Coordinates>
+  struct FiniteIncrement : SmallStrain<Coordinates>
   {
-    static constexpr bool is_sheet = true;
+    static constexpr int dim = Coordinates::dim;
+
+    template <typename Evaluation>
+    DEAL_II_ALWAYS_INLINE static auto
+    increment_at(const Evaluation &phi, const unsigned int point)
+    {
+      return Coordinates::gradient_at(phi, point);
+    }
+
+    template <typename Number>
+    DEAL_II_ALWAYS_INLINE static GradientEntries<dim, Number>
+    increment_of_slopes(const Tensor<1, Coordinates::n_slopes, Number> &slopes,
+                        const unsigned int component)
+    {
+      return Coordinates::gradient_of_slopes(slopes, component);
+    }
+
+    template <typename TangentsOfBatch, typename Number>
+    DEAL_II_ALWAYS_INLINE static Number
+    volumetric(const TangentsOfBatch              &tangents,
+               const unsigned int                  point,
+               const GradientEntries<dim, Number> &increment)
+    {
+      return tangents.volumetric_slope(point) * increment;
+    }
+
+    template <typename TangentsOfBatch, typename Number>
+    DEAL_II_ALWAYS_INLINE static GradientEntries<dim, Number>
+    linear_conjugate(const TangentsOfBatch              &tangents,
+                     const unsigned int                  point,
+                     const GradientEntries<dim, Number> &increment,
+                     const Number                       &volumetric)
+    {
+      return tangents.nominal_stress(point, increment) +
+             (tangents.bulk_modulus * volumetric) *
+               tangents.volumetric_slope(point);
+    }
+
+    template <typename Evaluation, typename Number>
+    DEAL_II_ALWAYS_INLINE static void
+    submit(Evaluation                         &phi,
+           const GradientEntries<dim, Number> &conjugate,
+           const unsigned int                  point)
+    {
+      Coordinates::submit_nominal_stress(phi, conjugate, point);
+    }
   };
 
 
 
-  /// The strain of an axisymmetric body: out of plane it is u_r / r.
-  struct AxisymmetricStrain
+  /// Logarithmic strains, for deformations of any size. Their volumetric part
+  /// is the logarithm of the change of volume.
+  template <typename Coordinates>
+  struct FiniteStrain : FiniteIncrement<Coordinates>
   {
-    static constexpr unsigned int n_slopes = 3;
-    static constexpr bool         is_sheet = false;
+    static constexpr int  dim                  = Coordinates::dim;
+    static constexpr bool has_nominal_tangents = true;
 
-    static EvaluationFlags::EvaluationFlags
-    flags()
+    template <typename Number>
+    struct Deformation
     {
-      return EvaluationFlags::values | EvaluationFlags::gradients;
-    }
+      LogarithmicStrain<dim, Number> logarithmic;
+      SymmetricTensor<2, 3, Number>  strain;
 
-    template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
-    at(const Evaluation &phi, const unsigned int point)
-    {
-      using Number      = NumberOf<Evaluation>;
-      const Number hoop = phi.get_value(point)[0] / radius(phi, point);
-      return in_space<2>(phi.get_symmetric_gradient(point), hoop);
-    }
+      Number
+      volumetric() const
+      {
+        return logarithmic.volumetric();
+      }
+    };
 
     template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
-    trace_at(const Evaluation &phi, const unsigned int point)
+    static auto
+    deformation_at(const Evaluation &phi, const unsigned int point)
     {
-      return phi.get_divergence(point) +
-             phi.get_value(point)[0] / radius(phi, point);
-    }
-
-    /// The volume of a ring.
-    template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
-    volume_at(const Evaluation &phi, const unsigned int point)
-    {
-      return phi.JxW(point) *
-             extent(phi.quadrature_point(point), Kinematics::axisymmetric);
-    }
-
-    template <typename Evaluation, typename Stress>
-    DEAL_II_ALWAYS_INLINE static void
-    submit(Evaluation &phi, const Stress &stress, const unsigned int point)
-    {
-      const auto ring =
-        extent(phi.quadrature_point(point), Kinematics::axisymmetric);
-      Tensor<1, 2, NumberOf<Evaluation>> radial;
-      radial[0] = 2. * numbers::PI * stress[2][2]; // ring / radius
-      phi.submit_value(radial, point);
-      phi.submit_symmetric_gradient(ring * in_plane<2>(stress), point);
-    }
-
-    template <typename Evaluation, typename Number>
-    DEAL_II_ALWAYS_INLINE static Tensor<1, n_slopes, Number>
-    slopes_at(const Evaluation           &phi,
-              const unsigned int          point,
-              const Number               &value,
-              const Tensor<1, 2, Number> &gradient)
-    {
-      Tensor<1, n_slopes, Number> slopes;
-      slopes[0] = gradient[0];
-      slopes[1] = gradient[1];
-      slopes[2] = value / radius(phi, point);
-      return slopes;
+      const LogarithmicStrain<dim, NumberOf<Evaluation>> logarithmic(
+        as_matrix<dim>(Coordinates::gradient_at(phi, point)));
+      return Deformation<NumberOf<Evaluation>>{logarithmic,
+                                               logarithmic.strain()};
     }
 
     template <typename Number>
-    DEAL_II_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
-    of_slopes(const Tensor<1, n_slopes, Number> &slopes,
-              const unsigned int                 component)
+    static GradientEntries<dim, Number>
+    conjugate(const Deformation<Number>           &deformation,
+              const SymmetricTensor<2, 3, Number> &stress)
     {
-      SymmetricTensor<2, 3, Number> strain;
-      strain[0][1]                 = 0.5 * slopes[1 - component];
-      strain[component][component] = slopes[component];
-      if (component == 0)
-        strain[2][2] = slopes[2];
-      return strain;
+      return as_entries<dim>(deformation.logarithmic.nominal_stress(stress));
     }
 
-  private:
-    template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
-    radius(const Evaluation &phi, const unsigned int point)
+    template <typename Number>
+    static SymmetricTensor<2, 3, Number>
+    true_stress(const Deformation<Number>           &deformation,
+                const SymmetricTensor<2, 3, Number> &stress)
     {
-      return phi.quadrature_point(point)[0];
+      return deformation.logarithmic.true_stress(stress);
+    }
+
+    /// The derivative of the conjugate at a given @p stress, by columns, but
+    /// for what the change of the volumetric strain contributes; and the slope
+    /// of that.
+    template <typename Law, typename Number>
+    static void
+    linearize(Tensor<2, n_gradient_entries<dim>, Number> &columns,
+              GradientEntries<dim, Number>               &volumetric_slope,
+              const Deformation<Number>                  &deformation,
+              const SymmetricTensor<2, 3, Number>        &stress,
+              const Law                                  &deviatoric_stress,
+              const Number                               &bulk_modulus)
+    {
+      const auto law = [&](const SymmetricTensor<2, 3, Number> &strain) {
+        return SmallStrain<Coordinates>::linear_stress(deviatoric_stress,
+                                                       bulk_modulus,
+                                                       strain,
+                                                       Number(0.));
+      };
+      const typename LogarithmicStrain<dim, Number>::Tangent tangent(
+        deformation.logarithmic, stress);
+      for (unsigned int k = 0; k < n_gradient_entries<dim>; ++k)
+        {
+          GradientEntries<dim, Number> unit;
+          unit[k]    = Number(1.);
+          columns[k] = as_entries<dim>(tangent(as_matrix<dim>(unit), law));
+        }
+      // (what a sheet's volume does is part of the law)
+      volumetric_slope =
+        Coordinates::is_sheet ?
+          GradientEntries<dim, Number>() :
+          as_entries<dim>(deformation.logarithmic.volumetric_slope());
     }
   };
 } // namespace ElastoPlastic

@@ -10,6 +10,7 @@
 #include "base/single_precision_storage.h"
 #include "base/tensors.h"
 #include "material/deviatoric_tangent.h"
+#include "mechanics/nominal_tangent.h"
 
 namespace ElastoPlastic
 {
@@ -62,7 +63,9 @@ namespace ElastoPlastic
 
   /// The tangents of the problem: at all quadrature points of all cell batches,
   /// rounded to single precision. The flow directions are those of the
-  /// prediction (doc/theory.md, "Newton's method for plasticity").
+  /// prediction (doc/theory.md, "Newton's method for plasticity"). If the
+  /// strains are finite, the products take what CellKernel::linearize() makes
+  /// of them, the nominal tangents.
   template <int dim>
   class PointTangents
   {
@@ -75,9 +78,12 @@ namespace ElastoPlastic
 
     /// @p recovers tells whether back stresses recover, and so make the
     /// tangents unsymmetric.
-    PointTangents(const unsigned int n_points_per_cell, const bool recovers)
+    PointTangents(const unsigned int n_points_per_cell,
+                  const bool         recovers,
+                  const bool         strains_are_finite)
       : n_points(n_points_per_cell)
       , recovers(recovers)
+      , strains_are_finite(strains_are_finite)
       , flow_share(recovers ? 0. : 0.5)
     {}
 
@@ -91,6 +97,10 @@ namespace ElastoPlastic
       flow_directions.reinit(n_points * n_cell_batches);
       if (recovers)
         recoveries.reinit(n_points * n_cell_batches);
+      if (strains_are_finite)
+        nominal_tangents.reinit(n_points * n_cell_batches);
+      if (strains_are_finite && recovers)
+        skew_parts.reinit(n_points * n_cell_batches);
     }
 
     void
@@ -109,6 +119,26 @@ namespace ElastoPlastic
         i, {tangent.shear, in_plane<dim>(tangent.normal), tangent.flow_length});
       if (recovers)
         recoveries.set(i, in_plane<dim>(tangent.recovery));
+    }
+
+    /// The derivative of the nominal stress is @p matrix, without the part of
+    /// the volumetric strain, which has the @p volumetric_slope.
+    void
+    set_nominal(const unsigned int                                batch,
+                const unsigned int                                point,
+                const Tensor<2, n_gradient_entries<dim>, Number> &matrix,
+                const GradientEntries<dim, Number> &volumetric_slope)
+    {
+      const unsigned int i = n_points * batch + point;
+      nominal_tangents.set(i, {symmetrize(matrix), volumetric_slope});
+      if (recovers)
+        skew_parts.set(i, SkewPart<dim, Number>(matrix));
+    }
+
+    NominalTangent<dim, Number>
+    nominal(const unsigned int batch, const unsigned int point) const
+    {
+      return nominal_tangents[n_points * batch + point];
     }
 
     Tensor3
@@ -158,6 +188,24 @@ namespace ElastoPlastic
         return {all.complete(first_point + point), all.flow_share};
       }
 
+      /// See NominalTangent.
+      GradientEntries<dim, Number>
+      nominal_stress(const unsigned int                  point,
+                     const GradientEntries<dim, Number> &increment) const
+      {
+        const unsigned int i = first_point + point;
+        auto stress          = all.nominal_tangents[i].stiffness * increment;
+        if (all.recovers)
+          stress += all.skew_parts[i] * increment;
+        return stress;
+      }
+
+      GradientEntries<dim, Number>
+      volumetric_slope(const unsigned int point) const
+      {
+        return all.nominal_tangents[first_point + point].volumetric_slope;
+      }
+
       const Number bulk_modulus;
 
     private:
@@ -195,6 +243,7 @@ namespace ElastoPlastic
 
     const unsigned int n_points;
     const bool         recovers;
+    const bool         strains_are_finite;
     /// See DeviatoricTangent::product().
     const Number flow_share;
 
@@ -205,6 +254,9 @@ namespace ElastoPlastic
     SinglePrecisionStorage<PointTangent>                    tangents;
     SinglePrecisionStorage<Tensor3>                         flow_directions;
     SinglePrecisionStorage<SymmetricTensor<2, dim, Number>> recoveries;
+    /// Of finite strains only.
+    SinglePrecisionStorage<NominalTangent<dim, Number>> nominal_tangents;
+    SinglePrecisionStorage<SkewPart<dim, Number>>       skew_parts;
   };
 
 
@@ -220,16 +272,35 @@ namespace ElastoPlastic
 
     static constexpr bool constant_on_cells = true;
 
+    explicit CellTangents(const bool strains_are_finite)
+      : strains_are_finite(strains_are_finite)
+    {}
+
     void
     reinit(const unsigned int n_cell_batches)
     {
       tangents.resize(n_cell_batches);
+      if (strains_are_finite)
+        nominal_tangents.resize(n_cell_batches);
     }
 
-    Tangent<dim, Number> &
-    operator[](const unsigned int batch)
+    /// The number of numbers that describe a cell's tangent: those of a
+    /// Tangent; or, if the strains are finite, the bulk modulus and those of a
+    /// NominalTangent.
+    static constexpr unsigned int
+    n_values(const bool strains_are_finite)
     {
-      return tangents[batch];
+      return strains_are_finite ? 1 + NominalTangent<dim, Number>::n_values :
+                                  Tangent<dim, Number>::n_values;
+    }
+
+    /// One of these numbers.
+    Number &
+    value(const unsigned int batch, const unsigned int i)
+    {
+      return strains_are_finite && i > 0 ?
+               nominal_tangents[batch].value(i - 1) :
+               tangents[batch].value(i);
     }
 
     /// The tangent of a batch of cells.
@@ -239,6 +310,7 @@ namespace ElastoPlastic
       OfBatch(const CellTangents &all, const unsigned int batch)
         : bulk_modulus(all.tangents[batch].bulk_modulus)
         , of_all_points{all.tangents[batch].deviatoric, Number(0.5)}
+        , nominal(all.nominal_tangents.data() + batch)
       {}
 
       DEAL_II_ALWAYS_INLINE inline const TangentLaw<dim, Number> &
@@ -247,17 +319,34 @@ namespace ElastoPlastic
         return of_all_points;
       }
 
+      /// See NominalTangent.
+      GradientEntries<dim, Number>
+      nominal_stress(const unsigned int,
+                     const GradientEntries<dim, Number> &increment) const
+      {
+        return nominal->stiffness * increment;
+      }
+
+      const GradientEntries<dim, Number> &
+      volumetric_slope(const unsigned int) const
+      {
+        return nominal->volumetric_slope;
+      }
+
       const Number bulk_modulus;
 
     private:
-      const TangentLaw<dim, Number> of_all_points;
+      const TangentLaw<dim, Number>      of_all_points;
+      const NominalTangent<dim, Number> *nominal;
     };
 
     /// What CellKernel::prepare_products() has computed of the tangents.
     AlignedVector<Number> cell_matrices;
 
   private:
-    AlignedVector<Tangent<dim, Number>> tangents;
+    const bool                                 strains_are_finite;
+    AlignedVector<Tangent<dim, Number>>        tangents;
+    AlignedVector<NominalTangent<dim, Number>> nominal_tangents;
   };
 } // namespace ElastoPlastic
 

@@ -42,7 +42,7 @@ namespace ElastoPlastic
     initialize_vector(LevelVector &vector) const;
 
     /// Takes one of the numbers that describe the cells' tangents: entry
-    /// @p index of Tangent::value(), for all OwnedCells.
+    /// @p index of CellTangents::value(), for all OwnedCells.
     void
     set_tangent_value(const unsigned int index, const LevelVector &values);
 

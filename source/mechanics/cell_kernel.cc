@@ -4,7 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q1.h>
 
-#include "mechanics/matrix_free_kernel.templates.h"
+#include "mechanics/cell_kernel.h"
 
 namespace ElastoPlastic
 {
@@ -107,53 +107,8 @@ namespace ElastoPlastic
 
 
 
-  namespace
-  {
-    template <typename StrainMeasure, int dim, typename Tangents>
-    std::unique_ptr<CellKernel<dim, Tangents>>
-    kernel_of_degree(const unsigned int degree, const StrainModel &strain_model)
-    {
-      if (degree == 1)
-        return std::make_unique<
-          MatrixFreeKernel<dim, 1, StrainMeasure, Tangents>>(strain_model);
-      AssertDimension(degree, 2);
-      return std::make_unique<
-        MatrixFreeKernel<dim, 2, StrainMeasure, Tangents>>(strain_model);
-    }
-  } // namespace
-
-
-
-  template <int dim, typename Tangents>
-  std::unique_ptr<CellKernel<dim, Tangents>>
-  make_cell_kernel(const unsigned int degree, const StrainModel &strain_model)
-  {
-    if constexpr (dim == 2)
-      {
-        if (strain_model.kinematics == Kinematics::axisymmetric)
-          return kernel_of_degree<AxisymmetricStrain, dim, Tangents>(
-            degree, strain_model);
-        if (strain_model.kinematics == Kinematics::plane_stress)
-          return kernel_of_degree<SheetStrain, dim, Tangents>(degree,
-                                                              strain_model);
-      }
-    return kernel_of_degree<CartesianStrain<dim>, dim, Tangents>(degree,
-                                                                 strain_model);
-  }
-
-
-
   template class CellKernel<2, PointTangents<2>>;
   template class CellKernel<3, PointTangents<3>>;
   template class CellKernel<2, CellTangents<2>>;
   template class CellKernel<3, CellTangents<3>>;
-
-  template std::unique_ptr<CellKernel<2, PointTangents<2>>>
-  make_cell_kernel(const unsigned int, const StrainModel &);
-  template std::unique_ptr<CellKernel<3, PointTangents<3>>>
-  make_cell_kernel(const unsigned int, const StrainModel &);
-  template std::unique_ptr<CellKernel<2, CellTangents<2>>>
-  make_cell_kernel(const unsigned int, const StrainModel &);
-  template std::unique_ptr<CellKernel<3, CellTangents<3>>>
-  make_cell_kernel(const unsigned int, const StrainModel &);
 } // namespace ElastoPlastic

@@ -18,6 +18,13 @@ namespace ElastoPlastic
       "treatment = standard', it does not lock. axisymmetric: the half section x >= 0 of an "
       "axisymmetric body, y is its axis; forces and areas are "
       "those of the whole body.");
+    prm.add_parameter(
+      "Strain",
+      strain,
+      "small: as in the theory of Johnson, with the vertical gap of the "
+      "undeformed surface. logarithmic: deformations of any size, with the "
+      "indenter met where the surface is then; what sharp tips need, and "
+      "spheres that are pressed in deeper than contact radius / radius = 0.25.");
     prm.enter_subsection("Discretization");
     prm.add_parameter("Polynomial degree",
                       degree,
@@ -39,6 +46,6 @@ namespace ElastoPlastic
   StrainModel
   DiscretizationParameters::strain_model() const
   {
-    return {volumetric_treatment, kinematics};
+    return {volumetric_treatment, kinematics, strain};
   }
 } // namespace ElastoPlastic

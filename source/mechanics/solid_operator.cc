@@ -15,11 +15,12 @@ namespace ElastoPlastic
     const std::vector<Material<double>> &materials)
     : materials(materials)
     , is_sheet(strain_model.kinematics == Kinematics::plane_stress)
+    , is_finite(strain_model.is_finite())
     , n_points(Utilities::fixed_power<dim>(degree + 1))
     , recovers(this->materials.recover())
     , becomes_steeper(this->materials.become_steeper())
-    , kernel(make_cell_kernel<dim, PointTangents<dim>>(degree, strain_model))
-    , tangents(n_points, recovers)
+    , kernel(make_solid_kernel<dim>(degree, strain_model))
+    , tangents(n_points, recovers, is_finite)
     , history(this->materials.n_back_stresses())
   {}
 
@@ -148,21 +149,12 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  template <typename Density>
-  double
-  SolidOperator<dim>::integral(const std::vector<const VectorType *> &fields,
-                               const Density &density) const
+  void
+  SolidOperator<dim>::find_stresses(const Strains &strains,
+                                    Stresses      &stresses) const
   {
-    double local_sum = 0;
-    kernel->for_each_batch(fields, [&](const std::vector<Strains> &strains) {
-      Number sum = 0.;
-      for (unsigned int q = 0; q < n_points; ++q)
-        sum += density(strains, q) * strains[0].volume[q];
-      for (unsigned int lane = 0; lane < kernel->n_cells(strains[0].batch);
-           ++lane)
-        local_sum += sum[lane];
-    });
-    return Utilities::MPI::sum(local_sum, fields[0]->get_mpi_communicator());
+    for (unsigned int q = 0; q < n_points; ++q)
+      stresses[q] = response(strains, q).stress();
   }
 
 
@@ -171,27 +163,33 @@ namespace ElastoPlastic
   double
   SolidOperator<dim>::energy(const VectorType &u) const
   {
-    return integral(
-      {&u}, [this](const std::vector<Strains> &strains, const unsigned int q) {
-        return response(strains[0], q).incremental_energy(has_energy());
-      });
+    double local_sum = 0;
+    kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {
+      Number sum = 0.;
+      for (unsigned int q = 0; q < n_points; ++q)
+        sum += response(strains[0], q).incremental_energy(has_energy()) *
+               strains[0].volume[q];
+      for (unsigned int lane = 0; lane < kernel->n_cells(strains[0].batch);
+           ++lane)
+        local_sum += sum[lane];
+    });
+    return Utilities::MPI::sum(local_sum, u.get_mpi_communicator());
   }
 
 
 
-  // (For B-bar, the pressure is constant on a cell, and the trace of the strain
-  // as good as its mean.)
   template <int dim>
   double
   SolidOperator<dim>::virtual_work(const VectorType &u,
                                    const VectorType &w) const
   {
-    return integral({&u, &w},
-                    [this](const std::vector<Strains> &strains,
-                           const unsigned int          q) {
-                      return response(strains[0], q).stress() *
-                             strains[1].strain[q];
-                    });
+    return Utilities::MPI::sum(kernel->work(u,
+                                            w,
+                                            [this](const Strains &strains,
+                                                   Stresses      &stresses) {
+                                              find_stresses(strains, stresses);
+                                            }),
+                               u.get_mpi_communicator());
   }
 
 
@@ -203,9 +201,8 @@ namespace ElastoPlastic
   {
     kernel->integrate(forces,
                       u,
-                      [this](const Strains &strains, auto &stresses) {
-                        for (unsigned int q = 0; q < n_points; ++q)
-                          stresses[q] = response(strains, q).stress();
+                      [this](const Strains &strains, Stresses &stresses) {
+                        find_stresses(strains, stresses);
                       });
   }
 
@@ -215,17 +212,20 @@ namespace ElastoPlastic
   void
   SolidOperator<dim>::linearize(const VectorType &u)
   {
-    kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {
-      const unsigned int batch = strains[0].batch;
-      for (unsigned int q = 0; q < n_points; ++q)
-        {
-          const auto  at_point   = response(strains[0], q);
-          const auto &plasticity = at_point.plasticity();
-          tangents.set(batch, q, plasticity.tangent());
-          if (becomes_steeper)
-            tangents.set_flow_direction(batch, q, plasticity.flow_direction());
-        }
-    });
+    kernel->linearize(
+      tangents, u, [this](const Strains &strains, Stresses &stresses) {
+        for (unsigned int q = 0; q < n_points; ++q)
+          {
+            const auto  at_point   = response(strains, q);
+            const auto &plasticity = at_point.plasticity();
+            stresses[q]            = at_point.stress();
+            tangents.set(strains.batch, q, plasticity.tangent());
+            if (becomes_steeper)
+              tangents.set_flow_direction(strains.batch,
+                                          q,
+                                          plasticity.flow_direction());
+          }
+      });
   }
 
 
@@ -283,29 +283,50 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  std::vector<Simd<double>>
+  SolidOperator<dim>::mean_tangent(const unsigned int batch) const
+  {
+    const Number         weight = 1. / n_points;
+    Tangent<dim, Number> mean;
+    std::vector<Number>  values(CellTangents<dim>::n_values(is_finite),
+                               Number(0.));
+    for (unsigned int q = 0; q < n_points; ++q)
+      if (is_finite)
+        {
+          const auto tangent = tangents.nominal(batch, q);
+          for (unsigned int i = 1; i < values.size(); ++i)
+            values[i] += weight * tangent.value(i - 1);
+        }
+      else
+        {
+          const auto tangent = tangents.definite(batch, q);
+          mean.deviatoric.shear += weight * tangent.shear;
+          mean.deviatoric.normal += weight * tangent.normal;
+          mean.deviatoric.flow += weight * tangent.flow;
+        }
+    for (unsigned int i = 1; i < values.size() && !is_finite; ++i)
+      values[i] = mean.value(i);
+    values[0] = materials[batch].bulk_modulus;
+    return values;
+  }
+
+
+
+  template <int dim>
   void
   SolidOperator<dim>::for_each_cell_tangent(
     const std::function<
       void(const typename DoFHandler<dim>::active_cell_iterator &cell,
-           const Tangent<dim, double> &tangent)> &receive) const
+           const std::vector<double> &values)> &receive) const
   {
+    std::vector<double> of_cell(CellTangents<dim>::n_values(is_finite));
     for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
       {
-        Tangent<dim, Number> mean;
-        mean.bulk_modulus = materials[batch].bulk_modulus;
-        for (unsigned int q = 0; q < n_points; ++q)
-          {
-            const Number weight  = 1. / n_points;
-            const auto   tangent = tangents.definite(batch, q);
-            mean.deviatoric.shear += weight * tangent.shear;
-            mean.deviatoric.normal += weight * tangent.normal;
-            mean.deviatoric.flow += weight * tangent.flow;
-          }
+        const auto values = mean_tangent(batch);
         for (unsigned int lane = 0; lane < kernel->n_cells(batch); ++lane)
           {
-            Tangent<dim, double> of_cell;
-            for (unsigned int i = 0; i < of_cell.n_values; ++i)
-              of_cell.value(i) = mean.value(i)[lane];
+            for (unsigned int i = 0; i < of_cell.size(); ++i)
+              of_cell[i] = values[i][lane];
             receive(kernel->cell(batch, lane), of_cell);
           }
       }
@@ -324,15 +345,17 @@ namespace ElastoPlastic
     // for each lane, the points of its cell
     std::array<std::vector<PointResult>, Number::size()> results;
     results.fill(std::vector<PointResult>(n_points));
-    kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {
-      const unsigned int batch   = strains[0].batch;
-      const unsigned int n_cells = kernel->n_cells(batch);
+    const auto law = [this](const Strains &strains, Stresses &stresses) {
+      find_stresses(strains, stresses);
+    };
+    const auto use = [&](const Strains &strains, const Stresses &stresses) {
+      const unsigned int n_cells = kernel->n_cells(strains.batch);
       for (unsigned int q = 0; q < n_points; ++q)
         {
-          const auto   at_point         = response(strains[0], q);
+          const auto   at_point         = response(strains, q);
           const auto  &plasticity       = at_point.plasticity();
           const auto   state            = plasticity.state();
-          const auto   strain           = strain_at(strains[0], q);
+          const auto   strain           = strain_at(strains, q);
           const Number elastic_energy   = at_point.elastic_energy();
           const Number hardening_energy = plasticity.hardening_energy();
           const Number plastic_work     = plasticity.plastic_work();
@@ -342,21 +365,22 @@ namespace ElastoPlastic
                             state.back_stresses.end(),
                             Strain());
           for (unsigned int lane = 0; lane < n_cells; ++lane)
-            results[lane][q] = {lane_of(at_point.stress(), lane),
+            results[lane][q] = {lane_of(stresses[q], lane),
                                 lane_of(strain, lane),
                                 lane_of(state.plastic_strain, lane),
                                 lane_of(back_stress, lane),
                                 state.equivalent_plastic_strain[lane],
                                 state.equivalent_plastic_strain[lane] > 0,
-                                strains[0].volume[q][lane],
+                                strains.volume[q][lane],
                                 elastic_energy[lane],
                                 hardening_energy[lane],
                                 plastic_work[lane],
                                 dissipation[lane]};
         }
       for (unsigned int lane = 0; lane < n_cells; ++lane)
-        receive(kernel->cell(batch, lane), results[lane]);
-    });
+        receive(kernel->cell(strains.batch, lane), results[lane]);
+    };
+    kernel->for_each_true_stress(u, law, use);
   }
 
 

@@ -109,7 +109,8 @@ namespace ElastoPlastic
         // must not either.
         level_operators[l] = std::make_unique<LevelOperator<dim>>(
           level_degree < degree ? StrainModel(VolumetricTreatment::b_bar,
-                                              model.strain_model.kinematics) :
+                                              model.strain_model.kinematics,
+                                              model.strain_model.strain) :
                                   model.strain_model,
           *level.dof_handler,
           *level.constraints);
@@ -172,14 +173,15 @@ namespace ElastoPlastic
   void
   LevelHierarchy<dim>::update_tangents(const SolidOperator<dim> &solid)
   {
-    const OwnedCells<dim> cells(*levels.back().mesh);
-    std::array<LevelVector, Tangent<dim, double>::n_values> values;
+    const OwnedCells<dim>    cells(*levels.back().mesh);
+    std::vector<LevelVector> values(
+      CellTangents<dim>::n_values(model.strain_model.is_finite()));
     for (LevelVector &value : values)
       value.reinit(cells.size());
     solid.for_each_cell_tangent(
-      [&](const auto &cell, const Tangent<dim, double> &tangent) {
+      [&](const auto &cell, const std::vector<double> &of_cell) {
         for (unsigned int i = 0; i < values.size(); ++i)
-          values[i].local_element(cells.number(*cell)) = tangent.value(i);
+          values[i].local_element(cells.number(*cell)) = of_cell[i];
       });
 
     for (unsigned int i = 0; i < values.size(); ++i)

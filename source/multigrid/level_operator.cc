@@ -35,9 +35,8 @@ namespace ElastoPlastic
     const StrainModel               &strain_model,
     const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &constraints)
-    : kernel(
-        make_cell_kernel<dim, CellTangents<dim>>(dof_handler.get_fe().degree,
-                                                 strain_model))
+    : kernel(make_level_kernel<dim>(dof_handler.get_fe().degree, strain_model))
+    , tangents(strain_model.is_finite())
   {
     kernel->reinit(dof_handler,
                    constraints,
@@ -71,7 +70,7 @@ namespace ElastoPlastic
   {
     for (unsigned int batch = 0; batch < cells.size(); ++batch)
       {
-        Number &value = tangents[batch].value(index);
+        Number &value = tangents.value(batch, index);
         for (unsigned int lane = 0; lane < Number::size(); ++lane)
           value[lane] = values.local_element(cells[batch][lane]);
       }

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_matrix_free_solid_kernel_h
+#define mechanics_matrix_free_solid_kernel_h
+
+#include "mechanics/matrix_free_kernel.templates.h"
+#include "mechanics/solid_kernel.h"
+
+namespace ElastoPlastic
+{
+  /// The SolidKernel on deal.II's MatrixFree.
+  template <int degree, typename StrainMeasure>
+  class MatrixFreeSolidKernel
+    : public MatrixFreeKernel<degree,
+                              StrainMeasure,
+                              SolidKernel<StrainMeasure::dim>>
+  {
+  public:
+    using Base =
+      MatrixFreeKernel<degree, StrainMeasure, SolidKernel<StrainMeasure::dim>>;
+    using Base::dim;
+    using typename Base::Law;
+    using typename Base::Number;
+    using typename Base::Strains;
+    using typename Base::Stresses;
+    using typename Base::Vector;
+
+    using Base::Base;
+
+    void
+    for_each_batch(const std::vector<const Vector *> &fields,
+                   const std::function<void(const std::vector<Strains> &)>
+                     &receive) const override;
+
+    void
+    integrate(Vector &forces, const Vector &u, const Law &law) const override;
+
+    double
+    work(const Vector &u, const Vector &w, const Law &law) const override;
+
+    void
+    linearize(PointTangents<dim> &tangents,
+              const Vector       &u,
+              const Law          &law) const override;
+
+    void
+    for_each_true_stress(
+      const Vector                                                 &u,
+      const Law                                                    &law,
+      const std::function<void(const Strains &, const Stresses &)> &receive)
+      const override;
+
+  private:
+    using Base::matrix_free;
+    using Base::n_points;
+    using typename Base::AtPoints;
+    using typename Base::CellRange;
+    using typename Base::Evaluation;
+    using typename Base::OfBatch;
+    using Deformations =
+      std::array<typename StrainMeasure::template Deformation<Number>,
+                 n_points>;
+
+    /// Those of the current cells of @p phi, and the strains that belong to
+    /// them.
+    Deformations
+    deformations(Strains &strains, const Evaluation &phi) const;
+
+    /// Calls @p receive for all cell batches with the deformations of @p u, the
+    /// strains and the stresses of @p law. @p phi is for the evaluation.
+    template <typename Receive>
+    void
+    for_each_deformation(Evaluation    &phi,
+                         const Vector  &u,
+                         const Law     &law,
+                         const Receive &receive) const;
+  };
+
+
+
+  template <int degree, typename StrainMeasure>
+  void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::for_each_batch(
+    const std::vector<const Vector *>                       &fields,
+    const std::function<void(const std::vector<Strains> &)> &receive) const
+  {
+    Evaluation           phi(matrix_free);
+    std::vector<Strains> strains(fields.size());
+    for (const Vector *field : fields)
+      field->update_ghost_values();
+    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+      {
+        phi.reinit(batch);
+        for (unsigned int f = 0; f < fields.size(); ++f)
+          {
+            phi.read_dof_values_plain(*fields[f]);
+            phi.evaluate(StrainMeasure::flags());
+            deformations(strains[f], phi);
+          }
+        receive(strains);
+      }
+    for (const Vector *field : fields)
+      field->zero_out_ghost_values();
+  }
+
+
+
+  template <int degree, typename StrainMeasure>
+  void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::integrate(Vector       &forces,
+                                                          const Vector &u,
+                                                          const Law &law) const
+  {
+    matrix_free.template cell_loop<Vector, Vector>(
+      [&](const auto &, auto &dst, const auto &src, const CellRange &range) {
+        Evaluation phi(matrix_free);
+        Strains    strains;
+        Stresses   stresses;
+        for (unsigned int batch = range.first; batch < range.second; ++batch)
+          {
+            phi.reinit(batch);
+            phi.read_dof_values_plain(src);
+            phi.evaluate(StrainMeasure::flags());
+            const auto deformation = deformations(strains, phi);
+            law(strains, stresses);
+            for (unsigned int q = 0; q < n_points; ++q)
+              StrainMeasure::submit(
+                phi, StrainMeasure::conjugate(deformation[q], stresses[q]), q);
+            phi.integrate(StrainMeasure::flags());
+            phi.distribute_local_to_global(dst);
+          }
+      },
+      forces,
+      u,
+      /* zero_dst_vector = */ true);
+  }
+
+
+
+  template <int degree, typename StrainMeasure>
+  double
+  MatrixFreeSolidKernel<degree, StrainMeasure>::work(const Vector &u,
+                                                     const Vector &w,
+                                                     const Law    &law) const
+  {
+    double     sum = 0;
+    Evaluation phi(matrix_free), direction(matrix_free);
+    w.update_ghost_values();
+    for_each_deformation(
+      phi, u, law, [&](const auto &deformation, auto &strains, auto &stresses) {
+        direction.reinit(strains.batch);
+        direction.read_dof_values_plain(w);
+        direction.evaluate(StrainMeasure::flags());
+        Number of_batch = 0.;
+        for (unsigned int q = 0; q < n_points; ++q)
+          of_batch += (StrainMeasure::conjugate(deformation[q], stresses[q]) *
+                       StrainMeasure::increment_at(direction, q)) *
+                      strains.volume[q];
+        for (unsigned int lane = 0; lane < this->n_cells(strains.batch); ++lane)
+          sum += of_batch[lane];
+      });
+    w.zero_out_ghost_values();
+    return sum;
+  }
+
+
+
+  template <int degree, typename StrainMeasure>
+  void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::linearize(
+    PointTangents<dim> &tangents, const Vector &u, const Law &law) const
+  {
+    Evaluation phi(matrix_free);
+    for_each_deformation(
+      phi, u, law, [&](const auto &deformation, auto &strains, auto &stresses) {
+        if constexpr (StrainMeasure::has_nominal_tangents)
+          {
+            const OfBatch of_cells(tangents, strains.batch);
+            for (unsigned int q = 0; q < n_points; ++q)
+              {
+                Tensor<2, n_gradient_entries<dim>, Number> derivative;
+                GradientEntries<dim, Number>               volumetric_slope;
+                StrainMeasure::linearize(derivative,
+                                         volumetric_slope,
+                                         deformation[q],
+                                         stresses[q],
+                                         of_cells.law(q),
+                                         of_cells.bulk_modulus);
+                tangents.set_nominal(strains.batch,
+                                     q,
+                                     derivative,
+                                     volumetric_slope);
+              }
+          }
+      });
+  }
+
+
+
+  template <int degree, typename StrainMeasure>
+  void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::for_each_true_stress(
+    const Vector                                                 &u,
+    const Law                                                    &law,
+    const std::function<void(const Strains &, const Stresses &)> &receive) const
+  {
+    Evaluation phi(matrix_free);
+    for_each_deformation(
+      phi, u, law, [&](const auto &deformation, auto &strains, auto &stresses) {
+        for (unsigned int q = 0; q < n_points; ++q)
+          stresses[q] = StrainMeasure::true_stress(deformation[q], stresses[q]);
+        receive(strains, stresses);
+      });
+  }
+
+
+
+  template <int degree, typename StrainMeasure>
+  template <typename Receive>
+  void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::for_each_deformation(
+    Evaluation    &phi,
+    const Vector  &u,
+    const Law     &law,
+    const Receive &receive) const
+  {
+    Strains  strains;
+    Stresses stresses;
+    u.update_ghost_values();
+    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+      {
+        phi.reinit(batch);
+        phi.read_dof_values_plain(u);
+        phi.evaluate(StrainMeasure::flags());
+        const auto deformation = deformations(strains, phi);
+        law(strains, stresses);
+        receive(deformation, strains, stresses);
+      }
+    u.zero_out_ghost_values();
+  }
+
+
+
+  template <int degree, typename StrainMeasure>
+  auto
+  MatrixFreeSolidKernel<degree, StrainMeasure>::deformations(
+    Strains &strains, const Evaluation &phi) const -> Deformations
+  {
+    strains.batch    = phi.get_current_cell_index();
+    strains.n_points = n_points;
+    Deformations result;
+    AtPoints     volumetric;
+    for (unsigned int q = 0; q < n_points; ++q)
+      {
+        result[q]         = StrainMeasure::deformation_at(phi, q);
+        strains.strain[q] = result[q].strain;
+        strains.volume[q] = StrainMeasure::volume_at(phi, q);
+        volumetric[q]     = result[q].volumetric();
+      }
+    this->average(volumetric, phi);
+    std::copy(volumetric.begin(), volumetric.end(), strains.volumetric.begin());
+    return result;
+  }
+} // namespace ElastoPlastic
+
+#endif

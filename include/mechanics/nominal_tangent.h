@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_nominal_tangent_h
+#define mechanics_nominal_tangent_h
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include "mechanics/displacement_gradient.h"
+
+namespace ElastoPlastic
+{
+  /// The tangent of a finite deformation: the derivative of the nominal stress
+  /// with respect to the displacement gradient, both as GradientEntries, is
+  ///   stiffness + K v v^T,
+  /// where v is the slope of the volumetric strain. (With B-bar, its mean takes
+  /// the place of the second v.)
+  template <int dim, typename Number>
+  struct NominalTangent
+  {
+    static constexpr unsigned int n           = n_gradient_entries<dim>;
+    static constexpr unsigned int n_symmetric = n * (n + 1) / 2;
+    static constexpr unsigned int n_values    = n_symmetric + n;
+
+    SymmetricTensor<2, n, Number> stiffness;
+    Tensor<1, n, Number>          volumetric_slope;
+
+    /// One of the n_values numbers that it consists of.
+    Number &
+    value(const unsigned int i)
+    {
+      return i < n_symmetric ? stiffness.access_raw_entry(i) :
+                               volumetric_slope[i - n_symmetric];
+    }
+
+    const Number &
+    value(const unsigned int i) const
+    {
+      return const_cast<NominalTangent &>(*this).value(i);
+    }
+  };
+
+
+
+  /// What an unsymmetric stiffness has beside its symmetric part.
+  template <int dim, typename Number>
+  struct SkewPart
+  {
+    static constexpr unsigned int n = n_gradient_entries<dim>;
+
+    Tensor<1, n *(n - 1) / 2, Number> above_diagonal;
+
+    explicit SkewPart(const Tensor<2, n, Number> &matrix)
+    {
+      for (unsigned int i = 0, k = 0; i < n; ++i)
+        for (unsigned int j = i + 1; j < n; ++j, ++k)
+          above_diagonal[k] = 0.5 * (matrix[i][j] - matrix[j][i]);
+    }
+
+    SkewPart() = default;
+
+    Tensor<1, n, Number>
+    operator*(const Tensor<1, n, Number> &vector) const
+    {
+      Tensor<1, n, Number> product;
+      for (unsigned int i = 0, k = 0; i < n; ++i)
+        for (unsigned int j = i + 1; j < n; ++j, ++k)
+          {
+            product[i] += above_diagonal[k] * vector[j];
+            product[j] -= above_diagonal[k] * vector[i];
+          }
+      return product;
+    }
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "mechanics/make_kernel.h"
+#include "mechanics/matrix_free_solid_kernel.h"
+
+namespace ElastoPlastic
+{
+  template <int dim>
+  std::unique_ptr<SolidKernel<dim>>
+  make_solid_kernel(const unsigned int degree, const StrainModel &strain_model)
+  {
+    return make_kernel<SolidKernel<dim>,
+                       dim,
+                       MatrixFreeSolidKernel,
+                       FiniteStrain>(degree, strain_model);
+  }
+
+
+
+  template std::unique_ptr<SolidKernel<2>>
+  make_solid_kernel(const unsigned int, const StrainModel &);
+  template std::unique_ptr<SolidKernel<3>>
+  make_solid_kernel(const unsigned int, const StrainModel &);
+} // namespace ElastoPlastic
