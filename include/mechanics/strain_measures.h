@@ -244,12 +244,11 @@ namespace ElastoPlastic
       return deformation.logarithmic.true_stress(stress);
     }
 
-    /// The derivative of the conjugate at a given @p stress, by columns, but
-    /// for what the change of the volumetric strain contributes; and the slope
-    /// of that.
+    /// The derivative of the conjugate at a given @p stress, but for what the
+    /// change of the volumetric strain contributes; and the slope of that.
     template <typename Law, typename Number>
     static void
-    linearize(Tensor<2, n_gradient_entries<dim>, Number> &columns,
+    linearize(Tensor<2, n_gradient_entries<dim>, Number> &derivative,
               GradientEntries<dim, Number>               &volumetric_slope,
               const Deformation<Number>                  &deformation,
               const SymmetricTensor<2, 3, Number>        &stress,
@@ -267,8 +266,11 @@ namespace ElastoPlastic
       for (unsigned int k = 0; k < n_gradient_entries<dim>; ++k)
         {
           GradientEntries<dim, Number> unit;
-          unit[k]    = Number(1.);
-          columns[k] = as_entries<dim>(tangent(as_matrix<dim>(unit), law));
+          unit[k] = Number(1.);
+          const auto column =
+            as_entries<dim>(tangent(as_matrix<dim>(unit), law));
+          for (unsigned int l = 0; l < n_gradient_entries<dim>; ++l)
+            derivative[l][k] = column[l];
         }
       // (what a sheet's volume does is part of the law)
       volumetric_slope =
