@@ -51,11 +51,14 @@ namespace ElastoPlastic
     bool
     has_energy() const override;
 
+    bool
+    is_convex() const override;
+
     Energy
     energy(const Vector &u) const override;
 
     void
-    compute_residual(Vector &residual, const Vector &u) const override;
+    compute_residual(Vector &residual, const Vector &u) override;
 
     /// The norm of the external forces, or if it is larger, the smallest that
     /// the largest forces of the history can have on this mesh.
@@ -100,6 +103,9 @@ namespace ElastoPlastic
     move_constrained(Vector &u) const override;
 
     void
+    return_to_bounds(Vector &u) const override;
+
+    void
     project(Vector &u) const override;
 
     void
@@ -109,6 +115,10 @@ namespace ElastoPlastic
     /// Finds out which unknowns are constrained or coupled now.
     void
     collect_unknowns();
+
+    /// The same, with the slopes of their bounds.
+    void
+    collect_unknowns(const Vector &u, const Vector &residual);
 
     /// Hanging nodes follow their masters.
     void

@@ -89,6 +89,8 @@ namespace ElastoPlastic
     void
     take_load_steps(Statistics &statistics);
     void
+    warn_of_large_strains(const SolveResult &result);
+    void
     finish_step(Statistics &statistics);
     void
     go_on_after_end(Statistics &statistics);

@@ -57,6 +57,16 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  ContactProblem<dim>::collect_unknowns(const Vector &u, const Vector &residual)
+  {
+    collect_unknowns();
+    unknowns.set_sloped_bounds(contact.sloped_bounds(u, residual));
+  }
+
+
+
+  template <int dim>
+  void
   ContactProblem<dim>::initialize_vector(Vector &vector) const
   {
     solid.initialize_vector(vector);
@@ -69,6 +79,15 @@ namespace ElastoPlastic
   ContactProblem<dim>::has_energy() const
   {
     return solid.has_energy();
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactProblem<dim>::is_convex() const
+  {
+    return has_energy() && !contact.has_curved_bounds();
   }
 
 
@@ -90,11 +109,12 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  ContactProblem<dim>::compute_residual(Vector &residual, const Vector &u) const
+  ContactProblem<dim>::compute_residual(Vector &residual, const Vector &u)
   {
     TimerOutput::Scope scope(timer, "Newton: residual");
     solid.internal_forces(residual, u);
     residual.sadd(-1., 1., external_forces);
+    unknowns.set_sloped_bounds(contact.sloped_bounds(u, residual));
   }
 
 
@@ -189,7 +209,7 @@ namespace ElastoPlastic
                                          const Vector &residual)
   {
     const bool changed = contact.update(u, residual);
-    collect_unknowns();
+    collect_unknowns(u, residual);
     return changed;
   }
 
@@ -211,7 +231,7 @@ namespace ElastoPlastic
                                                   const Vector &residual)
   {
     const bool changed = contact.update_feasible(u, residual);
-    collect_unknowns();
+    collect_unknowns(u, residual);
     return changed;
   }
 
@@ -241,6 +261,18 @@ namespace ElastoPlastic
   {
     supports.move_fixed(u);
     contact.move_active(u);
+    distribute(u);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::return_to_bounds(Vector &u) const
+  {
+    if (!contact.has_curved_bounds())
+      return;
+    contact.return_to_bounds(u);
     distribute(u);
   }
 

@@ -173,9 +173,11 @@ namespace ElastoPlastic
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
     const LinearAlgebra::distributed::Vector<double> layout(
       dof_handler.locally_owned_dofs(), relevant, MPI_COMM_SELF);
-    ContactSet<dim> contact_set(
-      [this](const Point<dim> &x) { return gap_function.value(x); },
-      quick.strain_model.kinematics);
+    ContactSet<dim> contact_set(vertical_bounds<dim>(
+                                  [this](const Point<dim> &x) {
+                                    return gap_function.value(x);
+                                  }),
+                                quick.strain_model.kinematics);
     contact_set.reinit(dof_handler,
                        supports.constraints(),
                        quick.boundary_conditions.ids(

@@ -18,7 +18,7 @@ namespace ElastoPlastic
             parameters.discretization.degree,
             parameters.material.materials(),
             make_indenter<dim>(parameters.indenter),
-            parameters.contact.edge,
+            parameters.contact,
             LoadProgram(parameters.loading)};
   }
 

@@ -24,7 +24,7 @@ namespace ElastoPlastic
     has_limit_load(const Model<2> &model)
     {
       return model.strain_model.kinematics != Kinematics::axisymmetric &&
-             model.indenter.shape &&
+             !model.strain_model.is_finite() && model.indenter.shape &&
              model.boundary_conditions.tractions().empty() &&
              std::all_of(model.materials.begin(),
                          model.materials.end(),

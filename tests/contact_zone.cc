@@ -66,7 +66,7 @@ namespace
       }
 
     Vector zero(dof_handler.locally_owned_dofs(), relevant, MPI_COMM_WORLD);
-    ContactSet<dim> contact(gap<dim>);
+    ContactSet<dim> contact(vertical_bounds<dim>(gap<dim>));
     contact.reinit(
       dof_handler, none, {2 * dim - 1}, IndexSet(fixed.size()), zero);
     contact.place(0.);

@@ -93,8 +93,8 @@ namespace
     solid->initialize_vector(residual);
     solid->initialize_vector(no_forces);
 
-    ContactSet<dim> contact(
-      [](const Point<dim> &x) { return 1. - x[dim - 1]; });
+    ContactSet<dim> contact(vertical_bounds<dim>(
+      [](const Point<dim> &x) { return 1. - x[dim - 1]; }));
     contact.reinit(dof_handler,
                    supports.constraints(),
                    {names["top"]},

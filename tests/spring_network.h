@@ -98,7 +98,7 @@ public:
   }
 
   void
-  compute_residual(Vector &residual, const Vector &u) const override
+  compute_residual(Vector &residual, const Vector &u) override
   {
     for (unsigned int i = 0; i < load.size(); ++i)
       {
@@ -202,6 +202,10 @@ public:
   }
 
   void
+  return_to_bounds(Vector &) const override
+  {}
+
+  void
   reduce(Vector &residual) const override
   {
     for (unsigned int i = 0; i < load.size(); ++i)
@@ -212,7 +216,7 @@ public:
   /// How far @p u is from a solution: penetration, tension, forces on free
   /// unknowns, work of contact forces over a gap.
   double
-  optimality_error(const Vector &u) const
+  optimality_error(const Vector &u)
   {
     Vector residual(load.size());
     compute_residual(residual, u);

@@ -4,7 +4,6 @@
 #ifndef contact_contact_edge_h
 #define contact_contact_edge_h
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
@@ -32,17 +31,6 @@ namespace ElastoPlastic
   template <>
   inline const EnumNames<EdgeRule> enum_names<EdgeRule> = {
     {"within faces", EdgeRule::within_faces}, {"at nodes", EdgeRule::at_nodes}};
-
-
-
-  /// The entries of the section "Contact".
-  struct ContactParameters
-  {
-    EdgeRule edge = EdgeRule::within_faces;
-
-    void
-    add_parameters(ParameterHandler &prm);
-  };
 
 
 
@@ -133,7 +121,7 @@ namespace ElastoPlastic
     };
 
     /// Finds the faces on @p boundaries; @p constraints are those of hanging
-    /// nodes. Collective.
+    /// nodes, and must outlive this object or the next call. Collective.
     void
     reinit(const DoFHandler<dim>              &dof_handler,
            const AffineConstraints<double>    &constraints,
@@ -148,6 +136,11 @@ namespace ElastoPlastic
     {
       return whole_areas;
     }
+
+    /// The same faces, where the displacement @p u has brought them, seen from
+    /// above. Collective.
+    ContactEdge
+    moved(const Vector &u) const;
 
     /// What the nodes have of the touched part.
     struct TouchedPart
@@ -190,6 +183,10 @@ namespace ElastoPlastic
     struct Face
     {
       std::array<types::global_dof_index, n_nodes> dofs;
+      /// The horizontal unknowns and positions of the nodes.
+      std::array<std::array<types::global_dof_index, dim - 1>, n_nodes>
+                                      horizontal;
+      std::array<Point<dim>, n_nodes> positions;
       /// Density of the area at the nodes, axisymmetric: of whole rings.
       std::array<double, n_nodes> density;
     };
@@ -203,9 +200,16 @@ namespace ElastoPlastic
     Vector
     ghosted(const Vector &vector) const;
 
-    void
-    find_areas(const AffineConstraints<double> &constraints);
+    /// The density of the area of a face whose nodes are at @p positions, seen
+    /// from above.
+    std::array<double, n_nodes>
+    projected_density(const std::array<Point<dim>, n_nodes> &positions) const;
 
+    void
+    find_areas();
+
+    const AffineConstraints<double>                   *constraints = nullptr;
+    Kinematics                                         kinematics;
     std::vector<Face>                                  faces;
     Vector                                             whole_areas;
     std::shared_ptr<const Utilities::MPI::Partitioner> vectors;

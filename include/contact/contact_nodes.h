@@ -5,26 +5,52 @@
 #define contact_contact_nodes_h
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <array>
 #include <functional>
 #include <set>
 #include <vector>
 
 #include "base/kinematics.h"
+#include "contact/indenter.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// The vertical degree of freedom of a node of the contact surface.
+  /// For each node of a face of the element FE_Q(p)^dim, the places of its
+  /// components among the degrees of freedom of the face.
+  template <int dim>
+  std::vector<std::array<unsigned int, dim>>
+  nodes_of_face(const FiniteElement<dim> &fe)
+  {
+    std::vector<std::array<unsigned int, dim>> nodes(fe.n_dofs_per_face() /
+                                                     dim);
+    for (unsigned int i = 0; i < fe.n_dofs_per_face(); ++i)
+      {
+        const auto [component, node] = fe.face_system_to_component_index(i);
+        nodes[node][component]       = i;
+      }
+    return nodes;
+  }
+
+
+
+  /// A node of the contact surface. Indices are local to this rank.
+  template <int dim>
   struct ContactNode
   {
-    /// Local to this rank.
-    unsigned int index;
-    /// The vertical distance up to the undisplaced indenter.
-    double gap;
+    /// Of its vertical unknown, and of the horizontal ones.
+    unsigned int                      index;
+    std::array<unsigned int, dim - 1> horizontal;
+    /// In the undeformed body.
+    Point<dim> position;
+    /// The vertical distance up to the undisplaced indenter, infinite where
+    /// that does not reach, and how it changes.
+    IndenterSurface<dim> gap;
     /// The integral of the node's shape function; hanging nodes hand theirs to
     /// their masters.
     double area;
@@ -36,17 +62,18 @@ namespace ElastoPlastic
 
 
 
-  /// Finds the nodes on @p boundaries that this rank owns and that have a
-  /// finite gap, in the order of their indices. @p layout gives the partition
-  /// of vectors.
+  /// Finds the nodes on @p boundaries that this rank owns, in the order of
+  /// their indices. @p gap gives that of a point of the undeformed surface,
+  /// @p layout the partition of vectors.
   template <int dim>
-  std::vector<ContactNode>
-  find_contact_nodes(const DoFHandler<dim>              &dof_handler,
-                     const AffineConstraints<double>    &constraints,
-                     const std::set<types::boundary_id> &boundaries,
-                     const std::function<double(const Point<dim> &)> &gap,
-                     const Kinematics kinematics,
-                     const LinearAlgebra::distributed::Vector<double> &layout);
+  std::vector<ContactNode<dim>>
+  find_contact_nodes(
+    const DoFHandler<dim>                                         &dof_handler,
+    const AffineConstraints<double>                               &constraints,
+    const std::set<types::boundary_id>                            &boundaries,
+    const std::function<IndenterSurface<dim>(const Point<dim> &)> &gap,
+    const Kinematics                                               kinematics,
+    const LinearAlgebra::distributed::Vector<double>              &layout);
 } // namespace ElastoPlastic
 
 #endif

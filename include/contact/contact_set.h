@@ -18,6 +18,7 @@
 #include "base/kinematics.h"
 #include "base/shared_rows.h"
 #include "contact/contact_edge.h"
+#include "contact/contact_geometry.h"
 #include "contact/contact_state.h"
 #include "loading/load.h"
 
@@ -30,9 +31,11 @@ namespace ElastoPlastic
   ///
   /// A candidate is a vertical degree of freedom i on the contact boundary
   /// with a finite gap g_i, that is neither held by a support nor a hanging
-  /// node. It is bounded by u_i <= g_i - depth. Its pressure is p_i = r_i/D_i,
-  /// where r_i is the residual (the force on the indenter) and D_i the entry of
-  /// the lumped boundary mass, the integral of the node's shape function.
+  /// node. It is bounded by u_i <= g_i - depth, where g_i may depend on the
+  /// horizontal displacements of the node (ContactBounds): then its force has a
+  /// horizontal part as well. Its pressure is p_i = r_i/D_i, where r_i is the
+  /// residual (the force on the indenter) and D_i the entry of the lumped
+  /// boundary mass, the integral of the node's shape function.
   /// Hanging nodes follow their masters; their D and r are handed to the
   /// masters with the same weights, so that sums of forces stay exact.
   ///
@@ -48,9 +51,7 @@ namespace ElastoPlastic
   public:
     using Vector = LinearAlgebra::distributed::Vector<double>;
 
-    /// @p gap(x) is the vertical distance from x up to the undisplaced
-    /// indenter, infinite where it does not reach.
-    explicit ContactSet(const std::function<double(const Point<dim> &)> &gap,
+    explicit ContactSet(const ContactBounds<dim> &bounds,
                         const Kinematics kinematics = Kinematics::cartesian,
                         const EdgeRule   rule       = EdgeRule::at_nodes);
 
@@ -180,6 +181,22 @@ namespace ElastoPlastic
     void
     move_active(Vector &u) const;
 
+    /// Whether a motion along the bounds to first order leaves them.
+    bool
+    has_curved_bounds() const
+    {
+      return bounds.follow_deformation();
+    }
+
+    /// The same as move_active() for an indenter where @p u says that it is.
+    void
+    return_to_bounds(Vector &u) const;
+
+    /// The bounds of all nodes that bear a part of the force, if they depend on
+    /// other unknowns.
+    std::vector<SlopedBound>
+    sloped_bounds(const Vector &u, const Vector &residual) const;
+
     /// Lowers the entries of @p u that exceed g - depth.
     void
     project(Vector &u) const;
@@ -195,9 +212,11 @@ namespace ElastoPlastic
     ContactState
     state(const Vector &u, const Vector &residual) const;
 
-    /// The nodal forces of the indenter on the body.
+    /// The nodal forces of the indenter on the body; and their vertical parts.
     Vector
-    forces_on_body(const Vector &residual) const;
+    forces_on_body(const Vector &u, const Vector &residual) const;
+    Vector
+    vertical_forces_on_body(const Vector &residual) const;
 
     /// For output: the surface fields, in the vertical component of vectors in
     /// the layout of displacements; zero elsewhere. Gaps are those of the
@@ -210,13 +229,10 @@ namespace ElastoPlastic
                    const Vector &residual) const;
 
   private:
-    /// A node within the indenter's reach. Indices are local to this rank.
-    struct Node
+    /// A node within the indenter's reach.
+    struct Node : ContactNode<dim>
     {
-      unsigned int index;
-      double       gap;
-      double       area;
-      bool         active;
+      bool active = false;
     };
 
     /// An indenter that no force pushes does not press on any node, and has
@@ -228,10 +244,17 @@ namespace ElastoPlastic
     }
 
     double
-    bound(const Node &node) const
+    bound(const Node &node, const Vector &u) const
     {
-      return node.gap - present_depth;
+      return bounds.value(node, u) - present_depth;
     }
+
+    /// The largest extent of the nodes of all ranks.
+    double
+    extent_of_nodes() const;
+
+    void
+    move_active_to(Vector &u, const double depth) const;
 
     /// sum_j t_kj (g_j - depth - u_j); empty without shared rows.
     Vector
@@ -266,9 +289,17 @@ namespace ElastoPlastic
     void
     make_shared_rows();
 
+    /// The faces that areas and pressures refer to.
+    ContactEdge<dim>
+    pressed_faces(const Vector &u) const;
+
+    /// The areas on which the active nodes press.
+    Vector
+    pressed_areas(const Vector &u) const;
+
     /// The pressure at the active nodes; zero elsewhere.
     Vector
-    pressures(const Vector &residual) const;
+    pressures(const Vector &u, const Vector &residual) const;
 
     double
     touched_area(const Vector &u) const;
@@ -288,13 +319,13 @@ namespace ElastoPlastic
     bool
     set_active(const Predicate &is_active);
 
-    const std::function<double(const Point<dim> &)> gap;
-    const Kinematics                                kinematics;
-    const EdgeRule                                  rule;
-    double                                          present_depth = 0;
-    std::optional<double>                           given_force;
-    MPI_Comm                                        communicator;
-    types::global_dof_index                         first_owned_dof = 0;
+    ContactBounds<dim>      bounds;
+    const Kinematics        kinematics;
+    const EdgeRule          rule;
+    double                  present_depth = 0;
+    std::optional<double>   given_force;
+    MPI_Comm                communicator;
+    types::global_dof_index first_owned_dof = 0;
 
     std::vector<Node> candidates;
     std::vector<Node> hanging_nodes;

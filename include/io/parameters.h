@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/enum_names.h"
-#include "contact/contact_edge.h"
+#include "contact/contact_parameters.h"
 #include "contact/indenter_parameters.h"
 #include "evaluation/indentation_test.h"
 #include "io/command_line.h"
@@ -90,6 +90,9 @@ namespace ElastoPlastic
 
     void
     check_equilibrium_method() const;
+
+    void
+    check_contact_geometry() const;
   };
 } // namespace ElastoPlastic
 

@@ -35,21 +35,26 @@ namespace ElastoPlastic
 
 
 
-  /// The highest point of the given @p boundaries, on all ranks: where the
-  /// indenter touches first if its tip is there.
+  /// The lowest and the highest point of the given @p boundaries, on all ranks.
   template <int dim>
-  double
-  highest_point(const parallel::distributed::Triangulation<dim> &triangulation,
-                const std::set<types::boundary_id>              &boundaries)
+  std::pair<double, double>
+  range_of_heights(
+    const parallel::distributed::Triangulation<dim> &triangulation,
+    const std::set<types::boundary_id>              &boundaries)
   {
-    double height = std::numeric_limits<double>::lowest();
+    double lowest  = std::numeric_limits<double>::max();
+    double highest = std::numeric_limits<double>::lowest();
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() && boundaries.count(face->boundary_id()) > 0)
             for (const unsigned int v : face->vertex_indices())
-              height = std::max(height, face->vertex(v)[dim - 1]);
-    return Utilities::MPI::max(height, triangulation.get_communicator());
+              {
+                lowest  = std::min(lowest, face->vertex(v)[dim - 1]);
+                highest = std::max(highest, face->vertex(v)[dim - 1]);
+              }
+    return {Utilities::MPI::min(lowest, triangulation.get_communicator()),
+            Utilities::MPI::max(highest, triangulation.get_communicator())};
   }
 } // namespace ElastoPlastic
 

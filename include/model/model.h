@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/kinematics.h"
-#include "contact/contact_edge.h"
+#include "contact/contact_parameters.h"
 #include "contact/gap_function.h"
 #include "loading/load_program.h"
 #include "material/material.h"
@@ -38,7 +38,7 @@ namespace ElastoPlastic
     std::vector<Material<double>> materials;
 
     PlacedIndenter<dim> indenter;
-    EdgeRule            edge_rule;
+    ContactParameters   contact;
 
     /// As it is before the first step: an analysis takes a copy, which
     /// remembers what has been reached.
@@ -55,6 +55,17 @@ namespace ElastoPlastic
   make_mesh_and_place_indenter(
     const Model<dim>                          &model,
     parallel::distributed::Triangulation<dim> &triangulation);
+
+
+
+  /// The bounds that the indenter sets to the nodes of the mesh, which is flat
+  /// or curved. @p gap_function must outlive them. Collective.
+  template <int dim>
+  ContactBounds<dim>
+  make_contact_bounds(
+    const Model<dim>                                &model,
+    const GapFunction<dim>                          &gap_function,
+    const parallel::distributed::Triangulation<dim> &triangulation);
 } // namespace ElastoPlastic
 
 #endif

@@ -20,8 +20,8 @@ namespace ElastoPlastic
 
 
 
-  /// What SemismoothNewton needs to know of a problem: minimise a convex
-  /// energy Pi(u), where some unknowns are constrained (by supports, or because
+  /// What SemismoothNewton needs to know of a problem: minimise an energy Pi(u),
+  /// which should be convex, where some unknowns are constrained (by supports, or because
   /// they are in the active set) and others are bounded from above (the contact
   /// candidates). The derivative of Pi is called -residual, so that the
   /// residual at a constrained unknown is the force its support takes from the
@@ -48,13 +48,19 @@ namespace ElastoPlastic
     virtual bool
     has_energy() const = 0;
 
+    /// Whether Pi is convex, and bounds are: then a descent on the admissible
+    /// set finds its minimum.
+    virtual bool
+    is_convex() const = 0;
+
     /// Pi(u), or a number to look at if it does not exist.
     virtual Energy
     energy(const Vector &u) const = 0;
 
-    /// -dPi/du at all unknowns, constrained ones included.
+    /// -dPi/du at all unknowns, constrained ones included. Slopes of bounds, if
+    /// they depend on u, are those at this one from now on.
     virtual void
-    compute_residual(Vector &residual, const Vector &u) const = 0;
+    compute_residual(Vector &residual, const Vector &u) = 0;
 
     /// A norm of forces, of the problem and not of any u, which is not zero
     /// where the residual of the solution is: forces that are small against it
@@ -118,6 +124,11 @@ namespace ElastoPlastic
     /// Moves the constrained unknowns of u to their prescribed places.
     virtual void
     move_constrained(Vector &u) const = 0;
+
+    /// Where a step along the tangents of curved bounds has left them: moves
+    /// the active unknowns of u back.
+    virtual void
+    return_to_bounds(Vector &u) const = 0;
 
     /// Moves the candidates of u that violate their bound onto it.
     virtual void

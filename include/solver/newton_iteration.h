@@ -60,8 +60,8 @@ namespace ElastoPlastic
     set_cycles();
 
     /// Projects u onto the admissible set and hands over to the feasible
-    /// method. @throws ConvergenceError if there is no energy that this method
-    /// could decrease.
+    /// method. @throws ConvergenceError if there is no convex energy that this
+    /// method could decrease.
     void
     become_feasible();
 
@@ -88,6 +88,16 @@ namespace ElastoPlastic
     /// their prescribed places: lift + correction on the free ones.
     void
     compute_increment();
+
+    /// Whether there is an energy at u: not where constrained unknowns that
+    /// have been moved alone have turned elements inside out.
+    bool
+    is_possible() const;
+
+    /// Moves u by @p direction, and returns 1, the fraction of it that has been
+    /// taken. @throws ConvergenceError if there is no energy there either.
+    double
+    full_step(const Vector &direction);
 
     /// Backtracking from @p base along @p direction, where the energy has the
     /// derivative @p slope < 0: finds a fraction with a sufficient decrease

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/shared_rows.h"
+#include "base/sloped_bound.h"
 
 namespace ElastoPlastic
 {
@@ -22,6 +23,9 @@ namespace ElastoPlastic
   /// The active ones among them may share their rows with free unknowns: then
   /// not u_k, but u_k + sum_j t_kj (u_j - m) is the motion m, which is that of
   /// the leader or zero (SharedRows).
+  ///
+  /// Bounds may be sloped: then u_i - sum_j b_j u_j stands for u_i in all this,
+  /// with the slopes b_j of its bound.
   ///
   /// A reduced vector is zero at constrained and coupled unknowns, but for the
   /// first of the coupled ones, the leader, which stands for all of them. With
@@ -44,6 +48,11 @@ namespace ElastoPlastic
                     const std::vector<unsigned int>         &active      = {},
                     const std::shared_ptr<const SharedRows> &shared_rows = {});
 
+    /// Takes the slopes and curvatures of the bounds of active unknowns, and of
+    /// those that share in their forces.
+    void
+    set_sloped_bounds(const std::vector<SlopedBound> &bounds);
+
     /// Whether there are coupled unknowns, on any rank.
     bool
     has_coupling() const;
@@ -56,6 +65,12 @@ namespace ElastoPlastic
     /// less what unknowns with shared rows leave to others.
     void
     expand(Vector &increment) const;
+
+    /// The second derivative of the energy has a part that comes from the
+    /// curvature of bounds and the forces on them: adds its product with an
+    /// expanded @p increment.
+    void
+    add_curvature(Vector &forces, const Vector &increment) const;
 
     /// Multiplies by E^T: what is shared goes to the free unknowns; the leader
     /// gets the sum of the coupled unknowns, constrained and other coupled ones
@@ -80,8 +95,13 @@ namespace ElastoPlastic
     bool
     owns_leader() const;
 
+    /// sum_j b_j u_j
+    static double
+    along_slope(const SlopedBound &bound, const Vector &u);
+
     std::vector<unsigned int>         constrained, coupled, active;
     std::shared_ptr<const SharedRows> shared_rows;
+    std::vector<SlopedBound>          sloped_bounds;
     MPI_Comm                          communicator = MPI_COMM_SELF;
     /// The rank that owns the leader, its first coupled unknown; the number of
     /// ranks if there are no coupled unknowns.

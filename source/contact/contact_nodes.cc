@@ -5,7 +5,6 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/filtered_iterator.h>
 
-#include <cmath>
 #include <map>
 
 #include "base/rethrow_collectively.h"
@@ -72,20 +71,23 @@ namespace ElastoPlastic
 
 
 
-    /// The gaps of the nodes on @p boundaries that this rank owns, in their
-    /// order.
+    /// The nodes on @p boundaries whose vertical unknowns this rank owns, in
+    /// their order, with what does not depend on other nodes.
     template <int dim>
-    std::map<types::global_dof_index, double>
-    find_gaps(const DoFHandler<dim>                           &dof_handler,
-              const std::set<types::boundary_id>              &boundaries,
-              const std::function<double(const Point<dim> &)> &gap)
+    std::map<types::global_dof_index, ContactNode<dim>>
+    find_nodes(
+      const DoFHandler<dim>              &dof_handler,
+      const std::set<types::boundary_id> &boundaries,
+      const std::function<IndenterSurface<dim>(const Point<dim> &)> &gap,
+      const Utilities::MPI::Partitioner &partitioner)
     {
       const auto               &fe = dof_handler.get_fe();
-      const Quadrature<dim - 1> nodes(fe.get_unit_face_support_points());
-      FEFaceValues<dim> fe_face_values(fe, nodes, update_quadrature_points);
+      const Quadrature<dim - 1> points(fe.get_unit_face_support_points());
+      FEFaceValues<dim> fe_face_values(fe, points, update_quadrature_points);
       std::vector<types::global_dof_index> dof_indices(fe.n_dofs_per_face());
+      const auto                           components = nodes_of_face(fe);
 
-      std::map<types::global_dof_index, double> gaps; // ordered, and each once
+      std::map<types::global_dof_index, ContactNode<dim>> nodes;
       // A node's owner need not own one of its contact faces: look at ghosts
       // too.
       const auto cells = filter_iterators(dof_handler.active_cell_iterators(),
@@ -95,25 +97,35 @@ namespace ElastoPlastic
       for_each_face(cells, boundaries, [&](const auto &cell, const auto f) {
         fe_face_values.reinit(cell, f);
         cell->face(f)->get_dof_indices(dof_indices);
-        for (unsigned int i = 0; i < dof_indices.size(); ++i)
-          if (fe.face_system_to_component_index(i).first == dim - 1 &&
-              dof_handler.locally_owned_dofs().is_element(dof_indices[i]))
-            gaps[dof_indices[i]] = gap(fe_face_values.quadrature_point(i));
+        for (const auto &of_node : components)
+          {
+            const auto dof = dof_indices[of_node[dim - 1]];
+            if (!partitioner.in_local_range(dof) || nodes.count(dof) > 0)
+              continue;
+            ContactNode<dim> &node = nodes[dof];
+            node.index             = partitioner.global_to_local(dof);
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              node.horizontal[d] =
+                partitioner.global_to_local(dof_indices[of_node[d]]);
+            node.position = fe_face_values.quadrature_point(of_node[dim - 1]);
+            node.gap      = gap(node.position);
+          }
       });
-      return gaps;
+      return nodes;
     }
   } // namespace
 
 
 
   template <int dim>
-  std::vector<ContactNode>
-  find_contact_nodes(const DoFHandler<dim>              &dof_handler,
-                     const AffineConstraints<double>    &constraints,
-                     const std::set<types::boundary_id> &boundaries,
-                     const std::function<double(const Point<dim> &)> &gap,
-                     const Kinematics kinematics,
-                     const Vector    &layout)
+  std::vector<ContactNode<dim>>
+  find_contact_nodes(
+    const DoFHandler<dim>                                         &dof_handler,
+    const AffineConstraints<double>                               &constraints,
+    const std::set<types::boundary_id>                            &boundaries,
+    const std::function<IndenterSurface<dim>(const Point<dim> &)> &gap,
+    const Kinematics                                               kinematics,
+    const Vector                                                  &layout)
   {
     Vector areas;
     areas.reinit(layout);
@@ -121,40 +133,38 @@ namespace ElastoPlastic
       dof_handler, constraints, boundaries, kinematics, areas);
     const double no_area = 1e-14 * areas.linfty_norm(); // rounding
 
-    std::map<types::global_dof_index, double> gaps;
+    std::map<types::global_dof_index, ContactNode<dim>> nodes;
     rethrow_collectively(layout.get_mpi_communicator(), [&]() {
-      gaps = find_gaps(dof_handler, boundaries, gap);
+      nodes =
+        find_nodes(dof_handler, boundaries, gap, *layout.get_partitioner());
     });
 
-    const auto              &partitioner = *layout.get_partitioner();
-    std::vector<ContactNode> nodes;
-    for (const auto &[dof, gap] : gaps)
-      if (std::isfinite(gap))
-        {
-          const unsigned int index = partitioner.global_to_local(dof);
-          nodes.push_back({index,
-                           gap,
-                           areas.local_element(index),
-                           constraints.is_constrained(dof) ||
-                             areas.local_element(index) <= no_area});
-        }
-    return nodes;
+    std::vector<ContactNode<dim>> result;
+    for (auto &[dof, node] : nodes)
+      {
+        node.area    = areas.local_element(node.index);
+        node.hanging = constraints.is_constrained(dof) || node.area <= no_area;
+        result.push_back(node);
+      }
+    return result;
   }
 
 
 
-  template std::vector<ContactNode>
-  find_contact_nodes(const DoFHandler<2> &,
-                     const AffineConstraints<double> &,
-                     const std::set<types::boundary_id> &,
-                     const std::function<double(const Point<2> &)> &,
-                     const Kinematics,
-                     const Vector &);
-  template std::vector<ContactNode>
-  find_contact_nodes(const DoFHandler<3> &,
-                     const AffineConstraints<double> &,
-                     const std::set<types::boundary_id> &,
-                     const std::function<double(const Point<3> &)> &,
-                     const Kinematics,
-                     const Vector &);
+  template std::vector<ContactNode<2>>
+  find_contact_nodes(
+    const DoFHandler<2> &,
+    const AffineConstraints<double> &,
+    const std::set<types::boundary_id> &,
+    const std::function<IndenterSurface<2>(const Point<2> &)> &,
+    const Kinematics,
+    const Vector &);
+  template std::vector<ContactNode<3>>
+  find_contact_nodes(
+    const DoFHandler<3> &,
+    const AffineConstraints<double> &,
+    const std::set<types::boundary_id> &,
+    const std::function<IndenterSurface<3>(const Point<3> &)> &,
+    const Kinematics,
+    const Vector &);
 } // namespace ElastoPlastic

@@ -11,11 +11,10 @@
 namespace ElastoPlastic
 {
   template <int dim>
-  ContactSet<dim>::ContactSet(
-    const std::function<double(const Point<dim> &)> &gap,
-    const Kinematics                                 kinematics,
-    const EdgeRule                                   rule)
-    : gap(gap)
+  ContactSet<dim>::ContactSet(const ContactBounds<dim> &bounds,
+                              const Kinematics          kinematics,
+                              const EdgeRule            rule)
+    : bounds(bounds)
     , kinematics(kinematics)
     , rule(rule)
     , communicator(MPI_COMM_SELF)
@@ -36,23 +35,48 @@ namespace ElastoPlastic
     first_owned_dof = layout.get_partitioner()->local_range().first;
     candidates.clear();
     hanging_nodes.clear();
-    for (const ContactNode &node : find_contact_nodes(dof_handler,
-                                                      constraints,
-                                                      contact_boundaries,
-                                                      gap,
-                                                      kinematics,
-                                                      layout))
-      if (!supported_dofs.is_element(first_owned_dof + node.index))
-        (node.hanging ? hanging_nodes : candidates)
-          .push_back({node.index, node.gap, node.area, false});
+    for (const ContactNode<dim> &node : find_contact_nodes<dim>(
+           dof_handler,
+           constraints,
+           contact_boundaries,
+           [this](const Point<dim> &x) { return bounds.undeformed_gap(x); },
+           kinematics,
+           layout))
+      if (!supported_dofs.is_element(first_owned_dof + node.index) &&
+          (std::isfinite(node.gap.height) || bounds.follow_deformation()))
+        (node.hanging ? hanging_nodes : candidates).push_back({node, false});
+    bounds.set_far_away(1e3 * extent_of_nodes());
     unite_edge();
-    if (rule == EdgeRule::at_nodes)
+    if (rule == EdgeRule::at_nodes && !bounds.follow_deformation())
       return;
     edge.reinit(
       dof_handler, constraints, contact_boundaries, kinematics, layout);
     for (Vector *vector : memory.vectors())
       vector->reinit(layout);
     memory.n_steps = 0;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactSet<dim>::extent_of_nodes() const
+  {
+    double extent = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        double           low = infinity, high = -infinity;
+        for (const Node &node : candidates)
+          {
+            low  = std::min(low, node.position[d]);
+            high = std::max(high, node.position[d]);
+          }
+        extent = std::max(extent,
+                          Utilities::MPI::max(high, communicator) -
+                            Utilities::MPI::min(low, communicator));
+      }
+    return extent;
   }
 
 
@@ -94,7 +118,8 @@ namespace ElastoPlastic
       if (node.active)
         {
           const unsigned int i = node.index;
-          sum += node.gap - u.local_element(i) + shift(at_zero, node);
+          sum +=
+            bounds.value(node, u) - u.local_element(i) + shift(at_zero, node);
           slope += 1. + shift(at_zero, node) - shift(at_one, node);
         }
     return Utilities::MPI::sum(sum, communicator) /
@@ -109,7 +134,8 @@ namespace ElastoPlastic
   {
     double distance = std::numeric_limits<double>::infinity();
     for (const Node &node : candidates)
-      distance = std::min(distance, node.gap - u.local_element(node.index));
+      distance =
+        std::min(distance, bounds.value(node, u) - u.local_element(node.index));
     return Utilities::MPI::min(distance, communicator);
   }
 
@@ -133,7 +159,8 @@ namespace ElastoPlastic
       return false;
     present_depth = nearest_distance(u);
     return set_active([&](const Node &node) {
-      return node.gap - u.local_element(node.index) <= present_depth;
+      return bounds.value(node, u) - u.local_element(node.index) <=
+             present_depth;
     });
   }
 
@@ -168,7 +195,7 @@ namespace ElastoPlastic
     set_active([&](const Node &node) {
       return node.active ||
              u.local_element(node.index) >=
-               bound(node) + shift(shared, node) - contact_tolerance;
+               bound(node, u) + shift(shared, node) - contact_tolerance;
     });
     find_contact(u);
   }
@@ -194,7 +221,7 @@ namespace ElastoPlastic
       const unsigned int i = node.index;
       return node.active ?
                  residual.local_element(i) > 0 :
-                 u.local_element(i) > bound(node) + shift(shared, node);
+                 u.local_element(i) > bound(node, u) + shift(shared, node);
     });
     return find_contact(u) || changed;
   }
@@ -209,7 +236,7 @@ namespace ElastoPlastic
     present_depth         = depth_at(u);
     const double rounding = 1e-13 * std::abs(present_depth);
     const bool   changed  = set_active([&](const Node &node) {
-      return u.local_element(node.index) >= bound(node) - rounding &&
+      return u.local_element(node.index) >= bound(node, u) - rounding &&
              residual.local_element(node.index) > 0;
     });
     return find_contact(u) || changed;
@@ -265,8 +292,26 @@ namespace ElastoPlastic
   {
     double smallest = std::numeric_limits<double>::infinity();
     for (const Node &node : candidates)
-      smallest = std::min(smallest, node.gap);
+      smallest = std::min(smallest, node.gap.height);
     return Utilities::MPI::min(smallest, communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::move_active(Vector &u) const
+  {
+    move_active_to(u, present_depth);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::return_to_bounds(Vector &u) const
+  {
+    move_active_to(u, depth_at(u));
   }
 
 
@@ -275,17 +320,17 @@ namespace ElastoPlastic
   // larger than u, is at its place.)
   template <int dim>
   void
-  ContactSet<dim>::move_active(Vector &u) const
+  ContactSet<dim>::move_active_to(Vector &u, const double depth) const
   {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    const Vector     shared  = shared_gaps(u, present_depth);
+    const Vector     shared  = shared_gaps(u, depth);
     for (const Node &node : candidates)
       if (node.active)
         {
+          const double gap = bounds.value(node, u);
           const double rounding =
-            4. * epsilon *
-            std::max(std::abs(node.gap), std::abs(present_depth));
-          const double place        = bound(node) + shift(shared, node);
+            4. * epsilon * std::max(std::abs(gap), std::abs(depth));
+          const double place        = gap - depth + shift(shared, node);
           double      &displacement = u.local_element(node.index);
           if (std::abs(displacement - place) > rounding)
             displacement = place;
@@ -301,7 +346,7 @@ namespace ElastoPlastic
     const double depth = depth_at(u);
     for (const Node &node : candidates)
       u.local_element(node.index) =
-        std::min(u.local_element(node.index), node.gap - depth);
+        std::min(u.local_element(node.index), bounds.value(node, u) - depth);
   }
 
 

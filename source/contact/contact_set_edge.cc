@@ -49,7 +49,7 @@ namespace ElastoPlastic
     Vector result(memory.gaps_at_edge.get_partitioner());
     for (const Node &node : candidates)
       result.local_element(node.index) =
-        node.gap - depth - u.local_element(node.index);
+        bounds.value(node, u) - depth - u.local_element(node.index);
     return result;
   }
 

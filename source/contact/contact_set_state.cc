@@ -9,23 +9,59 @@
 
 namespace ElastoPlastic
 {
-  // A node that shares its row carries the pressure on its own part of the
-  // touched faces.
+  template <int dim>
+  ContactEdge<dim>
+  ContactSet<dim>::pressed_faces(const Vector &u) const
+  {
+    return bounds.follow_deformation() ? edge.moved(u) : edge;
+  }
+
+
+
+  // A node that shares its row presses on its own part of the touched faces.
   template <int dim>
   typename ContactSet<dim>::Vector
-  ContactSet<dim>::pressures(const Vector &residual) const
+  ContactSet<dim>::pressed_areas(const Vector &u) const
   {
-    Vector result(residual.get_partitioner()), ones(residual.get_partitioner());
+    Vector areas(u.get_partitioner()), ones(u.get_partitioner()), missing;
+    for (const Node &node : candidates)
+      areas.local_element(node.index) = node.area;
     set_candidate_entries(ones, 1.);
-    const Vector sums = rows ? rows->sums(ones) : result;
+    const Vector sums = rows ? rows->sums(ones) : Vector(u.get_partitioner());
+    if (bounds.follow_deformation())
+      {
+        const auto faces = pressed_faces(u);
+        areas            = faces.areas();
+        if (rows)
+          missing = faces.touched_part(memory.kinds, memory.levels).missing;
+      }
+    for (const Node &node : candidates)
+      if (const unsigned int i = node.index; sums.local_element(i) > 0.)
+        {
+          double &area = areas.local_element(i);
+          area = bounds.follow_deformation() ? area - missing.local_element(i) :
+                                               1. / scale->local_element(i);
+        }
+    return areas;
+  }
+
+
+
+  // (Vertical forces and projected areas have the same quotient as normal
+  // forces and inclined areas.)
+  template <int dim>
+  typename ContactSet<dim>::Vector
+  ContactSet<dim>::pressures(const Vector &u, const Vector &residual) const
+  {
+    Vector       result(residual.get_partitioner());
+    const Vector areas = pressed_areas(u);
     for (const Node &node : candidates)
       if (node.active)
         {
-          const unsigned int i = node.index;
-          result.local_element(i) =
-            residual.local_element(i) * (sums.local_element(i) > 0. ?
-                                           scale->local_element(i) :
-                                           1. / node.area);
+          const unsigned int i    = node.index;
+          result.local_element(i) = residual.local_element(i) *
+                                    bounds.inclination(node) /
+                                    areas.local_element(i);
         }
     return result;
   }
@@ -41,15 +77,17 @@ namespace ElastoPlastic
     double area = 0;
     if (rule == EdgeRule::at_nodes)
       {
-        for (const Node &node : candidates)
-          area += node.active ? node.area : 0.;
+        const Vector areas = pressed_areas(u);
+        for (const unsigned int i : active_entries())
+          area += areas.local_element(i);
         return Utilities::MPI::sum(area, communicator);
       }
 
+    const auto   faces  = pressed_faces(u);
     const Vector kinds  = this->kinds();
     const Vector inside = edge.inside(kinds);
     const auto   part =
-      edge.touched_part(kinds, levels(distances(u, present_depth)));
+      faces.touched_part(kinds, levels(distances(u, present_depth)));
     Vector ones(u.get_partitioner()), taken_over(u.get_partitioner());
     set_candidate_entries(ones, 1.);
     part.taken_over->vmult(taken_over, ones);
@@ -57,7 +95,7 @@ namespace ElastoPlastic
       if (node.active)
         {
           const unsigned int i = node.index;
-          area += edge.areas().local_element(i) +
+          area += faces.areas().local_element(i) +
                   inside.local_element(i) * (taken_over.local_element(i) -
                                              part.missing.local_element(i));
         }
@@ -70,9 +108,9 @@ namespace ElastoPlastic
   ContactState
   ContactSet<dim>::state(const Vector &u, const Vector &residual) const
   {
-    const Vector forces    = forces_on_body(residual);
+    const Vector forces    = vertical_forces_on_body(residual);
     const Vector places    = shared_gaps(u, present_depth);
-    const Vector pressures = this->pressures(residual);
+    const Vector pressures = this->pressures(u, residual);
 
     double force = 0, work = 0, max_penetration = 0, edge_penetration = 0;
     double max_hanging_penetration = 0, max_pressure = 0;
@@ -80,7 +118,7 @@ namespace ElastoPlastic
     for (const Node &node : candidates)
       {
         const unsigned int i           = node.index;
-        const double       penetration = u.local_element(i) - bound(node);
+        const double       penetration = u.local_element(i) - bound(node, u);
         force -= forces.local_element(i);
         if (node.active)
           {
@@ -97,7 +135,7 @@ namespace ElastoPlastic
     for (const Node &node : hanging_nodes)
       max_hanging_penetration =
         std::max(max_hanging_penetration,
-                 u.local_element(node.index) - bound(node));
+                 u.local_element(node.index) - bound(node, u));
 
     ContactState state;
     state.force           = Utilities::MPI::sum(force, communicator);
@@ -124,7 +162,7 @@ namespace ElastoPlastic
 
   template <int dim>
   typename ContactSet<dim>::Vector
-  ContactSet<dim>::forces_on_body(const Vector &residual) const
+  ContactSet<dim>::vertical_forces_on_body(const Vector &residual) const
   {
     Vector forces(residual.get_partitioner());
     for (const Node &node : candidates)
@@ -133,6 +171,39 @@ namespace ElastoPlastic
     if (rows)
       forces -= rows->shares(residual);
     return forces;
+  }
+
+
+
+  template <int dim>
+  typename ContactSet<dim>::Vector
+  ContactSet<dim>::forces_on_body(const Vector &u, const Vector &residual) const
+  {
+    Vector forces = vertical_forces_on_body(residual);
+    for (const SlopedBound &bound : sloped_bounds(u, residual))
+      for (unsigned int d = 0; d < bound.n_others; ++d)
+        forces.local_element(bound.others[d]) = bound.slope[d] * bound.force;
+    return forces;
+  }
+
+
+
+  template <int dim>
+  std::vector<SlopedBound>
+  ContactSet<dim>::sloped_bounds(const Vector &u, const Vector &residual) const
+  {
+    std::vector<SlopedBound> result;
+    if (!bounds.are_sloped())
+      return result;
+    const Vector forces = vertical_forces_on_body(residual);
+    for (const Node &node : candidates)
+      if (node.active || rows)
+        {
+          result.push_back(bounds.to_second_order(node, u));
+          result.back().force  = -forces.local_element(node.index);
+          result.back().active = node.active;
+        }
+    return result;
   }
 
 
@@ -148,8 +219,8 @@ namespace ElastoPlastic
     for (const auto *const nodes : {&candidates, &hanging_nodes})
       for (const Node &node : *nodes)
         gap.local_element(node.index) =
-          bound(node) - u.local_element(node.index);
-    pressure = pressures(residual);
+          bound(node, u) - u.local_element(node.index);
+    pressure = pressures(u, residual);
     for (const unsigned int i : active_entries())
       active.local_element(i) = 1.;
   }

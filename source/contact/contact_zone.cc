@@ -37,28 +37,6 @@ namespace ElastoPlastic
 
 
 
-    /// The nodes of a face of FE_Q^dim.
-    struct FaceNodes
-    {
-      template <int dim>
-      explicit FaceNodes(const FiniteElement<dim> &fe)
-      {
-        nodes.resize(fe.n_dofs_per_face() / dim,
-                     std::vector<unsigned int>(dim));
-        for (unsigned int i = 0; i < fe.n_dofs_per_face(); ++i)
-          {
-            const auto [component, node] = fe.face_system_to_component_index(i);
-            nodes[node][component]       = i;
-          }
-      }
-
-      /// For each node the places of its components among the degrees of
-      /// freedom of the face.
-      std::vector<std::vector<unsigned int>> nodes;
-    };
-
-
-
     /// The number of the set that each of these belongs to, if those that are
     /// linked belong to the same: "union-find".
     class LinkedSets
@@ -131,7 +109,7 @@ namespace ElastoPlastic
                      relevant,
                      dof_handler.get_communicator());
     const auto   first_owned = is_active.get_partitioner()->local_range().first;
-    const Vector forces      = contact.forces_on_body(residual);
+    const Vector forces      = contact.vertical_forces_on_body(residual);
     Graph        graph;
     for (const unsigned int i : contact.active_entries())
       {
@@ -142,7 +120,7 @@ namespace ElastoPlastic
 
     const auto                          &fe = dof_handler.get_fe();
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
-    const FaceNodes                      face_nodes(fe);
+    const auto                           face_nodes = nodes_of_face(fe);
     FEFaceValues<dim>                    places(fe,
                              fe.get_unit_face_support_points(),
                              update_quadrature_points);
@@ -157,7 +135,7 @@ namespace ElastoPlastic
           places.reinit(cell, f);
           std::vector<types::global_dof_index> active;
           bool                                 ends_here = false;
-          for (const auto &components : face_nodes.nodes)
+          for (const auto &components : face_nodes)
             {
               const auto dof = dofs[components[dim - 1]];
               if (hanging_nodes.is_constrained(dof))
@@ -170,7 +148,7 @@ namespace ElastoPlastic
               active.push_back(dof);
               Node &node    = graph.nodes[dof];
               node.position = places.quadrature_point(components[dim - 1]);
-              node.extent += face->measure() / face_nodes.nodes.size();
+              node.extent += face->measure() / face_nodes.size();
               for (unsigned int d = 0; d < dim - 1; ++d)
                 if (fixed_dofs.is_element(dofs[components[d]]))
                   node.held_axes |= 1U << d;

@@ -53,7 +53,7 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::fields_of_last_step(VectorType &response)
   {
     std::vector<VectorType *> fields;
-    if (model.edge_rule == EdgeRule::within_faces)
+    if (model.contact.edge == EdgeRule::within_faces)
       fields = contact.edge_memory().vectors();
     for (VectorType *field : {&last_step.displacement,
                               &last_step.displacement_rate,

@@ -46,9 +46,9 @@ namespace ElastoPlastic
                                                  model.strain_model,
                                                  model.materials))
     , reactions(model, dof_handler, supports)
-    , contact([this](const Point<dim> &x) { return gap_function.value(x); },
+    , contact(make_contact_bounds(model, gap_function, triangulation),
               model.strain_model.kinematics,
-              model.edge_rule)
+              model.contact.edge)
     , boundary_displacements(model, triangulation)
     , probe_points(parameters.output.probe_points,
                    model.boundary_conditions.names(),
@@ -177,15 +177,14 @@ namespace ElastoPlastic
           {
             step_is_under_way = true;
             apply_load();
-            if (!cut)
+            if (!cut || model.strain_model.is_finite())
               predict();
             SolveResult      result = solve_on_mesh_sequence(statistics);
             const StepResult step   = evaluate_step(result);
             commit_step(result);
             statistics.add_step(step);
-            if (const std::string warning = small_strain_guard.warning(result);
-                !warning.empty())
-              log.warn(warning);
+            if (!model.strain_model.is_finite())
+              warn_of_large_strains(result);
             step_is_under_way = false;
           }
         catch (const ConvergenceError &error)
@@ -213,6 +212,17 @@ namespace ElastoPlastic
           save_checkpoint(statistics);
       }
     statistics.finish();
+  }
+
+
+
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::warn_of_large_strains(const SolveResult &result)
+  {
+    if (const std::string warning = small_strain_guard.warning(result);
+        !warning.empty())
+      log.warn(warning);
   }
 
 

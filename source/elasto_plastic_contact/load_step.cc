@@ -6,14 +6,16 @@
 namespace ElastoPlastic
 {
   // The starting guess for a step that continues the last one: things go on at
-  // the same rate.
+  // the same rate. (Finite strains need a guess as soon as there is one: a
+  // surface that moves alone would crush the elements below.)
   template <int dim>
   void
   ElastoPlasticContact<dim>::predict()
   {
-    const double begin = time_steps.time();
-    double       depth = last_step.result.depth;
-    if (time_steps.number() >= 3 && !load_program.is_segment_end(begin))
+    const double       begin  = time_steps.time();
+    double             depth  = last_step.result.depth;
+    const unsigned int n_past = model.strain_model.is_finite() ? 1 : 2;
+    if (time_steps.number() > n_past && !load_program.is_segment_end(begin))
       {
         const double duration = time_steps.next_time() - begin;
         depth += duration * last_step.depth_rate;

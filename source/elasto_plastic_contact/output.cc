@@ -76,14 +76,14 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::evaluate_step(const SolveResult &result) const
   {
     TimerOutput::Scope scope(timer, "Evaluation");
-    StepResult         step = {result,
-                               reactions.compute(*solid,
-                                         displacement,
-                                         contact.forces_on_body(residual),
-                                         result.time),
-                               boundary_displacements.compute(dof_handler,
-                                                      displacement),
-                               {}};
+    StepResult         step = {
+              result,
+              reactions.compute(*solid,
+                        displacement,
+                        contact.forces_on_body(displacement, residual),
+                        result.time),
+              boundary_displacements.compute(dof_handler, displacement),
+              {}};
     for (const double value :
          probe_points.compute(dof_handler, *solid, displacement))
       step.probes.push_back(value);

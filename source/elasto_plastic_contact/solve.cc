@@ -200,8 +200,11 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::check_force_balance(SolveResult &result)
   {
-    const double reaction = reactions.vertical_force(
-      *solid, displacement, contact.forces_on_body(residual), result.time);
+    const double reaction =
+      reactions.vertical_force(*solid,
+                               displacement,
+                               contact.forces_on_body(displacement, residual),
+                               result.time);
     double load = 0;
     if (external_forces.l1_norm() > 0)
       load = external_forces * rigid_body_modes(dof_handler, residual)[dim - 1];

@@ -129,6 +129,7 @@ namespace ElastoPlastic
                        "there is nothing that locks. Choose 'standard'.");
     if (analysis != Analysis::contact)
       check_equilibrium_method();
+    check_contact_geometry();
     material.check();
     indenter.check(dimension);
     refinement.check();
@@ -151,6 +152,30 @@ namespace ElastoPlastic
 
 
 
+  // Each of the two alone is much worse than none (doc/theory.md, "The geometry
+  // of the contact").
+  void
+  Parameters::check_contact_geometry() const
+  {
+    const bool is_finite = discretization.strain == Strain::logarithmic;
+    if (contact.geometry == ContactGeometry::automatic ||
+        is_finite == (contact.geometry == ContactGeometry::present))
+      return;
+    throw InputError(
+      "Contact/Geometry",
+      Patterns::Tools::to_string(contact.geometry),
+      is_finite ?
+        "'Strain = logarithmic' needs the indenter where the surface is now: "
+        "under a sharp tip the vertical gap makes the force a fifth too small. "
+        "Choose 'present' or 'automatic'." :
+        "with 'Strain = small' the force would be less than half of what it is, "
+        "because the small strains of a moving surface are not those of its "
+        "shape. Set 'Strain = logarithmic', or choose 'vertical', 'normal' or "
+        "'automatic'.");
+  }
+
+
+
   // What the equilibrium method cannot do.
   void
   Parameters::check_equilibrium_method() const
@@ -163,6 +188,12 @@ namespace ElastoPlastic
       throw InputError("Kinematics",
                        Patterns::Tools::to_string(discretization.kinematics),
                        entry + " is for plane strain and plane stress.");
+    if (discretization.strain != Strain::small)
+      throw InputError("Strain",
+                       Patterns::Tools::to_string(discretization.strain),
+                       entry +
+                         " is for small strains: its bounds do not hold "
+                         "for others. Set 'Strain = small'.");
     if (analysis == Analysis::limit_load && !indenter.is_present())
       throw InputError("Indenter/Type",
                        "none",

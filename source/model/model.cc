@@ -14,9 +14,36 @@ namespace ElastoPlastic
   {
     model.geometry.make_mesh(triangulation);
     return GapFunction<dim>(model.indenter,
-                            highest_point(triangulation,
-                                          model.boundary_conditions.ids(
-                                            BoundaryConditionType::contact)));
+                            range_of_heights(triangulation,
+                                             model.boundary_conditions.ids(
+                                               BoundaryConditionType::contact))
+                              .second);
+  }
+
+
+
+  template <int dim>
+  ContactBounds<dim>
+  make_contact_bounds(
+    const Model<dim>                                &model,
+    const GapFunction<dim>                          &gap_function,
+    const parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    ContactGeometry geometry = model.contact.geometry;
+    if (geometry == ContactGeometry::automatic)
+      {
+        const auto [lowest, highest] =
+          range_of_heights(triangulation,
+                           model.boundary_conditions.ids(
+                             BoundaryConditionType::contact));
+        geometry = model.strain_model.is_finite() ? ContactGeometry::present :
+                   highest - lowest > 1e-10 * body_size(triangulation) ?
+                                                    ContactGeometry::normal :
+                                                    ContactGeometry::vertical;
+      }
+    return ContactBounds<dim>(
+      [&gap_function](const Point<dim> &x) { return gap_function.surface(x); },
+      geometry);
   }
 
 
@@ -27,4 +54,12 @@ namespace ElastoPlastic
   template GapFunction<3>
   make_mesh_and_place_indenter(const Model<3> &,
                                parallel::distributed::Triangulation<3> &);
+  template ContactBounds<2>
+  make_contact_bounds(const Model<2> &,
+                      const GapFunction<2> &,
+                      const parallel::distributed::Triangulation<2> &);
+  template ContactBounds<3>
+  make_contact_bounds(const Model<3> &,
+                      const GapFunction<3> &,
+                      const parallel::distributed::Triangulation<3> &);
 } // namespace ElastoPlastic

@@ -99,14 +99,15 @@ namespace ElastoPlastic
   void
   NewtonIteration::become_feasible()
   {
-    if (!problem.has_energy())
+    if (!problem.is_convex())
       throw ConvergenceError(
         "The nonlinear solver makes no progress after " +
-        std::to_string(step.iteration) +
-        " iterations, and a material with recovering back stresses has no "
-        "energy by which another method could find the solution. Shorter "
-        "load steps ('Loading/Number of steps') or a finer mesh at the "
-        "contact help.");
+        std::to_string(step.iteration) + " iterations, and with " +
+        (problem.has_energy() ? "finite strains" :
+                                "a material with recovering back stresses") +
+        " there is no convex energy by which another method could find the "
+        "solution. Shorter load steps ('Loading/Number of steps') or a finer "
+        "mesh at the contact help.");
     feasible = true;
     problem.begin_feasible_method();
     problem.move_constrained(u);
@@ -262,7 +263,9 @@ namespace ElastoPlastic
         evaluate();
       }
     work = u;
-    if (problem.has_energy())
+    if (!is_possible())
+      step.step_length = full_step(increment);
+    else if (problem.has_energy())
       {
         const double slope = slope_along(increment);
         step.step_length = slope < 0 ? line_search(work, increment, slope) : 0.;
@@ -270,6 +273,31 @@ namespace ElastoPlastic
     else
       step.step_length = residual_line_search(work, increment);
     stuck = (step.step_length == 0. && constrained_unknowns_at_place);
+  }
+
+
+
+  bool
+  NewtonIteration::is_possible() const
+  {
+    return std::isfinite(current_energy.value);
+  }
+
+
+
+  double
+  NewtonIteration::full_step(const Vector &direction)
+  {
+    u += direction;
+    problem.return_to_bounds(u);
+    evaluate();
+    if (!is_possible())
+      throw ConvergenceError(
+        "The load step turns elements inside out, or strains them beyond all "
+        "bounds. Shorter load steps ('Loading/Number of steps') or a finer mesh "
+        "at the contact help; under sharp tips, elements that have been "
+        "squeezed too far do not recover.");
+    return 1.;
   }
 
 
@@ -284,6 +312,7 @@ namespace ElastoPlastic
       {
         u = base;
         u.add(fraction, direction);
+        problem.return_to_bounds(u);
         current_energy = problem.energy(u);
         if (current_energy.value <= start.value + 1e-4 * fraction * slope ||
             (has_not_grown(current_energy, start) &&
@@ -312,6 +341,7 @@ namespace ElastoPlastic
       {
         u = base;
         u.add(fraction, direction);
+        problem.return_to_bounds(u);
         problem.compute_residual(residual, u);
         if (compute_free_norm() <=
             std::max((1. - 1e-4 * fraction) * start_norm, negligible))

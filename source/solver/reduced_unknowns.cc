@@ -7,6 +7,20 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    void
+    add_along_slope(ReducedUnknowns::Vector &forces,
+                    const SlopedBound       &bound,
+                    const double             force)
+    {
+      for (unsigned int j = 0; j < bound.n_others; ++j)
+        forces.local_element(bound.others[j]) += bound.slope[j] * force;
+    }
+  } // namespace
+
+
+
   ReducedUnknowns::ReducedUnknowns(
     const std::vector<unsigned int>         &constrained,
     const std::vector<unsigned int>         &coupled,
@@ -27,6 +41,25 @@ namespace ElastoPlastic
 
 
 
+  void
+  ReducedUnknowns::set_sloped_bounds(const std::vector<SlopedBound> &bounds)
+  {
+    sloped_bounds = bounds;
+  }
+
+
+
+  double
+  ReducedUnknowns::along_slope(const SlopedBound &bound, const Vector &u)
+  {
+    double sum = 0;
+    for (unsigned int j = 0; j < bound.n_others; ++j)
+      sum += bound.slope[j] * u.local_element(bound.others[j]);
+    return sum;
+  }
+
+
+
   bool
   ReducedUnknowns::has_coupling() const
   {
@@ -38,7 +71,7 @@ namespace ElastoPlastic
   bool
   ReducedUnknowns::is_trivial() const
   {
-    return !has_coupling() && !shared_rows;
+    return !has_coupling() && !shared_rows && sloped_bounds.empty();
   }
 
 
@@ -59,13 +92,32 @@ namespace ElastoPlastic
     const double motion = has_coupling() ? leading_value(increment) : 0.;
     for (const unsigned int i : coupled)
       increment.local_element(i) = motion;
-    if (!shared_rows)
-      return;
-    Vector relative = increment;
-    relative.add(-motion);
-    const Vector sums = shared_rows->sums(relative);
-    for (const unsigned int i : active)
-      increment.local_element(i) -= sums.local_element(i);
+    if (shared_rows)
+      {
+        Vector relative = increment;
+        relative.add(-motion);
+        for (const SlopedBound &bound : sloped_bounds)
+          relative.local_element(bound.index) -= along_slope(bound, increment);
+        const Vector sums = shared_rows->sums(relative);
+        for (const unsigned int i : active)
+          increment.local_element(i) -= sums.local_element(i);
+      }
+    for (const SlopedBound &bound : sloped_bounds)
+      if (bound.active)
+        increment.local_element(bound.index) += along_slope(bound, increment);
+  }
+
+
+
+  void
+  ReducedUnknowns::add_curvature(Vector &forces, const Vector &increment) const
+  {
+    for (const SlopedBound &bound : sloped_bounds)
+      for (unsigned int j = 0; j < bound.n_others; ++j)
+        for (unsigned int l = 0; l < bound.n_others; ++l)
+          forces.local_element(bound.others[j]) -=
+            bound.force * bound.curvature[j][l] *
+            increment.local_element(bound.others[l]);
   }
 
 
@@ -82,7 +134,13 @@ namespace ElastoPlastic
         forces -= shares;
         for (unsigned int i = 0; i < shares.locally_owned_size(); ++i)
           sum += shares.local_element(i);
+        for (const SlopedBound &bound : sloped_bounds)
+          if (!bound.active)
+            add_along_slope(forces, bound, shares.local_element(bound.index));
       }
+    for (const SlopedBound &bound : sloped_bounds)
+      if (bound.active)
+        add_along_slope(forces, bound, forces.local_element(bound.index));
     set_leading_value(forces,
                       has_coupling() ? Utilities::MPI::sum(sum, communicator) :
                                        0.);

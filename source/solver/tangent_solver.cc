@@ -24,6 +24,7 @@ namespace ElastoPlastic
           expanded = vector;
           unknowns.expand(expanded);
           tangent.vmult(result, expanded);
+          unknowns.add_curvature(result, expanded);
         }
       else
         tangent.vmult(result, vector);

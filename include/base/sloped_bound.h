@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef base_sloped_bound_h
+#define base_sloped_bound_h
+
+#include <array>
+
+namespace ElastoPlastic
+{
+  /// A bound u_i <= b(u_j, u_l) that depends on other unknowns of the same
+  /// rank, to second order: that of a contact node beside the flank of an
+  /// indenter.
+  struct SlopedBound
+  {
+    unsigned int index = 0;
+    /// j and l, so many of them as there are.
+    std::array<unsigned int, 2> others   = {{0, 0}};
+    unsigned int                n_others = 0;
+    /// The first derivatives of b.
+    std::array<double, 2> slope = {{0., 0.}};
+    /// The second derivatives of b, and the force that presses against it.
+    std::array<std::array<double, 2>, 2> curvature = {};
+    double                               force     = 0.;
+    /// Whether the bound is active, or has a part in an active one only.
+    bool active = false;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_contact_geometry_h
+#define contact_contact_geometry_h
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <functional>
+
+#include "base/enum_names.h"
+#include "base/sloped_bound.h"
+#include "contact/contact_nodes.h"
+
+namespace ElastoPlastic
+{
+  /// Where a node meets the indenter, and in which direction it is pushed
+  /// (doc/theory.md, "The geometry of the contact").
+  enum class ContactGeometry
+  {
+    automatic, ///< present with finite strains; else normal or vertical,
+               ///< depending on whether the contact surface is curved or flat
+    vertical,  ///< above its place in the undeformed body; downwards
+    normal,    ///< above that place, but on the tangent plane of the indenter
+               ///< there; along the normal of that
+    present    ///< above its present place; along the normal of the indenter
+  };
+
+  template <>
+  inline const EnumNames<ContactGeometry> enum_names<ContactGeometry> = {
+    {"automatic", ContactGeometry::automatic},
+    {"vertical", ContactGeometry::vertical},
+    {"normal", ContactGeometry::normal},
+    {"present", ContactGeometry::present}};
+
+
+
+  /// The bounds of the vertical displacements of contact nodes as functions of
+  /// their horizontal ones, for an indenter at depth 0.
+  template <int dim>
+  class ContactBounds
+  {
+  public:
+    using Vector = LinearAlgebra::distributed::Vector<double>;
+
+    /// @p gap is GapFunction::surface(). @p geometry is not automatic.
+    ContactBounds(
+      const std::function<IndenterSurface<dim>(const Point<dim> &)> &gap,
+      const ContactGeometry                                          geometry);
+
+    /// Whether the indenter is met at the present places of the nodes.
+    bool
+    follow_deformation() const
+    {
+      return geometry == ContactGeometry::present;
+    }
+
+    /// Whether they depend on the horizontal displacements.
+    bool
+    are_sloped() const
+    {
+      return geometry != ContactGeometry::vertical;
+    }
+
+    /// The gap in the undeformed body.
+    IndenterSurface<dim>
+    undeformed_gap(const Point<dim> &point) const
+    {
+      return gap(point);
+    }
+
+    /// Where there is no indenter, bounds are larger than this.
+    void
+    set_far_away(const double distance)
+    {
+      far_away = distance;
+    }
+
+    double
+    value(const ContactNode<dim> &node, const Vector &u) const;
+
+    /// Without a force.
+    SlopedBound
+    to_second_order(const ContactNode<dim> &node, const Vector &u) const;
+
+    /// How much larger the force on a node is than its vertical part, if
+    /// pressures refer to areas of the undeformed surface.
+    double
+    inclination(const ContactNode<dim> &node) const;
+
+  private:
+    static Tensor<1, dim - 1>
+    horizontal_displacement(const ContactNode<dim> &node, const Vector &u);
+
+    IndenterSurface<dim>
+    gap_at_present_place(const ContactNode<dim> &node, const Vector &u) const;
+
+    const std::function<IndenterSurface<dim>(const Point<dim> &)> gap;
+    const ContactGeometry                                         geometry;
+    double                                                        far_away = 0;
+  };
+
+
+
+  /// Those of an indenter of which nothing but the @p gap is known.
+  template <int dim>
+  ContactBounds<dim>
+  vertical_bounds(const std::function<double(const Point<dim> &)> &gap)
+  {
+    return ContactBounds<dim>(
+      [gap](const Point<dim> &x) {
+        return IndenterSurface<dim>{gap(x), {}, {}};
+      },
+      ContactGeometry::vertical);
+  }
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_contact_parameters_h
+#define contact_contact_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include "contact/contact_edge.h"
+#include "contact/contact_geometry.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The entries of the section "Contact".
+  struct ContactParameters
+  {
+    EdgeRule        edge     = EdgeRule::within_faces;
+    ContactGeometry geometry = ContactGeometry::automatic;
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <cmath>
+
+#include "contact/contact_edge.h"
+#include "contact/contact_nodes.h"
+
+// The faces of ContactEdge, and integrals over parts of them.
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// The nodes of a face of FE_Q(p)^dim, as nodes_of_face() gives them, by
+    /// their place in the lattice of (p + 1)^(dim-1) nodes.
+    template <int dim>
+    std::vector<std::array<unsigned int, dim>>
+    node_lattice(const FiniteElement<dim> &fe)
+    {
+      const unsigned int n      = fe.degree + 1;
+      const auto        &points = fe.get_unit_face_support_points();
+      std::vector<std::array<unsigned int, dim>> lattice(
+        Utilities::fixed_power<dim - 1>(n));
+      for (const auto &node : nodes_of_face(fe))
+        {
+          unsigned int place = 0;
+          for (unsigned int d = dim - 1; d-- > 0;)
+            place =
+              n * place + std::lround(points[node[dim - 1]][d] * fe.degree);
+          lattice[place] = node;
+        }
+      return lattice;
+    }
+
+
+
+    /// The part of [0, 1] where the linear function with these values at the
+    /// ends is negative.
+    std::pair<double, double>
+    negative_part(const double at_0, const double at_1)
+    {
+      if (at_0 < 0 && at_1 < 0)
+        return {0., 1.};
+      if (at_0 >= 0 && at_1 >= 0)
+        return {0., 0.};
+      const double root = at_0 / (at_0 - at_1);
+      return at_0 < 0 ? std::make_pair(0., root) : std::make_pair(root, 1.);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  ContactEdge<dim>::reinit(const DoFHandler<dim>              &dof_handler,
+                           const AffineConstraints<double>    &new_constraints,
+                           const std::set<types::boundary_id> &boundaries,
+                           const Kinematics                    new_kinematics,
+                           const Vector                       &layout)
+  {
+    constraints = &new_constraints;
+    kinematics  = new_kinematics;
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    vectors         = layout.get_partitioner();
+    ghosted_vectors = std::make_shared<Utilities::MPI::Partitioner>(
+      dof_handler.locally_owned_dofs(),
+      relevant,
+      layout.get_mpi_communicator());
+
+    const auto               &fe      = dof_handler.get_fe();
+    const auto                lattice = node_lattice(fe);
+    const unsigned int        p       = fe.degree;
+    const Quadrature<dim - 1> nodes(
+      fe.get_unit_face_support_points(),
+      std::vector<double>(fe.n_dofs_per_face(),
+                          1. / Utilities::fixed_power<dim - 1>(p)));
+    FEFaceValues<dim>                    values(fe,
+                             nodes,
+                             update_quadrature_points | update_JxW_values);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
+
+    faces.clear();
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int f : cell->face_indices())
+          {
+            if (!cell->face(f)->at_boundary() ||
+                boundaries.count(cell->face(f)->boundary_id()) == 0)
+              continue;
+            values.reinit(cell, f);
+            cell->face(f)->get_dof_indices(dofs);
+            for (unsigned int j = 0; j < (dim == 3 ? p : 1); ++j)
+              for (unsigned int i = 0; i < p; ++i)
+                {
+                  Face face;
+                  for (unsigned int n = 0; n < n_nodes; ++n)
+                    {
+                      const auto &node =
+                        lattice[i + n % 2 + (p + 1) * (j + n / 2)];
+                      const unsigned int q = node[dim - 1];
+                      face.dofs[n]         = dofs[q];
+                      face.positions[n]    = values.quadrature_point(q);
+                      for (unsigned int d = 0; d < dim - 1; ++d)
+                        face.horizontal[n][d] = dofs[node[d]];
+                      face.density[n] =
+                        values.JxW(q) *
+                        extent(values.quadrature_point(q), kinematics);
+                    }
+                  faces.push_back(face);
+                }
+          }
+    find_areas();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEdge<dim>::find_areas()
+  {
+    Vector                      areas(ghosted_vectors);
+    std::array<double, n_nodes> below;
+    below.fill(-1.);
+    for (const Face &face : faces)
+      {
+        const auto whole = integrate(face, below);
+        for (unsigned int n = 0; n < n_nodes; ++n)
+          constraints->distribute_local_to_global(face.dofs[n],
+                                                  whole[n],
+                                                  areas);
+      }
+    areas.compress(VectorOperation::add);
+    whole_areas.reinit(vectors);
+    whole_areas.copy_locally_owned_data_from(areas);
+  }
+
+
+
+  template <>
+  std::array<double, 2>
+  ContactEdge<2>::projected_density(
+    const std::array<Point<2>, 2> &positions) const
+  {
+    const double length = std::abs(positions[1][0] - positions[0][0]);
+    return {{length * extent(positions[0], kinematics),
+             length * extent(positions[1], kinematics)}};
+  }
+
+
+
+  template <>
+  std::array<double, 4>
+  ContactEdge<3>::projected_density(
+    const std::array<Point<3>, 4> &positions) const
+  {
+    std::array<double, 4> density;
+    for (unsigned int n = 0; n < 4; ++n)
+      {
+        const Tensor<1, 3> along_x = positions[n | 1] - positions[n & 2];
+        const Tensor<1, 3> along_y = positions[n | 2] - positions[n & 1];
+        density[n] = std::abs(cross_product_3d(along_x, along_y)[2]);
+      }
+    return density;
+  }
+
+
+
+  template <int dim>
+  ContactEdge<dim>
+  ContactEdge<dim>::moved(const Vector &u) const
+  {
+    ContactEdge  result       = *this;
+    const Vector displacement = ghosted(u);
+    for (Face &face : result.faces)
+      {
+        for (unsigned int n = 0; n < n_nodes; ++n)
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            face.positions[n][d] += displacement(face.horizontal[n][d]);
+        face.density = projected_density(face.positions);
+      }
+    result.find_areas();
+    return result;
+  }
+
+
+
+  template <>
+  std::array<double, 2>
+  ContactEdge<2>::integrate(const Face                  &face,
+                            const std::array<double, 2> &levels)
+  {
+    const auto [begin, end] = negative_part(levels[0], levels[1]);
+    const QGauss<1>       gauss(2); // exact
+    std::array<double, 2> result = {{0., 0.}};
+    for (unsigned int q = 0; q < gauss.size(); ++q)
+      {
+        const double x = begin + (end - begin) * gauss.point(q)[0];
+        const double weight =
+          (end - begin) * gauss.weight(q) *
+          ((1. - x) * face.density[0] + x * face.density[1]);
+        result[0] += weight * (1. - x);
+        result[1] += weight * x;
+      }
+    return result;
+  }
+
+
+
+  // Line by line, on each of which the level is linear; the mean of lines along
+  // both directions.
+  template <>
+  std::array<double, 4>
+  ContactEdge<3>::integrate(const Face                  &face,
+                            const std::array<double, 4> &levels)
+  {
+    const QGauss<1>       gauss(2), lines(8);
+    std::array<double, 4> result = {{0., 0., 0., 0.}};
+    for (unsigned int direction = 0; direction < 2; ++direction)
+      for (unsigned int l = 0; l < lines.size(); ++l)
+        {
+          const double y  = lines.point(l)[0];
+          const auto   at = [&](const double x) {
+            return direction == 0 ? Point<2>(x, y) : Point<2>(y, x);
+          };
+          const auto interpolate = [](const std::array<double, 4> &values,
+                                      const Point<2>              &point) {
+            double value = 0;
+            for (unsigned int n = 0; n < 4; ++n)
+              value +=
+                values[n] * GeometryInfo<2>::d_linear_shape_function(point, n);
+            return value;
+          };
+          const auto [begin, end] = negative_part(interpolate(levels, at(0.)),
+                                                  interpolate(levels, at(1.)));
+          for (unsigned int q = 0; q < gauss.size(); ++q)
+            {
+              const Point<2> x = at(begin + (end - begin) * gauss.point(q)[0]);
+              const double   weight = 0.5 * lines.weight(l) * (end - begin) *
+                                    gauss.weight(q) *
+                                    interpolate(face.density, x);
+              for (unsigned int n = 0; n < 4; ++n)
+                result[n] +=
+                  weight * GeometryInfo<2>::d_linear_shape_function(x, n);
+            }
+        }
+    return result;
+  }
+
+
+
+  template void
+  ContactEdge<2>::reinit(const DoFHandler<2> &,
+                         const AffineConstraints<double> &,
+                         const std::set<types::boundary_id> &,
+                         const Kinematics,
+                         const Vector &);
+  template void
+  ContactEdge<3>::reinit(const DoFHandler<3> &,
+                         const AffineConstraints<double> &,
+                         const std::set<types::boundary_id> &,
+                         const Kinematics,
+                         const Vector &);
+  template ContactEdge<2>
+  ContactEdge<2>::moved(const Vector &) const;
+  template ContactEdge<3>
+  ContactEdge<3>::moved(const Vector &) const;
+} // namespace ElastoPlastic
