@@ -48,6 +48,7 @@ namespace ElastoPlastic
         deformation[d][d] += 1.;
       jacobian   = determinant(deformation);
       directions = deformation * frame.vectors;
+      sharpen_small_stretches();
       for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
         for (unsigned int a = 0; a < 3; ++a)
           {
@@ -183,6 +184,21 @@ namespace ElastoPlastic
     {
       return 2. * symmetrize(gradient) +
              symmetrize(transpose(gradient) * gradient);
+    }
+
+    /// Small stretches are lost among the digits of large ones in C, but not in
+    /// F.
+    void
+    sharpen_small_stretches()
+    {
+      for (unsigned int a = 0; a < 3; ++a)
+        {
+          Number square = 0.;
+          for (unsigned int i = 0; i < 3; ++i)
+            square += directions[i][a] * directions[i][a];
+          frame.values[a] = compare_and_apply_mask<SIMDComparison::less_than>(
+            frame.values[a], Number(-0.5), square - 1., frame.values[a]);
+        }
     }
 
     /// S of T, both in the principal frame.
