@@ -55,7 +55,7 @@ namespace
           held(dof) = 1.;
       solid->linearize(zero);
       tangent.reinit(dof_handler, constraints);
-      tangent.assemble(*solid, held);
+      tangent.assemble(*solid, {held, zero});
 
       solid->initialize_vector(rhs);
       VectorTools::interpolate(dof_handler, SampleField<dim>(0, 1.), rhs);

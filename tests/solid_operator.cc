@@ -252,7 +252,7 @@ namespace
     {
       TangentMatrix<dim> tangent;
       tangent.reinit(dof_handler, constraints);
-      tangent.assemble(*solid, new_vector());
+      tangent.assemble(*solid, {new_vector(), new_vector()});
 
       VectorType product = new_vector();
       tangent.matrix().vmult(product, w);
@@ -289,7 +289,7 @@ namespace
 
       TangentMatrix<dim> tangent;
       tangent.reinit(dof_handler, constraints);
-      tangent.assemble(*solid, held);
+      tangent.assemble(*solid, {held, new_vector()});
       VectorType product = new_vector(), expected = tangent_product(increment);
       tangent.matrix().vmult(product, increment);
       for (const auto i : dof_handler.locally_owned_dofs())

@@ -37,9 +37,9 @@ namespace
     {}
 
     void
-    prepare(const VectorType &held) override
+    prepare(const HeldUnknowns &held) override
     {
-      output() << "  " << name << " is prepared, " << held.l1_norm() << " held"
+      output() << "  " << name << " is prepared, " << held.constrained.l1_norm() << " held"
                << std::endl;
       if (factor < 0.)
         throw_singular();

@@ -14,11 +14,13 @@
 #include "mechanics/supports.h"
 #include "multigrid/level_operator.h"
 #include "multigrid/two_level_transfer.h"
+#include "solver/tangent_preconditioner.h"
 
 namespace ElastoPlastic
 {
   /// The transfer between all levels as Multigrid and PreconditionMG want to
-  /// see it. It leaves constrained unknowns at zero.
+  /// see it. It leaves held unknowns at zero, but what they do on slopes goes
+  /// into the fields that are transferred.
   template <int dim>
   class LevelTransfer : public MGTransferBase<LevelVector>
   {
@@ -82,11 +84,11 @@ namespace ElastoPlastic
                    const AffineConstraints<double> &constraints,
                    const unsigned int               n_coarse_cells);
 
-    /// Hands the stored tangent of @p solid and the constrained unknowns (ones
-    /// there, zeros elsewhere) to all levels. A node of a coarse level is
-    /// constrained if the node of the finest level at the same place is.
+    /// Hands the stored tangent of @p solid and the @p held unknowns to all
+    /// levels. A node of a coarse level is held as the node of the finest level
+    /// at the same place is.
     void
-    update(const SolidOperator<dim> &solid, const VectorType &constrained);
+    update(const SolidOperator<dim> &solid, const HeldUnknowns &held);
 
     unsigned int
     max_level() const;
@@ -104,8 +106,8 @@ namespace ElastoPlastic
     const AffineConstraints<double> &
     coarse_constraints() const;
 
-    const LevelVector &
-    coarse_constrained() const;
+    const HeldUnknowns &
+    held_on_coarsest() const;
 
   private:
     /// A level's unknowns. The finest level uses those of the problem.
@@ -132,7 +134,7 @@ namespace ElastoPlastic
     typename LevelTransfer<dim>::Transfers two_level_transfers;
     const LevelTransfer<dim>               level_transfer;
 
-    LevelVector constrained_on_coarsest_level;
+    HeldUnknowns held_on_coarsest_level;
   };
 } // namespace ElastoPlastic
 

@@ -50,10 +50,19 @@ namespace ElastoPlastic
     void
     finish_tangents();
 
-    /// Cuts off the unknowns at which @p constrained is 1 (and not those where
-    /// it is 0).
+    /// Holds the unknowns at which @p constrained is 1 (and not those where it
+    /// is 0), with the @p slopes, see HeldUnknowns.
     void
-    set_constrained(const LevelVector &constrained);
+    set_held(const LevelVector &constrained, const LevelVector &slopes);
+
+    /// Puts the held unknowns, which are zero in @p vector, to their places on
+    /// the slopes; and the transpose, which adds their forces to those along
+    /// the slopes.
+    void
+    expand(LevelVector &vector) const;
+
+    void
+    contract(LevelVector &forces) const;
 
     void
     vmult(LevelVector &result, const LevelVector &vector) const;
@@ -96,6 +105,14 @@ namespace ElastoPlastic
     /// values of each lane.
     CellTangents<dim>                                     tangents;
     std::vector<std::array<unsigned int, Number::size()>> cells;
+
+    /// Local indices of held unknowns on slopes, with these.
+    struct Sloped
+    {
+      unsigned int               index;
+      std::array<float, dim - 1> slopes;
+    };
+    std::vector<Sloped> sloped;
 
     /// Local indices of constrained unknowns, and of those and the eliminated
     /// ones.

@@ -31,7 +31,7 @@ namespace ElastoPlastic
                             const AffineConstraints<double> &constraints);
 
     void
-    prepare(const VectorType &constrained) override;
+    prepare(const HeldUnknowns &held) override;
 
     void
     vmult(VectorType &result, const VectorType &vector) const override;

@@ -20,12 +20,12 @@ namespace ElastoPlastic
 
 
 
-  /// What SemismoothNewton needs to know of a problem: minimise an energy Pi(u),
-  /// which should be convex, where some unknowns are constrained (by supports, or because
-  /// they are in the active set) and others are bounded from above (the contact
-  /// candidates). The derivative of Pi is called -residual, so that the
-  /// residual at a constrained unknown is the force its support takes from the
-  /// body.
+  /// What SemismoothNewton needs to know of a problem: minimise an energy
+  /// Pi(u), which should be convex, where some unknowns are constrained (by
+  /// supports, or because they are in the active set) and others are bounded
+  /// from above (the contact candidates). The derivative of Pi is called
+  /// -residual, so that the residual at a constrained unknown is the force its
+  /// support takes from the body.
   ///
   /// If the forces have no energy, the problem is the system of equations and
   /// inequalities that a minimum would satisfy: the same, but for energy(),

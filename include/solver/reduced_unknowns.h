@@ -91,6 +91,10 @@ namespace ElastoPlastic
     void
     set_entries(Vector &vector, const double value) const;
 
+    /// Sets the slopes of active bounds at the unknowns that they depend on.
+    void
+    set_slopes(Vector &vector) const;
+
   private:
     bool
     owns_leader() const;

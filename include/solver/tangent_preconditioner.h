@@ -13,17 +13,29 @@
 
 namespace ElastoPlastic
 {
+  /// The unknowns that a preconditioner holds.
+  struct HeldUnknowns
+  {
+    /// Ones at those that this rank owns, zeros elsewhere.
+    VectorType constrained;
+    /// Those whose bounds are sloped are not held at their place, but at sum_j
+    /// b_j u_j, with the unknowns of the same node: here are the b_j, at these.
+    /// (A node's unknowns are consecutive, and the one that is held the last.)
+    VectorType slopes;
+  };
+
+
+
   /// A symmetric, positive definite approximation of the inverse of a tangent,
-  /// some unknowns being constrained.
+  /// some unknowns being held.
   class TangentPreconditioner
   {
   public:
     virtual ~TangentPreconditioner() = default;
 
-    /// Takes the tangent that is stored now. @p constrained has ones at the
-    /// constrained unknowns that this rank owns, zeros elsewhere.
+    /// Takes the tangent that is stored now.
     virtual void
-    prepare(const VectorType &constrained) = 0;
+    prepare(const HeldUnknowns &held) = 0;
 
     /// Both vectors are zero at constrained and eliminated unknowns.
     virtual void
@@ -45,23 +57,26 @@ namespace ElastoPlastic
            const AffineConstraints<double> &constraints);
 
     /// Assembles the tangent that @p tangent has stored: a TangentOperator or
-    /// what else has add_matrix(). @p constrained is as in
-    /// TangentPreconditioner.
+    /// what else has add_matrix().
     template <typename Operator>
     void
-    assemble(const Operator &tangent, const VectorType &constrained)
+    assemble(const Operator &tangent, const HeldUnknowns &held)
     {
       system_matrix = 0;
-      tangent.add_matrix(system_matrix, with_constrained(constrained));
+      tangent.add_matrix(system_matrix, with_held(held));
     }
 
     const TrilinosWrappers::SparseMatrix &
     matrix() const;
 
   private:
-    /// The constraints and, as homogeneous ones, the constrained unknowns.
+    /// The constraints and, as homogeneous ones, those of the held unknowns.
     AffineConstraints<double>
-    with_constrained(const VectorType &constrained) const;
+    with_held(const HeldUnknowns &held) const;
+
+    /// With the values of unknowns that other ranks own.
+    VectorType
+    with_ghosts(const VectorType &vector) const;
 
     const DoFHandler<dim>           *dof_handler = nullptr;
     const AffineConstraints<double> *constraints = nullptr;
@@ -89,9 +104,9 @@ namespace ElastoPlastic
     }
 
     void
-    prepare(const VectorType &constrained) override
+    prepare(const HeldUnknowns &held) override
     {
-      matrix.assemble(tangent, constrained);
+      matrix.assemble(tangent, held);
       preconditioner->initialize(matrix.matrix());
     }
 

@@ -37,7 +37,9 @@ namespace ElastoPlastic
                                          LevelVector       &fine,
                                          const LevelVector &coarse) const
   {
-    transfers[to_level]->prolongate_and_add(fine, coarse);
+    LevelVector expanded = coarse;
+    operators[to_level - 1]->expand(expanded);
+    transfers[to_level]->prolongate_and_add(fine, expanded);
     operators[to_level]->zero_constrained(fine);
   }
 
@@ -50,6 +52,7 @@ namespace ElastoPlastic
                                        const LevelVector &fine) const
   {
     transfers[from_level]->restrict_and_add(coarse, fine);
+    operators[from_level - 1]->contract(coarse);
     operators[from_level - 1]->zero_constrained(coarse);
   }
 
@@ -147,22 +150,32 @@ namespace ElastoPlastic
   template <int dim>
   void
   LevelHierarchy<dim>::update(const SolidOperator<dim> &solid,
-                              const VectorType         &constrained)
+                              const HeldUnknowns       &held)
   {
     update_tangents(solid);
 
-    LevelVector level_constrained, coarse_constrained;
-    level_operators[max_level()]->initialize_vector(level_constrained);
-    level_constrained.copy_locally_owned_data_from(constrained);
-    for (unsigned int l = max_level(); l > 0; --l)
+    LevelVector constrained, slopes, coarse;
+    level_operators[max_level()]->initialize_vector(constrained);
+    slopes.reinit(constrained);
+    constrained.copy_locally_owned_data_from(held.constrained);
+    slopes.copy_locally_owned_data_from(held.slopes);
+    for (unsigned int l = max_level();; --l)
       {
-        level_operators[l]->set_constrained(level_constrained);
-        level_operators[l - 1]->initialize_vector(coarse_constrained);
-        two_level_transfers[l]->inject(coarse_constrained, level_constrained);
-        level_constrained.swap(coarse_constrained);
+        level_operators[l]->set_held(constrained, slopes);
+        if (l == 0)
+          break;
+        level_operators[l - 1]->initialize_vector(coarse);
+        for (LevelVector *field : {&constrained, &slopes})
+          {
+            two_level_transfers[l]->inject(coarse, *field);
+            *field = coarse;
+          }
       }
-    level_operators[0]->set_constrained(level_constrained);
-    constrained_on_coarsest_level = level_constrained;
+    held_on_coarsest_level.constrained.reinit(constrained.get_partitioner());
+    held_on_coarsest_level.slopes.reinit(constrained.get_partitioner());
+    held_on_coarsest_level.constrained.copy_locally_owned_data_from(
+      constrained);
+    held_on_coarsest_level.slopes.copy_locally_owned_data_from(slopes);
   }
 
 
@@ -246,10 +259,10 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  const LevelVector &
-  LevelHierarchy<dim>::coarse_constrained() const
+  const HeldUnknowns &
+  LevelHierarchy<dim>::held_on_coarsest() const
   {
-    return constrained_on_coarsest_level;
+    return held_on_coarsest_level;
   }
 
 

@@ -89,16 +89,55 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  LevelOperator<dim>::set_constrained(const LevelVector &constrained)
+  LevelOperator<dim>::set_held(const LevelVector &constrained,
+                               const LevelVector &slopes)
   {
     constrained_indices.clear();
+    sloped.clear();
     for (unsigned int i = 0; i < constrained.locally_owned_size(); ++i)
       if (constrained.local_element(i) > 0.5f)
-        constrained_indices.push_back(i);
+        {
+          constrained_indices.push_back(i);
+          if (i % dim != dim - 1)
+            continue;
+          Sloped node{i, {}};
+          float  sum = 0.f;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            {
+              node.slopes[d] = slopes.local_element(i - (dim - 1) + d);
+              sum += std::abs(node.slopes[d]);
+            }
+          if (sum > 0.f)
+            sloped.push_back(node);
+        }
     cut_off_indices = kernel->eliminated_entries();
     cut_off_indices.insert(cut_off_indices.end(),
                            constrained_indices.begin(),
                            constrained_indices.end());
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::expand(LevelVector &vector) const
+  {
+    for (const auto &[index, slopes] : sloped)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        vector.local_element(index) +=
+          slopes[d] * vector.local_element(index - (dim - 1) + d);
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::contract(LevelVector &forces) const
+  {
+    for (const auto &[index, slopes] : sloped)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        forces.local_element(index - (dim - 1) + d) +=
+          slopes[d] * forces.local_element(index);
   }
 
 
@@ -116,7 +155,9 @@ namespace ElastoPlastic
       std::swap(cut_off_values[i] = 0.f,
                 source.local_element(cut_off_indices[i]));
 
+    expand(source);
     kernel->vmult(result, vector, tangents);
+    contract(result);
 
     for (unsigned int i = 0; i < cut_off_indices.size(); ++i)
       {
@@ -167,6 +208,11 @@ namespace ElastoPlastic
   LevelOperator<dim>::inverse_diagonal(LevelVector &values) const
   {
     kernel->diagonal(values, tangents);
+    // (without what couples the two)
+    for (const auto &[index, slopes] : sloped)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        values.local_element(index - (dim - 1) + d) +=
+          slopes[d] * slopes[d] * values.local_element(index);
     for (const unsigned int i : cut_off_indices)
       values.local_element(i) = 1.f;
     for (unsigned int i = 0; i < values.locally_owned_size(); ++i)

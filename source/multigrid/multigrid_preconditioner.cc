@@ -53,8 +53,7 @@ namespace ElastoPlastic
   void
   MultigridPreconditioner<dim>::CoarseSolver::prepare()
   {
-    double_rhs.copy_locally_owned_data_from(hierarchy.coarse_constrained());
-    tangent.assemble(*hierarchy.operators()[0], double_rhs);
+    tangent.assemble(*hierarchy.operators()[0], hierarchy.held_on_coarsest());
     preconditioner->initialize(tangent.matrix());
   }
 
@@ -105,9 +104,9 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  MultigridPreconditioner<dim>::prepare(const VectorType &constrained)
+  MultigridPreconditioner<dim>::prepare(const HeldUnknowns &held)
   {
-    hierarchy.update(solid, constrained);
+    hierarchy.update(solid, held);
     prepare_smoother();
     coarse_solver.prepare();
   }

@@ -176,4 +176,14 @@ namespace ElastoPlastic
     for (const unsigned int i : coupled)
       vector.local_element(i) = value;
   }
+
+
+
+  void
+  ReducedUnknowns::set_slopes(Vector &vector) const
+  {
+    for (const SlopedBound &bound : sloped_bounds)
+      for (unsigned int j = 0; bound.active && j < bound.n_others; ++j)
+        vector.local_element(bound.others[j]) = bound.slope[j];
+  }
 } // namespace ElastoPlastic

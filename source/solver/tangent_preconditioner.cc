@@ -29,20 +29,37 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  AffineConstraints<double>
-  TangentMatrix<dim>::with_constrained(const VectorType &constrained) const
+  VectorType
+  TangentMatrix<dim>::with_ghosts(const VectorType &vector) const
   {
-    VectorType constrained_and_ghosts(dof_handler->locally_owned_dofs(),
-                                      relevant_dofs,
-                                      dof_handler->get_communicator());
-    constrained_and_ghosts.copy_locally_owned_data_from(constrained);
-    constrained_and_ghosts.update_ghost_values();
+    VectorType copy(dof_handler->locally_owned_dofs(),
+                    relevant_dofs,
+                    dof_handler->get_communicator());
+    copy.copy_locally_owned_data_from(vector);
+    copy.update_ghost_values();
+    return copy;
+  }
+
+
+
+  template <int dim>
+  AffineConstraints<double>
+  TangentMatrix<dim>::with_held(const HeldUnknowns &held) const
+  {
+    const VectorType constrained = with_ghosts(held.constrained);
+    const VectorType slopes      = with_ghosts(held.slopes);
 
     AffineConstraints<double> all_constraints(relevant_dofs);
     all_constraints.merge(*constraints);
     for (const types::global_dof_index dof : relevant_dofs)
-      if (constrained_and_ghosts(dof) != 0.)
-        all_constraints.add_line(dof);
+      if (constrained(dof) != 0.)
+        {
+          all_constraints.add_line(dof);
+          if (dof % dim == dim - 1)
+            for (auto other = dof - (dim - 1); other < dof; ++other)
+              if (slopes(other) != 0. && constrained(other) == 0.)
+                all_constraints.add_entry(dof, other, slopes(other));
+        }
     all_constraints.close();
     return all_constraints;
   }

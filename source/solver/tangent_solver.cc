@@ -111,13 +111,15 @@ namespace ElastoPlastic
   void
   TangentSolver::prepare_preconditioner()
   {
-    VectorType constrained;
-    tangent.initialize_vector(constrained);
-    unknowns.set_entries(constrained, 1.);
+    HeldUnknowns held;
+    tangent.initialize_vector(held.constrained);
+    tangent.initialize_vector(held.slopes);
+    unknowns.set_entries(held.constrained, 1.);
+    unknowns.set_slopes(held.slopes);
     while (true)
       try
         {
-          preconditioner->prepare(constrained);
+          preconditioner->prepare(held);
           return;
         }
       catch (const ConvergenceError &)
