@@ -199,7 +199,8 @@ namespace ElastoPlastic
                      Patterns::Tools::to_string(time_steps.time()) +
                      " has not converged; trying half of it.");
             take_back_step();
-            contact.unite_edge();
+            if (!model.strain_model.is_finite())
+              contact.unite_edge();
             cut = true;
             continue;
           }

@@ -26,9 +26,11 @@ namespace ElastoPlastic
     /// not negligible, rounding or not.
     constexpr double largest_rounding = 1e-5;
     /// What the forces change by if so many bits of the displacements are lost
-    /// tells what one bit is worth, up to a factor.
+    /// tells what one bit is worth, up to a factor. (What is computed of the
+    /// displacements is rounded as well: strains, if finite, through stretches
+    /// of the deformation.)
     constexpr int    n_lost_bits     = 12;
-    constexpr double rounding_factor = 8.;
+    constexpr double rounding_factor = 32.;
     /// Smaller forces have squares that underflow.
     constexpr double smallest_forces = 1e-130;
 
