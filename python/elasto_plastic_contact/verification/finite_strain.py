@@ -1,0 +1,157 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Verification of finite strains; see verify."""
+
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+
+from ..program import CASES, MPI_ENVIRONMENT, command_line
+from ..tables import read_tables
+from .homogeneous_strain import bar, simple_shear
+from .imprint import largest_difference
+from .runner import E, NU
+
+BAR = ("verification/uniaxial_stress.prm", "Strain=logarithmic")
+CONE = "indentation/cone_finite_strain.prm"
+# Few cells and steps, for what does not depend on them.
+COARSE = ("Geometry/Local refinements=5", "Geometry/Local radius=1", "Loading/History=1: depth 0.1 | 1.2: force 0",
+          "Loading/Number of steps=48", "Nonlinear solver/Tolerance=1e-12")
+
+
+def finite_strain(runner):
+    """A bar and simple shear at large strains (exact); small strains as the limit."""
+    for stretch in (2.0, 0.4):
+        tension_and_compression(runner, stretch)
+    for degree in (1, 2):
+        large_shear(runner, degree)
+    small_strains_as_limit(runner)
+
+
+def tension_and_compression(runner, stretch):
+    """Nominal and true stress of a bar, in space and as a body of revolution."""
+    nominal, true, across = bar(E, NU, 400, 2000, stretch)
+    change = f"{stretch - 1}*t"
+    plane = ("Dimension=2", "Boundary conditions/Roller=left, bottom", "Boundary conditions/Free=right",
+             f"Boundary conditions/Prescribed displacement=top: free; {change}", "Output/Probe points=rim: 1, 0.5")
+    for name, axis, area, entries in (
+            ("space", "z", 1, (f"Boundary conditions/Prescribed displacement=top: free; free; {change}",
+                               "Output/Probe points=rim: 1, 0.5, 0.5")),
+            ("axisymmetric", "y", math.pi, (*plane, "Kinematics=axisymmetric"))):
+        tables = runner.tables(*BAR, "Loading/Number of steps=20", *entries)
+        probes = tables["probes"][-1]
+        name = f"{name}, stretch {stretch}"
+        runner.compare(f"{name}: nominal stress", tables["reactions"][-1][f"top_{axis}"] / area, nominal, 1e-9)
+        runner.compare("true stress", probes[f"rim_stress_{axis * 2}"], true, 1e-9)
+        runner.compare("stretch across", 1 + probes["rim_displacement_x"], across, 1e-9)
+        runner.compare("logarithmic strain", probes[f"rim_strain_{axis * 2}"], math.log(stretch), 1e-9)
+
+
+def large_shear(runner, degree):
+    """Simple shear by 2, perfectly plastic, in 40 steps."""
+    n_steps = 40
+    steps = simple_shear(E / (2 * (1 + NU)), 400, [2 * step / n_steps for step in range(1, n_steps + 1)])
+    sides = " | ".join(f"{side}: 2*t*y; 0" for side in ("left", "right", "bottom", "top"))
+    probes = runner.tables(
+        *BAR, "Dimension=2", "Kinematics=plane strain", "Boundary conditions/Roller=", "Boundary conditions/Free=",
+        f"Boundary conditions/Prescribed displacement={sides}", "Material/Law=perfectly plastic",
+        f"Discretization/Polynomial degree={degree}", f"Loading/Number of steps={n_steps}",
+        "Output/Probe points=inside: 0.3, 0.6")["probes"]
+    errors = [abs(row[f"inside_stress_{entry}"] - stress)
+              for row, (normal, shear) in zip(probes, steps)
+              for entry, stress in (("xx", normal), ("yy", -normal), ("xy", shear))]
+    runner.compare(f"simple shear, Q{degree}: stresses of all steps over the yield stress", max(errors) / 400, 0, 1e-9,
+                   absolute=True)
+
+
+def small_strains_as_limit(runner):
+    """The force of an elastic bar with either strain: the difference falls with the square of the amplitude."""
+    differences = []
+    for amplitude in (1e-3, 5e-4, 2.5e-4):
+        forces = [runner.history(
+            BAR[0], f"Strain={strain}", "Material/Law=linear elastic",
+            f"Boundary conditions/Prescribed displacement=top: free; free; {amplitude}")[-1]["top_z"]
+            for strain in ("small", "logarithmic")]
+        differences.append(forces[0] - forces[1])
+        runner.compare(f"amplitude {amplitude}: difference of the forces", differences[-1],
+                       E * (amplitude - math.log1p(amplitude) / (1 + amplitude)), 1e-6)
+    for coarse, fine in zip(differences, differences[1:]):
+        runner.compare("half the amplitude", coarse / fine, 4, 2e-3)
+
+
+def of_curve(rows):
+    """What a resumed run must reproduce."""
+    return [{name: row[name] for name in ("depth", "force", "contact_area", "plastic_work")} for row in rows]
+
+
+def finite_strain_resume(runner):
+    """A cone with finite strains: stopped at the largest depth and resumed, as in one run."""
+    entries = {"Output/Fields": "never", **dict(entry.split("=", 1) for entry in COARSE)}
+    loading = entries | {"Loading/History": "1: depth 0.1", "Loading/Number of steps": "40"}
+    with tempfile.TemporaryDirectory() as folder:
+        def run(changes, name, *options):
+            directory = pathlib.Path(folder) / name
+            subprocess.run(command_line(runner.program, CASES / CONE, changes, directory, *options, ranks=runner.ranks),
+                           check=True, env=os.environ | MPI_ENVIRONMENT)
+            return of_curve(read_tables(directory)["history"])
+        whole = run(entries, "whole")
+        run(loading, "stopped")
+        runner.compare("force, depth and contact area", largest_difference(whole, run(entries, "stopped", "--resume")),
+                       0, 1e-10, absolute=True)
+
+
+# Young's modulus, sigma_0, n of sigma_0 (1 + E e_p / sigma_0)^n (MPa); published C (MPa), with what is allowed,
+# dP/dh over depth (MPa), W_p / W_t (Lu et al. 2020); contact radius and pile-up over depth of an independent program.
+CONES = (
+    ((210000, 300, 0), (29236, 0.025), 336838 / 0.2, 0.9718, (3.46, 0.25)),
+    ((50000, 600, 0), (39269, 0.015), 65181 / 0.2, 0.8092, (2.81, 0.02)),
+    ((210000, 300, 0.5), (110190, 0.015), 237229 / 0.2, 0.8460, (2.38, 0)),
+)
+
+
+def finite_cone(runner):
+    """A cone of 70 degrees with finite strains, one material (published)."""
+    check_cone(runner, *CONES[1])
+
+
+def published_cones(runner):
+    """A cone of 70 degrees with finite strains, all materials (published; minutes)."""
+    for cone in CONES:
+        check_cone(runner, *cone)
+
+
+def check_cone(runner, material, published_curvature, slope, plastic_share, others):
+    """Curvature of the loading, initial slope of the unloading and plastic work."""
+    steps = runner.history(CONE, *hardening(*material))
+    top = next(i for i, step in enumerate(steps) if step["time"] == 1)
+    deepest, after = steps[top], steps[top + 1]
+    loading, unloading = [{"depth": 0, "force": 0}, *steps[:top + 1]], steps[top:]
+    runner.compare("E = {:g}, sigma_0 = {:g}, n = {:g}: C".format(*material), curvature(loading), *published_curvature)
+    runner.compare("dP/dh over depth", (deepest["force"] - after["force"]) / (deepest["depth"] - after["depth"])
+                   / deepest["depth"], slope, 0.03)
+    runner.compare("W_p / W_t", 1 + work(unloading) / work(loading), plastic_share, 0.01, absolute=True)
+    print(f"  contact radius over depth {deepest['contact_radius'] / deepest['depth']:.2f} (other program {others[0]}),"
+          f" pile-up over depth {deepest['pile_up'] / deepest['depth']:.2f} ({others[1]})")
+
+
+def hardening(young, yield_stress, exponent):
+    """The entries of sigma = sigma_0 (1 + E e_p / sigma_0)^n, which is Swift's law."""
+    return (f"Material/Young's modulus={young}", f"Material/Yield stress={yield_stress}",
+            "Material/Law=nonlinear hardening", "Material/Isotropic hardening modulus=0",
+            f"Material/Power law exponent={exponent}",
+            f"Material/Power law reference strain={yield_stress / young!r}")
+
+
+def curvature(steps):
+    """C of F = C depth^2: the square of the slope of sqrt(F) over the second half of the depth, by least squares."""
+    points = [(step["depth"], math.sqrt(step["force"])) for step in steps
+              if step["depth"] >= 0.5 * steps[-1]["depth"]]
+    x, y = (sum(values) / len(points) for values in zip(*points))
+    return (sum((a - x) * (b - y) for a, b in points) / sum((a - x) ** 2 for a, _ in points)) ** 2
+
+
+def work(steps):
+    """The area under the curve of force over depth, negative while the depth decreases."""
+    return sum(0.5 * (a["force"] + b["force"]) * (b["depth"] - a["depth"]) for a, b in zip(steps, steps[1:]))
