@@ -13,6 +13,7 @@ PLOTS = {
     "bounds": "error bounds over the unknowns",
     "equilibrium": "fields of the equilibrium method",
     "johnson_limit": "Johnson's limit of vanishing hardening (runs the program)",
+    "sphere_strains": "a sphere with small and with finite strains (runs the program)",
     "stress_convergence": "errors of stresses in equilibrium (runs the program)",
 }
 
