@@ -12,7 +12,7 @@ from ..program import CASES, MPI_ENVIRONMENT, command_line
 from ..tables import read_tables
 from .homogeneous_strain import bar, simple_shear
 from .imprint import largest_difference
-from .runner import E, NU
+from .runner import E, NU, Runner
 
 BAR = ("verification/uniaxial_stress.prm", "Strain=logarithmic")
 CONE = "indentation/cone_finite_strain.prm"
@@ -31,7 +31,7 @@ def finite_strain(runner):
 
 
 def tension_and_compression(runner, stretch):
-    """Nominal and true stress of a bar, in space and as a body of revolution."""
+    """Nominal and true stress of a bar, in space, as a body of revolution and as a sheet."""
     nominal, true, across = bar(E, NU, 400, 2000, stretch)
     change = f"{stretch - 1}*t"
     plane = ("Dimension=2", "Boundary conditions/Roller=left, bottom", "Boundary conditions/Free=right",
@@ -39,7 +39,8 @@ def tension_and_compression(runner, stretch):
     for name, axis, area, entries in (
             ("space", "z", 1, (f"Boundary conditions/Prescribed displacement=top: free; free; {change}",
                                "Output/Probe points=rim: 1, 0.5, 0.5")),
-            ("axisymmetric", "y", math.pi, (*plane, "Kinematics=axisymmetric"))):
+            ("axisymmetric", "y", math.pi, (*plane, "Kinematics=axisymmetric")),
+            ("plane stress", "y", 1, (*plane, "Kinematics=plane stress"))):
         tables = runner.tables(*BAR, "Loading/Number of steps=20", *entries)
         probes = tables["probes"][-1]
         name = f"{name}, stretch {stretch}"
@@ -81,8 +82,18 @@ def small_strains_as_limit(runner):
         runner.compare("half the amplitude", coarse / fine, 4, 2e-3)
 
 
+def finite_strain_ranks(runner):
+    """A cone with finite strains: the same on 1 and 2 ranks, with every linear solver."""
+    tables = {(solver, n): Runner(runner.program, n).tables(CONE, *COARSE, f"Linear solver/Type={solver}")["history"]
+              for solver in ("direct", "multigrid") for n in (1, 2)}
+    reference = tables["direct", 1]
+    for (solver, n), rows in tables.items():
+        runner.compare(f"{solver}, {n} rank(s): force, depth and contact area",
+                       largest_difference(of_curve(reference), of_curve(rows)), 0, 1e-8, absolute=True)
+
+
 def of_curve(rows):
-    """What a resumed run must reproduce."""
+    """What does not depend on the solver."""
     return [{name: row[name] for name in ("depth", "force", "contact_area", "plastic_work")} for row in rows]
 
 

@@ -16,7 +16,7 @@ from .contact_edge import contact_edge, contact_mesh
 from .runner import E, E_STAR, NU, Runner, add_program
 from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, error_bound,
                                 error_bound_ranks, error_bound_refinement, limit_load, safe_load)
-from .finite_strain import (finite_cone, finite_strain, finite_strain_resume,
+from .finite_strain import (finite_cone, finite_strain, finite_strain_ranks, finite_strain_resume,
                             published_cones)
 from .hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
@@ -281,7 +281,7 @@ ALL = {
                      limit_load, blas_kernels, safe_load, error_bound, error_bound_ranks,
                      error_bound_refinement, equilibrium_hertz, equilibrium_limit, zero_stress,
                      zero_force, far_indenter, contrast, nearly_incompressible, job_preview,
-                     finite_strain, finite_strain_resume, finite_cone, published_cones)
+                     finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones)
 }
 
 
