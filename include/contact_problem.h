@@ -80,6 +80,9 @@ namespace ElastoPlastic
                   const Vector &rhs,
                   const double  reduction) override;
 
+    double
+    slope_along(const Vector &residual, const Vector &increment) const override;
+
     void
     apply_inverse_diagonal(Vector &forces) const override;
 
@@ -116,9 +119,9 @@ namespace ElastoPlastic
     void
     collect_unknowns();
 
-    /// The same, with the slopes of their bounds.
+    /// And the slopes of their bounds.
     void
-    collect_unknowns(const Vector &u, const Vector &residual);
+    collect_slopes(const Vector &u, const Vector &residual);
 
     /// Hanging nodes follow their masters.
     void
@@ -134,6 +137,8 @@ namespace ElastoPlastic
     TimerOutput         &timer;
 
     ReducedUnknowns unknowns;
+    /// Of the indenter, in the last increment; zero if its depth is given.
+    double downward_motion = 0;
   };
 } // namespace ElastoPlastic
 

@@ -57,10 +57,10 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  ContactProblem<dim>::collect_unknowns(const Vector &u, const Vector &residual)
+  ContactProblem<dim>::collect_slopes(const Vector &u, const Vector &residual)
   {
-    collect_unknowns();
-    unknowns.set_sloped_bounds(contact.sloped_bounds(u, residual));
+    if (contact.has_sloped_bounds())
+      unknowns.set_sloped_bounds(contact.sloped_bounds(u, residual));
   }
 
 
@@ -114,7 +114,7 @@ namespace ElastoPlastic
     TimerOutput::Scope scope(timer, "Newton: residual");
     solid.internal_forces(residual, u);
     residual.sadd(-1., 1., external_forces);
-    unknowns.set_sloped_bounds(contact.sloped_bounds(u, residual));
+    collect_slopes(u, residual);
   }
 
 
@@ -169,7 +169,8 @@ namespace ElastoPlastic
                                      const Vector &rhs,
                                      const double  reduction)
   {
-    increment = 0;
+    increment       = 0;
+    downward_motion = 0;
     if (rhs.l2_norm() == 0.)
       return 0;
 
@@ -180,9 +181,21 @@ namespace ElastoPlastic
     TimerOutput::Scope scope(timer, "Newton: solve linear system");
     const unsigned int n_iterations =
       tangent_solver.solve(increment, rhs, reduction);
+    downward_motion =
+      unknowns.has_coupling() ? -unknowns.leading_value(increment) : 0.;
     unknowns.expand(increment);
     distribute(increment);
     return n_iterations;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactProblem<dim>::slope_along(const Vector &residual,
+                                   const Vector &increment) const
+  {
+    return -(residual * increment) - contact.force() * downward_motion;
   }
 
 
@@ -194,7 +207,7 @@ namespace ElastoPlastic
     Vector diagonal;
     initialize_vector(diagonal);
     solid.diagonal(diagonal);
-    unknowns.contract(diagonal);
+    unknowns.contract_diagonal(diagonal);
     for (unsigned int i = 0; i < forces.locally_owned_size(); ++i)
       if (diagonal.local_element(i) > 0)
         forces.local_element(i) /= diagonal.local_element(i);
@@ -209,7 +222,8 @@ namespace ElastoPlastic
                                          const Vector &residual)
   {
     const bool changed = contact.update(u, residual);
-    collect_unknowns(u, residual);
+    collect_unknowns();
+    collect_slopes(u, residual);
     return changed;
   }
 
@@ -231,7 +245,8 @@ namespace ElastoPlastic
                                                   const Vector &residual)
   {
     const bool changed = contact.update_feasible(u, residual);
-    collect_unknowns(u, residual);
+    collect_unknowns();
+    collect_slopes(u, residual);
     return changed;
   }
 

@@ -6,6 +6,22 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// The equilibrium method knows the vertical gap only.
+    ContactParameters
+    contact_of(const Parameters &parameters)
+    {
+      ContactParameters result = parameters.contact;
+      if (parameters.analysis != Analysis::contact &&
+          result.geometry == ContactGeometry::automatic)
+        result.geometry = ContactGeometry::vertical;
+      return result;
+    }
+  } // namespace
+
+
+
   template <int dim>
   Model<dim>
   make_model(const Parameters &parameters)
@@ -18,7 +34,7 @@ namespace ElastoPlastic
             parameters.discretization.degree,
             parameters.material.materials(),
             make_indenter<dim>(parameters.indenter),
-            parameters.contact,
+            contact_of(parameters),
             LoadProgram(parameters.loading)};
   }
 

@@ -57,6 +57,16 @@ add_message_test(limit_load_enclosed 3 "No continuous velocity moves the whole i
 add_message_test(limit_load_held_point 3 "No continuous velocity moves the whole indenter down: it reaches a point that is held" ${_full_width} --output-directory limit_load_held_point --set "Kinematics=plane stress")
 add_message_test(limit_load_tractions 3 "The body does not even bear the given tractions" ${_files}/pulled_apart.prm --quiet --overwrite --output-directory limit_load_tractions)
 
+# Finite strains
+add_entry_test(limit_load_finite "entry 'Strain' is 'logarithmic', but 'Analysis = limit load' is for small strains" "Analysis=limit load" Strain=logarithmic)
+add_entry_test(limit_load_normal "entry 'Contact/Geometry' is 'normal', but 'Analysis = limit load' knows the vertical gap only" "Analysis=limit load" Contact/Geometry=normal)
+add_entry_test(finite_vertical "entry 'Contact/Geometry' is 'vertical', but 'Strain = logarithmic' needs the indenter where the surface is now" Strain=logarithmic Contact/Geometry=vertical)
+add_entry_test(finite_normal "entry 'Contact/Geometry' is 'normal', but 'Strain = logarithmic' needs the indenter where the surface is now" Strain=logarithmic Contact/Geometry=normal)
+add_entry_test(small_present "entry 'Contact/Geometry' is 'present', but with 'Strain = small' the force would be less than half" Contact/Geometry=present)
+set(_cone ${CMAKE_SOURCE_DIR}/parameter_files/indentation/cone_finite_strain.prm --quiet --overwrite --set "Output/Fields=never"
+  --set "Geometry/Local refinements=6" --set "Loading/History=1: depth 0.1" --set "Loading/Maximum number of cuts=0")
+add_message_test(finite_too_far 3 "turns elements inside out.*Shorter load steps|with finite strains there is no convex energy.*Shorter load steps" ${_cone} --output-directory finite_too_far --set "Loading/Number of steps=2")
+
 # Parameter file
 add_message_test(file_missing 2 "'does_not_exist.prm' does not exist or cannot be read" does_not_exist.prm)
 add_message_test(file_directory 2 "bad_input' does not exist or cannot be read" ${_files})

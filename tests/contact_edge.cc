@@ -37,15 +37,15 @@ namespace
       : mesh(MPI_COMM_WORLD)
       , fe(FE_Q<dim>(degree), dim)
       , dof_handler(mesh)
-      , contact(
-          [radius](const Point<dim> &x) {
-            Point<dim> on_surface    = x;
-            on_surface[dim - 1]      = 0.;
-            const double behind_edge = on_surface.norm() - radius;
-            return behind_edge > 0. ? std::pow(behind_edge, 1.5) : behind_edge;
-          },
-          kinematics,
-          rule)
+      , contact(vertical_bounds<dim>([radius](const Point<dim> &x) {
+                  Point<dim> on_surface    = x;
+                  on_surface[dim - 1]      = 0.;
+                  const double behind_edge = on_surface.norm() - radius;
+                  return behind_edge > 0. ? std::pow(behind_edge, 1.5) :
+                                            behind_edge;
+                }),
+                kinematics,
+                rule)
     {
       GridGenerator::subdivided_hyper_cube(mesh, 12, 0., 1., true);
       dof_handler.distribute_dofs(fe);
@@ -82,7 +82,7 @@ namespace
              std::abs(rows.shares(forces) * u - work) < 1e-12 * std::abs(work));
 
       double all_forces = 0;
-      for (const double force : contact.forces_on_body(forces))
+      for (const double force : contact.vertical_forces_on_body(forces))
         all_forces -= force;
       verify("  the force of the indenter is that on nodes and neighbours",
              std::abs(Utilities::MPI::sum(all_forces, MPI_COMM_WORLD) -

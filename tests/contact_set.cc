@@ -35,7 +35,8 @@ namespace
       , fe(FE_Q<dim>(degree), dim)
       , dof_handler(mesh)
       , reach(reach)
-      , contact([this](const Point<dim> &x) { return gap(x); })
+      , contact(
+          vertical_bounds<dim>([this](const Point<dim> &x) { return gap(x); }))
     {
       GridGenerator::subdivided_hyper_cube(mesh, 4, 0., 1., true);
       refine_corner(mesh);

@@ -143,6 +143,12 @@ public:
     return 1;
   }
 
+  double
+  slope_along(const Vector &residual, const Vector &increment) const override
+  {
+    return -(residual * increment);
+  }
+
   void
   apply_inverse_diagonal(Vector &forces) const override
   {

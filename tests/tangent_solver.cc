@@ -39,8 +39,8 @@ namespace
     void
     prepare(const HeldUnknowns &held) override
     {
-      output() << "  " << name << " is prepared, " << held.constrained.l1_norm() << " held"
-               << std::endl;
+      output() << "  " << name << " is prepared, " << held.constrained.l1_norm()
+               << " held" << std::endl;
       if (factor < 0.)
         throw_singular();
     }

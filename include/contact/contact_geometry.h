@@ -69,13 +69,6 @@ namespace ElastoPlastic
       return gap(point);
     }
 
-    /// Where there is no indenter, bounds are larger than this.
-    void
-    set_far_away(const double distance)
-    {
-      far_away = distance;
-    }
-
     double
     value(const ContactNode<dim> &node, const Vector &u) const;
 
@@ -92,12 +85,14 @@ namespace ElastoPlastic
     static Tensor<1, dim - 1>
     horizontal_displacement(const ContactNode<dim> &node, const Vector &u);
 
+    /// A node that has slid off the end of the indenter, or to where an
+    /// expression has no value, is below what it was below in the undeformed
+    /// body.
     IndenterSurface<dim>
     gap_at_present_place(const ContactNode<dim> &node, const Vector &u) const;
 
     const std::function<IndenterSurface<dim>(const Point<dim> &)> gap;
     const ContactGeometry                                         geometry;
-    double                                                        far_away = 0;
   };
 
 

@@ -181,6 +181,13 @@ namespace ElastoPlastic
     void
     move_active(Vector &u) const;
 
+    /// Whether bounds depend on horizontal displacements.
+    bool
+    has_sloped_bounds() const
+    {
+      return bounds.are_sloped();
+    }
+
     /// Whether a motion along the bounds to first order leaves them.
     bool
     has_curved_bounds() const
@@ -248,10 +255,6 @@ namespace ElastoPlastic
     {
       return bounds.value(node, u) - present_depth;
     }
-
-    /// The largest extent of the nodes of all ranks.
-    double
-    extent_of_nodes() const;
 
     void
     move_active_to(Vector &u, const double depth) const;

@@ -63,7 +63,8 @@ namespace ElastoPlastic
     along(const ProfileLine &line) const;
 
     /// The largest vertical displacement up to the horizontal @p distance from
-    /// @p axis; minus infinity without nodes there. Collective.
+    /// @p axis, where the contact is; minus infinity without nodes there.
+    /// Collective.
     double
     highest(const Point<dim - 1> &axis, const double distance) const;
 
@@ -79,7 +80,13 @@ namespace ElastoPlastic
       SurfacePoint<dim> begin, end;
     };
 
+    /// From @p axis, horizontally, to where the contact finds @p point.
+    double
+    distance_from(const Point<dim - 1>    &axis,
+                  const SurfacePoint<dim> &point) const;
+
     const MPI_Comm    communicator;
+    const bool        at_present_place;
     std::vector<Side> sides;
   };
 } // namespace ElastoPlastic

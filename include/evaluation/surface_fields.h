@@ -21,6 +21,9 @@ namespace ElastoPlastic
     VectorType gap;
     VectorType pressure;
     VectorType active;
+    /// Whether the contact is where the deformation has brought the surface, or
+    /// where it was.
+    bool at_present_place;
   };
 
 
@@ -43,7 +46,8 @@ namespace ElastoPlastic
     return {ghosted_copy(u, dof_handler),
             ghosted_copy(gap, dof_handler),
             ghosted_copy(pressure, dof_handler),
-            ghosted_copy(active, dof_handler)};
+            ghosted_copy(active, dof_handler),
+            contact.has_curved_bounds()};
   }
 } // namespace ElastoPlastic
 

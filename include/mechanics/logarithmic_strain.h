@@ -100,7 +100,8 @@ namespace ElastoPlastic
              transpose(frame.vectors);
     }
 
-    /// The true (Cauchy) stress P F^T / det F.
+    /// The true (Cauchy) stress P F^T / det F. (In a sheet, whose thickness the
+    /// material law changes, F leaves that alone.)
     Tensor3
     true_stress(const Tensor3 &stress) const
     {

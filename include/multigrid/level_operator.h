@@ -55,6 +55,13 @@ namespace ElastoPlastic
     void
     set_held(const LevelVector &constrained, const LevelVector &slopes);
 
+    /// Whether this rank owns held unknowns on slopes.
+    bool
+    has_slopes() const
+    {
+      return !sloped.empty();
+    }
+
     /// Puts the held unknowns, which are zero in @p vector, to their places on
     /// the slopes; and the transpose, which adds their forces to those along
     /// the slopes.

@@ -92,6 +92,11 @@ namespace ElastoPlastic
                   const Vector &rhs,
                   const double  reduction) = 0;
 
+    /// The derivative of Pi where it has this @p residual, along the last
+    /// @p increment of solve_tangent().
+    virtual double
+    slope_along(const Vector &residual, const Vector &increment) const = 0;
+
     /// Divides reduced @p forces by an approximation, positive, of the diagonal
     /// of the stored second derivative, and expands the result.
     virtual void

@@ -39,6 +39,12 @@ namespace ElastoPlastic
   {
     using Vector = ConstrainedMinimization::Vector;
 
+    /// A step that falls below this fraction is no step.
+    static constexpr double smallest_step_length = 1e-4;
+    /// Differences of the energy below this fraction of its magnitude are
+    /// rounding noise.
+    static constexpr double energy_noise = 1e-11;
+
     NewtonIteration(ConstrainedMinimization &problem,
                     Vector                  &u,
                     const NewtonParameters  &parameters);
@@ -99,6 +105,13 @@ namespace ElastoPlastic
     double
     full_step(const Vector &direction);
 
+    /// Whether an @p energy is not visibly larger than at the @p start.
+    static bool
+    has_not_grown(const Energy &energy, const Energy &start)
+    {
+      return energy.value <= start.value + energy_noise * start.magnitude;
+    }
+
     /// Backtracking from @p base along @p direction, where the energy has the
     /// derivative @p slope < 0: finds a fraction with a sufficient decrease
     /// and sets u accordingly. Zero, and u = base, if there is none.
@@ -111,11 +124,6 @@ namespace ElastoPlastic
     /// unknowns must fall.
     double
     residual_line_search(const Vector &base, const Vector &direction);
-
-    /// The derivative of the energy at u, whose residual has been computed,
-    /// along an expanded @p direction.
-    double
-    slope_along(const Vector &direction);
 
     /// Whether u is as good as it can be told in the presence of rounding:
     /// the energy has not grown visibly and its slope along @p direction has

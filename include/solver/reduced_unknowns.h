@@ -49,7 +49,7 @@ namespace ElastoPlastic
                     const std::shared_ptr<const SharedRows> &shared_rows = {});
 
     /// Takes the slopes and curvatures of the bounds of active unknowns, and of
-    /// those that share in their forces.
+    /// those that share in their forces. To be called on all ranks or on none.
     void
     set_sloped_bounds(const std::vector<SlopedBound> &bounds);
 
@@ -77,6 +77,10 @@ namespace ElastoPlastic
     /// zero.
     void
     contract(Vector &forces) const;
+
+    /// Makes of the diagonal of A an approximation of that of E^T A E.
+    void
+    contract_diagonal(Vector &diagonal) const;
 
     /// The leader's value, on all ranks. There must be coupled unknowns.
     double
@@ -106,6 +110,7 @@ namespace ElastoPlastic
     std::vector<unsigned int>         constrained, coupled, active;
     std::shared_ptr<const SharedRows> shared_rows;
     std::vector<SlopedBound>          sloped_bounds;
+    bool                              is_sloped    = false;
     MPI_Comm                          communicator = MPI_COMM_SELF;
     /// The rank that owns the leader, its first coupled unknown; the number of
     /// ranks if there are no coupled unknowns.

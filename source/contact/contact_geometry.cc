@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/exceptions.h"
 #include "contact/contact_geometry.h"
 
 namespace ElastoPlastic
@@ -41,10 +42,15 @@ namespace ElastoPlastic
     const auto displacement = horizontal_displacement(node, u);
     for (unsigned int d = 0; d < dim - 1; ++d)
       place[d] += displacement[d];
-    IndenterSurface<dim> surface = gap(place);
-    if (!std::isfinite(surface.height))
-      surface.height = far_away;
-    return surface;
+    try
+      {
+        const IndenterSurface<dim> surface = gap(place);
+        if (std::isfinite(surface.height))
+          return surface;
+      }
+    catch (const InputError &)
+      {}
+    return node.gap;
   }
 
 

@@ -43,9 +43,8 @@ namespace ElastoPlastic
            kinematics,
            layout))
       if (!supported_dofs.is_element(first_owned_dof + node.index) &&
-          (std::isfinite(node.gap.height) || bounds.follow_deformation()))
+          std::isfinite(node.gap.height))
         (node.hanging ? hanging_nodes : candidates).push_back({node, false});
-    bounds.set_far_away(1e3 * extent_of_nodes());
     unite_edge();
     if (rule == EdgeRule::at_nodes && !bounds.follow_deformation())
       return;
@@ -54,29 +53,6 @@ namespace ElastoPlastic
     for (Vector *vector : memory.vectors())
       vector->reinit(layout);
     memory.n_steps = 0;
-  }
-
-
-
-  template <int dim>
-  double
-  ContactSet<dim>::extent_of_nodes() const
-  {
-    double extent = 0;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        double           low = infinity, high = -infinity;
-        for (const Node &node : candidates)
-          {
-            low  = std::min(low, node.position[d]);
-            high = std::max(high, node.position[d]);
-          }
-        extent = std::max(extent,
-                          Utilities::MPI::max(high, communicator) -
-                            Utilities::MPI::min(low, communicator));
-      }
-    return extent;
   }
 
 

@@ -23,25 +23,20 @@ namespace ElastoPlastic
   typename ContactSet<dim>::Vector
   ContactSet<dim>::pressed_areas(const Vector &u) const
   {
-    Vector areas(u.get_partitioner()), ones(u.get_partitioner()), missing;
-    for (const Node &node : candidates)
-      areas.local_element(node.index) = node.area;
+    Vector areas(u.get_partitioner()), ones(u.get_partitioner());
     set_candidate_entries(ones, 1.);
     const Vector sums = rows ? rows->sums(ones) : Vector(u.get_partitioner());
-    if (bounds.follow_deformation())
-      {
-        const auto faces = pressed_faces(u);
-        areas            = faces.areas();
-        if (rows)
-          missing = faces.touched_part(memory.kinds, memory.levels).missing;
-      }
+    const Vector moved =
+      bounds.follow_deformation() ? edge.moved(u).areas() : Vector();
     for (const Node &node : candidates)
-      if (const unsigned int i = node.index; sums.local_element(i) > 0.)
-        {
-          double &area = areas.local_element(i);
-          area = bounds.follow_deformation() ? area - missing.local_element(i) :
-                                               1. / scale->local_element(i);
-        }
+      {
+        const unsigned int i    = node.index;
+        double            &area = areas.local_element(i);
+        area =
+          sums.local_element(i) > 0. ? 1. / scale->local_element(i) : node.area;
+        if (bounds.follow_deformation())
+          area *= moved.local_element(i) / edge.areas().local_element(i);
+      }
     return areas;
   }
 

@@ -52,18 +52,6 @@ namespace ElastoPlastic
 
 
 
-    template <int dim>
-    double
-    distance_from(const Point<dim - 1> &axis, const SurfacePoint<dim> &point)
-    {
-      double square = 0;
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        square += std::pow(point.position[d] - axis[d], 2);
-      return std::sqrt(square);
-    }
-
-
-
     /// The points of all ranks in the order of @p keys, of which those that
     /// agree up to rounding count once.
     template <int dim, typename Key>
@@ -143,6 +131,7 @@ namespace ElastoPlastic
     const std::set<types::boundary_id> &boundaries,
     const SurfaceFields                &fields)
     : communicator(dof_handler.get_communicator())
+    , at_present_place(fields.at_present_place)
   {
     const auto               &fe = dof_handler.get_fe();
     const Quadrature<dim - 1> nodes(
@@ -208,6 +197,20 @@ namespace ElastoPlastic
     return gather_and_sort(points, communicator, [&](const auto &point) {
       return offset(line, point) * line.direction;
     });
+  }
+
+
+
+  template <int dim>
+  double
+  ContactSurface<dim>::distance_from(const Point<dim - 1>    &axis,
+                                     const SurfacePoint<dim> &point) const
+  {
+    Tensor<1, dim - 1> distance;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      distance[d] = point.position[d] - axis[d] +
+                    (at_present_place ? point.displacement[d] : 0.);
+    return distance.norm();
   }
 
 

@@ -194,6 +194,12 @@ namespace ElastoPlastic
                        entry +
                          " is for small strains: its bounds do not hold "
                          "for others. Set 'Strain = small'.");
+    if (contact.geometry == ContactGeometry::normal)
+      throw InputError("Contact/Geometry",
+                       Patterns::Tools::to_string(contact.geometry),
+                       entry +
+                         " knows the vertical gap only. Choose "
+                         "'vertical'.");
     if (analysis == Analysis::limit_load && !indenter.is_present())
       throw InputError("Indenter/Type",
                        "none",

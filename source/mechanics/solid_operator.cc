@@ -304,8 +304,9 @@ namespace ElastoPlastic
           mean.deviatoric.normal += weight * tangent.normal;
           mean.deviatoric.flow += weight * tangent.flow;
         }
-    for (unsigned int i = 1; i < values.size() && !is_finite; ++i)
-      values[i] = mean.value(i);
+    if (!is_finite)
+      for (unsigned int i = 1; i < values.size(); ++i)
+        values[i] = mean.value(i);
     values[0] = materials[batch].bulk_modulus;
     return values;
   }
@@ -352,10 +353,12 @@ namespace ElastoPlastic
       const unsigned int n_cells = kernel->n_cells(strains.batch);
       for (unsigned int q = 0; q < n_points; ++q)
         {
-          const auto   at_point         = response(strains, q);
-          const auto  &plasticity       = at_point.plasticity();
-          const auto   state            = plasticity.state();
-          const auto   strain           = strain_at(strains, q);
+          const auto   at_point   = response(strains, q);
+          const auto  &plasticity = at_point.plasticity();
+          const auto   state      = plasticity.state();
+          const auto   strain     = strain_at(strains, q);
+          const Number thickness =
+            is_sheet && is_finite ? std::exp(strain[2][2]) : Number(1.);
           const Number elastic_energy   = at_point.elastic_energy();
           const Number hardening_energy = plasticity.hardening_energy();
           const Number plastic_work     = plasticity.plastic_work();
@@ -365,7 +368,7 @@ namespace ElastoPlastic
                             state.back_stresses.end(),
                             Strain());
           for (unsigned int lane = 0; lane < n_cells; ++lane)
-            results[lane][q] = {lane_of(stresses[q], lane),
+            results[lane][q] = {lane_of(stresses[q], lane) / thickness[lane],
                                 lane_of(strain, lane),
                                 lane_of(state.plastic_strain, lane),
                                 lane_of(back_stress, lane),

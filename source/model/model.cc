@@ -41,6 +41,9 @@ namespace ElastoPlastic
                                                     ContactGeometry::normal :
                                                     ContactGeometry::vertical;
       }
+    if (geometry == ContactGeometry::vertical)
+      return vertical_bounds<dim>(
+        [&gap_function](const Point<dim> &x) { return gap_function.value(x); });
     return ContactBounds<dim>(
       [&gap_function](const Point<dim> &x) { return gap_function.surface(x); },
       geometry);

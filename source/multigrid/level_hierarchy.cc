@@ -37,9 +37,15 @@ namespace ElastoPlastic
                                          LevelVector       &fine,
                                          const LevelVector &coarse) const
   {
-    LevelVector expanded = coarse;
-    operators[to_level - 1]->expand(expanded);
-    transfers[to_level]->prolongate_and_add(fine, expanded);
+    const LevelOperator<dim> &coarse_operator = *operators[to_level - 1];
+    if (coarse_operator.has_slopes())
+      {
+        LevelVector expanded = coarse;
+        coarse_operator.expand(expanded);
+        transfers[to_level]->prolongate_and_add(fine, expanded);
+      }
+    else
+      transfers[to_level]->prolongate_and_add(fine, coarse);
     operators[to_level]->zero_constrained(fine);
   }
 

@@ -14,11 +14,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// A step that falls below this fraction is no step.
-    constexpr double smallest_step_length = 1e-4;
-    /// Differences of the energy below this fraction of its magnitude are
-    /// rounding noise.
-    constexpr double energy_noise = 1e-11;
     /// So often may an active set come back before we call it a cycle.
     constexpr unsigned int tolerated_recurrences = 3;
     constexpr unsigned int n_smoothing_sweeps    = 3;
@@ -27,10 +22,11 @@ namespace ElastoPlastic
     constexpr double largest_rounding = 1e-5;
     /// What the forces change by if so many bits of the displacements are lost
     /// tells what one bit is worth, up to a factor. (What is computed of the
-    /// displacements is rounded as well: strains, if finite, through stretches
-    /// of the deformation.)
-    constexpr int    n_lost_bits     = 12;
-    constexpr double rounding_factor = 32.;
+    /// displacements is rounded as well: finite strains, through stretches of
+    /// the deformation.)
+    constexpr int    n_lost_bits               = 12;
+    constexpr double rounding_factor           = 8.;
+    constexpr double nonlinear_rounding_factor = 32.;
     /// Smaller forces have squares that underflow.
     constexpr double smallest_forces = 1e-130;
 
@@ -45,15 +41,6 @@ namespace ElastoPlastic
       const double  mantissa = std::frexp(number, &exponent);
       return std::ldexp(std::nearbyint(std::ldexp(mantissa, n_bits)),
                         exponent - n_bits);
-    }
-
-
-
-    /// Not visibly, that is.
-    bool
-    has_not_grown(const Energy &energy, const Energy &start)
-    {
-      return energy.value <= start.value + energy_noise * start.magnitude;
     }
   } // namespace
 
@@ -203,7 +190,8 @@ namespace ElastoPlastic
     compute_free_norm();
     work -= free_residual;
     return free_norm <=
-           rounding_factor * std::ldexp(work.l2_norm(), -n_lost_bits);
+           (problem.is_convex() ? rounding_factor : nonlinear_rounding_factor) *
+             std::ldexp(work.l2_norm(), -n_lost_bits);
   }
 
 
@@ -241,16 +229,6 @@ namespace ElastoPlastic
 
 
 
-  double
-  NewtonIteration::slope_along(const Vector &direction)
-  {
-    free_residual = residual;
-    problem.reduce(free_residual);
-    return -(free_residual * direction);
-  }
-
-
-
   // If the affine set has changed, the line search starts on the new one, at
   // the point that differs from u only in the constrained unknowns; if it finds
   // nothing better, that point is the next iterate, from which the Newton step
@@ -269,101 +247,12 @@ namespace ElastoPlastic
       step.step_length = full_step(increment);
     else if (problem.has_energy())
       {
-        const double slope = slope_along(increment);
+        const double slope = problem.slope_along(residual, increment);
         step.step_length = slope < 0 ? line_search(work, increment, slope) : 0.;
       }
     else
       step.step_length = residual_line_search(work, increment);
     stuck = (step.step_length == 0. && constrained_unknowns_at_place);
-  }
-
-
-
-  bool
-  NewtonIteration::is_possible() const
-  {
-    return std::isfinite(current_energy.value);
-  }
-
-
-
-  double
-  NewtonIteration::full_step(const Vector &direction)
-  {
-    u += direction;
-    problem.return_to_bounds(u);
-    evaluate();
-    if (!is_possible())
-      throw ConvergenceError(
-        "The load step turns elements inside out, or strains them beyond all "
-        "bounds. Shorter load steps ('Loading/Number of steps') or a finer mesh "
-        "at the contact help; under sharp tips, elements that have been "
-        "squeezed too far do not recover.");
-    return 1.;
-  }
-
-
-
-  double
-  NewtonIteration::line_search(const Vector &base,
-                               const Vector &direction,
-                               const double  slope)
-  {
-    const Energy start = current_energy;
-    for (double fraction = 1.; fraction > smallest_step_length; fraction *= 0.5)
-      {
-        u = base;
-        u.add(fraction, direction);
-        problem.return_to_bounds(u);
-        current_energy = problem.energy(u);
-        if (current_energy.value <= start.value + 1e-4 * fraction * slope ||
-            (has_not_grown(current_energy, start) &&
-             slope_has_shrunk(direction, slope)))
-          {
-            problem.compute_residual(residual, u);
-            return fraction;
-          }
-      }
-    u = base;
-    evaluate();
-    return 0.;
-  }
-
-
-
-  // The linear system has been solved well enough for the norm to fall along
-  // the direction. (What is below the tolerance may be rounding.)
-  double
-  NewtonIteration::residual_line_search(const Vector &base,
-                                        const Vector &direction)
-  {
-    const double start_norm = compute_free_norm();
-    const double negligible = parameters.tolerance * force_norm;
-    for (double fraction = 1.; fraction > smallest_step_length; fraction *= 0.5)
-      {
-        u = base;
-        u.add(fraction, direction);
-        problem.return_to_bounds(u);
-        problem.compute_residual(residual, u);
-        if (compute_free_norm() <=
-            std::max((1. - 1e-4 * fraction) * start_norm, negligible))
-          {
-            current_energy = problem.energy(u);
-            return fraction;
-          }
-      }
-    u = base;
-    evaluate();
-    return 0.;
-  }
-
-
-
-  bool
-  NewtonIteration::slope_has_shrunk(const Vector &direction, const double slope)
-  {
-    problem.compute_residual(residual, u);
-    return std::abs(slope_along(direction)) <= 0.9 * std::abs(slope);
   }
 
 

@@ -45,6 +45,7 @@ namespace ElastoPlastic
   ReducedUnknowns::set_sloped_bounds(const std::vector<SlopedBound> &bounds)
   {
     sloped_bounds = bounds;
+    is_sloped     = true;
   }
 
 
@@ -71,7 +72,7 @@ namespace ElastoPlastic
   bool
   ReducedUnknowns::is_trivial() const
   {
-    return !has_coupling() && !shared_rows && sloped_bounds.empty();
+    return !has_coupling() && !shared_rows && !is_sloped;
   }
 
 
@@ -142,6 +143,24 @@ namespace ElastoPlastic
       if (bound.active)
         add_along_slope(forces, bound, forces.local_element(bound.index));
     set_leading_value(forces,
+                      has_coupling() ? Utilities::MPI::sum(sum, communicator) :
+                                       0.);
+  }
+
+
+
+  // (What is shared, and what slopes couple, is left out.)
+  void
+  ReducedUnknowns::contract_diagonal(Vector &diagonal) const
+  {
+    double sum = 0;
+    for (const unsigned int i : coupled)
+      sum += diagonal.local_element(i);
+    for (const SlopedBound &bound : sloped_bounds)
+      for (unsigned int j = 0; bound.active && j < bound.n_others; ++j)
+        diagonal.local_element(bound.others[j]) +=
+          bound.slope[j] * bound.slope[j] * diagonal.local_element(bound.index);
+    set_leading_value(diagonal,
                       has_coupling() ? Utilities::MPI::sum(sum, communicator) :
                                        0.);
   }

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <cmath>
+
+#include "base/exceptions.h"
+#include "solver/newton_iteration.h"
+
+// How far NewtonIteration goes.
+
+namespace ElastoPlastic
+{
+  bool
+  NewtonIteration::is_possible() const
+  {
+    return std::isfinite(current_energy.value);
+  }
+
+
+
+  double
+  NewtonIteration::full_step(const Vector &direction)
+  {
+    u += direction;
+    problem.return_to_bounds(u);
+    evaluate();
+    if (!is_possible() && !problem.is_convex())
+      throw ConvergenceError(
+        "The load step turns elements inside out, or strains them beyond all "
+        "bounds. Shorter load steps ('Loading/Number of steps') or a finer mesh "
+        "at the contact help; under sharp tips, elements that have been "
+        "squeezed too far do not recover.");
+    return 1.;
+  }
+
+
+
+  double
+  NewtonIteration::line_search(const Vector &base,
+                               const Vector &direction,
+                               const double  slope)
+  {
+    const Energy start = current_energy;
+    for (double fraction = 1.; fraction > smallest_step_length; fraction *= 0.5)
+      {
+        u = base;
+        u.add(fraction, direction);
+        problem.return_to_bounds(u);
+        current_energy = problem.energy(u);
+        if (current_energy.value <= start.value + 1e-4 * fraction * slope ||
+            (has_not_grown(current_energy, start) &&
+             slope_has_shrunk(direction, slope)))
+          {
+            problem.compute_residual(residual, u);
+            return fraction;
+          }
+      }
+    u = base;
+    evaluate();
+    return 0.;
+  }
+
+
+
+  // The linear system has been solved well enough for the norm to fall along
+  // the direction. (What is below the tolerance may be rounding.)
+  double
+  NewtonIteration::residual_line_search(const Vector &base,
+                                        const Vector &direction)
+  {
+    const double start_norm = compute_free_norm();
+    const double negligible = parameters.tolerance * force_norm;
+    for (double fraction = 1.; fraction > smallest_step_length; fraction *= 0.5)
+      {
+        u = base;
+        u.add(fraction, direction);
+        problem.return_to_bounds(u);
+        problem.compute_residual(residual, u);
+        if (compute_free_norm() <=
+            std::max((1. - 1e-4 * fraction) * start_norm, negligible))
+          {
+            current_energy = problem.energy(u);
+            return fraction;
+          }
+      }
+    u = base;
+    evaluate();
+    return 0.;
+  }
+
+
+
+  bool
+  NewtonIteration::slope_has_shrunk(const Vector &direction, const double slope)
+  {
+    problem.compute_residual(residual, u);
+    return std::abs(problem.slope_along(residual, direction)) <=
+           0.9 * std::abs(slope);
+  }
+} // namespace ElastoPlastic

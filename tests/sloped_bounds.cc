@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Contact with the indenter at the present places of the nodes, finite strains:
+// on the nodes that touch a paraboloid, or share their force, the tangent with
+// slopes and curvature is the derivative of the forces along the bounds. In two
+// and three dimensions, with a given depth and with a given force.
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/grid/grid_generator.h>
+
+#include "contact/contact_set.h"
+#include "material/material_parameters.h"
+#include "mechanics/solid_operator.h"
+#include "sample_mesh.h"
+#include "solver/reduced_unknowns.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  /// A paraboloid over the origin, with the axes x and y, y with half the
+  /// curvature and something of both.
+  template <int dim>
+  IndenterSurface<dim>
+  gap(const Point<dim> &x)
+  {
+    IndenterSurface<dim> surface{-x[dim - 1], {}, {}};
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      {
+        surface.curvature[d][d] = 1. / (1. + d);
+        for (unsigned int e = 0; e < d; ++e)
+          surface.curvature[d][e] = 0.2;
+      }
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      for (unsigned int e = 0; e < dim - 1; ++e)
+        {
+          surface.slope[d] += surface.curvature[d][e] * x[e];
+          surface.height += 0.5 * surface.curvature[d][e] * x[d] * x[e];
+        }
+    return surface;
+  }
+
+
+
+  MaterialParameters
+  material()
+  {
+    MaterialParameters parameters;
+    parameters.laws             = {MaterialLaw::isotropic_hardening};
+    parameters.young_moduli     = {2.};
+    parameters.yield_stresses   = {0.02};
+    parameters.isotropic_moduli = {0.1};
+    return parameters;
+  }
+
+
+
+  template <int dim>
+  class PressedBlock
+  {
+  public:
+    explicit PressedBlock(const Control control)
+      : mesh(MPI_COMM_WORLD)
+      , fe(FE_Q<dim>(1), dim)
+      , dof_handler(mesh)
+      , solid(1,
+              {VolumetricTreatment::b_bar,
+               Kinematics::cartesian,
+               Strain::logarithmic},
+              material().materials())
+      , contact(ContactBounds<dim>(gap<dim>, ContactGeometry::present),
+                Kinematics::cartesian,
+                EdgeRule::within_faces)
+    {
+      Point<dim> lower, upper;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          lower[d] = -1.;
+          upper[d] = d < dim - 1 ? 1. : 0.;
+        }
+      std::vector<unsigned int> n_cells(dim, 12);
+      n_cells[dim - 1] = 3;
+      GridGenerator::subdivided_hyper_rectangle(
+        mesh, n_cells, lower, upper, true);
+      dof_handler.distribute_dofs(fe);
+      IndexSet relevant;
+      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      constraints.reinit(relevant);
+      constraints.close();
+      solid.reinit(dof_handler, constraints);
+      solid.initialize_vector(u);
+      solid.initialize_vector(residual);
+      contact.reinit(dof_handler,
+                     constraints,
+                     {2 * dim - 1},
+                     IndexSet(dof_handler.n_dofs()),
+                     u);
+      touch(control);
+    }
+
+    void
+    check()
+    {
+      compute_residual(residual, u);
+      const ReducedUnknowns here = unknowns(u, residual);
+      VectorType            step = sample(1.);
+      here.set_leading_value(step, contact.is_force_driven() ? 0.3 : 0.);
+
+      VectorType product(step), expanded = step;
+      here.expand(expanded);
+      solid.predict_flow(u, u);
+      solid.linearize(u);
+      solid.vmult(product, expanded);
+      here.add_curvature(product, expanded);
+      here.contract(product);
+
+      const double h        = 1e-5;
+      VectorType   quotient = reduced_forces(expanded, -h);
+      quotient -= reduced_forces(expanded, h);
+      quotient /= 2. * h;
+      quotient -= product;
+      verify("  tangent is the derivative of the forces",
+             quotient.l2_norm() / product.l2_norm(),
+             1e-6);
+
+      VectorType forces = sample(2.), contracted = forces;
+      here.contract(contracted);
+      verify("  contraction is the transpose of the expansion",
+             std::abs(step * contracted - expanded * forces) /
+               std::abs(expanded * forces),
+             1e-12);
+    }
+
+  private:
+    /// Presses the paraboloid into the block, and lets the contact end within
+    /// faces.
+    void
+    touch(const Control control)
+    {
+      contact.set_load({Control::depth, 0.15});
+      contact.activate_touching(u);
+      contact.note_edge(u);
+      contact.divide_edge(0.16);
+      contact.set_load({Control::depth, 0.16});
+      VectorType shifted = sample(3.);
+      u.equ(0.01, shifted);
+      contact.move_active(u);
+      if (control == Control::force)
+        contact.set_load({Control::force, 1.});
+      output() << "  " << contact.n_active() << " nodes touch, "
+               << (contact.shared_rows() ? "some share their force" :
+                                           "none shares its force")
+               << std::endl;
+    }
+
+    void
+    compute_residual(VectorType &forces, const VectorType &displacement) const
+    {
+      solid.internal_forces(forces, displacement);
+      forces *= -1.;
+    }
+
+    ReducedUnknowns
+    unknowns(const VectorType &displacement, const VectorType &forces) const
+    {
+      const auto      active          = contact.active_entries();
+      const bool      is_force_driven = contact.is_force_driven();
+      ReducedUnknowns result(is_force_driven ? std::vector<unsigned int>() :
+                                               active,
+                             is_force_driven ? active :
+                                               std::vector<unsigned int>(),
+                             MPI_COMM_WORLD,
+                             active,
+                             contact.shared_rows());
+      result.set_sloped_bounds(contact.sloped_bounds(displacement, forces));
+      return result;
+    }
+
+    /// Where @p direction and the bounds lead.
+    VectorType
+    reduced_forces(const VectorType &direction, const double way) const
+    {
+      VectorType moved = u, forces(u);
+      moved.add(way, direction);
+      contact.return_to_bounds(moved);
+      compute_residual(forces, moved);
+      unknowns(moved, forces).contract(forces);
+      return forces;
+    }
+
+    VectorType
+    sample(const double frequency) const
+    {
+      VectorType vector;
+      solid.initialize_vector(vector);
+      for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
+        vector.local_element(i) =
+          std::sin(frequency * vector.get_partitioner()->local_to_global(i));
+      return vector;
+    }
+
+    parallel::distributed::Triangulation<dim> mesh;
+    const FESystem<dim>                       fe;
+    DoFHandler<dim>                           dof_handler;
+    AffineConstraints<double>                 constraints;
+    SolidOperator<dim>                        solid;
+    ContactSet<dim>                           contact;
+    VectorType                                u, residual;
+  };
+
+
+
+  template <int dim>
+  void
+  check()
+  {
+    for (const Control control : {Control::depth, Control::force})
+      {
+        output() << dim << "D, given "
+                 << (control == Control::force ? "force" : "depth")
+                 << std::endl;
+        PressedBlock<dim>(control).check();
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  check<2>();
+  check<3>();
+}
