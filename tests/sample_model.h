@@ -23,7 +23,7 @@ namespace ElastoPlastic
             /* degree = */ 1,
             MaterialParameters().materials(),
             PlacedIndenter<dim>(),
-            EdgeRule::within_faces,
+            ContactParameters(),
             LoadProgram(LoadingParameters())};
   }
 } // namespace ElastoPlastic
