@@ -61,7 +61,7 @@ namespace
                                     dof_handler,
                                     supports.constraints(),
                                     1);
-      hierarchy.update(*solid, zero);
+      hierarchy.update(*solid, {zero, zero});
       const LevelOperator<dim> &level =
         *hierarchy.operators()[hierarchy.max_level()];
 
@@ -93,7 +93,7 @@ namespace
                                     dof_handler,
                                     supports.constraints(),
                                     mesh.n_global_active_cells() - 1);
-      hierarchy.update(*solid, zero);
+      hierarchy.update(*solid, {zero, zero});
       const unsigned int finest = hierarchy.max_level();
       const VectorFunctionFromScalarFunctionObject<dim> linear(
         [](const Point<dim> &x) { return 1. + x[0] + 2. * x[dim - 1]; },
