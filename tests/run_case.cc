@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -74,19 +75,34 @@ namespace
 
 
 
+  /// Whether the indenter pushes along its normal.
+  bool
+  is_pushed_aside()
+  {
+    std::ifstream      file("results/parameters.prm");
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str().find("= logarithmic") != std::string::npos;
+  }
+
+
+
   /// Without tractions, the forces of supports and indenter add up to zero, in
-  /// each direction; the vertical one is the last.
+  /// each direction in which the force of the indenter is known; the vertical
+  /// one is the last. Forces are small against the largest one until then.
   void
   check_reactions(const std::vector<Row> &history,
                   const std::vector<Row> &reactions)
   {
+    const bool vertical_only = is_pushed_aside();
+    double     scale         = 0;
     if (history.size() != reactions.size())
       std::cout << "FAILED: reactions.csv has " << reactions.size() << " steps"
                 << std::endl;
     for (unsigned int i = 0; i < reactions.size(); ++i)
       {
         std::map<char, double> sums;
-        double                 scale = history.at(i).at("force");
+        scale = std::max(scale, history.at(i).at("force"));
         for (const auto &[column, value] : reactions[i])
           if (column[column.size() - 2] == '_')
             {
@@ -95,7 +111,8 @@ namespace
             }
         sums.rbegin()->second -= history[i].at("force");
         for (const auto &[axis, sum] : sums)
-          if (std::abs(sum) > 1e-10 * scale)
+          if (std::abs(sum) > 1e-10 * scale &&
+              !(vertical_only && axis != sums.rbegin()->first))
             std::cout << "FAILED in step " << i + 1 << ": reactions along "
                       << axis << " leave " << sum / scale << std::endl;
       }

@@ -187,15 +187,14 @@ namespace ElastoPlastic
       return result;
     }
 
-    /// @p value on the lanes that yield, zero on the others: also on those
-    /// whose stress has come to the yield surface in an earlier step, and
-    /// leaves it by rounding only. (Their first tangent after a reversal of the
-    /// load would be that of plastic flow.)
+    /// @p value on the lanes that yield, zero on the others.
     Number
     plastic(const Number &value) const
     {
-      return compare_and_apply_mask<SIMDComparison::greater_than>(
-        multiplier * modulus, 1e-10 * norm, value, Number(0.));
+      return compare_and_apply_mask<SIMDComparison::greater_than>(multiplier,
+                                                                  Number(0.),
+                                                                  value,
+                                                                  Number(0.));
     }
 
   private:
