@@ -77,6 +77,12 @@ public:
     return true;
   }
 
+  bool
+  is_convex() const override
+  {
+    return has_energy();
+  }
+
   ElastoPlastic::Energy
   energy(const Vector &u) const override
   {
