@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Contact with the indenter at the present places of the nodes, finite strains:
-// on the nodes that touch a paraboloid, or share their force, the tangent with
-// slopes and curvature is the derivative of the forces along the bounds. In two
-// and three dimensions, with a given depth and with a given force.
+// Contact along the normal of the indenter, above the present places of the
+// nodes or on its tangent planes above the undeformed ones, with finite
+// strains: on the nodes that touch a paraboloid, or share their force, the
+// tangent with slopes and curvature is the derivative of the forces along the
+// bounds. In two and three dimensions, with a given depth and with a given
+// force.
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -63,7 +65,7 @@ namespace
   class PressedBlock
   {
   public:
-    explicit PressedBlock(const Control control)
+    PressedBlock(const Control control, const ContactGeometry geometry)
       : mesh(MPI_COMM_WORLD)
       , fe(FE_Q<dim>(1), dim)
       , dof_handler(mesh)
@@ -72,7 +74,7 @@ namespace
                Kinematics::cartesian,
                Strain::logarithmic},
               material().materials())
-      , contact(ContactBounds<dim>(gap<dim>, ContactGeometry::present),
+      , contact(ContactBounds<dim>(gap<dim>, geometry),
                 Kinematics::cartesian,
                 EdgeRule::within_faces)
     {
@@ -218,13 +220,18 @@ namespace
   void
   check()
   {
-    for (const Control control : {Control::depth, Control::force})
-      {
-        output() << dim << "D, given "
-                 << (control == Control::force ? "force" : "depth")
-                 << std::endl;
-        PressedBlock<dim>(control).check();
-      }
+    for (const auto geometry :
+         {ContactGeometry::present, ContactGeometry::normal})
+      for (const Control control : {Control::depth, Control::force})
+        {
+          output() << dim << "D, "
+                   << (geometry == ContactGeometry::present ? "present places" :
+                                                              "tangent planes")
+                   << ", given "
+                   << (control == Control::force ? "force" : "depth")
+                   << std::endl;
+          PressedBlock<dim>(control, geometry).check();
+        }
   }
 } // namespace
 
