@@ -25,7 +25,8 @@ namespace ElastoPlastic
   ///   Pi(u, delta) = int W(strain(u)) dx - forces . u - F delta
   ///
   /// where the active contact nodes are coupled: u_i = g_i - delta. Then the
-  /// depth delta need not be kept beside u: it can be read from it.
+  /// depth delta need not be kept beside u: it can be read from it. With
+  /// Coulomb's friction, there is no energy.
   template <int dim>
   class ContactProblem : public ConstrainedMinimization
   {
@@ -51,8 +52,8 @@ namespace ElastoPlastic
     bool
     has_energy() const override;
 
-    bool
-    is_convex() const override;
+    std::string
+    obstacle_to_convexity() const override;
 
     Energy
     energy(const Vector &u) const override;

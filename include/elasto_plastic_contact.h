@@ -47,7 +47,8 @@ namespace ElastoPlastic
   /// among all u that satisfy the support conditions and, on Gamma_0, do not
   /// penetrate the indenter: u_d <= g - delta,
   /// in one load step, or in many steps of a load history, each of which begins
-  /// with what the material remembers of those before.
+  /// with what the material remembers of those before. With friction, forces
+  /// without an energy join in (ContactProblem).
   ///
   /// This is the one class that sets up, solves, refines and writes. It owns
   /// its parts in the order in which they depend on each other, so that
@@ -115,6 +116,10 @@ namespace ElastoPlastic
     // is taken back.
     void
     apply_load();
+    Tensor<1, dim - 1>
+    sideways_position(const double time) const;
+    void
+    move_indenter(const double time);
     void
     predict();
     void
@@ -127,6 +132,8 @@ namespace ElastoPlastic
     look_at_contact();
     ContactZone<dim>
     contact_zone() const;
+    VectorType
+    total_slip() const;
     VectorType
     forces_of_stresses() const;
     bool
@@ -214,7 +221,7 @@ namespace ElastoPlastic
 
     // The body, and the indenter above it.
     parallel::distributed::Triangulation<dim> triangulation;
-    const GapFunction<dim>                    gap_function;
+    GapFunction<dim>                          gap_function;
     const int                                 finest_first_level;
 
     // Whether they stay within the theory.

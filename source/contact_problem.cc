@@ -46,6 +46,8 @@ namespace ElastoPlastic
     else
       for (const unsigned int i : contact.active_entries())
         constrained.push_back(i);
+    for (const unsigned int i : contact.stuck_entries())
+      constrained.push_back(i);
     unknowns = ReducedUnknowns(constrained,
                                coupled,
                                external_forces.get_mpi_communicator(),
@@ -78,16 +80,19 @@ namespace ElastoPlastic
   bool
   ContactProblem<dim>::has_energy() const
   {
-    return solid.has_energy();
+    return solid.has_energy() && !contact.dissipates();
   }
 
 
 
   template <int dim>
-  bool
-  ContactProblem<dim>::is_convex() const
+  std::string
+  ContactProblem<dim>::obstacle_to_convexity() const
   {
-    return has_energy() && !contact.has_curved_bounds();
+    return contact.has_friction()      ? "friction" :
+           contact.has_curved_bounds() ? "finite strains" :
+           solid.has_energy()          ? "" :
+                                "a material with recovering back stresses";
   }
 
 

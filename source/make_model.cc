@@ -8,7 +8,8 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// The equilibrium method knows the vertical gap only.
+    /// The equilibrium method knows the vertical gap only. The edge of a
+    /// contact that moves sideways is not followed.
     ContactParameters
     contact_of(const Parameters &parameters)
     {
@@ -16,6 +17,8 @@ namespace ElastoPlastic
       if (parameters.analysis != Analysis::contact &&
           result.geometry == ContactGeometry::automatic)
         result.geometry = ContactGeometry::vertical;
+      if (!parameters.loading.path.empty())
+        result.edge = EdgeRule::at_nodes;
       return result;
     }
   } // namespace

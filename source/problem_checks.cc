@@ -115,7 +115,7 @@ namespace ElastoPlastic
     const double min_gap = contact.min_gap();
     for (; !steps.finished(); steps.advance())
       if (const auto load = load_program.load(steps.next_time());
-          load && (load->control == Control::force || load->value > min_gap))
+          load && (load->control == Control::force || load->value >= min_gap))
         return;
     throw InputError(
       loading.history.empty() ? "Loading/Depth" : "Loading/History",

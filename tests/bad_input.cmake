@@ -67,6 +67,21 @@ set(_cone ${CMAKE_SOURCE_DIR}/parameter_files/indentation/cone_finite_strain.prm
   --set "Geometry/Local refinements=6" --set "Loading/History=1: depth 0.1" --set "Loading/Maximum number of cuts=0")
 add_message_test(finite_too_far 3 "turns elements inside out.*Shorter load steps|with finite strains there is no convex energy.*Shorter load steps" ${_cone} --output-directory finite_too_far --set "Loading/Number of steps=2")
 
+# Friction and motion to the side
+add_entry_test(friction_negative "entry 'Contact/Friction coefficient' is '-0.1', but it must be a number, at least 0, or 'stick'" "Contact/Friction coefficient=-0.1")
+add_entry_test(friction_word "entry 'Contact/Friction coefficient' is 'rough', but it must be a number, at least 0, or 'stick'" "Contact/Friction coefficient=rough")
+add_entry_test(friction_limit_load "entry 'Contact/Friction coefficient' is '0.1', but 'Analysis = limit load' knows indenters without friction" "Analysis=limit load" "Contact/Friction coefficient=0.1" Dimension=2)
+add_entry_test(path_row "entry 'Loading/Path' is '2 0.1', but a row must look like" "Loading/Path=1: 0, 0 | 2 0.1")
+add_entry_test(path_number "entry 'Loading/Path' is '1: a, 0', but a row must look like" "Loading/Path=1: a, 0")
+add_entry_test(path_times "entry 'Loading/Path' is '1: 1, 0', but the times must increase" "Loading/Path=1: 0, 0 | 1: 1, 0")
+add_entry_test(path_rows_differ "entry 'Loading/Path' is '1: 0, 0 | 2: 1', but all rows must have the same number of components" "Loading/Path=1: 0, 0 | 2: 1")
+add_entry_test(path_three "entry 'Loading/Path' is '1: 0, 0, 0', but the indenter moves in one direction in the plane, in two in space" "Loading/Path=1: 0, 0, 0")
+add_entry_test(path_space "entry 'Loading/Path' is '1: 0.1', but in three dimensions the indenter moves along x and y" "Loading/Path=1: 0.1")
+add_entry_test(path_plane "entry 'Loading/Path' is 't. t', but in two dimensions the indenter moves along x only" "Loading/Path=t@ t" Dimension=2)
+add_entry_test(path_start "entry 'Loading/Path' is '1 .+ t. t', but at t = 0 the indenter is at 'Indenter/Position'" "Loading/Path=1 + t@ t")
+add_entry_test(path_expression "entry 'Loading/Path' is 'sin.*" "Loading/Path=sin(@ t")
+add_entry_test(path_axisymmetric "entry 'Loading/Path' is '1: 0.1', but an indenter that moves sideways is not axisymmetric" "Loading/Path=1: 0.1" Dimension=2 Kinematics=axisymmetric)
+
 # Parameter file
 add_message_test(file_missing 2 "'does_not_exist.prm' does not exist or cannot be read" does_not_exist.prm)
 add_message_test(file_directory 2 "bad_input' does not exist or cannot be read" ${_files})

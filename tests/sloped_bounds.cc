@@ -6,7 +6,7 @@
 // strains: on the nodes that touch a paraboloid, or share their force, the
 // tangent with slopes and curvature is the derivative of the forces along the
 // bounds. In two and three dimensions, with a given depth and with a given
-// force.
+// force, without and with friction.
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -65,7 +65,9 @@ namespace
   class PressedBlock
   {
   public:
-    PressedBlock(const Control control, const ContactGeometry geometry)
+    PressedBlock(const Control         control,
+                 const ContactGeometry geometry,
+                 const double          friction_coefficient)
       : mesh(MPI_COMM_WORLD)
       , fe(FE_Q<dim>(1), dim)
       , dof_handler(mesh)
@@ -76,7 +78,8 @@ namespace
               material().materials())
       , contact(ContactBounds<dim>(gap<dim>, geometry),
                 Kinematics::cartesian,
-                EdgeRule::within_faces)
+                EdgeRule::within_faces,
+                CoulombFriction<dim>(friction_coefficient))
     {
       Point<dim> lower, upper;
       for (unsigned int d = 0; d < dim; ++d)
@@ -129,6 +132,8 @@ namespace
              quotient.l2_norm() / product.l2_norm(),
              1e-6);
 
+      if (!here.is_symmetric())
+        return;
       VectorType forces = sample(2.), contracted = forces;
       here.contract(contracted);
       verify("  contraction is the transpose of the expansion",
@@ -153,10 +158,29 @@ namespace
       contact.move_active(u);
       if (control == Control::force)
         contact.set_load({Control::force, 1.});
+      if (contact.has_friction())
+        let_slip();
       output() << "  " << contact.n_active() << " nodes touch, "
                << (contact.shared_rows() ? "some share their force" :
                                            "none shares its force")
                << std::endl;
+    }
+
+    /// Until nodes have stopped to switch from stick to slip, or back.
+    void
+    let_slip()
+    {
+      contact.begin_step(VectorType(u.get_partitioner()), {});
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          compute_residual(residual, u);
+          contact.update(u, residual);
+          contact.move_active(u);
+        }
+      output() << "  "
+               << Utilities::MPI::sum(contact.stuck_entries().size(),
+                                      MPI_COMM_WORLD)
+               << " horizontal displacements are held" << std::endl;
     }
 
     void
@@ -169,10 +193,12 @@ namespace
     ReducedUnknowns
     unknowns(const VectorType &displacement, const VectorType &forces) const
     {
-      const auto      active          = contact.active_entries();
-      const bool      is_force_driven = contact.is_force_driven();
-      ReducedUnknowns result(is_force_driven ? std::vector<unsigned int>() :
-                                               active,
+      const auto active          = contact.active_entries();
+      const bool is_force_driven = contact.is_force_driven();
+      auto       held            = contact.stuck_entries();
+      if (!is_force_driven)
+        held.insert(held.end(), active.begin(), active.end());
+      ReducedUnknowns result(held,
                              is_force_driven ? active :
                                                std::vector<unsigned int>(),
                              MPI_COMM_WORLD,
@@ -223,15 +249,17 @@ namespace
     for (const auto geometry :
          {ContactGeometry::present, ContactGeometry::normal})
       for (const Control control : {Control::depth, Control::force})
-        {
-          output() << dim << "D, "
-                   << (geometry == ContactGeometry::present ? "present places" :
-                                                              "tangent planes")
-                   << ", given "
-                   << (control == Control::force ? "force" : "depth")
-                   << std::endl;
-          PressedBlock<dim>(control, geometry).check();
-        }
+        for (const double friction : {0., 0.2})
+          {
+            output() << dim << "D, "
+                     << (geometry == ContactGeometry::present ?
+                           "present places" :
+                           "tangent planes")
+                     << ", given "
+                     << (control == Control::force ? "force" : "depth")
+                     << (friction > 0. ? ", friction" : "") << std::endl;
+            PressedBlock<dim>(control, geometry, friction).check();
+          }
   }
 } // namespace
 

@@ -77,10 +77,10 @@ public:
     return true;
   }
 
-  bool
-  is_convex() const override
+  std::string
+  obstacle_to_convexity() const override
   {
-    return has_energy();
+    return has_energy() ? "" : "a material with recovering back stresses";
   }
 
   ElastoPlastic::Energy

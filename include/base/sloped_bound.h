@@ -9,8 +9,8 @@
 namespace ElastoPlastic
 {
   /// A bound u_i <= b(u_j, u_l) that depends on other unknowns of the same
-  /// rank, to second order: that of a contact node beside the flank of an
-  /// indenter.
+  /// rank, to first order, and the force on the body that belongs to it: that
+  /// of a contact node beside the flank of an indenter.
   struct SlopedBound
   {
     unsigned int index = 0;
@@ -19,7 +19,10 @@ namespace ElastoPlastic
     unsigned int                n_others = 0;
     /// The first derivatives of b.
     std::array<double, 2> slope = {{0., 0.}};
-    /// The second derivatives of b, and the force that presses against it.
+    /// Of a force -f on u_i, u_j takes the part -force_slope[j]: without
+    /// friction, the slope.
+    std::array<double, 2> force_slope = {{0., 0.}};
+    /// How it changes with u_l; and f, which presses against the bound.
     std::array<std::array<double, 2>, 2> curvature = {};
     double                               force     = 0.;
     /// Whether the bound is active, or has a part in an active one only.

@@ -9,7 +9,6 @@
 #include <functional>
 
 #include "base/enum_names.h"
-#include "base/sloped_bound.h"
 #include "contact/contact_nodes.h"
 
 namespace ElastoPlastic
@@ -70,11 +69,15 @@ namespace ElastoPlastic
     }
 
     double
-    value(const ContactNode<dim> &node, const Vector &u) const;
+    value(const ContactNode<dim> &node, const Vector &u) const
+    {
+      return surface(node, u).height;
+    }
 
-    /// Without a force.
-    SlopedBound
-    to_second_order(const ContactNode<dim> &node, const Vector &u) const;
+    /// The bound and its derivatives with respect to the horizontal
+    /// displacements: the surface of the indenter that the node meets.
+    IndenterSurface<dim>
+    surface(const ContactNode<dim> &node, const Vector &u) const;
 
     /// How much larger the force on a node is than its vertical part, if
     /// pressures refer to areas of the undeformed surface.
@@ -82,9 +85,6 @@ namespace ElastoPlastic
     inclination(const ContactNode<dim> &node) const;
 
   private:
-    static Tensor<1, dim - 1>
-    horizontal_displacement(const ContactNode<dim> &node, const Vector &u);
-
     /// A node that has slid off the end of the indenter, or to where an
     /// expression has no value, is below what it was below in the undeformed
     /// body.

@@ -62,6 +62,20 @@ namespace ElastoPlastic
 
 
 
+  /// The horizontal components of a vector at @p node.
+  template <int dim>
+  Tensor<1, dim - 1>
+  horizontal_part(const ContactNode<dim>                           &node,
+                  const LinearAlgebra::distributed::Vector<double> &vector)
+  {
+    Tensor<1, dim - 1> part;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      part[d] = vector.local_element(node.horizontal[d]);
+    return part;
+  }
+
+
+
   /// Finds the nodes on @p boundaries that this rank owns, in the order of
   /// their indices. @p gap gives that of a point of the undeformed surface,
   /// @p layout the partition of vectors.

@@ -6,6 +6,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <string>
+
 #include "contact/contact_edge.h"
 #include "contact/contact_geometry.h"
 
@@ -18,6 +20,12 @@ namespace ElastoPlastic
   {
     EdgeRule        edge     = EdgeRule::within_faces;
     ContactGeometry geometry = ContactGeometry::automatic;
+    std::string     friction = "0";
+
+    /// Coulomb's coefficient; infinite for nodes that stick.
+    /// @throws InputError
+    double
+    friction_coefficient() const;
 
     void
     add_parameters(ParameterHandler &prm);

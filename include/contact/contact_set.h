@@ -17,9 +17,11 @@
 
 #include "base/kinematics.h"
 #include "base/shared_rows.h"
+#include "base/sloped_bound.h"
 #include "contact/contact_edge.h"
 #include "contact/contact_geometry.h"
 #include "contact/contact_state.h"
+#include "contact/coulomb_friction.h"
 #include "loading/load.h"
 
 namespace ElastoPlastic
@@ -44,6 +46,12 @@ namespace ElastoPlastic
   /// - depth - u_j), with the open nodes j of its faces; they get the parts
   /// t_kj of its nodal force (doc/theory.md, "The edge of the contact").
   ///
+  /// With friction, a node that sticks to the indenter keeps the place on it
+  /// where it was at the beginning of the load step, and a node that slips has
+  /// the horizontal force of Coulomb's law: then forces follow from the
+  /// vertical ones with a slope of their own (CoulombFriction). Where a support
+  /// holds a horizontal displacement, there is no friction in that direction.
+  ///
   /// All vectors passed in have the partition of the one passed to reinit().
   template <int dim>
   class ContactSet
@@ -51,9 +59,11 @@ namespace ElastoPlastic
   public:
     using Vector = LinearAlgebra::distributed::Vector<double>;
 
-    explicit ContactSet(const ContactBounds<dim> &bounds,
-                        const Kinematics kinematics = Kinematics::cartesian,
-                        const EdgeRule   rule       = EdgeRule::at_nodes);
+    explicit ContactSet(
+      const ContactBounds<dim>   &bounds,
+      const Kinematics            kinematics = Kinematics::cartesian,
+      const EdgeRule              rule       = EdgeRule::at_nodes,
+      const CoulombFriction<dim> &friction   = CoulombFriction<dim>(0.));
 
     /// Finds the candidates. @p supported_dofs are no candidates;
     /// @p layout gives the partition of vectors.
@@ -63,6 +73,16 @@ namespace ElastoPlastic
            const std::set<types::boundary_id> &contact_boundaries,
            const IndexSet                     &supported_dofs,
            const Vector                       &layout);
+
+    /// The indenter has moved sideways: finds out what it can reach now.
+    /// Active nodes stay active. Collective.
+    void
+    follow_indenter();
+
+    /// A load step begins with the displacement @p u, and the indenter will
+    /// move sideways by @p motion: where nodes that stick will go.
+    void
+    begin_step(const Vector &u, const Tensor<1, dim - 1> &motion);
 
     /// Drives the indenter: to a depth, or by a force F, which leaves it where
     /// it is until a displacement says how far it has moved.
@@ -181,11 +201,25 @@ namespace ElastoPlastic
     void
     move_active(Vector &u) const;
 
-    /// Whether bounds depend on horizontal displacements.
+    /// Whether bounds depend on horizontal displacements, or forces have
+    /// horizontal parts.
     bool
     has_sloped_bounds() const
     {
-      return bounds.are_sloped();
+      return bounds.are_sloped() || friction.exists();
+    }
+
+    bool
+    has_friction() const
+    {
+      return friction.exists();
+    }
+
+    /// Whether friction takes energy.
+    bool
+    dissipates() const
+    {
+      return friction.dissipates();
     }
 
     /// Whether a motion along the bounds to first order leaves them.
@@ -212,12 +246,34 @@ namespace ElastoPlastic
     std::vector<unsigned int>
     active_entries() const;
 
+    /// And those of all their unknowns on which the indenter exerts a force.
+    std::vector<unsigned int>
+    force_entries() const;
+
+    /// Those of the horizontal displacements that friction holds.
+    std::vector<unsigned int>
+    stuck_entries() const;
+
     /// Sets @p value at the entries of all candidates.
     void
     set_candidate_entries(Vector &vector, const double value) const;
 
     ContactState
     state(const Vector &u, const Vector &residual) const;
+
+    /// How far the active nodes have slipped in the load step: the displacement
+    /// of the body relative to the indenter.
+    Vector
+    slip(const Vector &u) const;
+
+    /// For output, with friction: the shear traction of the indenter on the
+    /// body at the active nodes, and ones in the vertical component at those
+    /// that stick; zero elsewhere.
+    void
+    friction_fields(Vector       &shear,
+                    Vector       &stick,
+                    const Vector &u,
+                    const Vector &residual) const;
 
     /// The nodal forces of the indenter on the body; and their vertical parts.
     Vector
@@ -236,10 +292,16 @@ namespace ElastoPlastic
                    const Vector &residual) const;
 
   private:
-    /// A node within the indenter's reach.
+    /// A node of the contact surface.
     struct Node : ContactNode<dim>
     {
       bool active = false;
+
+      /// Which of its horizontal displacements no support holds.
+      std::array<bool, dim - 1> free = {};
+      /// The horizontal displacement with which it sticks.
+      TangentVector<dim> anchor;
+      FrictionState<dim> friction;
     };
 
     /// An indenter that no force pushes does not press on any node, and has
@@ -249,6 +311,64 @@ namespace ElastoPlastic
     {
       return !is_force_driven() || force() > 0.;
     }
+
+    /// Those of the nodes that the indenter reaches.
+    void
+    find_candidates();
+
+    /// How far a node has slipped in the load step, and where no support holds
+    /// it.
+    TangentVector<dim>
+    slip(const Node &node, const Vector &u) const;
+
+    /// Whether friction holds the horizontal displacement @p d of a node.
+    bool
+    is_held(const Node &node, const unsigned int d) const
+    {
+      return friction.exists() && node.friction.sticks && node.free[d];
+    }
+
+    /// The force of a node on the indenter.
+    ContactForce<dim>
+    contact_force(const Node                 &node,
+                  const IndenterSurface<dim> &surface,
+                  const Vector               &residual) const;
+
+    /// Its normal part, as the vertical force that would have it without
+    /// friction.
+    double
+    pressing_force(const Node   &node,
+                   const Vector &u,
+                   const Vector &residual) const;
+
+    /// By how much the force of a node on the indenter is larger than that on
+    /// itself: by what it shares with others.
+    double
+    share(const Node &node) const
+    {
+      return rows ? 1. + shared_parts.local_element(node.index) : 1.;
+    }
+
+    /// Finds out which of the active nodes stick. @return whether any does on
+    /// any rank that did not before, or the other way round.
+    bool
+    update_friction(const Vector &u, const Vector &residual);
+
+    SlopedBound
+    sloped_bound(const Node &node, const Vector &u) const;
+
+    /// Adds what is not vertical to @p state. Collective.
+    void
+    add_friction(ContactState &state,
+                 const Vector &u,
+                 const Vector &residual) const;
+
+    /// Sets a vector of the tangent plane of a node with this slope.
+    static void
+    set_tangent_vector(Vector                   &vector,
+                       const Node               &node,
+                       const TangentVector<dim> &value,
+                       const TangentVector<dim> &slope);
 
     double
     bound(const Node &node, const Vector &u) const
@@ -322,14 +442,18 @@ namespace ElastoPlastic
     bool
     set_active(const Predicate &is_active);
 
-    ContactBounds<dim>      bounds;
-    const Kinematics        kinematics;
-    const EdgeRule          rule;
-    double                  present_depth = 0;
-    std::optional<double>   given_force;
-    MPI_Comm                communicator;
-    types::global_dof_index first_owned_dof = 0;
+    ContactBounds<dim>         bounds;
+    const Kinematics           kinematics;
+    const EdgeRule             rule;
+    const CoulombFriction<dim> friction;
+    double                     present_depth = 0;
+    std::optional<double>      given_force;
+    MPI_Comm                   communicator;
+    types::global_dof_index    first_owned_dof = 0;
 
+    // All that may be in contact; those within the reach of the indenter, but
+    // for hanging ones; and these.
+    std::vector<Node> nodes;
     std::vector<Node> candidates;
     std::vector<Node> hanging_nodes;
 
@@ -342,6 +466,7 @@ namespace ElastoPlastic
     std::shared_ptr<const SharedRows::Matrix> weights;
     std::shared_ptr<const Vector>             scale;
     std::shared_ptr<const SharedRows>         rows;
+    Vector                                    shared_parts;
   };
 } // namespace ElastoPlastic
 

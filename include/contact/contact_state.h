@@ -4,6 +4,10 @@
 #ifndef contact_contact_state_h
 #define contact_contact_state_h
 
+#include <boost/serialization/array.hpp>
+
+#include <array>
+
 namespace ElastoPlastic
 {
   /// The contact quantities of a solution, of all ranks together.
@@ -26,6 +30,14 @@ namespace ElastoPlastic
     double edge_penetration = 0;
     /// The same over the hanging nodes, which follow their masters.
     double max_hanging_penetration = 0;
+    /// The horizontal force of the indenter on the body, by component: positive
+    /// when it pushes in the direction of the axis.
+    std::array<double, 2> tangential_force = {{0., 0.}};
+    /// Of the nodes that stick, as contact_area.
+    double stick_area = 0;
+    /// What friction has dissipated: in the load step, or once that has been
+    /// committed, since the virgin state.
+    double frictional_dissipation = 0;
     /// sum |force * distance| / (total force * |depth|) over the candidates.
     double complementarity_error = 0;
 
@@ -35,7 +47,8 @@ namespace ElastoPlastic
     {
       archive &active_nodes &force &contact_area &max_pressure &min_pressure
         &max_penetration &edge_penetration &max_hanging_penetration
-          &complementarity_error;
+          &complementarity_error &tangential_force &stick_area
+            &frictional_dissipation;
     }
   };
 } // namespace ElastoPlastic

@@ -22,6 +22,10 @@ namespace ElastoPlastic
     bool
     has_indenter() const;
 
+    /// Moves the indenter sideways to this distance from where it has been put.
+    void
+    move_to(const Tensor<1, dim - 1> &displacement);
+
     /// The horizontal position of the indenter.
     const Point<dim - 1> &
     position() const;
@@ -49,6 +53,7 @@ namespace ElastoPlastic
 
     const PlacedIndenter<dim> indenter;
     const double              tip_height;
+    Point<dim - 1>            present_position;
   };
 } // namespace ElastoPlastic
 

@@ -29,12 +29,16 @@ namespace ElastoPlastic
     double pressure = 0;
     /// 1 for a node in contact, else 0.
     double active = 0;
+    /// The shear traction of the indenter on the body, and 1 for a node that
+    /// sticks to it, else 0.
+    Tensor<1, dim> shear;
+    double         stick = 0;
 
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /* version */)
     {
-      archive &position &displacement &gap &pressure &active;
+      archive &position &displacement &gap &pressure &active &shear &stick;
     }
   };
 

@@ -18,6 +18,8 @@ namespace ElastoPlastic
     /// The nodal forces in equilibrium with the stresses.
     VectorType forces;
     VectorType displacement_rate;
+    /// How far the surface has slipped along the indenter.
+    VectorType slip;
     double     depth_rate = 0;
 
     bool
@@ -46,6 +48,7 @@ namespace ElastoPlastic
       next.plastic_work += result.plastic_work;
       next.dissipation += result.dissipation;
       next.external_work += result.external_work;
+      next.frictional_dissipation += result.frictional_dissipation;
     }
 
     /// Notes how fast @p next, with @p new_displacement, has been reached.

@@ -12,7 +12,8 @@
 namespace ElastoPlastic
 {
   /// The fields of the contact surface, in the layout of displacements, with
-  /// ghost values; all but the displacement in the vertical component only.
+  /// ghost values; all but displacement and shear in the vertical component
+  /// only.
   struct SurfaceFields
   {
     VectorType displacement;
@@ -21,6 +22,10 @@ namespace ElastoPlastic
     VectorType gap;
     VectorType pressure;
     VectorType active;
+    /// With friction: the shear traction on the body, and ones at nodes that
+    /// stick, zero elsewhere.
+    VectorType shear;
+    VectorType stick;
     /// Whether the contact is where the deformation has brought the surface, or
     /// where it was.
     bool at_present_place;
@@ -38,15 +43,20 @@ namespace ElastoPlastic
                  const VectorType                &u,
                  const VectorType                &residual)
   {
-    VectorType gap(u.get_partitioner()), pressure(gap), active(gap);
+    VectorType gap(u.get_partitioner()), pressure(gap), active(gap), shear(gap),
+      stick(gap);
     gap = std::numeric_limits<double>::quiet_NaN();
     contact.surface_fields(gap, pressure, active, u, residual);
-    constraints.distribute(pressure);
-    constraints.distribute(active);
+    if (contact.has_friction())
+      contact.friction_fields(shear, stick, u, residual);
+    for (VectorType *field : {&pressure, &active, &shear, &stick})
+      constraints.distribute(*field);
     return {ghosted_copy(u, dof_handler),
             ghosted_copy(gap, dof_handler),
             ghosted_copy(pressure, dof_handler),
             ghosted_copy(active, dof_handler),
+            ghosted_copy(shear, dof_handler),
+            ghosted_copy(stick, dof_handler),
             contact.has_curved_bounds()};
   }
 } // namespace ElastoPlastic

@@ -25,6 +25,9 @@ namespace ElastoPlastic
     /// reach.
     double gap              = 0;
     double contact_pressure = 0;
+    /// On the body; and 1 where that sticks to the indenter.
+    Tensor<1, 3> contact_shear;
+    double       stick = 0;
   };
 } // namespace ElastoPlastic
 

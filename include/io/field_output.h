@@ -35,6 +35,7 @@ namespace ElastoPlastic
       const std::set<types::boundary_id> contact_boundaries;
       const VectorType                  &displacement;
       const VectorType                  &residual;
+      const VectorType                  &slip;
       const Vector<float>               &error_indicators;
     };
 

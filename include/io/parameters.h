@@ -93,6 +93,9 @@ namespace ElastoPlastic
 
     void
     check_contact_geometry() const;
+
+    void
+    check_friction_and_path() const;
   };
 } // namespace ElastoPlastic
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/expression.h"
+#include "loading/indenter_path.h"
 #include "loading/load.h"
 #include "loading/loading_parameters.h"
 
@@ -23,6 +24,7 @@ namespace ElastoPlastic
   /// The load over time: segments one after the other, each with one control,
   /// from t = 0 on. In a segment the load is an expression in t, or linear
   /// between the value reached at its beginning and the one given for its end.
+  /// And the sideways motion that goes with it.
   class LoadProgram
   {
   public:
@@ -34,7 +36,15 @@ namespace ElastoPlastic
     double
     final_time() const;
 
-    /// The ends of the segments, increasing; the last is final_time().
+    /// How the indenter moves sideways meanwhile.
+    const IndenterPath &
+    path() const
+    {
+      return indenter_path;
+    }
+
+    /// The ends of the segments, and the corners of the path between them,
+    /// increasing; the last is final_time().
     std::vector<double>
     segment_ends() const;
 
@@ -86,6 +96,7 @@ namespace ElastoPlastic
     read_expression(const LoadingParameters &parameters);
 
     std::vector<Segment> segments;
+    IndenterPath         indenter_path;
 
     /// Depth and force that have been reached at the ends of segments.
     std::map<double, std::pair<double, double>> turning_points;

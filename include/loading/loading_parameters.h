@@ -21,6 +21,7 @@ namespace ElastoPlastic
     std::string  depth   = "0.01";
     std::string  force   = "1";
     std::string  history;
+    std::string  path;
     unsigned int n_steps    = 1;
     double       final_time = 1;
     unsigned int max_cuts   = 6;

@@ -6,6 +6,8 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <string>
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -48,10 +50,17 @@ namespace ElastoPlastic
     virtual bool
     has_energy() const = 0;
 
-    /// Whether Pi is convex, and bounds are: then a descent on the admissible
-    /// set finds its minimum.
-    virtual bool
-    is_convex() const = 0;
+    /// What prevents Pi, or the bounds, from being convex, as a user knows it;
+    /// empty if nothing does: then a descent on the admissible set finds the
+    /// minimum.
+    virtual std::string
+    obstacle_to_convexity() const = 0;
+
+    bool
+    is_convex() const
+    {
+      return obstacle_to_convexity().empty();
+    }
 
     /// Pi(u), or a number to look at if it does not exist.
     virtual Energy

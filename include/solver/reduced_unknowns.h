@@ -25,12 +25,15 @@ namespace ElastoPlastic
   /// the leader or zero (SharedRows).
   ///
   /// Bounds may be sloped: then u_i - sum_j b_j u_j stands for u_i in all this,
-  /// with the slopes b_j of its bound.
+  /// with the slopes b_j of its bound. With friction, the forces on the bound
+  /// have slopes of their own.
   ///
   /// A reduced vector is zero at constrained and coupled unknowns, but for the
   /// first of the coupled ones, the leader, which stands for all of them. With
   /// E, the expansion of reduced vectors, the reduced form of a symmetric
-  /// matrix A is E^T A E: symmetric, and positive definite if A is.
+  /// matrix A is E^T A E: symmetric, and positive definite if A is. With
+  /// friction, another matrix that has the slopes of the forces takes the place
+  /// of E^T.
   class ReducedUnknowns
   {
   public:
@@ -61,20 +64,28 @@ namespace ElastoPlastic
     bool
     is_trivial() const;
 
+    /// Whether contract() multiplies by the transpose of expand(): not where
+    /// there is friction.
+    bool
+    is_symmetric() const
+    {
+      return !has_friction;
+    }
+
     /// Multiplies by E: gives all coupled unknowns the value of their leader,
     /// less what unknowns with shared rows leave to others.
     void
     expand(Vector &increment) const;
 
-    /// The second derivative of the energy has a part that comes from the
-    /// curvature of bounds and the forces on them: adds its product with an
+    /// The tangent has a part that comes from the curvature of bounds, or the
+    /// turning of friction, and the forces on them: adds its product with an
     /// expanded @p increment.
     void
     add_curvature(Vector &forces, const Vector &increment) const;
 
-    /// Multiplies by E^T: what is shared goes to the free unknowns; the leader
-    /// gets the sum of the coupled unknowns, constrained and other coupled ones
-    /// zero.
+    /// Multiplies by E^T, or what friction makes of it: what is shared goes to
+    /// the free unknowns; the leader gets the sum of the coupled unknowns,
+    /// constrained and other coupled ones zero.
     void
     contract(Vector &forces) const;
 
@@ -111,6 +122,7 @@ namespace ElastoPlastic
     std::shared_ptr<const SharedRows> shared_rows;
     std::vector<SlopedBound>          sloped_bounds;
     bool                              is_sloped    = false;
+    bool                              has_friction = false;
     MPI_Comm                          communicator = MPI_COMM_SELF;
     /// The rank that owns the leader, its first coupled unknown; the number of
     /// ranks if there are no coupled unknowns.

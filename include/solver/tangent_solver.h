@@ -76,6 +76,13 @@ namespace ElastoPlastic
     void
     prepare_preconditioner();
 
+    /// Whether conjugate gradients will do.
+    bool
+    is_symmetric() const
+    {
+      return tangent.is_symmetric() && unknowns.is_symmetric();
+    }
+
     bool
     is_last_method() const
     {

@@ -21,25 +21,12 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  Tensor<1, dim - 1>
-  ContactBounds<dim>::horizontal_displacement(const ContactNode<dim> &node,
-                                              const Vector           &u)
-  {
-    Tensor<1, dim - 1> displacement;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      displacement[d] = u.local_element(node.horizontal[d]);
-    return displacement;
-  }
-
-
-
-  template <int dim>
   IndenterSurface<dim>
   ContactBounds<dim>::gap_at_present_place(const ContactNode<dim> &node,
                                            const Vector           &u) const
   {
     Point<dim> place        = node.position;
-    const auto displacement = horizontal_displacement(node, u);
+    const auto displacement = horizontal_part<dim>(node, u);
     for (unsigned int d = 0; d < dim - 1; ++d)
       place[d] += displacement[d];
     try
@@ -56,45 +43,22 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  double
-  ContactBounds<dim>::value(const ContactNode<dim> &node, const Vector &u) const
+  IndenterSurface<dim>
+  ContactBounds<dim>::surface(const ContactNode<dim> &node,
+                              const Vector           &u) const
   {
     switch (geometry)
       {
         case ContactGeometry::normal:
-          return node.gap.height +
-                 node.gap.slope * horizontal_displacement(node, u);
+          return {node.gap.height +
+                    node.gap.slope * horizontal_part<dim>(node, u),
+                  node.gap.slope,
+                  {}};
         case ContactGeometry::present:
-          return gap_at_present_place(node, u).height;
+          return gap_at_present_place(node, u);
         default:
-          return node.gap.height;
+          return {node.gap.height, {}, {}};
       }
-  }
-
-
-
-  template <int dim>
-  SlopedBound
-  ContactBounds<dim>::to_second_order(const ContactNode<dim> &node,
-                                      const Vector           &u) const
-  {
-    SlopedBound bound;
-    bound.index = node.index;
-    if (geometry == ContactGeometry::vertical)
-      return bound;
-    const auto surface = geometry == ContactGeometry::present ?
-                           gap_at_present_place(node, u) :
-                           node.gap;
-    bound.n_others     = dim - 1;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      {
-        bound.others[d] = node.horizontal[d];
-        bound.slope[d]  = surface.slope[d];
-        if (geometry == ContactGeometry::present)
-          for (unsigned int e = 0; e < dim - 1; ++e)
-            bound.curvature[d][e] = surface.curvature[d][e];
-      }
-    return bound;
   }
 
 

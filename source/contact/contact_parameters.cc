@@ -1,6 +1,11 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cmath>
+#include <limits>
+
+#include "base/as_number.h"
+#include "base/exceptions.h"
 #include "contact/contact_parameters.h"
 
 namespace ElastoPlastic
@@ -26,6 +31,29 @@ namespace ElastoPlastic
       "the force is along its normal. present: above its present place. "
       "automatic: present with 'Strain = logarithmic'; else vertical if the "
       "contact surface is flat, and normal if it is curved.");
+    prm.add_parameter(
+      "Friction coefficient",
+      friction,
+      "mu of Coulomb's law: where the surface of the body slips along the "
+      "indenter, its shear traction is mu times the pressure; where it is less, "
+      "the body sticks to the indenter. 0: no friction. stick: the body does "
+      "not slip at all as long as it is in contact.",
+      Patterns::Anything());
     prm.leave_subsection();
+  }
+
+
+
+  double
+  ContactParameters::friction_coefficient() const
+  {
+    if (friction == "stick")
+      return std::numeric_limits<double>::infinity();
+    const auto number = as_number(friction);
+    if (!number || !std::isfinite(*number) || *number < 0)
+      throw InputError("Contact/Friction coefficient",
+                       friction,
+                       "it must be a number, at least 0, or 'stick'.");
+    return *number;
   }
 } // namespace ElastoPlastic

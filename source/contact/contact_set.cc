@@ -4,19 +4,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
+#include "base/rethrow_collectively.h"
 #include "contact/contact_nodes.h"
 #include "contact/contact_set.h"
 
 namespace ElastoPlastic
 {
   template <int dim>
-  ContactSet<dim>::ContactSet(const ContactBounds<dim> &bounds,
-                              const Kinematics          kinematics,
-                              const EdgeRule            rule)
+  ContactSet<dim>::ContactSet(const ContactBounds<dim>   &bounds,
+                              const Kinematics            kinematics,
+                              const EdgeRule              rule,
+                              const CoulombFriction<dim> &friction)
     : bounds(bounds)
     , kinematics(kinematics)
     , rule(rule)
+    , friction(friction)
     , communicator(MPI_COMM_SELF)
   {}
 
@@ -33,18 +37,28 @@ namespace ElastoPlastic
   {
     communicator    = layout.get_mpi_communicator();
     first_owned_dof = layout.get_partitioner()->local_range().first;
+    nodes.clear();
     candidates.clear();
-    hanging_nodes.clear();
-    for (const ContactNode<dim> &node : find_contact_nodes<dim>(
+    for (const ContactNode<dim> &found : find_contact_nodes<dim>(
            dof_handler,
            constraints,
            contact_boundaries,
            [this](const Point<dim> &x) { return bounds.undeformed_gap(x); },
            kinematics,
            layout))
-      if (!supported_dofs.is_element(first_owned_dof + node.index) &&
-          std::isfinite(node.gap.height))
-        (node.hanging ? hanging_nodes : candidates).push_back({node, false});
+      if (!supported_dofs.is_element(first_owned_dof + found.index))
+        {
+          Node node;
+          static_cast<ContactNode<dim> &>(node) = found;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            {
+              const auto dof = first_owned_dof + found.horizontal[d];
+              node.free[d]   = !supported_dofs.is_element(dof) &&
+                             !constraints.is_constrained(dof);
+            }
+          nodes.push_back(node);
+        }
+    find_candidates();
     unite_edge();
     if (rule == EdgeRule::at_nodes && !bounds.follow_deformation())
       return;
@@ -53,6 +67,43 @@ namespace ElastoPlastic
     for (Vector *vector : memory.vectors())
       vector->reinit(layout);
     memory.n_steps = 0;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::find_candidates()
+  {
+    std::map<unsigned int, Node> before;
+    for (const Node &node : candidates)
+      before[node.index] = node;
+    candidates.clear();
+    hanging_nodes.clear();
+    for (const Node &node : nodes)
+      if (std::isfinite(node.gap.height))
+        {
+          (node.hanging ? hanging_nodes : candidates).push_back(node);
+          if (const auto old = before.find(node.index);
+              !node.hanging && old != before.end())
+            {
+              candidates.back()     = old->second;
+              candidates.back().gap = node.gap;
+            }
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::follow_indenter()
+  {
+    rethrow_collectively(communicator, [&]() {
+      for (Node &node : nodes)
+        node.gap = bounds.undeformed_gap(node.position);
+    });
+    find_candidates();
   }
 
 
@@ -151,8 +202,11 @@ namespace ElastoPlastic
     for (Node &node : candidates)
       {
         const bool active = presses() && is_active(node);
-        changed           = changed || (active != node.active);
-        node.active       = active;
+        if (active == node.active)
+          continue;
+        changed       = true;
+        node.active   = active;
+        node.friction = {};
       }
     changed = Utilities::MPI::logical_or(changed, communicator);
     if (changed)
@@ -193,13 +247,13 @@ namespace ElastoPlastic
   {
     present_depth        = depth_at(u);
     const Vector shared  = shared_gaps(u, present_depth);
+    const bool   turned  = update_friction(u, residual);
     const bool   changed = set_active([&](const Node &node) {
-      const unsigned int i = node.index;
-      return node.active ?
-                 residual.local_element(i) > 0 :
-                 u.local_element(i) > bound(node, u) + shift(shared, node);
+      return node.active ? pressing_force(node, u, residual) > 0 :
+                             u.local_element(node.index) >
+                             bound(node, u) + shift(shared, node);
     });
-    return find_contact(u) || changed;
+    return find_contact(u) || changed || turned;
   }
 
 
@@ -230,8 +284,10 @@ namespace ElastoPlastic
         {
           // the splitmix64 finalizer spreads neighbouring indices
           std::uint64_t x = first_owned_dof + node.index + 1;
-          x               = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-          x               = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+          if (friction.dissipates() && !node.friction.sticks)
+            x = ~x;
+          x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+          x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
           sum += x ^ (x >> 31);
         }
     return Utilities::MPI::sum(sum, communicator);
@@ -303,6 +359,9 @@ namespace ElastoPlastic
     for (const Node &node : candidates)
       if (node.active)
         {
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            if (is_held(node, d))
+              u.local_element(node.horizontal[d]) = node.anchor[d];
           const double gap = bounds.value(node, u);
           const double rounding =
             4. * epsilon * std::max(std::abs(gap), std::abs(depth));

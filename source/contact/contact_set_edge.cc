@@ -164,6 +164,11 @@ namespace ElastoPlastic
     for (const unsigned int i : active_entries())
       active.local_element(i) = 1.;
     rows = std::make_shared<SharedRows>(weights, scale, active);
+    if (!friction.exists())
+      return;
+    Vector ones(active.get_partitioner());
+    set_candidate_entries(ones, 1.);
+    shared_parts = rows->sums(ones);
   }
 
 

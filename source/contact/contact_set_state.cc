@@ -54,7 +54,7 @@ namespace ElastoPlastic
       if (node.active)
         {
           const unsigned int i    = node.index;
-          result.local_element(i) = residual.local_element(i) *
+          result.local_element(i) = pressing_force(node, u, residual) *
                                     bounds.inclination(node) /
                                     areas.local_element(i);
         }
@@ -133,6 +133,7 @@ namespace ElastoPlastic
                  u.local_element(node.index) - bound(node, u));
 
     ContactState state;
+    add_friction(state, u, residual);
     state.force           = Utilities::MPI::sum(force, communicator);
     state.contact_area    = touched_area(u);
     state.active_nodes    = n_active();
@@ -177,28 +178,11 @@ namespace ElastoPlastic
     Vector forces = vertical_forces_on_body(residual);
     for (const SlopedBound &bound : sloped_bounds(u, residual))
       for (unsigned int d = 0; d < bound.n_others; ++d)
-        forces.local_element(bound.others[d]) = bound.slope[d] * bound.force;
+        forces.local_element(bound.others[d]) =
+          bound.force_slope[d] * bound.force;
+    for (const unsigned int i : stuck_entries())
+      forces.local_element(i) = -residual.local_element(i);
     return forces;
-  }
-
-
-
-  template <int dim>
-  std::vector<SlopedBound>
-  ContactSet<dim>::sloped_bounds(const Vector &u, const Vector &residual) const
-  {
-    std::vector<SlopedBound> result;
-    if (!bounds.are_sloped())
-      return result;
-    const Vector forces = vertical_forces_on_body(residual);
-    for (const Node &node : candidates)
-      if (node.active || rows)
-        {
-          result.push_back(bounds.to_second_order(node, u));
-          result.back().force  = -forces.local_element(node.index);
-          result.back().active = node.active;
-        }
-    return result;
   }
 
 

@@ -12,6 +12,7 @@ namespace ElastoPlastic
                                 const double               surface_height)
     : indenter(indenter)
     , tip_height(surface_height + indenter.initial_gap)
+    , present_position(indenter.position)
   {}
 
 
@@ -26,10 +27,19 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  void
+  GapFunction<dim>::move_to(const Tensor<1, dim - 1> &displacement)
+  {
+    present_position = indenter.position + displacement;
+  }
+
+
+
+  template <int dim>
   const Point<dim - 1> &
   GapFunction<dim>::position() const
   {
-    return indenter.position;
+    return present_position;
   }
 
 
@@ -65,7 +75,7 @@ namespace ElastoPlastic
   {
     Point<dim - 1> x;
     for (unsigned int d = 0; d < dim - 1; ++d)
-      x[d] = p[d] - indenter.position[d];
+      x[d] = p[d] - present_position[d];
     return x;
   }
 

@@ -57,6 +57,7 @@ namespace ElastoPlastic
       fields = contact.edge_memory().vectors();
     for (VectorType *field : {&last_step.displacement,
                               &last_step.displacement_rate,
+                              &last_step.slip,
                               &last_step.forces,
                               &response})
       fields.push_back(field);

@@ -48,7 +48,8 @@ namespace ElastoPlastic
     , reactions(model, dof_handler, supports)
     , contact(make_contact_bounds(model, gap_function, triangulation),
               model.strain_model.kinematics,
-              model.contact.edge)
+              model.contact.edge,
+              CoulombFriction<dim>(model.contact.friction_coefficient()))
     , boundary_displacements(model, triangulation)
     , probe_points(parameters.output.probe_points,
                    model.boundary_conditions.names(),
@@ -264,7 +265,8 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::remark_on_holds()
   {
-    if (model.boundary_conditions.prescribed_displacements().empty() &&
+    if (load_program.path().is_at_rest() &&
+        model.boundary_conditions.prescribed_displacements().empty() &&
         model.boundary_conditions.tractions().empty())
       for (const auto &[begin, end] : load_program.holds())
         log.remark(

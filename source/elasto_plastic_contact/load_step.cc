@@ -40,6 +40,7 @@ namespace ElastoPlastic
       displacement = last_step.displacement;
     solid->predict_flow(displacement, displacement);
     contact.deactivate_all();
+    move_indenter(last_step.result.time);
     contact.place(last_step.result.depth);
     contact.activate_touching(displacement);
   }
@@ -110,11 +111,25 @@ namespace ElastoPlastic
 
 
 
+  // How far the surface has slipped along the indenter until now.
+  template <int dim>
+  VectorType
+  ElastoPlasticContact<dim>::total_slip() const
+  {
+    VectorType slip = contact.slip(displacement);
+    if (!last_step.is_virgin())
+      slip += last_step.slip;
+    return slip;
+  }
+
+
+
   // From now on, this equilibrium is where the next step begins.
   template <int dim>
   void
   ElastoPlasticContact<dim>::commit_state()
   {
+    last_step.slip = total_slip();
     solid->commit(displacement);
     solid->predict_flow(displacement, displacement);
     last_step.displacement = displacement;

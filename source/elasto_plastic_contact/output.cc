@@ -108,6 +108,7 @@ namespace ElastoPlastic
                           BoundaryConditionType::contact),
                         displacement,
                         residual,
+                        total_slip(),
                         error_indicators},
                        name,
                        time);

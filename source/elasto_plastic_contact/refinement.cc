@@ -95,7 +95,8 @@ namespace ElastoPlastic
     EdgeMemory                edge      = contact.edge_memory();
     std::vector<VectorType *> fields    = {&displacement};
     if (!is_virgin)
-      fields.push_back(&last_step.displacement_rate);
+      for (VectorType *field : {&last_step.displacement_rate, &last_step.slip})
+        fields.push_back(field);
     if (edge.n_steps > 0)
       for (VectorType &distances : edge.distances)
         {
@@ -214,7 +215,7 @@ namespace ElastoPlastic
     VectorType held;
     solid->initialize_vector(held);
     supports.set_fixed_entries(held, 1.);
-    for (const unsigned int i : contact.active_entries())
+    for (const unsigned int i : contact.force_entries())
       held.local_element(i) = 1.;
 
     solid->internal_forces(residual, displacement);
@@ -233,8 +234,9 @@ namespace ElastoPlastic
     statistics.add_solve(result);
     statistics.add_mesh_change(last_step.result, result);
 
-    result.plastic_work = 0;
-    result.dissipation  = 0;
+    result.plastic_work           = 0;
+    result.dissipation            = 0;
+    result.frictional_dissipation = 0;
     last_step.add_to(result);
     last_step.result = result;
     load_program.reached(result.time, result.depth, result.force);

@@ -72,7 +72,34 @@ namespace ElastoPlastic
     const double time = time_steps.next_time();
     supports.set_time(time);
     external_forces = forces_of_tractions(time);
+    move_indenter(time);
     contact.set_load(load_program.load(time).value());
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim - 1>
+  ElastoPlasticContact<dim>::sideways_position(const double time) const
+  {
+    const Tensor<1, 2> displacement = load_program.path().displacement(time);
+    Tensor<1, dim - 1> result;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      result[d] = displacement[d];
+    return result;
+  }
+
+
+
+  // To where it is at that time; sideways only.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::move_indenter(const double time)
+  {
+    if (load_program.path().is_at_rest())
+      return;
+    gap_function.move_to(sideways_position(time));
+    contact.follow_indenter();
   }
 
 
@@ -140,6 +167,11 @@ namespace ElastoPlastic
                                     stop_if_requested();
                                   });
 
+    contact.begin_step(last_step.is_virgin() ?
+                         VectorType(displacement.get_partitioner()) :
+                         last_step.displacement,
+                       sideways_position(time_steps.next_time()) -
+                         sideways_position(last_step.result.time));
     contact.activate_touching(displacement);
     ContactProblem<dim> problem(*solid,
                                 supports,

@@ -47,7 +47,9 @@ namespace ElastoPlastic
               between(a.displacement, b.displacement),
               between(a.gap, b.gap),
               between(a.pressure, b.pressure),
-              between(a.active, b.active)};
+              between(a.active, b.active),
+              between(a.shear, b.shear),
+              between(a.stick, b.stick)};
     }
 
 
@@ -157,12 +159,14 @@ namespace ElastoPlastic
                     fe.face_system_to_component_index(i);
                   auto &point = points[to_lexicographic[node]];
                   point.displacement[component] = fields.displacement(dofs[i]);
+                  point.shear[component]        = fields.shear(dofs[i]);
                   if (component == dim - 1)
                     {
                       point.position = values.quadrature_point(node);
                       point.gap      = fields.gap(dofs[i]);
                       point.pressure = fields.pressure(dofs[i]);
                       point.active   = fields.active(dofs[i]);
+                      point.stick    = fields.stick(dofs[i]);
                     }
                 }
               for (const auto &[begin, end] : pairs)

@@ -23,11 +23,13 @@ namespace ElastoPlastic
       row.line = line;
       for (unsigned int d = 0; d < dim; ++d)
         {
-          row.position[d]     = point.position[d];
-          row.displacement[d] = point.displacement[d];
+          row.position[d]      = point.position[d];
+          row.displacement[d]  = point.displacement[d];
+          row.contact_shear[d] = point.shear[d];
         }
       row.gap              = point.gap;
       row.contact_pressure = point.pressure;
+      row.stick            = point.stick;
       return row;
     }
   } // namespace

@@ -86,7 +86,11 @@ namespace ElastoPlastic
       {"dissipation", "force x length", "the part of the plastic work that is not stored", &R::dissipation},
       {"external_work", "force x length", "of indenter, supports and tractions since the virgin state, by the trapezoidal rule; a single step counts half of the final forces times displacements", &R::external_work},
       {"contact_radius", "length", "of the circle with the area of the contact, of which the modelled part may be a half or a quarter; in a plane problem half the width", &R::contact_radius},
-      {"pile_up", "length", "how far the surface stands above the undeformed one: its largest height within twice the largest contact radius until now, if that is positive (pile-up), else that of the edge of the contact, negative (sink-in)", &R::pile_up}};
+      {"pile_up", "length", "how far the surface stands above the undeformed one: its largest height within twice the largest contact radius until now, if that is positive (pile-up), else that of the edge of the contact, negative (sink-in)", &R::pile_up},
+      {"tangential_force_x", "force", "the horizontal force of the indenter on the body, positive in the direction of x; in an axisymmetric body the sum over the ring of the radial forces", [](const R &r) { return r.tangential_force[0]; }},
+      {"tangential_force_y", "force", "the same in the direction of y; 0 in two dimensions", [](const R &r) { return r.tangential_force[1]; }},
+      {"stick_area", "area", "of the nodes in contact that stick to the indenter, with friction", &R::stick_area},
+      {"frictional_dissipation", "force x length", "work of the friction between indenter and body since the virgin state", &R::frictional_dissipation}};
     return columns;
   }
 
@@ -109,6 +113,9 @@ namespace ElastoPlastic
         columns.push_back({"displacement_" + axes.substr(d, 1), "length", d == 0 ? "added to x, it gives where the deformed surface is" : d == 1 ? "the vertical one in two dimensions" : "the vertical one in three dimensions", [d](const R &r) { return r.displacement[d]; }});
       columns.push_back({"gap", "length", "to the indenter in its present position; `nan` where it does not reach", &R::gap});
       columns.push_back({"contact_pressure", "stress", "nodal", &R::contact_pressure});
+      for (unsigned int d = 0; d < dimension; ++d)
+        columns.push_back({"contact_shear_" + axes.substr(d, 1), "stress", "the shear traction of the indenter on the body, nodal", [d](const R &r) { return r.contact_shear[d]; }});
+      columns.push_back({"stick", "1", "1 at a node that sticks to the indenter, with friction", &R::stick});
       if (dimension == 3)
         columns.push_back({"line", "1", "of `Output/Profile lines`, from 1; in three dimensions only", &R::line});
       return columns;

@@ -77,11 +77,12 @@ namespace ElastoPlastic
     flags_with_units(const Units &units)
     {
       DataOutBase::VtkFlags flags;
-      for (const std::string field : {"displacement", "gap"})
+      for (const std::string field : {"displacement", "gap", "slip"})
         if (!units.length.empty())
           flags.physical_units[field] = units.of("length");
-      if (units.are_named())
-        flags.physical_units["contact_pressure"] = units.of("stress");
+      for (const std::string field : {"contact_pressure", "contact_shear"})
+        if (units.are_named())
+          flags.physical_units[field] = units.of("stress");
       return flags;
     }
 
@@ -97,6 +98,19 @@ namespace ElastoPlastic
       explicit BoundaryOutput(const std::set<types::boundary_id> &boundaries)
         : boundaries(boundaries)
       {}
+
+      void
+      add_vector(const DoFHandler<dim> &dof_handler,
+                 const VectorType      &field,
+                 const std::string     &name)
+      {
+        this->add_data_vector(
+          dof_handler,
+          field,
+          std::vector<std::string>(dim, name),
+          std::vector<Interpretation>(
+            dim, DataComponentInterpretation::component_is_part_of_vector));
+      }
 
       FaceDescriptor
       first_face() override
@@ -186,12 +200,9 @@ namespace ElastoPlastic
     VectorType          gap    = fields.gap;
     const double        limit  = replace_missing_entries(gap);
     BoundaryOutput<dim> output(solution.contact_boundaries);
-    output.add_data_vector(
-      solution.dof_handler,
-      fields.displacement,
-      std::vector<std::string>(dim, "displacement"),
-      std::vector<Interpretation>(
-        dim, DataComponentInterpretation::component_is_part_of_vector));
+    output.add_vector(solution.dof_handler,
+                      fields.displacement,
+                      "displacement");
 
     const VerticalComponent<dim> gap_component("gap", limit);
     const VerticalComponent<dim> pressure_component("contact_pressure");
@@ -203,6 +214,19 @@ namespace ElastoPlastic
     output.add_data_vector(solution.dof_handler,
                            fields.active,
                            active_component);
+
+    VectorType slip = solution.slip;
+    solution.constraints.distribute(slip);
+    slip = ghosted_copy(slip, solution.dof_handler);
+    const VerticalComponent<dim> stick_component("stick");
+    if (solution.contact.has_friction())
+      {
+        output.add_vector(solution.dof_handler, fields.shear, "contact_shear");
+        output.add_vector(solution.dof_handler, slip, "slip");
+        output.add_data_vector(solution.dof_handler,
+                               fields.stick,
+                               stick_component);
+      }
 
     output.set_flags(flags_with_units(parameters.units));
     output.build_patches(solution.dof_handler.get_fe().degree);

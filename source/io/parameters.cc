@@ -8,6 +8,7 @@
 #include "io/parameter_input.h"
 #include "io/parameter_reference.h"
 #include "io/parameters.h"
+#include "loading/indenter_path.h"
 
 namespace ElastoPlastic
 {
@@ -130,6 +131,7 @@ namespace ElastoPlastic
     if (analysis != Analysis::contact)
       check_equilibrium_method();
     check_contact_geometry();
+    check_friction_and_path();
     material.check();
     indenter.check(dimension);
     refinement.check();
@@ -172,6 +174,29 @@ namespace ElastoPlastic
         "because the small strains of a moving surface are not those of its "
         "shape. Set 'Strain = logarithmic', or choose 'vertical', 'normal' or "
         "'automatic'.");
+  }
+
+
+
+  void
+  Parameters::check_friction_and_path() const
+  {
+    IndenterPath(loading.path).check_components(dimension - 1);
+    if (!loading.path.empty() &&
+        discretization.kinematics == Kinematics::axisymmetric)
+      throw InputError(
+        "Loading/Path",
+        loading.path,
+        "an indenter that moves sideways is not axisymmetric. Set "
+        "'Dimension = 3'.");
+    const bool has_friction = contact.friction_coefficient() > 0.;
+    if (analysis != Analysis::contact &&
+        (has_friction || !loading.path.empty()))
+      throw InputError(
+        has_friction ? "Contact/Friction coefficient" : "Loading/Path",
+        has_friction ? contact.friction : loading.path,
+        "'Analysis = " + Patterns::Tools::to_string(analysis) +
+          "' knows indenters without friction only, that move up and down.");
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "base/as_number.h"
@@ -45,6 +46,7 @@ namespace ElastoPlastic
 
 
   LoadProgram::LoadProgram(const LoadingParameters &parameters)
+    : indenter_path(parameters.path)
   {
     if (!parameters.history.empty())
       {
@@ -155,10 +157,13 @@ namespace ElastoPlastic
   std::vector<double>
   LoadProgram::segment_ends() const
   {
-    std::vector<double> ends;
+    std::set<double> ends;
     for (const Segment &segment : segments)
-      ends.push_back(segment.end_time);
-    return ends;
+      ends.insert(segment.end_time);
+    for (const double time : indenter_path.corners())
+      if (time < final_time())
+        ends.insert(time);
+    return {ends.begin(), ends.end()};
   }
 
 
@@ -166,11 +171,8 @@ namespace ElastoPlastic
   bool
   LoadProgram::is_segment_end(const double time) const
   {
-    return std::any_of(segments.begin(),
-                       segments.end(),
-                       [&](const Segment &segment) {
-                         return segment.end_time == time;
-                       });
+    const std::vector<double> ends = segment_ends();
+    return std::binary_search(ends.begin(), ends.end(), time);
   }
 
 

@@ -42,12 +42,23 @@ namespace ElastoPlastic
       "no material here depends on rates, so that nothing happens meanwhile.",
       Patterns::Anything());
     prm.add_parameter(
+      "Path",
+      path,
+      "How far the indenter moves sideways meanwhile, from 'Indenter/Position' "
+      "at t = 0: a table of times and displacements, linear in between and "
+      "constant after the last, such as 1: 0 | 2: 0.5, in three dimensions with "
+      "x and y, such as 1: 0, 0 | 2: 0.5, 0; or an expression in t, in three "
+      "dimensions two of them, separated by a semicolon. Then the contact ends "
+      "at nodes. Empty: the indenter moves up and down only. Unit: length.",
+      Patterns::Anything());
+    prm.add_parameter(
       "Number of steps",
       n_steps,
       "The load steps from the virgin state at t = 0 to the final time. 1: "
       "Johnson's stationary problem (Hencky's deformation theory), which is a "
-      "different problem from that of many steps. The segments of a 'History' "
-      "share the steps in proportion to their lengths, each gets at least one.",
+      "different problem from that of many steps. The segments of a 'History', "
+      "which the corners of a 'Path' divide further, share the steps in "
+      "proportion to their lengths, each gets at least one.",
       Patterns::Integer(1, 1000000));
     prm.add_parameter("Final time",
                       final_time,

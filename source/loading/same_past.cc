@@ -100,6 +100,13 @@ namespace ElastoPlastic
           refuse(time,
                  step + " leads to " + text(load) + " instead of " +
                    text(old_load));
+        const auto old_place = old_program.path().displacement(old_ends[i]);
+        const auto place     = program.path().displacement(ends[i]);
+        if ((place - old_place).norm() > rounding * old_place.norm())
+          refuse(time,
+                 step + " leads sideways to " +
+                   Patterns::Tools::to_string(place) + " instead of " +
+                   Patterns::Tools::to_string(old_place));
         if (old_ends[i] >= time)
           return;
       }

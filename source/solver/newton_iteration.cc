@@ -88,12 +88,11 @@ namespace ElastoPlastic
   void
   NewtonIteration::become_feasible()
   {
-    if (!problem.is_convex())
+    if (const std::string obstacle = problem.obstacle_to_convexity();
+        !obstacle.empty())
       throw ConvergenceError(
         "The nonlinear solver makes no progress after " +
-        std::to_string(step.iteration) + " iterations, and with " +
-        (problem.has_energy() ? "finite strains" :
-                                "a material with recovering back stresses") +
+        std::to_string(step.iteration) + " iterations, and with " + obstacle +
         " there is no convex energy by which another method could find the "
         "solution. Shorter load steps ('Loading/Number of steps') or a finer "
         "mesh at the contact help.");

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 #include "solver/reduced_unknowns.h"
 
 namespace ElastoPlastic
@@ -10,12 +12,12 @@ namespace ElastoPlastic
   namespace
   {
     void
-    add_along_slope(ReducedUnknowns::Vector &forces,
-                    const SlopedBound       &bound,
-                    const double             force)
+    add_along_force_slope(ReducedUnknowns::Vector &forces,
+                          const SlopedBound       &bound,
+                          const double             force)
     {
       for (unsigned int j = 0; j < bound.n_others; ++j)
-        forces.local_element(bound.others[j]) += bound.slope[j] * force;
+        forces.local_element(bound.others[j]) += bound.force_slope[j] * force;
     }
   } // namespace
 
@@ -46,6 +48,14 @@ namespace ElastoPlastic
   {
     sloped_bounds = bounds;
     is_sloped     = true;
+    has_friction =
+      Utilities::MPI::logical_or(std::any_of(bounds.begin(),
+                                             bounds.end(),
+                                             [](const SlopedBound &bound) {
+                                               return bound.force_slope !=
+                                                      bound.slope;
+                                             }),
+                                 communicator);
   }
 
 
@@ -137,11 +147,13 @@ namespace ElastoPlastic
           sum += shares.local_element(i);
         for (const SlopedBound &bound : sloped_bounds)
           if (!bound.active)
-            add_along_slope(forces, bound, shares.local_element(bound.index));
+            add_along_force_slope(forces,
+                                  bound,
+                                  shares.local_element(bound.index));
       }
     for (const SlopedBound &bound : sloped_bounds)
       if (bound.active)
-        add_along_slope(forces, bound, forces.local_element(bound.index));
+        add_along_force_slope(forces, bound, forces.local_element(bound.index));
     set_leading_value(forces,
                       has_coupling() ? Utilities::MPI::sum(sum, communicator) :
                                        0.);

@@ -137,9 +137,8 @@ namespace ElastoPlastic
   {
     const std::string failed = method->name;
     ++method;
-    warn((tangent.is_symmetric() ?
-            "Conjugate gradients with " + failed + " do" :
-            "GMRES with " + failed + " does") +
+    warn((is_symmetric() ? "Conjugate gradients with " + failed + " do" :
+                           "GMRES with " + failed + " does") +
          " not converge here: " + method->name + " takes over on this mesh.");
     preconditioner = method->make();
   }
@@ -195,7 +194,7 @@ namespace ElastoPlastic
     const DeflatedPreconditioner deflated(*this);
     const unsigned int           max_n = method->maximum_iterations;
     const unsigned int           n =
-      tangent.is_symmetric() ?
+      is_symmetric() ?
                   conjugate_gradients(
           reduced, solution, rhs, deflated, reduction, max_n) :
                   flexible_gmres(reduced, solution, rhs, deflated, reduction, max_n);

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_coulomb_friction_h
+#define contact_coulomb_friction_h
+
+#include "contact/indenter.h"
+
+namespace ElastoPlastic
+{
+  /// A vector in the tangent plane of an indenter, by its horizontal components
+  /// v: with the slope b of the indenter, the vertical one is b . v.
+  template <int dim>
+  using TangentVector = Tensor<1, dim - 1>;
+
+  /// The product of two such vectors.
+  template <int n>
+  double
+  tangent_product(const Tensor<1, n> &v,
+                  const Tensor<1, n> &w,
+                  const Tensor<1, n> &slope)
+  {
+    return v * w + (slope * v) * (slope * w);
+  }
+
+
+
+  /// The force of a node of the body on the indenter, split.
+  template <int dim>
+  struct ContactForce
+  {
+    /// In the direction of the normal (-b, 1)/sqrt(1 + b^2).
+    double             normal;
+    TangentVector<dim> tangential;
+
+    ContactForce(const double              vertical,
+                 const TangentVector<dim> &horizontal,
+                 const TangentVector<dim> &slope);
+  };
+
+
+
+  /// What a contact node has done in the load step under way: it has stuck to
+  /// the indenter, or slipped along it.
+  template <int dim>
+  struct FrictionState
+  {
+    bool sticks = true;
+    /// Of the slip, of length 1.
+    TangentVector<dim> direction;
+  };
+
+
+
+  /// How the horizontal forces on a body follow from the vertical ones: those
+  /// of an indenter that presses down with f are -f times this slope, the slope
+  /// of the indenter without friction. And its derivatives with respect to the
+  /// horizontal displacements.
+  template <int dim>
+  struct ForceSlope
+  {
+    TangentVector<dim> value;
+    Tensor<2, dim - 1> derivative;
+  };
+
+
+
+  /// Coulomb's law for the slip of a load step: its force on the indenter is
+  /// at most the coefficient mu times the normal one, and so large in the
+  /// direction of the slip where there is some; not regularised
+  /// (doc/theory.md, "Friction").
+  template <int dim>
+  class CoulombFriction
+  {
+  public:
+    /// @p coefficient mu >= 0; infinite for nodes that never slip.
+    explicit CoulombFriction(const double coefficient);
+
+    bool
+    exists() const
+    {
+      return coefficient > 0.;
+    }
+
+    /// Whether nodes may slip, so that there is no energy.
+    bool
+    dissipates() const
+    {
+      return exists() && std::isfinite(coefficient);
+    }
+
+    /// The switching test: a node that has stuck slips if its force exceeds
+    /// that of the law, in the direction of the force; one that has slipped
+    /// sticks if friction would have driven its @p slip. @p share is by how
+    /// much the force on the indenter is larger than the one at the node.
+    /// @return whether the state has changed.
+    bool
+    update(FrictionState<dim>       &state,
+           const ContactForce<dim>  &force,
+           const TangentVector<dim> &slip,
+           const TangentVector<dim> &slope,
+           const double              share) const;
+
+    /// The law at a node that slips, with the present @p slip.
+    /// @throws ConvergenceError where the flank is so steep that friction
+    /// carries the whole vertical force.
+    ForceSlope<dim>
+    force_slope(const IndenterSurface<dim> &surface,
+                const FrictionState<dim>   &state,
+                const TangentVector<dim>   &slip,
+                const double                share) const;
+
+  private:
+    const double coefficient;
+  };
+} // namespace ElastoPlastic
+
+#endif

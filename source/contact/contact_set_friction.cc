@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/contact_set.h"
+
+// The forces of ContactSet that are not vertical: flanks and friction.
+
+namespace ElastoPlastic
+{
+  template <int dim>
+  void
+  ContactSet<dim>::begin_step(const Vector &u, const Tensor<1, dim - 1> &motion)
+  {
+    for (Node &node : candidates)
+      node.anchor = horizontal_part<dim>(node, u) + motion;
+  }
+
+
+
+  template <int dim>
+  TangentVector<dim>
+  ContactSet<dim>::slip(const Node &node, const Vector &u) const
+  {
+    TangentVector<dim> result = horizontal_part<dim>(node, u) - node.anchor;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      if (!node.free[d])
+        result[d] = 0.;
+    return result;
+  }
+
+
+
+  // (What a support takes is not known to be friction.)
+  template <int dim>
+  ContactForce<dim>
+  ContactSet<dim>::contact_force(const Node                 &node,
+                                 const IndenterSurface<dim> &surface,
+                                 const Vector               &residual) const
+  {
+    const double       vertical   = residual.local_element(node.index);
+    TangentVector<dim> horizontal = horizontal_part<dim>(node, residual);
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      if (!node.free[d])
+        horizontal[d] = -surface.slope[d] * vertical;
+    return {vertical, horizontal, surface.slope};
+  }
+
+
+
+  template <int dim>
+  double
+  ContactSet<dim>::pressing_force(const Node   &node,
+                                  const Vector &u,
+                                  const Vector &residual) const
+  {
+    if (!friction.exists())
+      return residual.local_element(node.index);
+    const auto surface = bounds.surface(node, u);
+    return contact_force(node, surface, residual).normal /
+           std::sqrt(1. + surface.slope * surface.slope);
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  ContactSet<dim>::force_entries() const
+  {
+    std::vector<unsigned int> entries = active_entries();
+    if (has_sloped_bounds())
+      for (const Node &node : candidates)
+        if (node.active)
+          entries.insert(entries.end(),
+                         node.horizontal.begin(),
+                         node.horizontal.end());
+    return entries;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  ContactSet<dim>::stuck_entries() const
+  {
+    std::vector<unsigned int> entries;
+    for (const Node &node : candidates)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        if (node.active && is_held(node, d))
+          entries.push_back(node.horizontal[d]);
+    return entries;
+  }
+
+
+
+  // (A node that a support holds altogether has nothing to decide.)
+  template <int dim>
+  bool
+  ContactSet<dim>::update_friction(const Vector &u, const Vector &residual)
+  {
+    if (!friction.dissipates())
+      return false;
+    bool changed = false;
+    for (Node &node : candidates)
+      if (node.active && std::find(node.free.begin(), node.free.end(), true) !=
+                           node.free.end())
+        {
+          const auto surface = bounds.surface(node, u);
+          changed |= friction.update(node.friction,
+                                     contact_force(node, surface, residual),
+                                     slip(node, u),
+                                     surface.slope,
+                                     share(node));
+        }
+    return Utilities::MPI::logical_or(changed, communicator);
+  }
+
+
+
+  template <int dim>
+  std::vector<SlopedBound>
+  ContactSet<dim>::sloped_bounds(const Vector &u, const Vector &residual) const
+  {
+    std::vector<SlopedBound> result;
+    if (!has_sloped_bounds())
+      return result;
+    const Vector forces = vertical_forces_on_body(residual);
+    for (const Node &node : candidates)
+      if (node.active || rows)
+        {
+          result.push_back(sloped_bound(node, u));
+          result.back().force = -forces.local_element(node.index);
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  SlopedBound
+  ContactSet<dim>::sloped_bound(const Node &node, const Vector &u) const
+  {
+    SlopedBound bound;
+    bound.index  = node.index;
+    bound.active = node.active;
+
+    const IndenterSurface<dim> surface = bounds.surface(node, u);
+    ForceSlope<dim>            law{surface.slope, surface.curvature};
+    if (node.active && friction.dissipates() && !node.friction.sticks)
+      law = friction.force_slope(surface,
+                                 node.friction,
+                                 slip(node, u),
+                                 share(node));
+    bound.n_others = dim - 1;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      {
+        bound.others[d] = node.horizontal[d];
+        if (node.active && is_held(node, d))
+          continue;
+        bound.slope[d]       = surface.slope[d];
+        bound.force_slope[d] = law.value[d];
+        for (unsigned int e = 0; e < dim - 1; ++e)
+          bound.curvature[d][e] = law.derivative[d][e];
+      }
+    return bound;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::add_friction(ContactState &state,
+                                const Vector &u,
+                                const Vector &residual) const
+  {
+    const Vector forces = forces_on_body(u, residual);
+    const Vector areas  = pressed_areas(u);
+    for (const Node &node : candidates)
+      {
+        const auto force = horizontal_part<dim>(node, forces);
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          state.tangential_force[d] += force[d];
+        if (!node.active || !friction.exists())
+          continue;
+        if (node.friction.sticks)
+          {
+            state.stick_area += areas.local_element(node.index);
+            continue;
+          }
+        const auto surface = bounds.surface(node, u);
+        state.frictional_dissipation +=
+          tangent_product(contact_force(node, surface, residual).tangential,
+                          slip(node, u),
+                          surface.slope);
+      }
+    for (double *const sum : {&state.tangential_force[0],
+                              &state.tangential_force[1],
+                              &state.stick_area,
+                              &state.frictional_dissipation})
+      *sum = Utilities::MPI::sum(*sum, communicator);
+  }
+
+
+
+  template <int dim>
+  typename ContactSet<dim>::Vector
+  ContactSet<dim>::slip(const Vector &u) const
+  {
+    Vector result(u.get_partitioner());
+    for (const Node &node : candidates)
+      if (node.active)
+        set_tangent_vector(result,
+                           node,
+                           slip(node, u),
+                           bounds.surface(node, u).slope);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::friction_fields(Vector       &shear,
+                                   Vector       &stick,
+                                   const Vector &u,
+                                   const Vector &residual) const
+  {
+    const Vector areas = pressed_areas(u);
+    for (const Node &node : candidates)
+      if (node.active)
+        {
+          stick.local_element(node.index) = node.friction.sticks ? 1. : 0.;
+          const auto   surface            = bounds.surface(node, u);
+          const double area = share(node) * areas.local_element(node.index) *
+                              std::sqrt(1. + surface.slope * surface.slope) /
+                              bounds.inclination(node);
+          set_tangent_vector(shear,
+                             node,
+                             contact_force(node, surface, residual).tangential /
+                               -area,
+                             surface.slope);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::set_tangent_vector(Vector                   &vector,
+                                      const Node               &node,
+                                      const TangentVector<dim> &value,
+                                      const TangentVector<dim> &slope)
+  {
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      vector.local_element(node.horizontal[d]) = value[d];
+    vector.local_element(node.index) = slope * value;
+  }
+
+
+
+  template class ContactSet<2>;
+  template class ContactSet<3>;
+} // namespace ElastoPlastic
