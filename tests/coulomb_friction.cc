@@ -54,13 +54,13 @@ namespace
   void
   check_force()
   {
-    const CoulombFriction<dim> friction(mu);
+    const CoulombFriction<dim> friction(mu, 1.);
     const TangentVector<dim>   slip = vector<dim>(-0.02, 0.05);
     const auto                 here = surface<dim>({});
     const TangentVector<dim>  &b    = here.slope;
     FrictionState<dim>         state;
-    state.sticks    = false;
-    state.direction = slip / std::sqrt(tangent_product(slip, slip, b));
+    const double               way = std::sqrt(tangent_product(slip, slip, b));
+    state                          = {false, slip / way, 1. / way};
 
     const auto              law = friction.force_slope(here, state, slip, 1.);
     const ContactForce<dim> force(2., -2. * law.value, b);
@@ -96,22 +96,23 @@ namespace
   void
   check_switching()
   {
-    const CoulombFriction<dim> friction(mu);
+    const CoulombFriction<dim> friction(mu, 1.);
     const TangentVector<dim>   none, flat;
     FrictionState<dim>         state;
     verify("  sticks below the limit",
            !friction.update(
-             state, {1., vector<dim>(0.2, 0.2), flat}, none, flat, 1.) &&
+             state, {1., vector<dim>(0.2, 0.2), flat}, none, flat, 1., 1.) &&
              state.sticks);
     verify("  slips beyond it",
            friction.update(
-             state, {1., vector<dim>(-0.4, 0.), flat}, none, flat, 1.) &&
+             state, {1., vector<dim>(-0.4, 0.), flat}, none, flat, 1., 1.) &&
              !state.sticks && state.direction[0] == -1.);
     verify("  goes on",
            !friction.update(state,
                             {1., vector<dim>(-0.3, 0.), flat},
                             vector<dim>(-0.1, 0.1),
                             flat,
+                            1.,
                             1.) &&
              !state.sticks);
     verify("  sticks where friction would drive it",
@@ -119,14 +120,16 @@ namespace
                            {1., vector<dim>(-0.3, 0.), flat},
                            vector<dim>(0.1, 0.),
                            flat,
+                           1.,
                            1.) &&
              state.sticks);
     verify("  what is shared adds to the limit",
            !friction.update(
-             state, {1., vector<dim>(-0.4, 0.), flat}, none, flat, 1.5));
-    verify("  never slips",
-           !CoulombFriction<dim>(std::numeric_limits<double>::infinity())
-              .update(state, {1., vector<dim>(9., 0.), flat}, none, flat, 1.));
+             state, {1., vector<dim>(-0.4, 0.), flat}, none, flat, 1.5, 1.));
+    verify(
+      "  never slips",
+      !CoulombFriction<dim>(std::numeric_limits<double>::infinity(), 1.)
+         .update(state, {1., vector<dim>(9., 0.), flat}, none, flat, 1., 1.));
   }
 
 
@@ -156,7 +159,7 @@ main()
   state.direction[0] = 1. / std::sqrt(17.);
   try
     {
-      CoulombFriction<2>(mu).force_slope(steep, state, state.direction, 1.);
+      CoulombFriction<2>(mu, 1.).force_slope(steep, state, state.direction, 1.);
       output() << "not refused" << std::endl;
     }
   catch (const ConvergenceError &error)

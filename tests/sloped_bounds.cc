@@ -79,7 +79,7 @@ namespace
       , contact(ContactBounds<dim>(gap<dim>, geometry),
                 Kinematics::cartesian,
                 EdgeRule::within_faces,
-                CoulombFriction<dim>(friction_coefficient))
+                CoulombFriction<dim>(friction_coefficient, 2.))
     {
       Point<dim> lower, upper;
       for (unsigned int d = 0; d < dim; ++d)

@@ -63,7 +63,7 @@ namespace ElastoPlastic
       const ContactBounds<dim>   &bounds,
       const Kinematics            kinematics = Kinematics::cartesian,
       const EdgeRule              rule       = EdgeRule::at_nodes,
-      const CoulombFriction<dim> &friction   = CoulombFriction<dim>(0.));
+      const CoulombFriction<dim> &friction   = CoulombFriction<dim>(0., 1.));
 
     /// Finds the candidates. @p supported_dofs are no candidates;
     /// @p layout gives the partition of vectors.
@@ -349,6 +349,10 @@ namespace ElastoPlastic
       return rows ? 1. + shared_parts.local_element(node.index) : 1.;
     }
 
+    /// Whether a node that has come into contact sticks at first.
+    void
+    begin_friction(Node &node, const Vector &u) const;
+
     /// Finds out which of the active nodes stick. @return whether any does on
     /// any rank that did not before, or the other way round.
     bool
@@ -436,11 +440,12 @@ namespace ElastoPlastic
     bool
     find_contact(const Vector &u);
 
-    /// Sets the active flag of all candidates. @return whether any flag has
+    /// Sets the active flag of all candidates; @p u says where nodes are that
+    /// become active. @return whether any flag has
     /// changed on any rank.
     template <typename Predicate>
     bool
-    set_active(const Predicate &is_active);
+    set_active(const Vector &u, const Predicate &is_active);
 
     ContactBounds<dim>         bounds;
     const Kinematics           kinematics;

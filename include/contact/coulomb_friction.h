@@ -4,6 +4,8 @@
 #ifndef contact_coulomb_friction_h
 #define contact_coulomb_friction_h
 
+#include <cstdint>
+
 #include "contact/indenter.h"
 
 namespace ElastoPlastic
@@ -46,8 +48,15 @@ namespace ElastoPlastic
   struct FrictionState
   {
     bool sticks = true;
-    /// Of the slip, of length 1.
+    /// Of the force, of length 1; and by how much it turns, per length, with
+    /// the slip across it.
     TangentVector<dim> direction;
+    double             turning = 0.;
+
+    /// A number, less than 2^20, that tells states apart: stick, and directions
+    /// that differ by more than one hundredth.
+    std::uint64_t
+    fingerprint() const;
   };
 
 
@@ -73,8 +82,10 @@ namespace ElastoPlastic
   class CoulombFriction
   {
   public:
-    /// @p coefficient mu >= 0; infinite for nodes that never slip.
-    explicit CoulombFriction(const double coefficient);
+    /// @p coefficient mu >= 0; infinite for nodes that never slip. @p modulus
+    /// is one of elasticity, the scale of forces over displacements; it has no
+    /// influence on what the law says.
+    CoulombFriction(const double coefficient, const double modulus);
 
     bool
     exists() const
@@ -89,17 +100,26 @@ namespace ElastoPlastic
       return exists() && std::isfinite(coefficient);
     }
 
-    /// The switching test: a node that has stuck slips if its force exceeds
-    /// that of the law, in the direction of the force; one that has slipped
-    /// sticks if friction would have driven its @p slip. @p share is by how
-    /// much the force on the indenter is larger than the one at the node.
-    /// @return whether the state has changed.
+    /// The state of a node that has come into contact: if its @p slip and its
+    /// @p penetration were forces, the law would say whether it sticks.
+    FrictionState<dim>
+    first_state(const TangentVector<dim> &slip,
+                const TangentVector<dim> &slope,
+                const double              penetration) const;
+
+    /// The switching test for a node of @p area: it sticks if the force and the
+    /// stiffness of the surface times its @p slip add up to less than friction,
+    /// else it slips in the direction of that sum @cite
+    /// hueeber_stadler_wohlmuth_2008. @p share is by how much the force on the
+    /// indenter is larger than the one at the node.
+    /// @return whether the node has begun to stick or to slip.
     bool
     update(FrictionState<dim>       &state,
            const ContactForce<dim>  &force,
            const TangentVector<dim> &slip,
            const TangentVector<dim> &slope,
-           const double              share) const;
+           const double              share,
+           const double              area) const;
 
     /// The law at a node that slips, with the present @p slip.
     /// @throws ConvergenceError where the flank is so steep that friction
@@ -111,7 +131,7 @@ namespace ElastoPlastic
                 const double                share) const;
 
   private:
-    const double coefficient;
+    const double coefficient, modulus;
   };
 } // namespace ElastoPlastic
 

@@ -185,7 +185,7 @@ namespace ElastoPlastic
     if (force() == 0. || n_active() > 0)
       return false;
     present_depth = nearest_distance(u);
-    return set_active([&](const Node &node) {
+    return set_active(u, [&](const Node &node) {
       return bounds.value(node, u) - u.local_element(node.index) <=
              present_depth;
     });
@@ -196,7 +196,7 @@ namespace ElastoPlastic
   template <int dim>
   template <typename Predicate>
   bool
-  ContactSet<dim>::set_active(const Predicate &is_active)
+  ContactSet<dim>::set_active(const Vector &u, const Predicate &is_active)
   {
     bool changed = false;
     for (Node &node : candidates)
@@ -204,9 +204,10 @@ namespace ElastoPlastic
         const bool active = presses() && is_active(node);
         if (active == node.active)
           continue;
-        changed       = true;
-        node.active   = active;
-        node.friction = {};
+        changed     = true;
+        node.active = active;
+        if (active)
+          begin_friction(node, u);
       }
     changed = Utilities::MPI::logical_or(changed, communicator);
     if (changed)
@@ -222,7 +223,7 @@ namespace ElastoPlastic
   {
     const double contact_tolerance = 1e-8 * std::abs(present_depth);
     const Vector shared            = shared_gaps(u, present_depth);
-    set_active([&](const Node &node) {
+    set_active(u, [&](const Node &node) {
       return node.active ||
              u.local_element(node.index) >=
                bound(node, u) + shift(shared, node) - contact_tolerance;
@@ -236,7 +237,7 @@ namespace ElastoPlastic
   void
   ContactSet<dim>::deactivate_all()
   {
-    set_active([](const Node &) { return false; });
+    set_active(Vector(), [](const Node &) { return false; });
   }
 
 
@@ -248,7 +249,7 @@ namespace ElastoPlastic
     present_depth        = depth_at(u);
     const Vector shared  = shared_gaps(u, present_depth);
     const bool   turned  = update_friction(u, residual);
-    const bool   changed = set_active([&](const Node &node) {
+    const bool   changed = set_active(u, [&](const Node &node) {
       return node.active ? pressing_force(node, u, residual) > 0 :
                              u.local_element(node.index) >
                              bound(node, u) + shift(shared, node);
@@ -265,7 +266,7 @@ namespace ElastoPlastic
   {
     present_depth         = depth_at(u);
     const double rounding = 1e-13 * std::abs(present_depth);
-    const bool   changed  = set_active([&](const Node &node) {
+    const bool   changed  = set_active(u, [&](const Node &node) {
       return u.local_element(node.index) >= bound(node, u) - rounding &&
              residual.local_element(node.index) > 0;
     });
@@ -284,8 +285,7 @@ namespace ElastoPlastic
         {
           // the splitmix64 finalizer spreads neighbouring indices
           std::uint64_t x = first_owned_dof + node.index + 1;
-          if (friction.dissipates() && !node.friction.sticks)
-            x = ~x;
+          x += node.friction.fingerprint() << 40;
           x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
           x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
           sum += x ^ (x >> 31);

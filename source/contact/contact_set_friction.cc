@@ -97,6 +97,19 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  void
+  ContactSet<dim>::begin_friction(Node &node, const Vector &u) const
+  {
+    const auto surface = bounds.surface(node, u);
+    node.friction      = friction.first_state(slip(node, u),
+                                         surface.slope,
+                                         u.local_element(node.index) -
+                                           surface.height + present_depth);
+  }
+
+
+
   // (A node that a support holds altogether has nothing to decide.)
   template <int dim>
   bool
@@ -114,7 +127,8 @@ namespace ElastoPlastic
                                      contact_force(node, surface, residual),
                                      slip(node, u),
                                      surface.slope,
-                                     share(node));
+                                     share(node),
+                                     node.area);
         }
     return Utilities::MPI::logical_or(changed, communicator);
   }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/exceptions.h"
@@ -31,42 +32,70 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  CoulombFriction<dim>::CoulombFriction(const double coefficient)
+  std::uint64_t
+  FrictionState<dim>::fingerprint() const
+  {
+    std::uint64_t number = sticks ? 0 : 1;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      number = 512 * number + std::lround(100. * direction[d] + 256.);
+    return sticks ? 0 : number;
+  }
+
+
+
+  template <int dim>
+  CoulombFriction<dim>::CoulombFriction(const double coefficient,
+                                        const double modulus)
     : coefficient(coefficient)
+    , modulus(modulus)
   {}
 
 
 
+  template <int dim>
+  FrictionState<dim>
+  CoulombFriction<dim>::first_state(const TangentVector<dim> &slip,
+                                    const TangentVector<dim> &slope,
+                                    const double              penetration) const
+  {
+    const double way    = length(slip, slope);
+    const double excess = way - coefficient * std::max(penetration, 0.);
+    if (!dissipates() || excess <= 0.)
+      return {};
+    return {false, slip / way, 1. / excess};
+  }
+
+
+
+  // (With forces t and friction f, the derivative of t = f (t + c w)/|t + c w|
+  // demands that the part of t across that direction be c f/(|t + c w| - f)
+  // times that of w.)
   template <int dim>
   bool
   CoulombFriction<dim>::update(FrictionState<dim>       &state,
                                const ContactForce<dim>  &force,
                                const TangentVector<dim> &slip,
                                const TangentVector<dim> &slope,
-                               const double              share) const
+                               const double              share,
+                               const double              area) const
   {
     if (!dissipates())
       return false;
-    if (state.sticks)
-      {
-        const double tangential = length(force.tangential, slope);
-        if (tangential <= coefficient * share * force.normal)
-          return false;
-        state = {false, force.tangential / tangential};
-        return true;
-      }
-    if (tangent_product(slip, state.direction, slope) > 0.)
-      {
-        state.direction = slip / length(slip, slope);
-        return false;
-      }
-    state = {};
-    return true;
+    const double stiffness = modulus * (dim == 3 ? std::sqrt(area) : 1.);
+    const bool   has_stuck = state.sticks;
+    const TangentVector<dim> trial     = force.tangential + stiffness * slip;
+    const double             magnitude = length(trial, slope);
+    const double excess = magnitude - coefficient * share * force.normal;
+    if (excess <= 0.)
+      state = {};
+    else
+      state = {false, trial / magnitude, stiffness / excess};
+    return state.sticks != has_stuck;
   }
 
 
 
-  // With the normal m = (-b, 1)/L, L^2 = 1 + b^2, and the unit vector s of the
+  // With the normal m = (-b, 1)/L, L^2 = 1 + b^2, and the direction s of the
   // slip, the force is N (m + mu s), and its horizontal part -(b - mu L s) / (1
   // + mu L b.s) times the vertical one.
   template <int dim>
@@ -79,11 +108,12 @@ namespace ElastoPlastic
     const double              mu = coefficient * share;
     const TangentVector<dim> &b  = surface.slope;
     const double              L  = std::sqrt(1. + b * b);
-    const bool turns = tangent_product(slip, state.direction, b) > 0.;
-    const TangentVector<dim> &v        = turns ? slip : state.direction;
-    const double              n        = length(v, b);
-    const TangentVector<dim>  e        = L / n * v; // L s
-    const double              quotient = 1. + mu * (b * e);
+    const TangentVector<dim>  s  = state.direction / length(state.direction, b);
+    const auto                across = [&](const TangentVector<dim> &v) {
+      return v - tangent_product(v, s, b) * s;
+    };
+    const TangentVector<dim> e        = L * (s + state.turning * across(slip));
+    const double             quotient = 1. + mu * (b * e);
     if (!(quotient > 0.))
       throw ConvergenceError(
         "The flank of the indenter is so steep that friction carries the whole "
@@ -94,17 +124,14 @@ namespace ElastoPlastic
     result.value = (b - mu * e) / quotient;
     for (unsigned int j = 0; j < dim - 1; ++j)
       {
-        TangentVector<dim> change_of_b, change_of_v;
+        TangentVector<dim> change_of_b, change_of_slip;
         for (unsigned int i = 0; i < dim - 1; ++i)
           change_of_b[i] = surface.curvature[i][j];
-        if (turns)
-          change_of_v[j] = 1.;
-        const double change_of_n =
-          (tangent_product(v, change_of_v, b) + (b * v) * (v * change_of_b)) /
-          n;
+        change_of_slip[j] = 1.;
         const TangentVector<dim> change_of_e =
           (b * change_of_b) / (L * L) * e +
-          (L * change_of_v - change_of_n * e) / n;
+          L * (state.turning * across(change_of_slip) -
+               (b * s) * (s * change_of_b) * s);
         const TangentVector<dim> change =
           (change_of_b - mu * change_of_e -
            mu * (change_of_b * e + b * change_of_e) * result.value) /
@@ -119,6 +146,8 @@ namespace ElastoPlastic
 
   template struct ContactForce<2>;
   template struct ContactForce<3>;
+  template struct FrictionState<2>;
+  template struct FrictionState<3>;
   template class CoulombFriction<2>;
   template class CoulombFriction<3>;
 } // namespace ElastoPlastic

@@ -14,6 +14,20 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    double
+    largest_shear_modulus(const std::vector<Material<double>> &materials)
+    {
+      double modulus = 0;
+      for (const Material<double> &material : materials)
+        modulus = std::max(modulus, material.shear_modulus);
+      return modulus;
+    }
+  } // namespace
+
+
+
   // The members are constructed in the order in which the problem is
   // described: first the body, then what holds it, then what presses on it.
   // Whatever is wrong with the input shows up here, before the first result is
@@ -49,7 +63,8 @@ namespace ElastoPlastic
     , contact(make_contact_bounds(model, gap_function, triangulation),
               model.strain_model.kinematics,
               model.contact.edge,
-              CoulombFriction<dim>(model.contact.friction_coefficient()))
+              CoulombFriction<dim>(model.contact.friction_coefficient(),
+                                   largest_shear_modulus(model.materials)))
     , boundary_displacements(model, triangulation)
     , probe_points(parameters.output.probe_points,
                    model.boundary_conditions.names(),
