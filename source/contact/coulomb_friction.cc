@@ -11,6 +11,12 @@ namespace ElastoPlastic
 {
   namespace
   {
+    /// A force that exceeds friction by less than this part of it does not make
+    /// a node slip.
+    constexpr double rounding = 1e-9;
+
+
+
     template <int n>
     double
     length(const Tensor<1, n> &v, const Tensor<1, n> &slope)
@@ -85,11 +91,11 @@ namespace ElastoPlastic
     const bool   has_stuck = state.sticks;
     const TangentVector<dim> trial     = force.tangential + stiffness * slip;
     const double             magnitude = length(trial, slope);
-    const double excess = magnitude - coefficient * share * force.normal;
-    if (excess <= 0.)
+    const double             limit     = coefficient * share * force.normal;
+    if (magnitude <= (1. + rounding) * limit)
       state = {};
     else
-      state = {false, trial / magnitude, stiffness / excess};
+      state = {false, trial / magnitude, stiffness / (magnitude - limit)};
     return state.sticks != has_stuck;
   }
 
