@@ -14,6 +14,10 @@ namespace ElastoPlastic
     /// A force that exceeds friction by less than this part of it does not make
     /// a node slip.
     constexpr double rounding = 1e-9;
+    /// As if it exceeded friction by so much at least, turns the direction of a
+    /// node that slips: otherwise the linear systems have springs that are too
+    /// stiff.
+    constexpr double smallest_excess = 0.1;
 
 
 
@@ -95,7 +99,10 @@ namespace ElastoPlastic
     if (magnitude <= (1. + rounding) * limit)
       state = {};
     else
-      state = {false, trial / magnitude, stiffness / (magnitude - limit)};
+      state = {false,
+               trial / magnitude,
+               stiffness /
+                 std::max(magnitude - limit, smallest_excess * limit)};
     return state.sticks != has_stuck;
   }
 
