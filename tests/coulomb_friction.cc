@@ -6,6 +6,8 @@
 // of the slip; its derivatives are those of difference quotients; nodes switch
 // between stick and slip as the law says.
 
+#include <deal.II/base/mpi.h>
+
 #include <cmath>
 
 #include "base/exceptions.h"
@@ -147,8 +149,9 @@ namespace
 
 
 int
-main()
+main(int argc, char *argv[])
 {
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check<2>();
   check<3>();
 

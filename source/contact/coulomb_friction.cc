@@ -17,7 +17,7 @@ namespace ElastoPlastic
     /// As if it exceeded friction by so much at least, turns the direction of a
     /// node that slips: otherwise the linear systems have springs that are too
     /// stiff.
-    constexpr double smallest_excess = 0.1;
+    constexpr double smallest_excess = 1e-3;
 
 
 
@@ -140,11 +140,15 @@ namespace ElastoPlastic
         TangentVector<dim> change_of_b, change_of_slip;
         for (unsigned int i = 0; i < dim - 1; ++i)
           change_of_b[i] = surface.curvature[i][j];
-        change_of_slip[j] = 1.;
+        change_of_slip[j]      = 1.;
+        const double shrinking = (b * s) * (s * change_of_b); // of s
+        const double change_along =
+          2. * shrinking * tangent_product(slip, s, b) -
+          (change_of_b * slip) * (b * s) - (b * slip) * (s * change_of_b);
         const TangentVector<dim> change_of_e =
           (b * change_of_b) / (L * L) * e +
-          L * (state.turning * across(change_of_slip) -
-               (b * s) * (s * change_of_b) * s);
+          L * (state.turning * (across(change_of_slip) + change_along * s) -
+               shrinking * s);
         const TangentVector<dim> change =
           (change_of_b - mu * change_of_e -
            mu * (change_of_b * e + b * change_of_e) * result.value) /
