@@ -76,7 +76,7 @@ add_entry_test(path_number "entry 'Loading/Path' is '1: a, 0', but a row must lo
 add_entry_test(path_times "entry 'Loading/Path' is '1: 1, 0', but the times must increase" "Loading/Path=1: 0, 0 | 1: 1, 0")
 add_entry_test(path_rows_differ "entry 'Loading/Path' is '1: 0, 0 | 2: 1', but all rows must have the same number of components" "Loading/Path=1: 0, 0 | 2: 1")
 add_entry_test(path_three "entry 'Loading/Path' is '1: 0, 0, 0', but the indenter moves in one direction in the plane, in two in space" "Loading/Path=1: 0, 0, 0")
-add_entry_test(path_space "entry 'Loading/Path' is '1: 0.1', but in three dimensions the indenter moves along x and y" "Loading/Path=1: 0.1")
+add_message_test(path_space 2 "entry 'Loading/Path' is '1: 0.1', but in three dimensions the indenter moves along x and y" ${CMAKE_SOURCE_DIR}/parameter_files/sphere_3d.prm --validate --set "Loading/Path=1: 0.1")
 add_entry_test(path_plane "entry 'Loading/Path' is 't. t', but in two dimensions the indenter moves along x only" "Loading/Path=t@ t" Dimension=2)
 add_entry_test(path_start "entry 'Loading/Path' is '1 .+ t. t', but at t = 0 the indenter is at 'Indenter/Position'" "Loading/Path=1 + t@ t")
 add_entry_test(path_expression "entry 'Loading/Path' is 'sin.*" "Loading/Path=sin(@ t")

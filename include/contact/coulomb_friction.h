@@ -110,8 +110,9 @@ namespace ElastoPlastic
     /// The switching test for a node of @p area: it sticks if the force and the
     /// stiffness of the surface times its @p slip add up to less than friction,
     /// else it slips in the direction of that sum @cite
-    /// hueeber_stadler_wohlmuth_2008. @p share is by how much the force on the
-    /// indenter is larger than the one at the node.
+    /// hueeber_stadler_wohlmuth_2008, but sticks first before it turns back.
+    /// @p share is by how much the force on the indenter is larger than the one
+    /// at the node.
     /// @return whether the node has begun to stick or to slip.
     bool
     update(FrictionState<dim>       &state,

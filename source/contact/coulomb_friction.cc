@@ -96,7 +96,9 @@ namespace ElastoPlastic
     const TangentVector<dim> trial     = force.tangential + stiffness * slip;
     const double             magnitude = length(trial, slope);
     const double             limit     = coefficient * share * force.normal;
-    if (magnitude <= (1. + rounding) * limit)
+    const bool               turns_back =
+      !state.sticks && tangent_product(trial, state.direction, slope) < 0.;
+    if (magnitude <= (1. + rounding) * limit || turns_back)
       state = {};
     else
       state = {false,
