@@ -14,6 +14,7 @@ import unittest
 
 from elasto_plastic_contact import UserError
 from elasto_plastic_contact.__main__ import main
+from elasto_plastic_contact.study.execution import curves_of_runs
 from elasto_plastic_contact.study.plan import read_study
 
 STRESSES, STRAINS = (300, 400), (0.01, 0.02)
@@ -60,11 +61,22 @@ class Studies(unittest.TestCase):
             self.assertEqual(row["fifth step"], "")
         self.assertTrue((self.output / "study.png").read_bytes().startswith(b"\x89PNG"))
 
+        self.assertFalse((self.output / "curves.png").exists())
+
         before = self.finished()
         more = {**STUDY, "vary": STUDY["vary"] | {"Material/Yield stress": [300, 500]}}
         self.assertEqual(main(self.command(more)), 0)
         self.assertEqual(len(self.finished()), 6)
         self.assertEqual(before, {path: self.finished()[path] for path in before})
+
+    def test_curves(self):
+        study = {**STUDY, "vary": {"Material/Yield stress": [300, 400]},
+                 "plot": {"curves": {"table": "reactions", "x": "time", "y": "top_z"}}}
+        self.assertEqual(main(self.command(study)), 0)
+        self.assertTrue((self.output / "curves.png").read_bytes().startswith(b"\x89PNG"))
+        for run, (time_of_step, force) in curves_of_runs(read_study(self.command(study)[1]), self.output):
+            self.assertEqual(time_of_step, [0.25, 0.5, 0.75, 1])
+            self.assertAlmostEqual(force[-1], (run["Material/Yield stress"] + 2000 * 0.02) / 1.01, places=6)
 
     def test_kill(self):
         runs = [{"Material/Yield stress": stress} for stress in range(300, 304)]
@@ -131,6 +143,9 @@ class Studies(unittest.TestCase):
                  "'numbers/n/take' is \"biggest\", but must be one of last, first"),
                 ({**STUDY, "numbers": {"n": {"table": "history"}}}, "numbers/n lacks 'column'"),
                 ({**STUDY, "plot": {"y": ["force"]}}, "plot/y: there is no \"force\". Allowed: stress"),
+                ({**STUDY, "plot": {"curves": {"x": "time", "y": "top_z"}}}, "plot/curves lacks 'table'"),
+                ({**STUDY, "plot": {"curves": {"table": "reactions", "x": 1, "y": "top_z"}}},
+                 "'plot/curves/x' is 1, but must be the name of a column"),
         ):
             with self.assertRaisesRegex(UserError, message):
                 read_study(self.command(data)[1])

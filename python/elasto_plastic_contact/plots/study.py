@@ -1,10 +1,14 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The plot of a study: its numbers over one of its entries (or numbers), one line for each
-combination of the others."""
+combination of the others; and a curve of each run."""
 
-from .figures import plt, save
+from .figures import new_diagram, plt, save
 from ..program import as_text
+
+
+def in_words(run, paths):
+    return ", ".join(f"{path.rpartition('/')[2]} = {as_text(run[path])}" for path in paths)
 
 
 def lines(study, rows):
@@ -14,8 +18,7 @@ def lines(study, rows):
         others = others[1:]  # the first one runs along the line
     found = {}
     for row in rows:
-        label = ", ".join(f"{path.rpartition('/')[2]} = {as_text(row[path])}" for path in others)
-        found.setdefault(label, []).append(row)
+        found.setdefault(in_words(row, others), []).append(row)
     return found
 
 
@@ -34,4 +37,15 @@ def draw(study, rows, path):
             getattr(axes, f"set_{axis}scale")("log")
     if len(lines(study, rows)) > 1:
         panels[0, -1].legend(loc="upper left", bbox_to_anchor=(1., 1.))
+    save(figure, path)
+
+
+def draw_curves(study, curves, path):
+    """curves: the values of each run with its abscissae and ordinates."""
+    figure, axes = new_diagram()
+    varied = [path for path in study.varied if any(run[path] != study.runs[0][path] for run in study.runs)]
+    for run, (x, y) in curves:
+        axes.plot(x, y, label=in_words(run, varied))
+    axes.set(xlabel=study.curves.x.replace("_", " "), ylabel=study.curves.y.replace("_", " "))
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.15))
     save(figure, path)

@@ -16,7 +16,7 @@ import os
 import pathlib
 import sys
 
-from .execution import collect, execute, missing
+from .execution import collect, curves_of_runs, execute, missing
 from .plan import read_study
 from ..errors import UserError
 from ..program import as_text, find_program
@@ -71,6 +71,8 @@ def main(arguments):
             print(remark, file=sys.stderr)
         write_table(rows, directory / "study.csv")
         if not chosen.no_plot:
-            from ..plots.study import draw  # (which needs matplotlib)
+            from ..plots.study import draw, draw_curves  # (which need matplotlib)
             draw(study, rows, directory / "study.png")
+            if study.curves:
+                draw_curves(study, curves_of_runs(study, directory), directory / "curves.png")
     return 1 if failures else 0

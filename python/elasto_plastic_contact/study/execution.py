@@ -89,17 +89,28 @@ def execute(study, directory, program, report):
 
 def look_up(number, folder, place):
     """The number in the tables of a run; None if the program had nothing to write there."""
-    path = pathlib.Path(folder) / f"{number.table}.csv"
-    rows = read_table(path) if path.is_file() else []
-    if rows and number.column not in rows[0]:
-        raise UserError(f"'{place}/column': the table '{number.table}' has no column '{number.column}'; "
-                        f"it has {', '.join(rows[0])}")
-    values = [row[number.column] for row in rows]
+    values = column_of(number.table, number.column, folder, f"{place}/column")
     if isinstance(number.take, int):
         return values[number.take - 1] if number.take <= len(values) else None
     if not values:
         return None
     return {"last": values[-1], "first": values[0], "maximum": max(values), "minimum": min(values)}[number.take]
+
+
+def column_of(table, column, folder, place):
+    """A column of a table of a run, empty if the program had nothing to write there."""
+    path = pathlib.Path(folder) / f"{table}.csv"
+    rows = read_table(path) if path.is_file() else []
+    if rows and column not in rows[0]:
+        raise UserError(f"'{place}': the table '{table}' has no column '{column}'; it has {', '.join(rows[0])}")
+    return [row[column] for row in rows]
+
+
+def curves_of_runs(study, directory):
+    """The values and the curve, two columns, of each finished run."""
+    return [(run, [column_of(study.curves.table, getattr(study.curves, axis), folder, f"plot/curves/{axis}")
+                   for axis in "xy"])
+            for run, folder in ((run, directory / study.folder(run)) for run in study.runs) if is_finished(folder)]
 
 
 def collect(study, directory):

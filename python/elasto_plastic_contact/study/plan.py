@@ -24,11 +24,19 @@ class Number:
     take: str | int  # one of TAKES, or a row counted from 1
 
 
+@dataclass(frozen=True)
+class Curves:
+    """What to draw of each run: one column of a table over another."""
+    table: str
+    x: str
+    y: str
+
+
 @dataclass
 class Study:
     """case: the parameter file; common: entries of all runs, by 'Section/Entry'; runs: those of each;
     numbers: the columns of the final table; at_once: how many runs at a time, each on some ranks;
-    x, y, logarithmic: of the plot."""
+    x, y, logarithmic: of the plot; curves: None, or what is drawn of each run."""
     case: pathlib.Path
     common: dict
     runs: list
@@ -38,6 +46,7 @@ class Study:
     x: str
     y: list
     logarithmic: list
+    curves: Curves | None
 
     @property
     def varied(self):
@@ -81,7 +90,7 @@ def make_study(data, folder):
     case = check(data["case"], "case", str, "the name of a parameter file")
     runs = combinations(data["vary"]) if "vary" in data else read_runs(data["runs"])
     plot = data.get("plot", {})
-    check_keys(plot, "plot", (), ("x", "y", "logarithmic"))
+    check_keys(plot, "plot", (), ("x", "y", "logarithmic", "curves"))
     names = [*runs[0], *numbers]
     study = Study(
         case=find_case(folder / case if (folder / case).is_file() else case),
@@ -92,7 +101,8 @@ def make_study(data, folder):
            for name in check(plot.get("y", list(numbers)), "plot/y", list, "a list of names of 'numbers'")],
         logarithmic=[choice(axis, "plot/logarithmic", ["x", "y"])
                      for axis in check(plot["logarithmic"], "plot/logarithmic", list, "a list of 'x' and 'y'")]
-        if "logarithmic" in plot else [])
+        if "logarithmic" in plot else [],
+        curves=read_curves(plot["curves"]) if "curves" in plot else None)
     for number, run in enumerate(runs):
         if run in runs[:number]:
             raise UserError(f"two runs are the same: {json.dumps(run)}")
@@ -188,3 +198,10 @@ def read_numbers(data):
         numbers[name] = Number(check(number["table"], f"{place}/table", str, "the name of a table, such as 'history'"),
                                check(number["column"], f"{place}/column", str, "the name of a column"), take)
     return numbers
+
+
+def read_curves(data):
+    place = "plot/curves"
+    check_keys(data, place, ("table", "x", "y"), ())
+    return Curves(check(data["table"], f"{place}/table", str, "the name of a table, such as 'history'"),
+                  *(check(data[axis], f"{place}/{axis}", str, "the name of a column") for axis in "xy"))
