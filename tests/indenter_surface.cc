@@ -4,7 +4,7 @@
 // Slope and curvature of all indenters, against difference quotients of their
 // profiles. These, for a polynomial within and at the end of its reach. Then on
 // the axis, at an end of the profile, beside it, and as the gap of a placed
-// indenter.
+// indenter. At last for nodes that sharp tips and edges hold below them.
 
 #include <deal.II/base/mpi.h>
 
@@ -138,4 +138,22 @@ main(int argc, char **argv)
   const GapFunction<3> gap(make_indenter<3>(parameters), 10);
   print<3>("within reach", gap.surface({2, 4, 9.5}));
   print<3>("beyond reach", gap.surface({5, 2, 9.5}));
+
+  std::cout << "Nodes below a tip, an edge, and beside" << std::endl;
+  for (const std::string type : {"sphere", "cone", "wedge"})
+    for (const Point<2> &origin : {Point<2>(0, 1e-16), Point<2>(0.1, 0)})
+      print<3>(type, shape<3>(type)->surface_for(origin, {0.3, 0.4}));
+  parameters.type            = "pyramid";
+  parameters.n_faces         = 4;
+  parameters.face_angle      = 45;
+  parameters.rotation        = 45;
+  parameters.rounding_radius = 0;
+  parameters.position        = {0, 0};
+  parameters.initial_gap     = 0;
+  const auto pyramid         = make_indenter<3>(parameters).shape;
+  for (const Point<2> &origin :
+       {Point<2>(), Point<2>(1, 1e-16), Point<2>(0.9, 0.1), Point<2>(0, -1)})
+    print<3>("pyramid", pyramid->surface_for(origin, {1.1, 0.2}));
+  const GapFunction<3> above(make_indenter<3>(parameters), 10);
+  print<3>("gap", above.surface_for({1, 0, 10}, {1.1, 0.2, 9.5}));
 }

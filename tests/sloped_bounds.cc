@@ -28,7 +28,7 @@ namespace
   /// curvature and something of both.
   template <int dim>
   IndenterSurface<dim>
-  gap(const Point<dim> &x)
+  gap(const Point<dim> & /*origin*/, const Point<dim> &x)
   {
     IndenterSurface<dim> surface{-x[dim - 1], {}, {}};
     for (unsigned int d = 0; d < dim - 1; ++d)

@@ -41,11 +41,11 @@ namespace ElastoPlastic
   {
   public:
     using Vector = LinearAlgebra::distributed::Vector<double>;
+    using Gap    = std::function<IndenterSurface<dim>(const Point<dim> &origin,
+                                                   const Point<dim> &place)>;
 
-    /// @p gap is GapFunction::surface(). @p geometry is not automatic.
-    ContactBounds(
-      const std::function<IndenterSurface<dim>(const Point<dim> &)> &gap,
-      const ContactGeometry                                          geometry);
+    /// @p gap is GapFunction::surface_for(). @p geometry is not automatic.
+    ContactBounds(const Gap &gap, const ContactGeometry geometry);
 
     /// Whether the indenter is met at the present places of the nodes.
     bool
@@ -65,7 +65,7 @@ namespace ElastoPlastic
     IndenterSurface<dim>
     undeformed_gap(const Point<dim> &point) const
     {
-      return gap(point);
+      return gap(point, point);
     }
 
     double
@@ -91,8 +91,8 @@ namespace ElastoPlastic
     IndenterSurface<dim>
     gap_at_present_place(const ContactNode<dim> &node, const Vector &u) const;
 
-    const std::function<IndenterSurface<dim>(const Point<dim> &)> gap;
-    const ContactGeometry                                         geometry;
+    const Gap             gap;
+    const ContactGeometry geometry;
   };
 
 
@@ -103,7 +103,7 @@ namespace ElastoPlastic
   vertical_bounds(const std::function<double(const Point<dim> &)> &gap)
   {
     return ContactBounds<dim>(
-      [gap](const Point<dim> &x) {
+      [gap](const Point<dim> &x, const Point<dim> &) {
         return IndenterSurface<dim>{gap(x), {}, {}};
       },
       ContactGeometry::vertical);

@@ -42,6 +42,11 @@ namespace ElastoPlastic
     IndenterSurface<dim>
     surface(const Point<dim> &p) const;
 
+    /// The same at the present place @p p of a node that was at @p origin in
+    /// the undeformed body (Indenter::surface_for()).
+    IndenterSurface<dim>
+    surface_for(const Point<dim> &origin, const Point<dim> &p) const;
+
   private:
     /// From the tip to @p p, horizontally.
     Point<dim - 1>

@@ -49,6 +49,14 @@ namespace ElastoPlastic
     virtual IndenterSurface<dim>
     surface(const Point<dim - 1> &x) const;
 
+    /// The surface at @p x for a node that is below @p origin in the undeformed
+    /// body: surface(@p x), unless a sharp tip or edge is above @p origin. Such
+    /// a node stays below it, as symmetry demands: to the sides, the height is
+    /// that of the tip or edge itself. Otherwise rounding errors would decide
+    /// to which side the node slides.
+    virtual IndenterSurface<dim>
+    surface_for(const Point<dim - 1> &origin, const Point<dim - 1> &x) const;
+
     /// Whether the profile is certainly a convex function where it is finite:
     /// false, unless a shape knows better.
     virtual bool
@@ -103,6 +111,16 @@ namespace ElastoPlastic
   within(const double distance, const double extent)
   {
     return distance <= (1 + 1e-10) * extent;
+  }
+
+
+
+  /// Whether a distance from a sharp tip or edge is a rounding error of the
+  /// coordinates of a mesh node.
+  inline bool
+  vanishes(const double distance)
+  {
+    return distance <= 1e-12;
   }
 } // namespace ElastoPlastic
 

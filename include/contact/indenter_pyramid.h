@@ -42,6 +42,9 @@ namespace ElastoPlastic
     IndenterSurface<3>
     surface(const Point<2> &x) const override;
 
+    IndenterSurface<3>
+    surface_for(const Point<2> &origin, const Point<2> &x) const override;
+
     bool
     is_convex() const override;
 
@@ -61,6 +64,9 @@ namespace ElastoPlastic
 
     IndenterSurface<3>
     sharp_surface(const Point<2> &x) const;
+
+    IndenterSurface<3>
+    sharp_edge(const Point<2> &x, const Tensor<1, 2> &edge) const;
 
     IndenterSurface<3>
     rounded_surface(const Point<2> &x) const;

@@ -32,6 +32,10 @@ namespace ElastoPlastic
     IndenterSurface<dim>
     surface(const Point<dim - 1> &x) const override;
 
+    IndenterSurface<dim>
+    surface_for(const Point<dim - 1> &origin,
+                const Point<dim - 1> &x) const override;
+
     bool
     is_convex() const override;
 

@@ -9,9 +9,8 @@
 namespace ElastoPlastic
 {
   template <int dim>
-  ContactBounds<dim>::ContactBounds(
-    const std::function<IndenterSurface<dim>(const Point<dim> &)> &gap,
-    const ContactGeometry                                          geometry)
+  ContactBounds<dim>::ContactBounds(const Gap            &gap,
+                                    const ContactGeometry geometry)
     : gap(gap)
     , geometry(geometry)
   {
@@ -31,7 +30,7 @@ namespace ElastoPlastic
       place[d] += displacement[d];
     try
       {
-        const IndenterSurface<dim> surface = gap(place);
+        const IndenterSurface<dim> surface = gap(node.position, place);
         if (std::isfinite(surface.height))
           return surface;
       }

@@ -59,10 +59,21 @@ namespace ElastoPlastic
   IndenterSurface<dim>
   GapFunction<dim>::surface(const Point<dim> &p) const
   {
+    return surface_for(p, p);
+  }
+
+
+
+  template <int dim>
+  IndenterSurface<dim>
+  GapFunction<dim>::surface_for(const Point<dim> &origin,
+                                const Point<dim> &p) const
+  {
     const Point<dim - 1> x = offset(p);
     if (!reaches(x))
       return {std::numeric_limits<double>::infinity(), {}, {}};
-    IndenterSurface<dim> result = indenter.shape->surface(x);
+    IndenterSurface<dim> result =
+      indenter.shape->surface_for(offset(origin), x);
     result.height += tip_height - p[dim - 1];
     return result;
   }

@@ -104,6 +104,16 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  IndenterSurface<dim>
+  Indenter<dim>::surface_for(const Point<dim - 1> & /*origin*/,
+                             const Point<dim - 1> &x) const
+  {
+    return surface(x);
+  }
+
+
+
+  template <int dim>
   bool
   Indenter<dim>::is_convex() const
   {

@@ -88,6 +88,21 @@ namespace ElastoPlastic
 
 
 
+  IndenterSurface<3>
+  IndenterPyramid::surface_for(const Point<2> &origin, const Point<2> &x) const
+  {
+    if (shape.rounding_radius > 0)
+      return rounded_surface(x);
+    if (vanishes(origin.norm()))
+      return {0., {}, {}};
+    const Tensor<1, 2> edge = sector(origin).edge;
+    return vanishes((origin - (origin * edge) * edge).norm()) ?
+             sharp_edge(x, edge) :
+             sharp_surface(x);
+  }
+
+
+
   bool
   IndenterPyramid::is_convex() const
   {
@@ -150,6 +165,17 @@ namespace ElastoPlastic
   {
     const IndenterSurface<3> on_face = face(x, sector(x).normal);
     return on_face.height > 0 ? on_face : IndenterSurface<3>{0., {}, {}};
+  }
+
+
+
+  IndenterSurface<3>
+  IndenterPyramid::sharp_edge(const Point<2> &x, const Tensor<1, 2> &edge) const
+  {
+    const double height = edge_slope * (x * edge) - missing_height;
+    if (height <= 0)
+      return {0., {}, {}};
+    return {height, edge_slope * edge, {}};
   }
 
 

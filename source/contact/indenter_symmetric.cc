@@ -55,6 +55,19 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  IndenterSurface<dim>
+  IndenterSymmetric<dim>::surface_for(const Point<dim - 1> &origin,
+                                      const Point<dim - 1> &x) const
+  {
+    const SectionPoint tip = section.at(0.);
+    if (tip.slope > 0. && vanishes(across(origin).norm()))
+      return {tip.height, {}, {}};
+    return surface(x);
+  }
+
+
+
+  template <int dim>
   Tensor<1, dim - 1>
   IndenterSymmetric<dim>::across(const Point<dim - 1> &x) const
   {

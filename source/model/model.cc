@@ -45,7 +45,9 @@ namespace ElastoPlastic
       return vertical_bounds<dim>(
         [&gap_function](const Point<dim> &x) { return gap_function.value(x); });
     return ContactBounds<dim>(
-      [&gap_function](const Point<dim> &x) { return gap_function.surface(x); },
+      [&gap_function](const Point<dim> &origin, const Point<dim> &place) {
+        return gap_function.surface_for(origin, place);
+      },
       geometry);
   }
 

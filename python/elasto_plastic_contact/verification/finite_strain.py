@@ -16,6 +16,8 @@ from .runner import E, NU, Runner
 
 BAR = ("verification/uniaxial_stress.prm", "Strain=logarithmic")
 CONE = "indentation/cone_finite_strain.prm"
+PYRAMID = "indentation/vickers_finite_strain.prm"
+CONE_IN_SPACE = ("Indenter/Type=cone", "Indenter/Semi-apex angle=70")
 # Few cells and steps, for what does not depend on them.
 COARSE = ("Geometry/Local refinements=5", "Geometry/Local radius=1", "Loading/History=1: depth 0.1 | 1.2: force 0",
           "Loading/Number of steps=48", "Nonlinear solver/Tolerance=1e-12")
@@ -145,6 +147,41 @@ def check_cone(runner, material, published_curvature, slope, plastic_share, othe
     runner.compare("W_p / W_t", 1 + work(unloading) / work(loading), plastic_share, 0.01, absolute=True)
     print(f"  contact radius over depth {deepest['contact_radius'] / deepest['depth']:.2f} (other program {others[0]}),"
           f" pile-up over depth {deepest['pile_up'] / deepest['depth']:.2f} ({others[1]})")
+
+
+def symmetric_bodies(runner):
+    """Finite strains: a quarter and a half of a body under a cone and a pyramid: the same."""
+    coarse = ("Geometry/Local refinements=5", "Geometry/Local radius=5.12", "Loading/History=1: depth 0.08",
+              "Loading/Number of steps=8", "Contact/Edge=at nodes")
+    half = ("Geometry/Lower corner=-6, 0, -6", "Geometry/Repetitions=2, 1, 1", "Boundary conditions/Roller=front",
+            "Boundary conditions/Free=left, right, back")
+    for name, shape in (("cone", CONE_IN_SPACE), ("edges on the diagonals", ("Indenter/Rotation=0",)),
+                        ("edges on the planes of symmetry", ("Indenter/Rotation=45",))):
+        parts = [runner.history(PYRAMID, *coarse, *shape, *body)[-1] for body in ((), half)]
+        for column in ("force", "contact_area", "plastic_work"):
+            runner.compare(f"{name}: {column}", 2 * parts[1][column], 4 * parts[0][column], 1e-7)
+
+
+def cone_in_space(runner):
+    """Finite strains: a cone in a quarter of a body and in an axisymmetric one, cells of the same size (minutes)."""
+    loading = ("Loading/History=1: depth 0.02", "Loading/Number of steps=40")
+    quarter = runner.history(PYRAMID, *CONE_IN_SPACE, *loading)
+    whole = runner.history(CONE, *loading, "Geometry/Lower corner=0, -6", "Geometry/Upper corner=6, 0",
+                           "Geometry/Initial refinements=2", "Geometry/Local refinements=8",
+                           "Geometry/Local radius=10.24")
+    for name, allowed in (("force", 0.01), ("external_work", 0.01), ("contact_area", 0.05)):
+        runner.compare(name, 4 * quarter[-1][name], whole[-1][name], allowed)
+    second_halves = [sum(step["force"] for step in steps[len(steps) // 2:]) for steps in (quarter, whole)]
+    runner.compare("mean force over the second half", 4 * second_halves[0], second_halves[1], 0.01)
+
+
+def vickers(runner):
+    """Finite strains: Vickers' pyramid and the cone of the same area, 70.3 degrees (minutes)."""
+    pyramid, cone = (runner.history(PYRAMID, "Loading/History=1: depth 0.02", "Loading/Number of steps=40", *shape)
+                     for shape in ((), (CONE_IN_SPACE[0], "Indenter/Semi-apex angle=70.3")))
+    second_halves = [sum(step["force"] for step in steps[len(steps) // 2:]) for steps in (pyramid, cone)]
+    runner.compare("mean force over the second half", *second_halves, 0.04)
+    runner.compare("contact area", pyramid[-1]["contact_area"], cone[-1]["contact_area"], 0.08)
 
 
 def hardening(young, yield_stress, exponent):
