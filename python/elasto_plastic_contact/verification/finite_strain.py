@@ -180,8 +180,8 @@ def vickers(runner):
     pyramid, cone = (runner.history(PYRAMID, "Loading/History=1: depth 0.02", "Loading/Number of steps=40", *shape)
                      for shape in ((), (CONE_IN_SPACE[0], "Indenter/Semi-apex angle=70.3")))
     second_halves = [sum(step["force"] for step in steps[len(steps) // 2:]) for steps in (pyramid, cone)]
-    runner.compare("mean force over the second half", *second_halves, 0.04)
-    runner.compare("contact area", pyramid[-1]["contact_area"], cone[-1]["contact_area"], 0.08)
+    runner.compare("mean force over the second half", *second_halves, 0.03)
+    runner.compare("contact area", pyramid[-1]["contact_area"], cone[-1]["contact_area"], 0.05)
 
 
 def hardening(young, yield_stress, exponent):
