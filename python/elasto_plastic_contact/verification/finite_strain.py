@@ -17,6 +17,7 @@ from .runner import E, NU, Runner
 BAR = ("verification/uniaxial_stress.prm", "Strain=logarithmic")
 CONE = "indentation/cone_finite_strain.prm"
 PYRAMID = "indentation/vickers_finite_strain.prm"
+BERKOVICH = "indentation/berkovich_finite_strain.prm"
 CONE_IN_SPACE = ("Indenter/Type=cone", "Indenter/Semi-apex angle=70")
 # Few cells and steps, for what does not depend on them.
 COARSE = ("Geometry/Local refinements=5", "Geometry/Local radius=1", "Loading/History=1: depth 0.1 | 1.2: force 0",
@@ -175,13 +176,16 @@ def cone_in_space(runner):
     runner.compare("mean force over the second half", 4 * second_halves[0], second_halves[1], 0.01)
 
 
-def vickers(runner):
-    """Finite strains: Vickers' pyramid and the cone of the same area, 70.3 degrees (minutes)."""
-    pyramid, cone = (runner.history(PYRAMID, "Loading/History=1: depth 0.02", "Loading/Number of steps=40", *shape)
-                     for shape in ((), (CONE_IN_SPACE[0], "Indenter/Semi-apex angle=70.3")))
-    second_halves = [sum(step["force"] for step in steps[len(steps) // 2:]) for steps in (pyramid, cone)]
-    runner.compare("mean force over the second half", *second_halves, 0.03)
-    runner.compare("contact area", pyramid[-1]["contact_area"], cone[-1]["contact_area"], 0.05)
+def pyramids(runner):
+    """Finite strains: Vickers' and Berkovich's pyramids and the cone of the same area, 70.3 degrees (long)."""
+    loading = ("Loading/History=1: depth 0.02", "Loading/Number of steps=40")
+    cone = runner.history(PYRAMID, CONE_IN_SPACE[0], "Indenter/Semi-apex angle=70.3", *loading)
+    for case, n_parts in ((PYRAMID, 4), (BERKOVICH, 2)):
+        pyramid = runner.history(case, *loading)
+        forces = [parts * sum(step["force"] for step in steps[len(steps) // 2:])
+                  for parts, steps in ((n_parts, pyramid), (4, cone))]
+        runner.compare(f"{case}: mean force over the second half", *forces, 0.03)
+        runner.compare("contact area", n_parts * pyramid[-1]["contact_area"], 4 * cone[-1]["contact_area"], 0.05)
 
 
 def hardening(young, yield_stress, exponent):

@@ -17,7 +17,7 @@ from .runner import E, E_STAR, NU, Runner, add_program
 from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, error_bound,
                                 error_bound_ranks, error_bound_refinement, limit_load, safe_load)
 from .finite_strain import (cone_in_space, finite_cone, finite_strain, finite_strain_ranks,
-                            finite_strain_resume, published_cones, symmetric_bodies, vickers)
+                            finite_strain_resume, published_cones, pyramids, symmetric_bodies)
 from .hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
 from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
@@ -282,7 +282,7 @@ ALL = {
                      error_bound_refinement, equilibrium_hertz, equilibrium_limit, zero_stress,
                      zero_force, far_indenter, contrast, nearly_incompressible, job_preview,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
-                     symmetric_bodies, cone_in_space, vickers)
+                     symmetric_bodies, cone_in_space, pyramids)
 }
 
 
