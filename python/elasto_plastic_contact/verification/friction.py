@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Verification of friction and of indenters that move to the side; see verify."""
+
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+
+from ..program import CASES, MPI_ENVIRONMENT, command_line
+from ..tables import read_tables
+from .imprint import largest_difference
+from .runner import Runner
+
+MINDLIN = "friction/mindlin_cylinder.prm"
+MU = 0.3
+# A mesh that does not follow the contact, and few steps, for what does not depend on them.
+COARSE = ("Geometry/Local refinements=7", "Refinement/Elements over contact radius=0", "Loading/Number of steps=8",
+          "Nonlinear solver/Tolerance=1e-11")
+# At the nodes x (mm): displacements (um) in two columns of code_aster's SSNV128, published and of its finite elements.
+SSNV128 = {0.0: (28.6, 28.65), 1.25: (27.2, 27.27), 5.0: (22.8, 22.92), 7.5: (19.8, 19.93), 11.25: (15.0, 15.61)}
+
+
+def ssnv128(runner):
+    """A plate that is pushed along a rigid plane (code_aster SSNV128)."""
+    profile = runner.tables("friction/ssnv128.prm", "Geometry/Initial refinements=6")["surface_profile"]
+    displacements = {row["x"]: 1e3 * row["displacement_x"] for row in profile}
+    for x, (published, computed) in SSNV128.items():
+        if abs(computed / published - 1) < 0.01:
+            runner.compare(f"u_x (um) at x = {x}", displacements[x], computed, 0.01)
+        else:
+            runner.verify(f"u_x (um) at x = {x}: {displacements[x]:.4g}, between {published} and {computed}",
+                          published <= displacements[x] <= computed)
+    runner.verify("stick or slip as Coulomb demands", all(
+        abs(row["contact_shear_x"]) <= row["contact_pressure"] * (1 if row["stick"] == 1 else 1 + 1e-6)
+        for row in profile))
+
+
+def bonded_punch(runner):
+    """A flat circular punch that is bonded to the body, against a smooth one."""
+    bonded, smooth = (runner.run("friction/bonded_punch.prm", f"Contact/Friction coefficient={coefficient}")[-1]["force"]
+                      for coefficient in ("stick", "0"))
+    nu = 0.3
+    runner.compare("force, bonded over smooth", bonded / smooth, (1 - nu) * math.log(3 - 4 * nu) / (1 - 2 * nu), 2e-3)
+
+
+def spence(runner):
+    """A flat circular punch with friction: the same stick radius at all loads."""
+    for coefficient in (0.05, 0.1, 0.2):
+        rows = runner.history("friction/bonded_punch.prm", f"Contact/Friction coefficient={coefficient}",
+                              "Loading/Number of steps=5")
+        radii = [math.sqrt(row["stick_area"] / row["contact_area"]) for row in rows]
+        print(f"  coefficient {coefficient}: stick radius {radii[-1]:.4f}", flush=True)
+        runner.verify("some stick, some slip", 0 < radii[-1] < 1)
+        runner.compare("largest over smallest stick radius", max(radii) / min(radii), 1, 1e-2)
+
+
+def mindlin_cylinder(runner):
+    """A cylinder pushed to the side: stick width by Cattaneo and Mindlin; full slip."""
+    rows = runner.history(MINDLIN, "Loading/History=1: force 836.8 | 2: force 836.8", "Loading/Path=1: 0 | 2: 0.003",
+                          "Loading/Number of steps=20")
+    for row in rows:
+        ratio = row["tangential_force_x"] / (MU * row["force"])
+        if row["time"] > 1:
+            runner.compare(f"Q/(mu P) = {ratio:.3f}: c/a", row["stick_area"] / row["contact_area"], math.sqrt(1 - ratio),
+                           0.02)
+    check_energy(runner, rows)
+    row = runner.history(MINDLIN, *COARSE, "Loading/Path=1: 0 | 2: 0.02", "Loading/History=2: force 836.8")[-1]
+    runner.compare("full slip: Q", row["tangential_force_x"], MU * row["force"], 1e-8)
+    runner.compare("full slip: stick area", row["stick_area"], 0, 0, absolute=True)
+
+
+def check_energy(runner, rows):
+    """The work of the indenter, by the trapezoidal rule, reaches the body or is friction."""
+    work, before = 0, {"depth": 0, "force": 0, "tangential_force_x": 0, "path": 0}
+    for row in rows:
+        row["path"] = 0.003 * max(0, row["time"] - 1)
+        work += sum(0.5 * (row[force] + before[force]) * (row[way] - before[way])
+                    for force, way in (("force", "depth"), ("tangential_force_x", "path")))
+        before = row
+    runner.compare("work of the indenter", work, rows[-1]["external_work"] + rows[-1]["frictional_dissipation"], 0.01)
+    losses = [row["frictional_dissipation"] for row in rows]
+    runner.verify("dissipation of friction never falls", losses[0] >= 0 and losses == sorted(losses))
+
+
+def of_curve(rows):
+    """What does not depend on the way to it."""
+    return [{name: row[name] for name in ("depth", "force", "tangential_force_x", "contact_area",
+                                          "frictional_dissipation")} for row in rows]
+
+
+def friction_ranks(runner):
+    """A cylinder to and fro: the same on 1, 2 and 3 ranks."""
+    tables = {n: of_curve(Runner(runner.program, n).tables(MINDLIN, *COARSE)["history"]) for n in (1, 2, 3)}
+    for n in (2, 3):
+        runner.compare(f"{n} ranks: forces, depth and contact area", largest_difference(tables[1], tables[n]), 0, 1e-8,
+                       absolute=True)
+
+
+def friction_resume(runner):
+    """A cylinder to and fro, stopped in between and resumed, as in one run."""
+    entries = {"Output/Fields": "never", **dict(entry.split("=", 1) for entry in COARSE)}
+    stopped = entries | {"Loading/History": "1: force 836.8 | 3: force 836.8", "Loading/Number of steps": "6"}
+    with tempfile.TemporaryDirectory() as folder:
+        def run(changes, name, *options):
+            directory = pathlib.Path(folder) / name
+            subprocess.run(command_line(runner.program, CASES / MINDLIN, changes, directory, *options,
+                                        ranks=runner.ranks), check=True, env=os.environ | MPI_ENVIRONMENT)
+            return of_curve(read_tables(directory)["history"])
+        whole = run(entries, "whole")
+        run(stopped, "stopped")
+        runner.compare("forces, depth and contact area", largest_difference(whole, run(entries, "stopped", "--resume")),
+                       0, 1e-9, absolute=True)
