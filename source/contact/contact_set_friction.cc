@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rethrow_collectively.h"
 #include "contact/contact_set.h"
 
 // The forces of ContactSet that are not vertical: flanks and friction.
@@ -101,6 +102,8 @@ namespace ElastoPlastic
   void
   ContactSet<dim>::begin_friction(Node &node, const Vector &u) const
   {
+    if (!friction.dissipates())
+      return;
     const auto surface = bounds.surface(node, u);
     node.friction      = friction.first_state(slip(node, u),
                                          surface.slope,
@@ -142,13 +145,20 @@ namespace ElastoPlastic
     std::vector<SlopedBound> result;
     if (!has_sloped_bounds())
       return result;
-    const Vector forces = vertical_forces_on_body(residual);
-    for (const Node &node : candidates)
-      if (node.active || rows)
-        {
-          result.push_back(sloped_bound(node, u));
-          result.back().force = -forces.local_element(node.index);
-        }
+    const Vector forces  = vertical_forces_on_body(residual);
+    const auto   collect = [&]() {
+      for (const Node &node : candidates)
+        if (node.active || rows)
+          {
+            result.push_back(sloped_bound(node, u));
+            result.back().force = -forces.local_element(node.index);
+          }
+    };
+    // (Without friction, no bound can fail.)
+    if (friction.dissipates())
+      rethrow_collectively(communicator, collect);
+    else
+      collect();
     return result;
   }
 
@@ -202,7 +212,7 @@ namespace ElastoPlastic
           continue;
         if (node.friction.sticks)
           {
-            state.stick_area += areas.local_element(node.index);
+            state.stick_area += share(node) * areas.local_element(node.index);
             continue;
           }
         const auto surface = bounds.surface(node, u);

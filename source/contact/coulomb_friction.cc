@@ -98,7 +98,7 @@ namespace ElastoPlastic
     const double             limit     = coefficient * share * force.normal;
     const bool               turns_back =
       !state.sticks && tangent_product(trial, state.direction, slope) < 0.;
-    if (magnitude <= (1. + rounding) * limit || turns_back)
+    if (magnitude <= (1. + rounding) * limit || turns_back || magnitude == 0.)
       state = {};
     else
       state = {false,

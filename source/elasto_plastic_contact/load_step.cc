@@ -41,6 +41,7 @@ namespace ElastoPlastic
     solid->predict_flow(displacement, displacement);
     contact.deactivate_all();
     move_indenter(last_step.result.time);
+    contact.begin_step(displacement, {});
     contact.place(last_step.result.depth);
     contact.activate_touching(displacement);
   }

@@ -62,6 +62,7 @@ namespace ElastoPlastic
     if (parameters.loading.is_single_step() ||
         parameters.output.fields != FieldOutputTimes::every_cycle)
       return;
+    move_indenter(0.);
     contact.place(0.);
     write_fields(Utilities::int_to_string(0, 3), 0.);
   }

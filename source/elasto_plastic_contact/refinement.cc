@@ -183,6 +183,7 @@ namespace ElastoPlastic
 
     refine_mesh();
     contact.place(last_step.result.depth);
+    contact.begin_step(displacement, {});
     contact.activate_touching(displacement);
     contact.divide_edge(last_step.result.depth);
     solid->predict_flow(displacement, displacement);

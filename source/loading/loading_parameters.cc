@@ -79,6 +79,6 @@ namespace ElastoPlastic
   bool
   LoadingParameters::is_single_step() const
   {
-    return n_steps == 1 && history.empty();
+    return n_steps == 1 && history.empty() && path.empty();
   }
 } // namespace ElastoPlastic
