@@ -76,9 +76,10 @@ namespace
     triangulation.refine_global(n_refinements);
 
     PlaneBody body;
-    body.mesh         = make_split_mesh(triangulation);
-    body.plane_stress = exact.plane_stress;
-    body.gap          = [](const Point<2> &) {
+    body.mesh = make_split_mesh(triangulation);
+    body.kinematics =
+      exact.plane_stress ? Kinematics::plane_stress : Kinematics::cartesian;
+    body.gap = [](const Point<2> &) {
       return 0.;
     };
     body.stress_unit = 1.;

@@ -107,9 +107,10 @@ namespace
   {
     const LimitLoad bounds = bound_limit_load(body);
     const double    lower = bounds.stress.force, upper = bounds.velocity.force;
-    output() << (body.plane_stress ? "Plane stress" : "Plane strain")
+    output() << (body.kinematics == Kinematics::plane_stress ? "Plane stress" :
+                                                               "Plane strain")
              << std::endl;
-    if (!body.plane_stress)
+    if (body.kinematics != Kinematics::plane_stress)
       {
         verify("lower bound", lower <= exact && lower > 0.96 * exact);
         verify("upper bound", upper >= exact && upper < 1.07 * exact);

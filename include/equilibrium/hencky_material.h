@@ -6,6 +6,7 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include "base/kinematics.h"
 #include "material/material.h"
 
 /// A material in one step from the virgin state, with linear hardening: the
@@ -46,7 +47,7 @@ namespace ElastoPlastic::HenckyMaterial
   Strain
   split_strain(const Material<double>      &material,
                const SymmetricTensor<2, 2> &in_plane_strain,
-               const bool                   plane_stress);
+               const Kinematics             kinematics);
 } // namespace ElastoPlastic::HenckyMaterial
 
 #endif

@@ -58,7 +58,7 @@ namespace ElastoPlastic
     SplitMesh                     mesh;
     std::vector<SideCondition>    conditions; ///< by sides
     std::vector<Material<double>> materials;  ///< by triangles
-    bool                          plane_stress;
+    Kinematics                    kinematics;
     /// The gap between indenter and body, where the indenter can touch.
     std::function<double(const Point<2> &)> gap;
 

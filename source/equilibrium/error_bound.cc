@@ -109,7 +109,7 @@ namespace ElastoPlastic
             const auto [elastic, plastic] =
               HenckyMaterial::split_strain(material,
                                            strain[i],
-                                           body.plane_stress);
+                                           body.kinematics);
             elastic_difference[i] =
               elastic - HenckyMaterial::compliance(material, stress[i]);
             plastic_strain[i] = plastic;

@@ -51,11 +51,11 @@ namespace ElastoPlastic
   HenckyMaterial::Strain
   HenckyMaterial::split_strain(const Material<double>      &material,
                                const SymmetricTensor<2, 2> &in_plane_strain,
-                               const bool                   plane_stress)
+                               const Kinematics             kinematics)
   {
     const MaterialState<double> virgin(material.back_stresses.size());
     SymmetricTensor<2, 3>       strain = in_space<2>(in_plane_strain, 0.);
-    if (plane_stress)
+    if (kinematics == Kinematics::plane_stress)
       strain[2][2] = out_of_plane_strain(material, strain, virgin);
 
     const RadialReturn<double>  step(material, strain_deviator(strain), virgin);

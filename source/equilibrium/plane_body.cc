@@ -176,9 +176,9 @@ namespace ElastoPlastic
                   const double                                   time)
   {
     PlaneBody body;
-    body.mesh         = std::move(mesh);
-    body.plane_stress = kinematics == Kinematics::plane_stress;
-    body.gap          = gap;
+    body.mesh       = std::move(mesh);
+    body.kinematics = kinematics;
+    body.gap        = gap;
 
     const Conditions condition_of(conditions, gap, time);
     for (const SplitMesh::Side &side : body.mesh.sides)

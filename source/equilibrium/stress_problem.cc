@@ -22,8 +22,9 @@ namespace ElastoPlastic
     complementary_energy(const PlaneBody &body)
     {
       StressProgram program(body,
-                            body.plane_stress ? OutOfPlaneStress::zero :
-                                                OutOfPlaneStress::unknown);
+                            body.kinematics == Kinematics::plane_stress ?
+                              OutOfPlaneStress::zero :
+                              OutOfPlaneStress::unknown);
       program.add_energy();
       program.add_gap();
       return program;
@@ -80,8 +81,9 @@ namespace ElastoPlastic
   maximize_force(const PlaneBody &body)
   {
     StressProgram program(body,
-                          body.plane_stress ? OutOfPlaneStress::zero :
-                                              OutOfPlaneStress::mean);
+                          body.kinematics == Kinematics::plane_stress ?
+                            OutOfPlaneStress::zero :
+                            OutOfPlaneStress::mean);
     const double  unit = body.strain_unit * body.length_unit;
     program.add_force(-unit);
     StressField field = solve_bounded(program);

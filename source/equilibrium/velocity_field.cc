@@ -27,7 +27,8 @@ namespace ElastoPlastic
   plastic_rate(const PlaneBody &body, const SymmetricTensor<2, 2> &rate)
   {
     const double square = rate * rate;
-    return std::sqrt(square + (body.plane_stress ? 1. : -0.5) * trace(rate) *
-                                trace(rate));
+    return std::sqrt(square +
+                     (body.kinematics == Kinematics::plane_stress ? 1. : -0.5) *
+                       trace(rate) * trace(rate));
   }
 } // namespace ElastoPlastic

@@ -223,7 +223,8 @@ namespace ElastoPlastic
         for (unsigned int c = 0; c < 3; ++c)
           {
             stresses(n_stress_components * corner + c, 3 * corner + c) = 1.;
-            if (!body.plane_stress && c < 2) // admits most, as in StressProgram
+            if (body.kinematics != Kinematics::plane_stress &&
+                c < 2) // admits most, as in StressProgram
               stresses(n_stress_components * corner + 3, 3 * corner + c) = 0.5;
           }
 
@@ -341,7 +342,7 @@ namespace ElastoPlastic
             area(body.mesh.corners(body.mesh.triangles[t])) / 3. * sum);
           field.force += field.dissipation.back();
         }
-      if (body.plane_stress)
+      if (body.kinematics == Kinematics::plane_stress)
         return;
       field.divergence = relative_divergence(body.mesh, field.velocity);
       if (field.divergence > largest_divergence)
