@@ -3,6 +3,9 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <sstream>
 
 #include "base/exceptions.h"
@@ -26,6 +29,39 @@ namespace ElastoPlastic
       VectorType candidates(external_forces.get_partitioner());
       contact.set_candidate_entries(candidates, 1.);
       return (candidates * motion) * (external_forces * motion) > 0;
+    }
+
+
+
+    /// The horizontal directions across which rollers through @p position hold
+    /// the body.
+    template <int dim>
+    std::array<bool, dim - 1>
+    directions_of_symmetry(const Model<dim>         &model,
+                           const Triangulation<dim> &triangulation,
+                           const Point<dim - 1>     &position)
+    {
+      const auto rollers =
+        model.boundary_conditions.ids(BoundaryConditionType::roller);
+      std::array<unsigned int, dim - 1> found = {};
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() && rollers.count(face->boundary_id()) > 0)
+              for (unsigned int d = 0; d < dim - 1; ++d)
+                {
+                  const auto vertices = face->vertex_indices();
+                  found[d] += std::all_of(
+                    vertices.begin(), vertices.end(), [&](const auto v) {
+                      return std::abs(face->vertex(v)[d] - position[d]) <
+                             1e-10 * face->diameter();
+                    });
+                }
+      std::array<bool, dim - 1> result;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        result[d] =
+          Utilities::MPI::sum(found[d], triangulation.get_communicator()) > 0;
+      return result;
     }
   } // namespace
 
@@ -128,6 +164,33 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  void
+  check_path(const Model<dim>         &model,
+             TimeSteps                 steps,
+             const LoadingParameters  &loading,
+             const Triangulation<dim> &triangulation,
+             const Point<dim - 1>     &position)
+  {
+    const IndenterPath &path = model.load_program.path();
+    if (path.is_at_rest())
+      return;
+    const auto symmetric =
+      directions_of_symmetry(model, triangulation, position);
+    for (; !steps.finished(); steps.advance())
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        if (symmetric[d] && path.displacement(steps.next_time())[d] != 0.)
+          throw InputError(
+            "Loading/Path",
+            loading.path,
+            std::string("the indenter stands on a plane of symmetry across ") +
+              "xy"[d] +
+              ", beyond which its mirror image would move the other way. Let "
+              "it move along that plane, or model the whole body.");
+  }
+
+
+
   template void
   check_loads(const Model<2> &,
               const LoadProgram &,
@@ -145,6 +208,12 @@ namespace ElastoPlastic
               const LoadingParameters &,
               const ContactSet<2> &);
   template void
+  check_path(const Model<2> &,
+             TimeSteps,
+             const LoadingParameters &,
+             const Triangulation<2> &,
+             const Point<1> &);
+  template void
   check_loads(const Model<3> &,
               const LoadProgram &,
               TimeSteps,
@@ -160,4 +229,10 @@ namespace ElastoPlastic
               TimeSteps,
               const LoadingParameters &,
               const ContactSet<3> &);
+  template void
+  check_path(const Model<3> &,
+             TimeSteps,
+             const LoadingParameters &,
+             const Triangulation<3> &,
+             const Point<2> &);
 } // namespace ElastoPlastic

@@ -52,10 +52,31 @@ namespace
 
 
 
+  /// Whether friction that is a little larger holds a node, and one that is a
+  /// little smaller does not.
+  template <int dim>
+  bool
+  is_at_limit(const ContactForce<dim>  &force,
+              const TangentVector<dim> &slope,
+              const double              share)
+  {
+    const auto sticks = [&](const double coefficient) {
+      FrictionState<dim> state;
+      CoulombFriction<dim>(coefficient, 1.)
+        .update(state, force, {}, slope, share, 1.);
+      return state.sticks;
+    };
+    return sticks((1. + 1e-8) * mu) && !sticks((1. - 1e-8) * mu);
+  }
+
+
+
   template <int dim>
   void
-  check_force()
+  check_force(const double share)
   {
+    output() << "  Of the vertical force on the indenter, 1/" << share
+             << " acts on the node" << std::endl;
     const CoulombFriction<dim> friction(mu, 1.);
     const TangentVector<dim>   slip = vector<dim>(-0.02, 0.05);
     const auto                 here = surface<dim>({});
@@ -64,13 +85,18 @@ namespace
     const double               way = std::sqrt(tangent_product(slip, slip, b));
     state                          = {false, slip / way, 1. / way};
 
-    const auto              law = friction.force_slope(here, state, slip, 1.);
+    const auto law = friction.force_slope(here, state, slip, share);
     const ContactForce<dim> force(2., -2. * law.value, b);
+    const ContactForce<dim> of_others((share - 1.) * 2.,
+                                      -(share - 1.) * 2. * b,
+                                      b);
     const double            tangential =
       std::sqrt(tangent_product(force.tangential, force.tangential, b));
     verify("  tangential over normal force",
-           std::abs(tangential / force.normal - mu),
+           std::abs(tangential / (force.normal + of_others.normal) - mu),
            1e-14);
+    verify("  at the limit of the switching test",
+           is_at_limit(force, b, share));
     verify("  in the direction of the slip",
            (force.tangential / tangential - state.direction).norm(),
            1e-14);
@@ -82,7 +108,7 @@ namespace
         TangentVector<dim> step;
         step[j]       = h;
         const auto at = [&](const TangentVector<dim> &x) {
-          return friction.force_slope(surface<dim>(x), state, slip + x, 1.)
+          return friction.force_slope(surface<dim>(x), state, slip + x, share)
             .value;
         };
         const auto quotient = (at(step) - at(-step)) / (2. * h);
@@ -141,7 +167,8 @@ namespace
   check()
   {
     output() << dim << "D" << std::endl;
-    check_force<dim>();
+    check_force<dim>(1.);
+    check_force<dim>(1.6);
     check_switching<dim>();
   }
 } // namespace

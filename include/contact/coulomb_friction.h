@@ -4,6 +4,7 @@
 #ifndef contact_coulomb_friction_h
 #define contact_coulomb_friction_h
 
+#include <cmath>
 #include <cstdint>
 
 #include "contact/indenter.h"
@@ -27,10 +28,11 @@ namespace ElastoPlastic
 
 
 
-  /// The force of a node of the body on the indenter, split.
+  /// The force of a node of the body on the indenter, and how it splits.
   template <int dim>
   struct ContactForce
   {
+    double vertical;
     /// In the direction of the normal (-b, 1)/sqrt(1 + b^2).
     double             normal;
     TangentVector<dim> tangential;
@@ -107,12 +109,13 @@ namespace ElastoPlastic
                 const TangentVector<dim> &slope,
                 const double              penetration) const;
 
-    /// The switching test for a node of @p area: it sticks if the force and the
-    /// stiffness of the surface times its @p slip add up to less than friction,
-    /// else it slips in the direction of that sum @cite
-    /// hueeber_stadler_wohlmuth_2008, but sticks first before it turns back.
-    /// @p share is by how much the force on the indenter is larger than the one
-    /// at the node.
+    /// The switching test: a node sticks if its force and the stiffness of the
+    /// surface times its @p slip add up to less than friction, else it slips in
+    /// the direction of that sum @cite hueeber_stadler_wohlmuth_2008, but
+    /// sticks first before it turns back. @p length times the modulus is that
+    /// stiffness. @p share is by how much the vertical force on the indenter is
+    /// larger than the one at the node; the nodes that bear the rest have no
+    /// friction of their own, this one has it for them.
     /// @return whether the node has begun to stick or to slip.
     bool
     update(FrictionState<dim>       &state,
@@ -120,7 +123,7 @@ namespace ElastoPlastic
            const TangentVector<dim> &slip,
            const TangentVector<dim> &slope,
            const double              share,
-           const double              area) const;
+           const double              length) const;
 
     /// The law at a node that slips, with the present @p slip.
     /// @throws ConvergenceError where the flank is so steep that friction

@@ -125,6 +125,10 @@ namespace ElastoPlastic
     double
     residual_line_search(const Vector &base, const Vector &direction);
 
+    /// That norm at u, with its residual; infinite where there are no forces.
+    double
+    trial_norm();
+
     /// Whether u is as good as it can be told in the presence of rounding:
     /// the energy has not grown visibly and its slope along @p direction has
     /// shrunk @cite hager_zhang_2005.

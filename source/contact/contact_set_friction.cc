@@ -120,7 +120,8 @@ namespace ElastoPlastic
   {
     if (!friction.dissipates())
       return false;
-    bool changed = false;
+    const bool is_plane = dim == 2 && kinematics != Kinematics::axisymmetric;
+    bool       changed  = false;
     for (Node &node : candidates)
       if (node.active && std::find(node.free.begin(), node.free.end(), true) !=
                            node.free.end())
@@ -131,7 +132,7 @@ namespace ElastoPlastic
                                      slip(node, u),
                                      surface.slope,
                                      share(node),
-                                     node.area);
+                                     is_plane ? 1. : std::sqrt(node.area));
         }
     return Utilities::MPI::logical_or(changed, communicator);
   }

@@ -35,7 +35,8 @@ namespace ElastoPlastic
   ContactForce<dim>::ContactForce(const double              vertical,
                                   const TangentVector<dim> &horizontal,
                                   const TangentVector<dim> &slope)
-    : normal((vertical - slope * horizontal) / std::sqrt(1. + slope * slope))
+    : vertical(vertical)
+    , normal((vertical - slope * horizontal) / std::sqrt(1. + slope * slope))
     , tangential(horizontal + normal / std::sqrt(1. + slope * slope) * slope)
   {}
 
@@ -68,9 +69,11 @@ namespace ElastoPlastic
                                     const TangentVector<dim> &slope,
                                     const double              penetration) const
   {
+    if (!dissipates())
+      return {};
     const double way    = length(slip, slope);
     const double excess = way - coefficient * std::max(penetration, 0.);
-    if (!dissipates() || excess <= 0.)
+    if (excess <= 0.)
       return {};
     return {false, slip / way, 1. / excess};
   }
@@ -87,16 +90,19 @@ namespace ElastoPlastic
                                const TangentVector<dim> &slip,
                                const TangentVector<dim> &slope,
                                const double              share,
-                               const double              area) const
+                               const double              extent) const
   {
     if (!dissipates())
       return false;
-    const double stiffness = modulus * (dim == 3 ? std::sqrt(area) : 1.);
-    const bool   has_stuck = state.sticks;
+    const double             stiffness = modulus * extent;
+    const bool               has_stuck = state.sticks;
     const TangentVector<dim> trial     = force.tangential + stiffness * slip;
     const double             magnitude = length(trial, slope);
-    const double             limit     = coefficient * share * force.normal;
-    const bool               turns_back =
+    const double             limit =
+      coefficient *
+      (force.normal +
+       (share - 1.) * std::sqrt(1. + slope * slope) * force.vertical);
+    const bool turns_back =
       !state.sticks && tangent_product(trial, state.direction, slope) < 0.;
     if (magnitude <= (1. + rounding) * limit || turns_back || magnitude == 0.)
       state = {};
@@ -110,9 +116,11 @@ namespace ElastoPlastic
 
 
 
-  // With the normal m = (-b, 1)/L, L^2 = 1 + b^2, and the direction s of the
-  // slip, the force is N (m + mu s), and its horizontal part -(b - mu L s) / (1
-  // + mu L b.s) times the vertical one.
+  // With the normal m = (-b, 1)/L, L^2 = 1 + b^2, the direction s of the slip
+  // and e = L s, a vertical force V at the node and (share - 1) V at others,
+  // which press without friction, the force at the node is N m + T s with T =
+  // mu (N + (share - 1) L V). Its horizontal part is -(b - mu f) / (1 + mu b.e)
+  // times V, with f = share e + (share - 1) (b.e) b.
   template <int dim>
   ForceSlope<dim>
   CoulombFriction<dim>::force_slope(const IndenterSurface<dim> &surface,
@@ -120,7 +128,7 @@ namespace ElastoPlastic
                                     const TangentVector<dim>   &slip,
                                     const double                share) const
   {
-    const double              mu = coefficient * share;
+    const double              mu = coefficient;
     const TangentVector<dim> &b  = surface.slope;
     const double              L  = std::sqrt(1. + b * b);
     const TangentVector<dim>  s  = state.direction / length(state.direction, b);
@@ -136,7 +144,8 @@ namespace ElastoPlastic
         "degrees. Check 'Contact/Friction coefficient' and 'Indenter'.");
 
     ForceSlope<dim> result;
-    result.value = (b - mu * e) / quotient;
+    result.value =
+      (b - mu * (share * e + (share - 1.) * (b * e) * b)) / quotient;
     for (unsigned int j = 0; j < dim - 1; ++j)
       {
         TangentVector<dim> change_of_b, change_of_slip;
@@ -151,9 +160,12 @@ namespace ElastoPlastic
           (b * change_of_b) / (L * L) * e +
           L * (state.turning * (across(change_of_slip) + change_along * s) -
                shrinking * s);
+        const double change_of_be = change_of_b * e + b * change_of_e;
+        const TangentVector<dim> change_of_f =
+          share * change_of_e +
+          (share - 1.) * (change_of_be * b + (b * e) * change_of_b);
         const TangentVector<dim> change =
-          (change_of_b - mu * change_of_e -
-           mu * (change_of_b * e + b * change_of_e) * result.value) /
+          (change_of_b - mu * (change_of_f + change_of_be * result.value)) /
           quotient;
         for (unsigned int i = 0; i < dim - 1; ++i)
           result.derivative[i][j] = change[i];

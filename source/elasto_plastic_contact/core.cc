@@ -101,7 +101,14 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::check_contact() const
   {
     if (gap_function.has_indenter())
-      check_reach(load_program, time_steps, parameters.loading, contact);
+      {
+        check_reach(load_program, time_steps, parameters.loading, contact);
+        check_path(model,
+                   time_steps,
+                   parameters.loading,
+                   triangulation,
+                   gap_function.position());
+      }
     imprint.check_lines(contact_surface());
   }
 

@@ -53,7 +53,8 @@ namespace ElastoPlastic
   // Around the contact, as it is and as it will be soon: when some cells are
   // too large, others are refined at the same time, so that the next steps can
   // do with that mesh. Cells of the first mesh stay. Where the errors of the
-  // solution decide, too, they do not coarsen that zone.
+  // solution decide, too, they do not coarsen that zone; nor does an indenter
+  // that moves sideways coarsen its groove.
   template <int dim>
   bool
   ElastoPlasticContact<dim>::mark_contact_zone()
@@ -69,11 +70,13 @@ namespace ElastoPlastic
         return zone.element_size(x, reach, n_over_radius, growth);
       };
     };
-    const auto strategy = parameters.refinement.strategy;
+    const bool coarsens =
+      parameters.refinement.strategy == RefinementStrategy::none &&
+      load_program.path().is_at_rest();
     return (adaptation_is_due() ||
             has_larger_cells<dim>(sizes_after(0.05), triangulation)) &&
            flag_larger_cells<dim>(sizes_after(0.2),
-                                  strategy == RefinementStrategy::none ?
+                                  coarsens ?
                                     std::make_optional(finest_first_level) :
                                     std::nullopt,
                                   triangulation);
@@ -135,7 +138,8 @@ namespace ElastoPlastic
 
 
   // As it unloads, the contact stays on the mesh that its largest area has
-  // asked for; the stiffness of an unloading is that of one mesh.
+  // asked for; the stiffness of an unloading is that of one mesh. It moves
+  // sideways over a mesh that keeps what it has left behind.
   template <int dim>
   bool
   ElastoPlasticContact<dim>::mark_adapted_mesh()
@@ -151,7 +155,8 @@ namespace ElastoPlastic
       clear_flags(triangulation);
     const bool outgrows_mesh =
       !load_program.is_segment_end(last_step.result.time) &&
-      last_step.result.contact_area >= largest_contact_area &&
+      (last_step.result.contact_area >= largest_contact_area ||
+       !load_program.path().is_at_rest()) &&
       mark_contact_zone();
     return outgrows_mesh ? next_mesh_is_allowed() : is_due;
   }

@@ -172,6 +172,11 @@ namespace ElastoPlastic
                          last_step.displacement,
                        sideways_position(time_steps.next_time()) -
                          sideways_position(last_step.result.time));
+    if (contact.force() > 0. && contact.n_candidates() == 0)
+      throw ConvergenceError(
+        "The indenter has left the contact boundary: there is nothing below it "
+        "that could bear 'Loading/Force'. Check 'Loading/Path', or model more of "
+        "the body.");
     contact.activate_touching(displacement);
     ContactProblem<dim> problem(*solid,
                                 supports,

@@ -190,6 +190,11 @@ namespace ElastoPlastic
         "an indenter that moves sideways is not axisymmetric. Set "
         "'Dimension = 3'.");
     const bool has_friction = contact.friction_coefficient() > 0.;
+    if (!indenter.is_present() && (has_friction || !loading.path.empty()))
+      throw InputError(has_friction ? "Contact/Friction coefficient" :
+                                      "Loading/Path",
+                       has_friction ? contact.friction : loading.path,
+                       "there is no indenter: 'Indenter/Type = none'.");
     if (analysis != Analysis::contact &&
         (has_friction || !loading.path.empty()))
       throw InputError(

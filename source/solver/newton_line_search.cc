@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <cmath>
+#include <limits>
 
 #include "base/exceptions.h"
 #include "solver/newton_iteration.h"
@@ -75,8 +76,7 @@ namespace ElastoPlastic
         u = base;
         u.add(fraction, direction);
         problem.return_to_bounds(u);
-        problem.compute_residual(residual, u);
-        if (compute_free_norm() <=
+        if (trial_norm() <=
             std::max((1. - 1e-4 * fraction) * start_norm, negligible))
           {
             current_energy = problem.energy(u);
@@ -86,6 +86,22 @@ namespace ElastoPlastic
     u = base;
     evaluate();
     return 0.;
+  }
+
+
+
+  double
+  NewtonIteration::trial_norm()
+  {
+    try
+      {
+        problem.compute_residual(residual, u);
+        return compute_free_norm();
+      }
+    catch (const ConvergenceError &)
+      {
+        return std::numeric_limits<double>::infinity();
+      }
   }
 
 
