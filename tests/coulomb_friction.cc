@@ -75,8 +75,8 @@ namespace
   void
   check_force(const double share)
   {
-    output() << "  Of the vertical force on the indenter, 1/" << share
-             << " acts on the node" << std::endl;
+    output() << "  The indenter bears " << share
+             << " times the vertical force of the node" << std::endl;
     const CoulombFriction<dim> friction(mu, 1.);
     const TangentVector<dim>   slip = vector<dim>(-0.02, 0.05);
     const auto                 here = surface<dim>({});
