@@ -48,15 +48,14 @@ namespace ElastoPlastic
               const ContactSet<dim>   &contact);
 
   /// An indenter that stands on planes of symmetry, which are rollers through
-  /// its @p position, must stay on them. Its path must be known at the ends of
-  /// all steps ahead of @p steps. Collective. @throws InputError
+  /// its first position, must stay on them. Its path must be known at the ends
+  /// of all steps ahead of @p steps. Collective. @throws InputError
   template <int dim>
   void
   check_path(const Model<dim>         &model,
              TimeSteps                 steps,
              const LoadingParameters  &loading,
-             const Triangulation<dim> &triangulation,
-             const Point<dim - 1>     &position);
+             const Triangulation<dim> &triangulation);
 } // namespace ElastoPlastic
 
 #endif

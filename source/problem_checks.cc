@@ -33,15 +33,15 @@ namespace ElastoPlastic
 
 
 
-    /// The horizontal directions across which rollers through @p position hold
-    /// the body.
+    /// The horizontal directions across which rollers through the indenter's
+    /// first position hold the body.
     template <int dim>
     std::array<bool, dim - 1>
     directions_of_symmetry(const Model<dim>         &model,
-                           const Triangulation<dim> &triangulation,
-                           const Point<dim - 1>     &position)
+                           const Triangulation<dim> &triangulation)
     {
-      const auto rollers =
+      const Point<dim - 1> &position = model.indenter.position;
+      const auto            rollers =
         model.boundary_conditions.ids(BoundaryConditionType::roller);
       std::array<unsigned int, dim - 1> found = {};
       for (const auto &cell : triangulation.active_cell_iterators())
@@ -169,24 +169,26 @@ namespace ElastoPlastic
   check_path(const Model<dim>         &model,
              TimeSteps                 steps,
              const LoadingParameters  &loading,
-             const Triangulation<dim> &triangulation,
-             const Point<dim - 1>     &position)
+             const Triangulation<dim> &triangulation)
   {
     const IndenterPath &path = model.load_program.path();
     if (path.is_at_rest())
       return;
-    const auto symmetric =
-      directions_of_symmetry(model, triangulation, position);
+    const auto symmetric = directions_of_symmetry(model, triangulation);
     for (; !steps.finished(); steps.advance())
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        if (symmetric[d] && path.displacement(steps.next_time())[d] != 0.)
-          throw InputError(
-            "Loading/Path",
-            loading.path,
-            std::string("the indenter stands on a plane of symmetry across ") +
-              "xy"[d] +
-              ", beyond which its mirror image would move the other way. Let "
-              "it move along that plane, or model the whole body.");
+      {
+        const Tensor<1, 2> displacement = path.displacement(steps.next_time());
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          if (symmetric[d] && displacement[d] != 0.)
+            throw InputError(
+              "Loading/Path",
+              loading.path,
+              std::string(
+                "the indenter stands on a plane of symmetry across ") +
+                "xy"[d] +
+                ", beyond which its mirror image would move the other way. Let "
+                "it move along that plane, or model the whole body.");
+      }
   }
 
 
@@ -211,8 +213,7 @@ namespace ElastoPlastic
   check_path(const Model<2> &,
              TimeSteps,
              const LoadingParameters &,
-             const Triangulation<2> &,
-             const Point<1> &);
+             const Triangulation<2> &);
   template void
   check_loads(const Model<3> &,
               const LoadProgram &,
@@ -233,6 +234,5 @@ namespace ElastoPlastic
   check_path(const Model<3> &,
              TimeSteps,
              const LoadingParameters &,
-             const Triangulation<3> &,
-             const Point<2> &);
+             const Triangulation<3> &);
 } // namespace ElastoPlastic

@@ -103,11 +103,7 @@ namespace ElastoPlastic
     if (gap_function.has_indenter())
       {
         check_reach(load_program, time_steps, parameters.loading, contact);
-        check_path(model,
-                   time_steps,
-                   parameters.loading,
-                   triangulation,
-                   gap_function.position());
+        check_path(model, time_steps, parameters.loading, triangulation);
       }
     imprint.check_lines(contact_surface());
   }
