@@ -6,7 +6,7 @@
 
 namespace ElastoPlastic
 {
-  /// E^T A E, on reduced vectors.
+  /// The tangent with ReducedUnknowns, on reduced vectors.
   class TangentSolver::ReducedTangent
   {
   public:
