@@ -71,6 +71,47 @@ def mindlin_cylinder(runner):
     runner.compare("full slip: stick area", row["stick_area"], 0, 0, absolute=True)
 
 
+def mindlin_sphere(runner):
+    """A sphere pushed to the side: stick radius by Mindlin; some 4 minutes on one processor."""
+    for row in runner.history("friction/mindlin_sphere.prm")[1:]:
+        ratio = row["tangential_force_x"] / (MU * row["force"])
+        runner.compare(f"Q/(mu P) = {ratio:.3f}: c/a", math.sqrt(row["stick_area"] / row["contact_area"]),
+                       (1 - ratio) ** (1 / 3), 0.02)
+
+
+def sliding_mesh(runner):
+    """A cylinder that slides farther than its contact is wide: the mesh goes with it."""
+    rows = runner.history(MINDLIN, "Loading/History=1: force 836.8 | 2: force 836.8", "Loading/Path=1: 0 | 2: 0.5",
+                          "Loading/Number of steps=20", "Refinement/Elements over contact radius=8",
+                          "Contact/Friction coefficient=0.1")
+    sliding = [row for row in rows if row["time"] > 1.2]
+    for name in ("depth", "contact_area"):
+        values = [row[name] for row in sliding]
+        runner.compare(f"largest over smallest {name}", max(values) / min(values), 1, 0.02)
+    for row in (sliding[0], sliding[-1]):
+        runner.compare("full slip: Q", row["tangential_force_x"], 0.1 * row["force"], 1e-8)
+    runner.compare("contact width", sliding[-1]["contact_area"], 0.4, 0.02)
+
+
+def friction_symmetries(runner):
+    """A cylinder pushed the other way, and in other units: the same."""
+    push = ("Loading/History=1: force 836.8 | 2: force 836.8", "Loading/Path=1: 0 | 2: 0.003")
+    rows = of_curve(runner.history(MINDLIN, *COARSE, *push))
+    mirrored = of_curve(runner.history(MINDLIN, *COARSE, push[0], "Loading/Path=1: 0 | 2: -0.003"))
+    for row in mirrored:
+        row["tangential_force_x"] *= -1
+    runner.compare("pushed the other way", largest_difference(rows, mirrored), 0, 1e-9, absolute=True)
+    in_metres = of_curve(runner.history(
+        MINDLIN, *COARSE, "Geometry/Lower corner=-0.016, -0.016", "Geometry/Upper corner=0.016, 0", "Geometry/Local radius=0.008",
+        "Material/Young's modulus=200e9", "Indenter/Radius=0.01", "Loading/History=1: force 836.8e3 | 2: force 836.8e3",
+        "Loading/Path=1: 0 | 2: 3e-6"))
+    powers = {"depth": -3, "force": 3, "tangential_force_x": 3, "contact_area": -3, "frictional_dissipation": 0}
+    for row in in_metres:
+        for name, power in powers.items():
+            row[name] /= 10 ** power
+    runner.compare("in metres, pascals", largest_difference(rows, in_metres), 0, 1e-9, absolute=True)
+
+
 def check_energy(runner, rows):
     """The work of the indenter, by the trapezoidal rule, reaches the body or is friction."""
     work, before = 0, {"depth": 0, "force": 0, "tangential_force_x": 0, "path": 0}

@@ -18,7 +18,8 @@ from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, er
                                 error_bound_ranks, error_bound_refinement, limit_load, safe_load)
 from .finite_strain import (cone_in_space, finite_cone, finite_strain, finite_strain_ranks,
                             finite_strain_resume, published_cones, pyramids, symmetric_bodies)
-from .friction import bonded_punch, friction_ranks, friction_resume, mindlin_cylinder, spence, ssnv128
+from .friction import (bonded_punch, friction_ranks, friction_resume, friction_symmetries, mindlin_cylinder,
+                       mindlin_sphere, sliding_mesh, spence, ssnv128)
 from .hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
 from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
@@ -283,7 +284,8 @@ ALL = {
                      error_bound_refinement, equilibrium_hertz, equilibrium_limit, zero_stress,
                      zero_force, far_indenter, contrast, nearly_incompressible, job_preview,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
-                     ssnv128, bonded_punch, spence, mindlin_cylinder, friction_ranks, friction_resume,
+                     ssnv128, bonded_punch, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
+                     friction_symmetries, friction_ranks, friction_resume,
                      symmetric_bodies, cone_in_space, pyramids)
 }
 
