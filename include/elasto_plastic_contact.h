@@ -16,6 +16,7 @@
 #include "contact/contact_set.h"
 #include "contact/contact_zone.h"
 #include "contact/gap_function.h"
+#include "contact_problem.h"
 #include "error_bound_analysis.h"
 #include "evaluation/boundary_displacements.h"
 #include "evaluation/imprint.h"
@@ -154,6 +155,10 @@ namespace ElastoPlastic
     solve();
     void
     find_equilibrium(SolveResult &result);
+    ContactProblem<dim>
+    problem_with(ContactSet<dim> &contact);
+    VectorType
+    displacement_at(const double depth);
     void
     check_force_balance(SolveResult &result);
     void

@@ -4,6 +4,7 @@
 #ifndef error_bound_analysis_h
 #define error_bound_analysis_h
 
+#include <functional>
 #include <optional>
 
 #include "contact/gap_function.h"
@@ -46,12 +47,17 @@ namespace ElastoPlastic
       unsigned int         cycle;
     };
 
-    /// Computes the bound, and adds a row to error_bound.csv. Collective.
-    /// @return the bound of the norm of the difference between the exact
-    /// stresses and those in equilibrium, sqrt(int (sigma - tau) : C^-1 (sigma
+    /// Solves the displacement method on the same mesh for another depth.
+    /// Collective. @throws ConvergenceError
+    using DisplacementAt = std::function<VectorType(const double depth)>;
+
+    /// Computes the bound and those of force or depth, and adds a row to
+    /// error_bound.csv. Collective. @return the bound of the norm of the
+    /// difference between the exact stresses and those in equilibrium, sqrt(int
+    /// (sigma - tau) : C^-1 (sigma
     /// - tau) dx); infinity if none has been found. @throws FileError
     double
-    evaluate(const Solution &solution);
+    evaluate(const Solution &solution, const DisplacementAt &displacement_at);
 
     /// The parts of the last bound, for each active cell of this rank; the
     /// squares add up to that of the bound.
@@ -75,6 +81,37 @@ namespace ElastoPlastic
     StressField
     equilibrate(const PlaneBody &body, const Load &load) const;
 
+    /// Bounds of the force at the given depth, or of the depth under the given
+    /// force: slopes of Pi and J, convex functions of it (doc/theory.md, "Force
+    /// between bounds"). Collective.
+    void
+    bound_load(ErrorBoundRow        &row,
+               const Solution       &solution,
+               const DisplacementAt &displacement_at);
+
+    /// Pi + J of the displacement method at another @p depth and the stresses
+    /// of the last bound; infinite without that displacement. Collective.
+    double
+    energy_gap_at_depth(const double          depth,
+                        const Solution       &solution,
+                        const DisplacementAt &displacement_at);
+
+    /// Pi + J of the displacement of the last bound and stresses in equilibrium
+    /// with another @p force; infinite if there are none. Collective.
+    double
+    energy_gap_under_force(const double force, const Solution &solution);
+
+    /// And its parts, on the first rank, which count for the bounds of the
+    /// load.
+    double
+    energy_gap(const QuadraticField &displacement,
+               const double          depth,
+               const StressField    &stress);
+
+    /// What @p function returns there, on all ranks. Collective.
+    double
+    on_first_rank(const std::function<double()> &function) const;
+
     const Model<2>       &model;
     const Parameters     &parameters;
     const MPI_Comm        communicator;
@@ -91,6 +128,7 @@ namespace ElastoPlastic
     StressField         stress;
     QuadraticField      displacement;
     std::vector<double> errors; ///< by triangles
+    std::vector<double> errors_of_load;
   };
 } // namespace ElastoPlastic
 

@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -63,12 +64,14 @@ namespace ElastoPlastic
   // Close to the limit load, a coarse mesh may have no stresses in equilibrium
   // with the force that satisfy the yield condition; the next mesh may.
   double
-  ErrorBoundAnalysis::evaluate(const Solution &solution)
+  ErrorBoundAnalysis::evaluate(const Solution       &solution,
+                               const DisplacementAt &displacement_at)
   {
     reason_why_missing.clear();
     try
       {
-        const ErrorBoundRow row = find_bound(solution);
+        ErrorBoundRow row = find_bound(solution);
+        bound_load(row, solution, displacement_at);
         if (!table)
           {
             table.emplace(communicator,
@@ -141,9 +144,130 @@ namespace ElastoPlastic
                 bound.of_contact(),
                 stress.n_iterations,
                 stress_error,
-                timer.wall_time()};
+                timer.wall_time(),
+                {},
+                {}};
     });
     return Utilities::MPI::broadcast(communicator, row);
+  }
+
+
+
+  // The bounds are the farther apart the shorter the step, because of the gap
+  // between the energies, and the longer the step, because of their curvature:
+  // alike for these steps, if the force grows like the depth.
+  void
+  ErrorBoundAnalysis::bound_load(ErrorBoundRow        &row,
+                                 const Solution       &solution,
+                                 const DisplacementAt &displacement_at)
+  {
+    const double force = row.equilibrium_force, depth = solution.depth;
+    row.force_bounds = {force, force};
+    row.depth_bounds = {depth, depth};
+    if (!gap_function.has_indenter())
+      return;
+
+    constexpr double infinity    = std::numeric_limits<double>::infinity();
+    const bool       is_by_force = solution.load.control == Control::force;
+    auto            &bounds = is_by_force ? row.depth_bounds : row.force_bounds;
+    bounds                  = {-infinity, infinity};
+    const double energy =
+      std::abs((is_by_force ? force * depth : 0.) - row.complementary_energy);
+    if (force == 0. || energy == 0. || row.bound() <= 0.)
+      return;
+
+    errors_of_load.assign(errors.size(), 0.);
+    if (is_by_force)
+      {
+        const double step =
+          force * std::min(std::sqrt(row.bound() / energy), 0.5);
+        bounds = {depth - energy_gap_under_force(force - step, solution) / step,
+                  depth +
+                    energy_gap_under_force(force + step, solution) / step};
+      }
+    else
+      {
+        const double step = 2. * std::sqrt(row.bound() * energy) / force;
+        bounds            = {
+                     force -
+                       energy_gap_at_depth(depth - step, solution, displacement_at) / step,
+                     force + energy_gap_at_depth(depth + step, solution, displacement_at) /
+                               step};
+      }
+    if (parameters.refinement.goal == RefinementGoal::force &&
+        std::isfinite(bounds.upper - bounds.lower))
+      errors = errors_of_load;
+  }
+
+
+
+  double
+  ErrorBoundAnalysis::energy_gap_at_depth(const double          depth,
+                                          const Solution       &solution,
+                                          const DisplacementAt &displacement_at)
+  {
+    try
+      {
+        QuadraticField field = interpolate_displacement(body.mesh,
+                                                        solution.dof_handler,
+                                                        displacement_at(depth));
+        return on_first_rank([&]() {
+          remove_penetration(field, body, depth);
+          return energy_gap(field, depth, stress);
+        });
+      }
+    catch (const ConvergenceError &)
+      {
+        return std::numeric_limits<double>::infinity();
+      }
+  }
+
+
+
+  double
+  ErrorBoundAnalysis::energy_gap_under_force(const double    force,
+                                             const Solution &solution)
+  {
+    try
+      {
+        return on_first_rank([&]() {
+          const StressField other = equilibrate_with_force(body, force);
+          require_admissible(body, other);
+          return energy_gap(displacement, solution.depth, other);
+        });
+      }
+    catch (const ConvergenceError &)
+      {
+        return std::numeric_limits<double>::infinity();
+      }
+  }
+
+
+
+  double
+  ErrorBoundAnalysis::energy_gap(const QuadraticField &displacement,
+                                 const double          depth,
+                                 const StressField    &stress)
+  {
+    const ErrorBound bound = bound_error(body, displacement, depth, stress);
+    const std::vector<double> parts = bound.indicators(body.mesh);
+    for (unsigned int t = 0; t < parts.size(); ++t)
+      errors_of_load[t] += parts[t];
+    return bound.total();
+  }
+
+
+
+  double
+  ErrorBoundAnalysis::on_first_rank(
+    const std::function<double()> &function) const
+  {
+    double result = 0;
+    rethrow_collectively(communicator, [&]() {
+      if (!body.mesh.triangles.empty())
+        result = function();
+    });
+    return Utilities::MPI::broadcast(communicator, result);
   }
 
 

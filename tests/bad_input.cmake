@@ -45,6 +45,8 @@ add_message_test(set_section 2 "no entry 'Geometry'" ${_base} --set "Geometry=bo
 add_entry_test(limit_load_3d "entry 'Dimension' is '3', but 'Analysis = limit load' is for two dimensions" "Analysis=limit load" Dimension=3)
 add_entry_test(limit_load_axisymmetric "entry 'Kinematics' is 'axisymmetric', but .*plane strain and plane stress" "Analysis=limit load" Kinematics=axisymmetric)
 add_entry_test(limit_load_hardening "entry 'Analysis' is 'limit load', but only a body of perfectly plastic materials" "Analysis=limit load")
+add_entry_test(goal_analysis "entry 'Refinement/Goal' is 'force', but only 'Analysis = contact with error bound' bounds the force" "Refinement/Goal=force")
+add_entry_test(goal_strategy "entry 'Refinement/Goal' is 'force', but only 'Refinement/Strategy = adaptive' has a goal" "Refinement/Goal=force" Refinement/Strategy=Kelly)
 add_entry_test(error_bound_3d "entry 'Dimension' is '3', but 'Analysis = contact with error bound' is for two dimensions" "Analysis=contact with error bound" Dimension=3)
 add_entry_test(error_bound_axisymmetric "entry 'Kinematics' is 'axisymmetric', but 'Analysis = contact with error bound' is for plane strain" "Analysis=contact with error bound" Kinematics=axisymmetric)
 add_entry_test(error_bound_history "entry 'Analysis' is 'contact with error bound', but .*one step from the virgin state" "Analysis=contact with error bound" "Loading/Number of steps=2")

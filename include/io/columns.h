@@ -41,6 +41,12 @@ namespace ElastoPlastic
   /// A row of error_bound.csv.
   struct ErrorBoundRow
   {
+    struct Interval
+    {
+      double lower, upper;
+    };
+
+
     unsigned int            cycle;
     unsigned int            cells;
     types::global_dof_index dofs;
@@ -53,6 +59,7 @@ namespace ElastoPlastic
     unsigned int            iterations;
     double                  stress_error;
     double                  wall_seconds;
+    Interval                force_bounds, depth_bounds;
 
     double
     bound() const

@@ -38,10 +38,25 @@ namespace ElastoPlastic
 
 
 
+  /// The bound that refinement shall make small, if there is one; see the entry
+  /// "Goal".
+  enum class RefinementGoal
+  {
+    energy,
+    force
+  };
+
+  template <>
+  inline const EnumNames<RefinementGoal> enum_names<RefinementGoal> = {
+    {"energy", RefinementGoal::energy}, {"force", RefinementGoal::force}};
+
+
+
   /// The entries of the section "Refinement".
   struct RefinementParameters
   {
     RefinementStrategy strategy            = RefinementStrategy::adaptive;
+    RefinementGoal     goal                = RefinementGoal::energy;
     unsigned int       n_cycles            = 1;
     unsigned int       max_unknowns        = 0;
     double             refinement_fraction = 0.3;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "contact_problem.h"
 #include "elasto_plastic_contact.h"
 #include "make_tangent_solver.h"
 #include "mechanics/external_forces.h"
@@ -178,15 +177,8 @@ namespace ElastoPlastic
         "that could bear 'Loading/Force'. Check 'Loading/Path', or model more of "
         "the body.");
     contact.activate_touching(displacement);
-    ContactProblem<dim> problem(*solid,
-                                supports,
-                                external_forces,
-                                contact,
-                                *tangent_solver,
-                                1e4 * body_size(triangulation),
-                                largest_forces,
-                                timer);
-    const NewtonReport  report = newton.solve(problem, displacement);
+    ContactProblem<dim> problem = problem_with(contact);
+    const NewtonReport  report  = newton.solve(problem, displacement);
     problem.compute_residual(residual, displacement);
     contact.settle(displacement);
 
@@ -201,6 +193,42 @@ namespace ElastoPlastic
         " of all forces, above 'Nonlinear solver/Tolerance': parts of the "
         "body are so stiff, or so nearly incompressible, that the rounding "
         "of the displacements does not allow for less.");
+  }
+
+
+
+  template <int dim>
+  ContactProblem<dim>
+  ElastoPlasticContact<dim>::problem_with(ContactSet<dim> &contact)
+  {
+    return {*solid,
+            supports,
+            external_forces,
+            contact,
+            *tangent_solver,
+            1e4 * body_size(triangulation),
+            largest_forces,
+            timer};
+  }
+
+
+
+  // What would be if the indenter were at that depth; all stays as it is.
+  template <int dim>
+  VectorType
+  ElastoPlasticContact<dim>::displacement_at(const double depth)
+  {
+    const SemismoothNewton newton(parameters.newton,
+                                  [this](const NewtonStep &) {
+                                    stop_if_requested();
+                                  });
+    ContactSet<dim>        contact_there(contact);
+    VectorType             result = displacement;
+    contact_there.set_load({Control::depth, depth});
+    contact_there.activate_touching(result);
+    ContactProblem<dim> problem = problem_with(contact_there);
+    newton.solve(problem, result);
+    return result;
   }
 
 
@@ -301,7 +329,10 @@ namespace ElastoPlastic
                                  result.depth,
                                  result.force,
                                  result.time,
-                                 cycle});
+                                 cycle},
+                                [this](const double depth) {
+                                  return displacement_at(depth);
+                                });
         if (!error_bound->why_missing().empty())
           return;
         if (parameters.refinement.strategy != RefinementStrategy::kelly)

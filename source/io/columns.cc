@@ -232,6 +232,10 @@ namespace ElastoPlastic
       {"bound_of_contact", "force x length", "the part of Pi + J that comes from the contact surface", &R::bound_of_contact},
       {"bound", "force x length", "Pi + J", &R::bound},
       {"relative_bound", "1", "the same over the magnitude of J", [](const R &r) { return r.bound() / std::abs(r.complementary_energy); }},
+      {"force_lower_bound", "force", "the exact force is not smaller; -inf if no bound has been found", [](const R &r) { return r.force_bounds.lower; }},
+      {"force_upper_bound", "force", "nor larger. If a force is given, both are that", [](const R &r) { return r.force_bounds.upper; }},
+      {"depth_lower_bound", "length", "the exact depth is not smaller; -inf if no bound has been found", [](const R &r) { return r.depth_bounds.lower; }},
+      {"depth_upper_bound", "length", "nor larger. If a depth is given, both are that", [](const R &r) { return r.depth_bounds.upper; }},
       {"iterations", "1", "of the interior point method", &R::iterations},
       {"stress_error", "1", "the largest violation of equilibrium, tractions or yield condition", &R::stress_error},
       {"wall_seconds", "seconds", "of the equilibrium method and the bound", &R::wall_seconds}};

@@ -135,6 +135,12 @@ namespace ElastoPlastic
     material.check();
     indenter.check(dimension);
     refinement.check();
+    if (refinement.goal == RefinementGoal::force &&
+        analysis != Analysis::contact_with_error_bound)
+      throw InputError("Refinement/Goal",
+                       Patterns::Tools::to_string(refinement.goal),
+                       "only 'Analysis = contact with error bound' bounds the "
+                       "force. Choose 'energy'.");
     newton.check();
     output.check();
     evaluation.check();

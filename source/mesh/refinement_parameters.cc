@@ -38,6 +38,13 @@ namespace ElastoPlastic
                       "the errors are those that the analysis bounds, and for "
                       "'Analysis = contact', as for Kelly, estimated by the "
                       "jumps of the strain.");
+    prm.add_parameter("Goal",
+                      goal,
+                      "For 'Analysis = contact with error bound' with the "
+                      "strategy adaptive: whether cells are refined where they "
+                      "add most to the bound of the error (energy), or to the "
+                      "distance between the bounds of the force, if a depth is "
+                      "given, or of the depth (force).");
     prm.add_parameter("Number of cycles",
                       n_cycles,
                       "The number of meshes on which the problem is solved, "
@@ -96,6 +103,11 @@ namespace ElastoPlastic
                        std::to_string(n_cycles),
                        "'Refinement/Strategy = none' allows one cycle only. "
                        "Choose the strategy global or adaptive.");
+    if (goal == RefinementGoal::force &&
+        strategy != RefinementStrategy::adaptive)
+      throw InputError("Refinement/Goal",
+                       Patterns::Tools::to_string(goal),
+                       "only 'Refinement/Strategy = adaptive' has a goal.");
     if (!is_adaptive() && adaptation_interval > 0)
       throw InputError(
         "Refinement/Steps between adaptations",

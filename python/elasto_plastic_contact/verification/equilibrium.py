@@ -133,6 +133,23 @@ def error_bound(runner):
         runner.verify(f"order of the stresses {stress_order:.2f}", stress_order > 0.5)
 
 
+def force_bounds(runner):
+    """A cylinder: force or depth of a finer mesh between their bounds, which close in."""
+    case, depth = "cylinder_2d.prm", 0.01
+    for law in LAWS:
+        entries = (f"Material/Law={law}", "Refinement/Strategy=adaptive")
+        force = runner.run(case, *entries, f"Loading/Depth={depth}", "Refinement/Number of cycles=7")[-1]["force"]
+        bounded = ("Analysis=contact with error bound", "Refinement/Number of cycles=3", *entries)
+        for name, exact, loading in (
+                ("force", force, (f"Loading/Depth={depth}", "Refinement/Goal=force")),
+                ("depth", depth, ("Loading/Control=force", f"Loading/Force={force}"))):
+            rows = runner.tables(case, *bounded, *loading)["error_bound"]
+            for row in rows:
+                lower, upper = row[f"{name}_lower_bound"], row[f"{name}_upper_bound"]
+                runner.verify(f"{law}: {lower:.6g} <= {name} {exact:.6g} <= {upper:.6g}", lower <= exact <= upper)
+            runner.verify("within 30 %", upper - lower < 0.3 * exact)
+
+
 def order(rows, name):
     """Of convergence, from the last two uniform meshes."""
     return math.log2(rows[-2][name] / rows[-1][name])

@@ -15,7 +15,8 @@ from . import uniaxial as exact_uniaxial
 from .contact_edge import contact_edge, contact_mesh
 from .runner import E, E_STAR, NU, Runner, add_program
 from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, error_bound,
-                                error_bound_ranks, error_bound_refinement, limit_load, safe_load)
+                                error_bound_ranks, error_bound_refinement, force_bounds, limit_load,
+                          safe_load)
 from .finite_strain import (cone_in_space, finite_cone, finite_strain, finite_strain_ranks,
                             finite_strain_resume, published_cones, pyramids, symmetric_bodies)
 from .friction import (bonded_punch, friction_ranks, friction_resume, friction_symmetries, mindlin_cylinder,
@@ -281,7 +282,7 @@ ALL = {
                      sphere_indentation, cone_indentation, contact_edge, contact_mesh, imprint,
                      imprint_ranks, probes, mean_strain_of_rings, strip_punch, strip_punch_locks,
                      limit_load, blas_kernels, safe_load, error_bound, error_bound_ranks,
-                     error_bound_refinement, equilibrium_hertz, equilibrium_limit, zero_stress,
+                     error_bound_refinement, force_bounds, equilibrium_hertz, equilibrium_limit, zero_stress,
                      zero_force, far_indenter, contrast, nearly_incompressible, job_preview,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
                      ssnv128, bonded_punch, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
