@@ -81,15 +81,15 @@ namespace ElastoPlastic
                const unsigned int       t,
                const unsigned int       subtriangle)
     {
-      const auto &[body, stress_field, field, errors] = fields;
+      const auto &[body, stress_field, motion, errors] = fields;
       const auto &triangle                            = body.mesh.triangles[t];
       const auto  corners =
         JohnsonMercier::subtriangle_of(body.mesh.corners(triangle),
                                        subtriangle);
       const std::array<Tensor<1, 2>, 3> motions = {
-        {field.at_vertices[triangle.vertices[subtriangle]],
-         field.at_vertices[triangle.vertices[(subtriangle + 1) % 3]],
-         value_at_center(field, triangle)}};
+        {motion[t][subtriangle],
+         motion[t][(subtriangle + 1) % 3],
+         motion[t][3]}};
 
       const auto multipliers =
         JohnsonMercier::on_subtriangle(stress_field.displacement[t],
