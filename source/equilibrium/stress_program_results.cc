@@ -5,6 +5,7 @@
 #include "equilibrium/interior_point.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/local_algebra.h"
+#include "equilibrium/local_stresses.h"
 #include "equilibrium/stress_program.h"
 #include "equilibrium/yield_conditions.h"
 
@@ -32,7 +33,7 @@ namespace ElastoPlastic
           t,
           strain_moments(t, values, solution.z.begin() + layout.rows[t]),
           solution.y));
-        values *= body.stress_unit;
+        values *= body.stress_unit * body.weight_unit();
         field.in_plane.emplace_back(JohnsonMercier::n_values);
         field.out_of_plane.emplace_back();
         for (unsigned int p = 0; p < JohnsonMercier::n_points; ++p)
@@ -42,18 +43,17 @@ namespace ElastoPlastic
                 values[n_stress_components * p + c];
             field.out_of_plane[t][p] = values[n_stress_components * p + 3];
           }
+        if (out_of_plane == OutOfPlaneStress::circumferential)
+          {
+            Vector<double> of_subtriangles(3);
+            LocalStresses::circumferential_matrix(body, t).vmult(
+              of_subtriangles, field.in_plane[t]);
+            of_subtriangles /= body.length_unit;
+            field.circumferential.push_back(
+              {{of_subtriangles[0], of_subtriangles[1], of_subtriangles[2]}});
+          }
       }
-    for (unsigned int i = 0; i < contact_sides.size(); ++i)
-      for (unsigned int end = 0; end < 2; ++end)
-        {
-          const unsigned int s = contact_sides[i];
-          const double       force =
-            body.stress_unit * body.length_unit *
-            solution.x[layout.unknowns[n_triangles + i] + end];
-          field.pressure[s][end] =
-            2. * force / body.mesh.length(body.mesh.sides[s]);
-          field.force += force;
-        }
+    set_pressure(field, solution.x.begin() + layout.unknowns[n_triangles]);
     if (program.n_dense_rows > 0)
       field.depth = -body.strain_unit * body.length_unit *
                     solution.y[solution.y.size() - 1];
@@ -67,8 +67,34 @@ namespace ElastoPlastic
 
 
 
+  // From the axis on, the weighted pressure is in proportion to r: there, the
+  // pressure is that of the other end.
+  void
+  StressProgram::set_pressure(StressField &field, const double *forces) const
+  {
+    for (unsigned int i = 0; i < contact_ends.size(); ++i)
+      {
+        const auto [s, end]         = contact_ends[i];
+        const SplitMesh::Side &side = body.mesh.sides[s];
+        const auto             at   = [&](const unsigned int e) {
+          return body.mesh.vertices[side.vertices[e]];
+        };
+        const double pressure = 2. * forces[i] * body.stress_unit *
+                                body.length_unit * body.weight_unit() /
+                                (body.mesh.length(side) * body.weight(at(end)));
+        field.pressure[s][end] = pressure;
+        if (body.is_on_axis(at(1 - end)))
+          field.pressure[s][1 - end] = pressure;
+        field.force += force_unit() * vertical_part(i) * forces[i];
+      }
+  }
+
+
+
   // sigma_33 follows the others where it is their mean; where it is an unknown,
-  // its own derivative vanishes.
+  // its own derivative vanishes; where it is the circumferential stress, it
+  // changes u_h by the mean strain on the subtriangle, which the unknowns of
+  // displacement_of() include.
   Vector<double>
   StressProgram::strain_moments(const unsigned int    t,
                                 const Vector<double> &stress,
@@ -81,7 +107,8 @@ namespace ElastoPlastic
       {
         ConicBlock block(stress.size());
         ElastoPlastic::add_yield_conditions(block,
-                                            IdentityMatrix(stress.size()),
+                                            LocalStresses::yield_points(body,
+                                                                        t),
                                             /* radius = */ 1.);
         LocalAlgebra::add_transposed_product(moments.begin(),
                                              block.cone_matrix,
@@ -120,18 +147,18 @@ namespace ElastoPlastic
   // For all stresses tau of the triangle, with the traces w of the displacement
   // on its sides,
   //   (strain, tau) + (u_h, div tau) - <w, tau n> = 0.
-  // Of these 15 equations, the nine without divergence have been solved; least
-  // squares take out of the others the values of u_h at the centres of gravity
-  // of the subtriangles, where div tau is constant. Such a value is 4/9 of
-  // those at the corners k and k + 1 and 1/9 of the third one.
+  // Of these (at most 15) equations, those of the unknowns have been solved;
+  // least squares take out of the others the values of u_h at the centres of
+  // gravity of the subtriangles, where div tau is constant. Such a value is 4/9
+  // of those at the corners k and k + 1 and 1/9 of the third one.
   std::array<Tensor<1, 2>, 3>
   StressProgram::displacement_of(const unsigned int    t,
                                  const Vector<double> &strain_moments,
                                  const Vector<double> &y) const
   {
     const auto corners              = body.mesh.corners(body.mesh.triangles[t]);
-    const FullMatrix<double> shapes = shape_functions(corners);
-    FullMatrix<double>       divergence(6, n_dofs);
+    const FullMatrix<double> shapes = LocalStresses::shape_functions(body, t);
+    FullMatrix<double>       divergence(6, shapes.n());
     divergence_matrix(corners).mmult(divergence, shapes);
     divergence *= area(corners) / (3. * body.length_unit);
 
@@ -144,7 +171,7 @@ namespace ElastoPlastic
 
     Vector<double> moments = strain_moments;
     traction_matrix(corners).Tvmult(moments, traction_moments, true);
-    Vector<double> residual(n_dofs);
+    Vector<double> residual(shapes.n());
     shapes.Tvmult(residual, moments);
 
     FullMatrix<double> normal_matrix(6, 6);

@@ -101,8 +101,9 @@ namespace ElastoPlastic
       patch.data.reinit(6 + names.size(), 3);
       for (unsigned int i = 0; i < 3; ++i)
         {
-          patch.vertices[i]          = corners[i];
-          const auto   stress        = stress_field.at(t, subtriangle, i);
+          patch.vertices[i] = corners[i];
+          const auto stress =
+            stress_field.without_weight(body, t, subtriangle, i);
           const double deviator_norm = deviator(stress).norm();
           for (unsigned int d = 0; d < 2; ++d)
             {
