@@ -30,6 +30,10 @@ namespace ElastoPlastic
 
 
 
+  /// Computes the gaps from stress and velocity.
+  void
+  find_gaps(const PlaneBody &body, LimitLoad &bounds);
+
   /// @throws ConvergenceError
   LimitLoad
   bound_limit_load(const PlaneBody &body);

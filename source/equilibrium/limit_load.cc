@@ -74,23 +74,23 @@ namespace ElastoPlastic
         });
       return sum;
     }
-
-
-
-    void
-    add_gaps(const PlaneBody &body, LimitLoad &bounds)
-    {
-      bounds.gaps = bounds.velocity.dissipation;
-      for (unsigned int t = 0; t < bounds.gaps.size(); ++t)
-        bounds.gaps[t] -= body.angle() * power_inside(body, bounds, t);
-      for (const SideView &view : views_of_sides(body))
-        if (view.is_inside() || view.support.resists_slip)
-          for (const auto &neighbor : view.neighbors)
-            bounds.gaps[neighbor.triangle] -= body.angle() *
-                                              power_on_side(body, bounds, view) /
-                                              view.neighbors.size();
-    }
   } // namespace
+
+
+
+  void
+  find_gaps(const PlaneBody &body, LimitLoad &bounds)
+  {
+    bounds.gaps = bounds.velocity.dissipation;
+    for (unsigned int t = 0; t < bounds.gaps.size(); ++t)
+      bounds.gaps[t] -= body.angle() * power_inside(body, bounds, t);
+    for (const SideView &view : views_of_sides(body))
+      if (view.is_inside() || view.support.resists_slip)
+        for (const auto &neighbor : view.neighbors)
+          bounds.gaps[neighbor.triangle] -= body.angle() *
+                                            power_on_side(body, bounds, view) /
+                                            view.neighbors.size();
+  }
 
 
 
@@ -100,7 +100,7 @@ namespace ElastoPlastic
     LimitLoad bounds;
     bounds.stress   = maximize_force(body);
     bounds.velocity = minimize_plastic_work(body);
-    add_gaps(body, bounds);
+    find_gaps(body, bounds);
     return bounds;
   }
 } // namespace ElastoPlastic

@@ -163,9 +163,12 @@ namespace ElastoPlastic
               components[c];
           }
       }
-    result.rates = rates;
-    result.weights.push_back(area(corners) * position(corners, {{1. / 3., 1. / 3., 1. / 3.}})[0] *
-                             inverse_square.error());
+    result.rates   = rates;
+    const double r = (corners[0][0] + corners[1][0] + corners[2][0]) / 3.;
+    const double delta = getenv("DELTA") ? atof(getenv("DELTA")) : 1e-3;
+    result.weights.push_back(
+      area(corners) * r *
+      std::max(inverse_square.error(), delta / (r * r)));
   }
 
 

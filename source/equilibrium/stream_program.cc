@@ -19,13 +19,13 @@ namespace ElastoPlastic
   {
     using Bernstein::n_cubics;
 
-    constexpr double gap_tolerance = 1e-6;
+    constexpr double work_tolerance = 1e-6;
 
     /// Relative to the largest of their kind: coefficients that vanish on the
     /// axis.
-    constexpr double rounding = 1e-12;
+    constexpr double relative_zero = 1e-12;
 
-    constexpr unsigned int invalid = numbers::invalid_unsigned_int;
+    constexpr unsigned int held = numbers::invalid_unsigned_int;
 
 
 
@@ -39,7 +39,7 @@ namespace ElastoPlastic
         if (std::any_of(&matrix(i, 0),
                         &matrix(i, 0) + matrix.n(),
                         [&](const double entry) {
-                          return std::abs(entry) > rounding * largest;
+                          return std::abs(entry) > relative_zero * largest;
                         }))
           rows.push_back(i);
       return rows;
@@ -107,7 +107,7 @@ namespace ElastoPlastic
         add_cones(result);
         std::map<unsigned int, Vector<double>> rows;
         for (unsigned int f = 0; f < n_functions; ++f)
-          if (equations[f] != invalid)
+          if (equations[f] != held)
             {
               auto &row =
                 rows.try_emplace(equations[f], costs.size()).first->second;
@@ -301,7 +301,7 @@ namespace ElastoPlastic
         return;
       const unsigned int known = n_unknowns;
       const bool         is_zero =
-        std::abs(body.weight(a) - body.weight(b)) > rounding * a.distance(b);
+        std::abs(body.weight(a) - body.weight(b)) > relative_zero * a.distance(b);
       for (unsigned int i = 0; i < 4; ++i)
         sets.union_set(cubic(s, vertices[0], i),
                        is_zero ? known : vertices[0]);
@@ -340,7 +340,7 @@ namespace ElastoPlastic
       for (unsigned int i = 0; i < n_unknowns; ++i)
         equations.push_back(
           sets.find_set(i) == sets.find_set(known) ?
-            invalid :
+            held :
             numbers.try_emplace(sets.find_set(i), numbers.size())
               .first->second);
       program.right_hand_side.reinit(numbers.size());
@@ -476,7 +476,7 @@ namespace ElastoPlastic
                                    component.value(x) / work_unit;
               const auto velocities = element.weighted_velocities(point);
               for (unsigned int f = 0; f < velocities.size(); ++f)
-                if (rows[f] != invalid)
+                if (rows[f] != held)
                   program.right_hand_side[rows[f]] +=
                     force * (velocities[f] * component.direction);
             });
@@ -487,7 +487,7 @@ namespace ElastoPlastic
     VelocityField
     StreamProgram::solve() const
     {
-      const ConicSolution solution = minimize(program, gap_tolerance);
+      const ConicSolution solution = minimize(program, work_tolerance);
       VelocityField       field;
       field.n_iterations = solution.n_iterations;
       field.is_optimal   = solution.is_optimal;
@@ -497,7 +497,7 @@ namespace ElastoPlastic
           const auto          unknowns = unknowns_of(t);
           Vector<double>      coefficients(element.n_functions());
           for (unsigned int f = 0; f < coefficients.size(); ++f)
-            if (equations[unknowns[f]] != invalid)
+            if (equations[unknowns[f]] != held)
               coefficients[f] = -solution.y[equations[unknowns[f]]];
           field.velocity.push_back(element.velocity(coefficients));
         }

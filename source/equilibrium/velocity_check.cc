@@ -16,10 +16,10 @@ namespace ElastoPlastic
     using namespace Bernstein;
 
     /// Sides of a triangle are divided into so many parts.
-    constexpr unsigned int n_parts = 4;
+    constexpr unsigned int n_side_parts = 4;
 
     /// Of the weighted velocity on sides.
-    constexpr unsigned int side_degree = 4;
+    constexpr unsigned int trace_degree = 4;
 
     using Velocities = std::vector<TriangleVelocity>;
 
@@ -44,15 +44,15 @@ namespace ElastoPlastic
     parts_of_triangle()
     {
       const auto at = [](const unsigned int i, const unsigned int j) {
-        const double step = 1. / n_parts;
+        const double step = 1. / n_side_parts;
         return Barycentric{{1. - (i + j) * step, i * step, j * step}};
       };
       std::vector<Part> parts;
-      for (unsigned int i = 0; i < n_parts; ++i)
-        for (unsigned int j = 0; i + j < n_parts; ++j)
+      for (unsigned int i = 0; i < n_side_parts; ++i)
+        for (unsigned int j = 0; i + j < n_side_parts; ++j)
           {
             parts.push_back({{at(i, j), at(i + 1, j), at(i, j + 1)}});
-            if (i + j + 1 < n_parts)
+            if (i + j + 1 < n_side_parts)
               parts.push_back(
                 {{at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}});
           }
@@ -123,16 +123,16 @@ namespace ElastoPlastic
     /// The coefficients of a polynomial of the position on the interval from
     /// @p begin to @p end of a side.
     template <typename Function>
-    std::array<double, side_degree + 1>
+    std::array<double, trace_degree + 1>
     on_interval(const double begin, const double end, const Function &function)
     {
-      std::array<double, side_degree + 1> result = {};
-      for (unsigned int p = 0; p <= side_degree; ++p)
+      std::array<double, trace_degree + 1> result = {};
+      for (unsigned int p = 0; p <= trace_degree; ++p)
         {
           const double value =
-            function(begin + (end - begin) * p / side_degree);
-          for (unsigned int i = 0; i <= side_degree; ++i)
-            result[i] += side_coefficients(side_degree)(i, p) * value;
+            function(begin + (end - begin) * p / trace_degree);
+          for (unsigned int i = 0; i <= trace_degree; ++i)
+            result[i] += side_coefficients(trace_degree)(i, p) * value;
         }
       return result;
     }
@@ -143,16 +143,16 @@ namespace ElastoPlastic
     work_of_slip(const SideView &view, const Velocities &velocity)
     {
       double sum = 0;
-      for (unsigned int part = 0; part < n_parts; ++part)
+      for (unsigned int part = 0; part < n_side_parts; ++part)
         for (const double coefficient :
-             on_interval(part / static_cast<double>(n_parts),
-                         (part + 1.) / n_parts,
+             on_interval(part / static_cast<double>(n_side_parts),
+                         (part + 1.) / n_side_parts,
                          [&](const double t) {
                            return view.jump(velocity, t) * view.tangent;
                          }))
           sum += std::abs(coefficient);
       return view.shear_strength() * view.length /
-             (n_parts * (side_degree + 1.)) * sum;
+             (n_side_parts * (trace_degree + 1.)) * sum;
     }
 
 
@@ -160,8 +160,8 @@ namespace ElastoPlastic
     /// The velocity in the direction of the indenter, and its own: the
     /// coefficients on a side.
     using AgainstIndenter =
-      std::pair<std::array<double, side_degree + 1>,
-                std::array<double, side_degree + 1>>;
+      std::pair<std::array<double, trace_degree + 1>,
+                std::array<double, trace_degree + 1>>;
 
     AgainstIndenter
     against_indenter(const PlaneBody  &body,
@@ -243,10 +243,10 @@ namespace ElastoPlastic
           std::max(largest, weighted_velocity(body, velocity[t], t, point).norm());
 
     for (const SideView &view : views_of_sides(body))
-      for (unsigned int p = 0; p <= side_degree; ++p)
+      for (unsigned int p = 0; p <= trace_degree; ++p)
         {
           const Tensor<1, 2> jump =
-            view.jump(velocity, p / static_cast<double>(side_degree));
+            view.jump(velocity, p / static_cast<double>(trace_degree));
           double &separation = errors.separation;
           if (view.is_inside() || view.support.is_closed)
             separation =
