@@ -19,10 +19,10 @@ namespace ElastoPlastic
   public:
     InverseSquare(const double r_min, const double r_max)
     {
-      const double middle = 0.5 * (r_min + r_max), radius = 0.5 * (r_max - r_min);
+      const double middle = 0.5 * (r_min + r_max),
+                   radius = 0.5 * (r_max - r_min);
       for (unsigned int i = 0; i < 3; ++i)
-        nodes[i] =
-          middle + radius * std::cos((2. * i + 1.) * numbers::PI / 6.);
+        nodes[i] = middle + radius * std::cos((2. * i + 1.) * numbers::PI / 6.);
       // max |24 r^-5| / 3! times max |(r - r_0) (r - r_1) (r - r_2)|
       largest_error = std::pow(radius, 3) / std::pow(r_min, 5);
     }

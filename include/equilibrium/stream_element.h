@@ -105,8 +105,8 @@ namespace ElastoPlastic
     void
     add_flux_rates(WeightedRates &result) const;
 
-    const PlaneBody              &body;
-    const std::array<Point<2>, 3> corners;
+    const PlaneBody                  &body;
+    const std::array<Point<2>, 3>     corners;
     const std::array<Tensor<1, 2>, 3> gradients; ///< of linear functions
     const bool                        has_flux;
   };

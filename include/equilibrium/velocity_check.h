@@ -12,9 +12,9 @@ namespace ElastoPlastic
   /// relative to its largest value or rate.
   struct VelocityErrors
   {
-    double divergence = 0; ///< not in plane stress, where the sheet changes
-                           ///< its thickness
-    double separation  = 0; ///< what passes through a side; in plane stress
+    double divergence = 0;  ///< not in plane stress, where the sheet changes
+                            ///< its thickness
+    double separation = 0;  ///< what passes through a side; in plane stress
                             ///< also what slides along it
     double penetration = 0; ///< into the indenter
 

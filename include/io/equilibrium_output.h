@@ -20,8 +20,8 @@ namespace ElastoPlastic
   /// What there is on the triangles of a SplitMesh.
   struct EquilibriumFields
   {
-    const PlaneBody           &body;
-    const StressField         &stress;
+    const PlaneBody   &body;
+    const StressField &stress;
     /// A displacement, or a velocity: by triangles, at their corners and
     /// their centres of gravity.
     const std::vector<std::array<Tensor<1, 2>, 4>> motion;

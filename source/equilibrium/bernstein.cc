@@ -36,23 +36,35 @@ namespace ElastoPlastic::Bernstein
 
 
 
-    /// The multinomial function of these exponents; zero if one of them is
-    /// negative, as derivatives have it.
-    double
-    function(const Exponents &exponents, const Barycentric &point)
+    /// The powers 0 to 3 of the barycentric coordinates of a point, over their
+    /// factorials.
+    class Powers
     {
-      constexpr std::array<double, 4> factorials = {{1., 1., 2., 6.}};
-      double product = factorials[exponents[0] + exponents[1] + exponents[2]];
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          if (exponents[i] < 0)
-            return 0.;
-          for (int k = 0; k < exponents[i]; ++k)
-            product *= point[i];
-          product /= factorials[exponents[i]];
-        }
-      return product;
-    }
+    public:
+      explicit Powers(const Barycentric &point)
+      {
+        for (unsigned int i = 0; i < 3; ++i)
+          values[i] = {{1.,
+                        point[i],
+                        point[i] * point[i] / 2.,
+                        point[i] * point[i] * point[i] / 6.}};
+      }
+
+      /// The multinomial function of these exponents; zero if one of them is
+      /// negative, as derivatives have it.
+      double
+      function(const Exponents &exponents) const
+      {
+        constexpr std::array<double, 4> factorials = {{1., 1., 2., 6.}};
+        const auto [i, j, k]                       = exponents;
+        return i < 0 || j < 0 || k < 0 ? 0. :
+                                         factorials[i + j + k] * values[0][i] *
+                                           values[1][j] * values[2][k];
+      }
+
+    private:
+      std::array<std::array<double, 4>, 3> values;
+    };
 
 
 
@@ -86,7 +98,7 @@ namespace ElastoPlastic::Bernstein
       FullMatrix<double> values(n, n);
       for (unsigned int p = 0; p < n; ++p)
         for (unsigned int i = 0; i < n; ++i)
-          values(p, i) = function(exponents[i], points[p]);
+          values(p, i) = Powers(points[p]).function(exponents[i]);
       values.gauss_jordan();
       return values;
     }
@@ -116,19 +128,20 @@ namespace ElastoPlastic::Bernstein
   std::array<Jet, n_cubics>
   cubics(const std::array<Tensor<1, 2>, 3> &gradients, const Barycentric &point)
   {
+    const Powers              powers(point);
     std::array<Jet, n_cubics> jets;
     for (unsigned int f = 0; f < n_cubics; ++f)
       {
         const Exponents &exponents = cubic_exponents[f];
-        jets[f].value              = function(exponents, point);
+        jets[f].value              = powers.function(exponents);
         for (unsigned int i = 0; i < 3; ++i)
           {
             const Exponents once = lowered(exponents, i);
             if (once[i] < 0)
               continue;
-            jets[f].gradient += 3. * function(once, point) * gradients[i];
+            jets[f].gradient += 3. * powers.function(once) * gradients[i];
             for (unsigned int j = 0; j < 3; ++j)
-              jets[f].hessian += 6. * function(lowered(once, j), point) *
+              jets[f].hessian += 6. * powers.function(lowered(once, j)) *
                                  outer_product(gradients[i], gradients[j]);
           }
       }

@@ -34,11 +34,10 @@ namespace ElastoPlastic
             point.fill(y / 3.);
             point[k] += 1. - x - y;
             point[(k + 1) % 3] += x;
-            sum += 2. * quadrature.weight(q) / 3. *
-                   (stress * strain_rate_at(body,
-                                            bounds.velocity.velocity[t],
-                                            t,
-                                            point));
+            sum +=
+              2. * quadrature.weight(q) / 3. *
+              (stress *
+               strain_rate_at(body, bounds.velocity.velocity[t], t, point));
           }
       return area(body.mesh.corners(body.mesh.triangles[t])) * sum;
     }
@@ -51,9 +50,9 @@ namespace ElastoPlastic
                   const LimitLoad &bounds,
                   const SideView  &view)
     {
-      const auto [t, k]        = view.neighbors[0];
-      const auto  &side        = body.mesh.sides[view.side];
-      const bool   is_reversed = // the side, seen from the triangle
+      const auto [t, k]       = view.neighbors[0];
+      const auto &side        = body.mesh.sides[view.side];
+      const bool  is_reversed = // the side, seen from the triangle
         side.vertices[0] != body.mesh.triangles[t].vertices[k];
       const auto shear = [&](const unsigned int end) {
         return view.tangent *
@@ -67,8 +66,7 @@ namespace ElastoPlastic
         body.mesh.vertices[side.vertices[0]],
         body.mesh.vertices[side.vertices[1]],
         [&](const double at, const Point<2> &x, const double weight) {
-          sum -= weight * view.length *
-                 ((1. - at) * shear(0) + at * shear(1)) *
+          sum -= weight * view.length * ((1. - at) * shear(0) + at * shear(1)) *
                  (view.jump(bounds.velocity.velocity, at) * view.tangent) /
                  body.weight(x);
         });

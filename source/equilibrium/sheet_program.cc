@@ -285,17 +285,16 @@ namespace ElastoPlastic
 
 
     TriangleVelocity
-    SheetProgram::velocity_of(
-      const unsigned int               t,
-      const std::vector<Tensor<1, 2>> &velocities) const
+    SheetProgram::velocity_of(const unsigned int               t,
+                              const std::vector<Tensor<1, 2>> &velocities) const
     {
       const auto at_nodes = nodes_of(body.mesh, t);
       return interpolate_cubic([&](const Bernstein::Barycentric &point) {
         Tensor<1, 2> value;
         for (unsigned int i = 0; i < 3; ++i)
-          value += point[i] * (2. * point[i] - 1.) * velocities[at_nodes[i]] +
-                   4. * point[i] * point[(i + 1) % 3] *
-                     velocities[at_nodes[3 + i]];
+          value +=
+            point[i] * (2. * point[i] - 1.) * velocities[at_nodes[i]] +
+            4. * point[i] * point[(i + 1) % 3] * velocities[at_nodes[3 + i]];
         return value;
       });
     }

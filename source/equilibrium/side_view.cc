@@ -33,10 +33,9 @@ namespace ElastoPlastic
   Bernstein::Barycentric
   SideView::point(const double t, const unsigned int i) const
   {
-    const auto [triangle, k] = neighbors[i];
-    const bool same_direction =
-      body.mesh.triangles[triangle].vertices[k] ==
-      body.mesh.sides[side].vertices[0];
+    const auto [triangle, k]  = neighbors[i];
+    const bool same_direction = body.mesh.triangles[triangle].vertices[k] ==
+                                body.mesh.sides[side].vertices[0];
     Bernstein::Barycentric result = {};
     result[k]                     = same_direction ? 1. - t : t;
     result[(k + 1) % 3]           = same_direction ? t : 1. - t;
@@ -51,10 +50,7 @@ namespace ElastoPlastic
   {
     const auto velocity_of = [&](const unsigned int i) {
       const unsigned int triangle = neighbors[i].triangle;
-      return weighted_velocity(body,
-                               velocity[triangle],
-                               triangle,
-                               point(t, i));
+      return weighted_velocity(body, velocity[triangle], triangle, point(t, i));
     };
     if (is_inside())
       return velocity_of(0) - velocity_of(1);
@@ -71,7 +67,8 @@ namespace ElastoPlastic
   {
     double smallest = std::numeric_limits<double>::max();
     for (const auto &neighbor : neighbors)
-      smallest = std::min(smallest, body.materials[neighbor.triangle].yield_radius);
+      smallest =
+        std::min(smallest, body.materials[neighbor.triangle].yield_radius);
     return std::sqrt(0.5) * smallest;
   }
 

@@ -12,6 +12,16 @@ namespace ElastoPlastic
 {
   using namespace Bernstein;
 
+  namespace
+  {
+    /// On triangles that are small compared to their distance from the axis,
+    /// r^2 chi is close to any phi. So that the program can tell them apart,
+    /// phi costs this part more than its work.
+    constexpr double flux_penalty = 1e-3;
+  } // namespace
+
+
+
   StreamElement::StreamElement(const PlaneBody   &body,
                                const unsigned int triangle,
                                const bool         has_flux)
@@ -135,7 +145,7 @@ namespace ElastoPlastic
 
 
   // With a quadratic polynomial for 1 / r^2, they are quadratic as well; what
-  // is left is at most the error of the polynomial times r^2 e.
+  // is left is at most the error of the polynomial times r^2 |e|.
   void
   StreamElement::add_flux_rates(WeightedRates &result) const
   {
@@ -165,10 +175,9 @@ namespace ElastoPlastic
       }
     result.rates   = rates;
     const double r = (corners[0][0] + corners[1][0] + corners[2][0]) / 3.;
-    const double delta = getenv("DELTA") ? atof(getenv("DELTA")) : 1e-3;
     result.weights.push_back(
       area(corners) * r *
-      std::max(inverse_square.error(), delta / (r * r)));
+      std::max(inverse_square.error(), flux_penalty / (r * r)));
   }
 
 
@@ -266,15 +275,14 @@ namespace ElastoPlastic
   TriangleVelocity
   StreamElement::velocity(const Vector<double> &coefficients) const
   {
-    TriangleVelocity result =
-      interpolate_cubic([&](const Barycentric &point) {
-        const auto   jets = cubics(gradients, point);
-        Tensor<1, 2> value;
-        for (unsigned int i = 0; i < n_cubics; ++i)
-          value += coefficients[i] *
-                   velocity_of(jets[i], position(corners, point)[0]);
-        return value;
-      });
+    TriangleVelocity result = interpolate_cubic([&](const Barycentric &point) {
+      const auto   jets = cubics(gradients, point);
+      Tensor<1, 2> value;
+      for (unsigned int i = 0; i < n_cubics; ++i)
+        value +=
+          coefficients[i] * velocity_of(jets[i], position(corners, point)[0]);
+      return value;
+    });
     if (has_flux)
       for (unsigned int f = 0; f < 3; ++f)
         result.flux += coefficients[n_cubics + f] * gradients[f];

@@ -92,8 +92,10 @@ namespace ElastoPlastic
         FullMatrix<double> result(matrix.m(), n_functions);
         for (unsigned int i = 0; i < matrix.m(); ++i)
           for (unsigned int j = 0; j < matrix.n(); ++j)
-            result(i, j + 3 < matrix.n() ? j : n_functions - 9 + 3 * k + j + 3 - matrix.n()) =
-              matrix(i, j);
+            result(i,
+                   j + 3 < matrix.n() ? j :
+                                        n_functions - 9 + 3 * k + j + 3 -
+                                          matrix.n()) = matrix(i, j);
         return result;
       }
 
@@ -217,8 +219,8 @@ namespace ElastoPlastic
       std::vector<bool> vertex_has_flux;
 
       // The first unknown of each kind; and their equations, if they are free.
-      unsigned int              first_on_sides, first_inside, first_flux,
-        first_velocity, n_unknowns;
+      unsigned int first_on_sides, first_inside, first_flux, first_velocity,
+        n_unknowns;
       std::vector<unsigned int> equations;
       ConicProgram              program;
       double                    work_unit;
@@ -279,8 +281,8 @@ namespace ElastoPlastic
                          const unsigned int first_vertex,
                          const unsigned int i) const
     {
-      const auto &vertices = body.mesh.sides[s].vertices;
-      const unsigned int k = vertices[0] == first_vertex ? i : 3 - i;
+      const auto        &vertices = body.mesh.sides[s].vertices;
+      const unsigned int k        = vertices[0] == first_vertex ? i : 3 - i;
       return k == 0 ? vertices[0] :
              k == 3 ? vertices[1] :
                       first_on_sides + 2 * s + k - 1;
@@ -299,12 +301,11 @@ namespace ElastoPlastic
                      b        = body.mesh.vertices[vertices[1]];
       if (body.is_on_axis(a) && body.is_on_axis(b))
         return;
-      const unsigned int known = n_unknowns;
-      const bool         is_zero =
-        std::abs(body.weight(a) - body.weight(b)) > relative_zero * a.distance(b);
+      const unsigned int known   = n_unknowns;
+      const bool         is_zero = std::abs(body.weight(a) - body.weight(b)) >
+                           relative_zero * a.distance(b);
       for (unsigned int i = 0; i < 4; ++i)
-        sets.union_set(cubic(s, vertices[0], i),
-                       is_zero ? known : vertices[0]);
+        sets.union_set(cubic(s, vertices[0], i), is_zero ? known : vertices[0]);
       sets.union_set(first_flux + vertices[0], first_flux + vertices[1]);
     }
 
@@ -381,16 +382,12 @@ namespace ElastoPlastic
       const StreamElement element(body, t, has_flux(t));
       const auto          unknowns = unknowns_of(t);
       LocalProgram        local(unknowns.size());
-      const double        limit =
-        body.materials[t].yield_radius / body.stress_unit;
+      const double limit = body.materials[t].yield_radius / body.stress_unit;
       const auto [rates, weights] = element.rates();
       const unsigned int n        = element.n_rate_components();
       for (unsigned int p = 0; p < weights.size(); ++p)
-        local.add_norm(rates,
-                       n * p,
-                       n,
-                       weights[p] / (work_unit / body.stress_unit),
-                       limit);
+        local.add_norm(
+          rates, n * p, n, weights[p] / (work_unit / body.stress_unit), limit);
 
       std::vector<unsigned int> rows;
       for (const unsigned int unknown : unknowns)
@@ -463,7 +460,8 @@ namespace ElastoPlastic
       const auto        &triangle = body.mesh.triangles[t];
       const auto         corners  = body.mesh.corners(triangle);
       const unsigned int next     = (k + 1) % 3;
-      for (const auto &component : body.conditions[triangle.sides[k]].components)
+      for (const auto &component :
+           body.conditions[triangle.sides[k]].components)
         if (component.type == SideConditionType::traction)
           integrate_on_side(
             corners[k],

@@ -53,8 +53,7 @@ namespace ElastoPlastic
           {
             parts.push_back({{at(i, j), at(i + 1, j), at(i, j + 1)}});
             if (i + j + 1 < n_side_parts)
-              parts.push_back(
-                {{at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}});
+              parts.push_back({{at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}});
           }
       return parts;
     }
@@ -96,14 +95,13 @@ namespace ElastoPlastic
               for (unsigned int p = 0; p < n_quadratics; ++p)
                 {
                   const auto &point = quadratic_points()[p];
-                  values[p] += inverse_square(point[0] * radii[0] +
-                                              point[1] * radii[1] +
-                                              point[2] * radii[2]) *
-                               rate;
+                  values[p] +=
+                    inverse_square(point[0] * radii[0] + point[1] * radii[1] +
+                                   point[2] * radii[2]) *
+                    rate;
                 }
               sum += size * (weights[0] + weights[1] + weights[2]) / 3. *
-                     inverse_square.error() *
-                     rate_in_space(body, rate).norm();
+                     inverse_square.error() * rate_in_space(body, rate).norm();
             }
           const auto moments = quadratic_moments(weights);
           for (unsigned int p = 0; p < n_quadratics; ++p)
@@ -159,9 +157,8 @@ namespace ElastoPlastic
 
     /// The velocity in the direction of the indenter, and its own: the
     /// coefficients on a side.
-    using AgainstIndenter =
-      std::pair<std::array<double, trace_degree + 1>,
-                std::array<double, trace_degree + 1>>;
+    using AgainstIndenter = std::pair<std::array<double, trace_degree + 1>,
+                                      std::array<double, trace_degree + 1>>;
 
     AgainstIndenter
     against_indenter(const PlaneBody  &body,
@@ -198,8 +195,8 @@ namespace ElastoPlastic
       for (unsigned int t = 0; t < velocity.size(); ++t)
         for (const Barycentric &point : quadratic_points())
           {
-            const auto corners = body.mesh.corners(body.mesh.triangles[t]);
-            const Point<2> x   = position(corners, point);
+            const auto     corners = body.mesh.corners(body.mesh.triangles[t]);
+            const Point<2> x       = position(corners, point);
             if (body.is_on_axis(x))
               continue;
             const auto rate = polynomial_rate(corners, velocity[t], point);
@@ -209,10 +206,10 @@ namespace ElastoPlastic
               body.is_axisymmetric() ?
                 velocity_at(body, polynomial, t, point)[0] / x[0] :
                 0.;
-            divergence   = std::max(divergence, std::abs(trace(rate) + hoop));
-            largest_rate = std::max(
-              largest_rate,
-              strain_rate_at(body, velocity[t], t, point).norm());
+            divergence = std::max(divergence, std::abs(trace(rate) + hoop));
+            largest_rate =
+              std::max(largest_rate,
+                       strain_rate_at(body, velocity[t], t, point).norm());
           }
       errors.divergence = largest_rate > 0 ? divergence / largest_rate : 0.;
     }
@@ -240,7 +237,8 @@ namespace ElastoPlastic
     for (unsigned int t = 0; t < velocity.size(); ++t)
       for (const Barycentric &point : cubic_points())
         largest =
-          std::max(largest, weighted_velocity(body, velocity[t], t, point).norm());
+          std::max(largest,
+                   weighted_velocity(body, velocity[t], t, point).norm());
 
     for (const SideView &view : views_of_sides(body))
       for (unsigned int p = 0; p <= trace_degree; ++p)
@@ -300,9 +298,8 @@ namespace ElastoPlastic
     for (const SideView &view : views_of_sides(body))
       if (view.is_inside() || view.support.resists_slip)
         for (const auto &neighbor : view.neighbors)
-          work[neighbor.triangle] += body.angle() *
-                                     work_of_slip(view, velocity) /
-                                     view.neighbors.size();
+          work[neighbor.triangle] +=
+            body.angle() * work_of_slip(view, velocity) / view.neighbors.size();
     return work;
   }
 

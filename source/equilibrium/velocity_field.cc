@@ -64,8 +64,8 @@ namespace ElastoPlastic
     const auto value   = polynomial_velocity(corners, velocity, point);
     return velocity.flux.norm() == 0 ?
              value :
-             value + velocity_of_stream(velocity.flux) /
-                       position(corners, point)[0];
+             value +
+               velocity_of_stream(velocity.flux) / position(corners, point)[0];
   }
 
 

@@ -82,7 +82,7 @@ namespace ElastoPlastic
                const unsigned int       subtriangle)
     {
       const auto &[body, stress_field, motion, errors] = fields;
-      const auto &triangle                            = body.mesh.triangles[t];
+      const auto &triangle                             = body.mesh.triangles[t];
       const auto  corners =
         JohnsonMercier::subtriangle_of(body.mesh.corners(triangle),
                                        subtriangle);
