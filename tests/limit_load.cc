@@ -115,7 +115,10 @@ namespace
     if (body.kinematics != Kinematics::plane_stress)
       {
         verify("lower bound", lower <= exact && lower > 0.96 * exact);
-        verify("upper bound", upper >= exact && upper < 1.07 * exact);
+        // continuous velocities do not slip under a rough punch
+        const double error =
+          body.indenter_surface == SurfaceFinish::rough ? 0.08 : 0.07;
+        verify("upper bound", upper >= exact && upper < (1. + error) * exact);
         verify("no change of volume", bounds.velocity.divergence, 1e-9);
       }
     verify("order", lower <= upper);

@@ -33,11 +33,19 @@ namespace ElastoPlastic
         }
       if (!body.is_axisymmetric())
         return;
+      // It is a derivative of S, with rounding errors that grow as triangles
+      // become small: they must be the same at all corners.
       const auto weights = LocalStresses::weights(body, t);
       field.circumferential.emplace_back();
-      for (unsigned int k = 0; k < 3; ++k) // at the centre of gravity
-        field.circumferential[t][k] = field.out_of_plane[t][3 * k + 2] /
-                                      (weights[3 * k + 2] * body.weight_unit());
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          const unsigned int center = 3 * k + 2;
+          const double       stress = field.out_of_plane[t][center] /
+                                (weights[center] * body.weight_unit());
+          field.circumferential[t][k] = stress;
+          for (unsigned int p = 3 * k; p < 3 * k + 3; ++p)
+            field.out_of_plane[t][p] = weights[p] * body.weight_unit() * stress;
+        }
     }
   } // namespace
 
