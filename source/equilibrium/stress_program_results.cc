@@ -111,9 +111,9 @@ namespace ElastoPlastic
 
 
   // sigma_33 follows the others where it is their mean; where it is an unknown,
-  // its own derivative vanishes; where it is the circumferential stress, it
-  // changes u_h by the mean strain on the subtriangle, which the unknowns of
-  // displacement_of() include.
+  // its own derivative vanishes; where it is the circumferential stress, its
+  // derivative is the mean of u_h along r, which displacement_of() finds from
+  // the others.
   Vector<double>
   StressProgram::strain_moments(const unsigned int    t,
                                 const Vector<double> &stress,
