@@ -169,7 +169,8 @@ namespace ElastoPlastic
           model.materials,
           model.strain_model.kinematics,
           [this](const Point<2> &x) { return gap_function.value(x); },
-          0.);
+          /* time = */ 0.,
+          parameters.indenter.surface);
     });
   }
 

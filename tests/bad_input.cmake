@@ -70,6 +70,7 @@ add_message_test(finite_too_far 3 "turns elements inside out.*Shorter load steps
 # Friction and motion to the side
 add_entry_test(friction_negative "entry 'Contact/Friction coefficient' is '-0.1', but it must be a number, at least 0, or 'stick'" "Contact/Friction coefficient=-0.1")
 add_entry_test(friction_word "entry 'Contact/Friction coefficient' is 'rough', but it must be a number, at least 0, or 'stick'" "Contact/Friction coefficient=rough")
+add_entry_test(rough_indenter "entry 'Indenter/Surface' is 'rough', but that is for 'Analysis = limit load'" "Indenter/Surface=rough" Dimension=2)
 add_entry_test(friction_limit_load "entry 'Contact/Friction coefficient' is '0.1', but 'Analysis = limit load' knows indenters without friction" "Analysis=limit load" "Contact/Friction coefficient=0.1" Dimension=2)
 add_entry_test(path_row "entry 'Loading/Path' is '2 0.1', but a row must look like" "Loading/Path=1: 0, 0 | 2 0.1")
 add_entry_test(path_number "entry 'Loading/Path' is '1: a, 0', but a row must look like" "Loading/Path=1: a, 0")

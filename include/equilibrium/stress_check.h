@@ -12,14 +12,14 @@ namespace ElastoPlastic
   /// How well a stress field satisfies what it promises, relative to the unit
   /// of stress of the body: all should be zero but for rounding. Errors of
   /// weighted stresses are divided by the distance from the axis of a body of
-  /// revolution; on the axis itself they are zero.
+  /// revolution. On the axis, where these stresses must vanish, all follows
+  /// from that.
   struct StressErrors
   {
     /// What is missing to equilibrium, times the size of the triangle.
     double divergence = 0;
-    /// Weighted stress, divided by the size of the triangle; and the component
-    /// 33 against the circumferential stress.
-    double on_axis         = 0;
+    double on_axis    = 0; ///< weighted stress, over the size of the triangle
+    /// The component 33 against the circumferential stress.
     double circumferential = 0;
     double traction_jump   = 0; ///< between subtriangles and between triangles
     double boundary_force =

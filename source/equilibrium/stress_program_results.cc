@@ -13,6 +13,42 @@ namespace ElastoPlastic
 {
   using namespace JohnsonMercier;
 
+  namespace
+  {
+    /// Adds the weighted stress of the next triangle, given by its @p values,
+    /// four components at each corner of the subtriangles.
+    void
+    add_stress(StressField          &field,
+               const PlaneBody      &body,
+               const unsigned int    t,
+               const Vector<double> &values)
+    {
+      field.in_plane.emplace_back(n_values);
+      field.out_of_plane.emplace_back();
+      for (unsigned int p = 0; p < n_points; ++p)
+        {
+          for (unsigned int c = 0; c < 3; ++c)
+            field.in_plane[t][3 * p + c] = values[n_stress_components * p + c];
+          field.out_of_plane[t][p] = values[n_stress_components * p + 3];
+        }
+      if (!body.is_axisymmetric())
+        return;
+      // It is a derivative of S, with rounding errors that grow as triangles
+      // become small: they must be the same at all corners.
+      const auto weights = LocalStresses::weights(body, t);
+      field.circumferential.emplace_back();
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          const unsigned int center = 3 * k + 2;
+          const double       stress = field.out_of_plane[t][center] /
+                                (weights[center] * body.weight_unit());
+          field.circumferential[t][k] = stress;
+          for (unsigned int p = 3 * k; p < 3 * k + 3; ++p)
+            field.out_of_plane[t][p] = weights[p] * body.weight_unit() * stress;
+        }
+    }
+  } // namespace
+
 
 
   StressField
@@ -34,31 +70,14 @@ namespace ElastoPlastic
           strain_moments(t, values, solution.z.begin() + layout.rows[t]),
           solution.y));
         values *= body.stress_unit * body.weight_unit();
-        field.in_plane.emplace_back(JohnsonMercier::n_values);
-        field.out_of_plane.emplace_back();
-        for (unsigned int p = 0; p < JohnsonMercier::n_points; ++p)
-          {
-            for (unsigned int c = 0; c < 3; ++c)
-              field.in_plane[t][3 * p + c] =
-                values[n_stress_components * p + c];
-            field.out_of_plane[t][p] = values[n_stress_components * p + 3];
-          }
-        if (out_of_plane == OutOfPlaneStress::circumferential)
-          {
-            Vector<double> of_subtriangles(3);
-            LocalStresses::circumferential_matrix(body, t).vmult(
-              of_subtriangles, field.in_plane[t]);
-            of_subtriangles /= body.length_unit;
-            field.circumferential.push_back(
-              {{of_subtriangles[0], of_subtriangles[1], of_subtriangles[2]}});
-          }
+        add_stress(field, body, t, values);
       }
     set_pressure(field, solution.x.begin() + layout.unknowns[n_triangles]);
     if (program.n_dense_rows > 0)
       field.depth = -body.strain_unit * body.length_unit *
                     solution.y[solution.y.size() - 1];
-    field.cost = solution.cost * body.stress_unit * body.strain_unit *
-                 body.length_unit * body.length_unit;
+    field.cost =
+      solution.cost * force_unit() * body.strain_unit * body.length_unit;
     field.relative_gap = solution.relative_gap;
     field.n_iterations = solution.n_iterations;
     field.is_optimal   = solution.is_optimal;
@@ -92,9 +111,9 @@ namespace ElastoPlastic
 
 
   // sigma_33 follows the others where it is their mean; where it is an unknown,
-  // its own derivative vanishes; where it is the circumferential stress, it
-  // changes u_h by the mean strain on the subtriangle, which the unknowns of
-  // displacement_of() include.
+  // its own derivative vanishes; where it is the circumferential stress, its
+  // derivative is the mean of u_h along r, which displacement_of() finds from
+  // the others.
   Vector<double>
   StressProgram::strain_moments(const unsigned int    t,
                                 const Vector<double> &stress,

@@ -189,6 +189,13 @@ namespace ElastoPlastic
         loading.path,
         "an indenter that moves sideways is not axisymmetric. Set "
         "'Dimension = 3'.");
+    if (indenter.surface != SurfaceFinish::smooth &&
+        analysis != Analysis::limit_load)
+      throw InputError("Indenter/Surface",
+                       Patterns::Tools::to_string(indenter.surface),
+                       "that is for 'Analysis = limit load'. Choose 'smooth', "
+                       "and set 'Contact/Friction coefficient', for instance "
+                       "to stick.");
     const bool has_friction = contact.friction_coefficient() > 0.;
     if (analysis != Analysis::contact &&
         (has_friction || !loading.path.empty()))
@@ -196,7 +203,10 @@ namespace ElastoPlastic
         has_friction ? "Contact/Friction coefficient" : "Loading/Path",
         has_friction ? contact.friction : loading.path,
         "'Analysis = " + Patterns::Tools::to_string(analysis) +
-          "' knows indenters without friction only, that move up and down.");
+          "' knows indenters without friction only, that move up and down." +
+          (analysis == Analysis::limit_load ?
+             " Set 'Indenter/Surface = rough' if nothing slides." :
+             ""));
   }
 
 
