@@ -14,10 +14,12 @@ namespace ElastoPlastic
 
   namespace
   {
-    /// On triangles that are small compared to their distance from the axis,
-    /// r^2 chi is close to any phi. So that the program can tell them apart,
-    /// phi costs this part more than its work.
-    constexpr double flux_penalty = 1e-3;
+    /// On triangles that are small compared to their distance r from the axis,
+    /// r^2 chi is close to any phi, so that the program could hardly tell them
+    /// apart. So phi costs this part of r / h more than its work, h being
+    /// the size of the triangle: then that costs this part at least of what
+    /// slips of the same velocity cost.
+    constexpr double flux_penalty = 1e-5;
   } // namespace
 
 
@@ -174,10 +176,11 @@ namespace ElastoPlastic
           }
       }
     result.rates   = rates;
-    const double r = (corners[0][0] + corners[1][0] + corners[2][0]) / 3.;
+    const double size = area(corners);
+    const double r    = (corners[0][0] + corners[1][0] + corners[2][0]) / 3.;
     result.weights.push_back(
-      area(corners) * r *
-      std::max(inverse_square.error(), flux_penalty / (r * r)));
+      size * r *
+      std::max(inverse_square.error(), flux_penalty / (r * std::sqrt(size))));
   }
 
 
