@@ -292,8 +292,12 @@ namespace ElastoPlastic
   ErrorBoundAnalysis::write_fields(const unsigned int cycle)
   {
     rethrow_collectively(communicator, [&]() {
-      if (!body.mesh.triangles.empty())
-        output.write({body, stress, displacement, errors}, cycle);
+      if (body.mesh.triangles.empty())
+        return;
+      std::vector<std::array<Tensor<1, 2>, 4>> displacements;
+      for (const auto &triangle : body.mesh.triangles)
+        displacements.push_back(values_at_vertices(displacement, triangle));
+      output.write({body, stress, displacements, errors}, cycle);
     });
   }
 } // namespace ElastoPlastic

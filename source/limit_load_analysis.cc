@@ -169,7 +169,8 @@ namespace ElastoPlastic
           model.materials,
           model.strain_model.kinematics,
           [this](const Point<2> &x) { return gap_function.value(x); },
-          0.);
+          /* time = */ 0.,
+          parameters.indenter.surface);
     });
   }
 
@@ -195,7 +196,7 @@ namespace ElastoPlastic
                                    bounds.stress.n_iterations,
                                    bounds.velocity.n_iterations,
                                    stress_error,
-                                   bounds.velocity.divergence,
+                                   bounds.velocity.error,
                                    timer.wall_time()};
     });
     row              = Utilities::MPI::broadcast(communicator, row);
@@ -224,10 +225,13 @@ namespace ElastoPlastic
         (parameters.output.fields == FieldOutputTimes::last_cycle &&
          is_last_cycle()))
       rethrow_collectively(communicator, [&]() {
-        if (first_rank)
-          output.write(
-            {body, bounds.stress, bounds.velocity.velocity, bounds.gaps},
-            cycle);
+        if (!first_rank)
+          return;
+        std::vector<std::array<Tensor<1, 2>, 4>> velocities;
+        for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+          velocities.push_back(
+            values_at_vertices(body, bounds.velocity.velocity[t], t));
+        output.write({body, bounds.stress, velocities, bounds.gaps}, cycle);
       });
   }
 

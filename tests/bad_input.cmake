@@ -43,7 +43,6 @@ add_message_test(set_section 2 "no entry 'Geometry'" ${_base} --set "Geometry=bo
 
 # Limit load
 add_entry_test(limit_load_3d "entry 'Dimension' is '3', but 'Analysis = limit load' is for two dimensions" "Analysis=limit load" Dimension=3)
-add_entry_test(limit_load_axisymmetric "entry 'Kinematics' is 'axisymmetric', but .*plane strain and plane stress" "Analysis=limit load" Kinematics=axisymmetric)
 add_entry_test(limit_load_hardening "entry 'Analysis' is 'limit load', but only a body of perfectly plastic materials" "Analysis=limit load")
 add_entry_test(goal_analysis "entry 'Refinement/Goal' is 'force', but only 'Analysis = contact with error bound' bounds the force" "Refinement/Goal=force")
 add_entry_test(goal_strategy "entry 'Refinement/Goal' is 'force', but only 'Refinement/Strategy = adaptive' has a goal" "Refinement/Goal=force" Refinement/Strategy=Kelly)
@@ -55,8 +54,8 @@ add_message_test(limit_load_no_indenter 2 "entry 'Indenter/Type' is 'none', but 
 add_message_test(limit_load_resume 2 "nothing to resume. Leave out --resume" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --resume)
 set(_full_width ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --quiet --overwrite
   --set "Indenter/Half width=10" --set "Boundary conditions/Free=" --set "Boundary conditions/Fixed=bottom, right")
-add_message_test(limit_load_enclosed 3 "No continuous velocity moves the whole indenter down: it reaches a point that is held, or the supports enclose the body" ${_full_width} --output-directory limit_load_enclosed)
-add_message_test(limit_load_held_point 3 "No continuous velocity moves the whole indenter down: it reaches a point that is held" ${_full_width} --output-directory limit_load_held_point --set "Kinematics=plane stress")
+add_message_test(limit_load_enclosed 3 "No velocity moves the whole indenter down: it reaches a point that is held, or the supports enclose the body" ${_full_width} --output-directory limit_load_enclosed)
+add_message_test(limit_load_held_point 3 "No velocity moves the whole indenter down: it reaches a point that is held" ${_full_width} --output-directory limit_load_held_point --set "Kinematics=plane stress")
 add_message_test(limit_load_tractions 3 "The body does not even bear the given tractions" ${_files}/pulled_apart.prm --quiet --overwrite --output-directory limit_load_tractions)
 
 # Finite strains
@@ -72,6 +71,7 @@ add_message_test(finite_too_far 3 "turns elements inside out.*Shorter load steps
 # Friction and motion to the side
 add_entry_test(friction_negative "entry 'Contact/Friction coefficient' is '-0.1', but it must be a number, at least 0, or 'stick'" "Contact/Friction coefficient=-0.1")
 add_entry_test(friction_word "entry 'Contact/Friction coefficient' is 'rough', but it must be a number, at least 0, or 'stick'" "Contact/Friction coefficient=rough")
+add_entry_test(rough_indenter "entry 'Indenter/Surface' is 'rough', but that is for 'Analysis = limit load'" "Indenter/Surface=rough" Dimension=2)
 add_entry_test(friction_limit_load "entry 'Contact/Friction coefficient' is '0.1', but 'Analysis = limit load' knows indenters without friction" "Analysis=limit load" "Contact/Friction coefficient=0.1" Dimension=2)
 add_entry_test(path_row "entry 'Loading/Path' is '2 0.1', but a row must look like" "Loading/Path=1: 0, 0 | 2 0.1")
 add_entry_test(path_number "entry 'Loading/Path' is '1: a, 0', but a row must look like" "Loading/Path=1: a, 0")
@@ -376,7 +376,7 @@ add_message_test(no_error_bound 3 "Error: The contact problem has been solved, a
   ${_no_bound} --output-directory no_error_bound --set "Refinement/Number of cycles=1")
 add_message_test(no_error_bound_yet 3 "Warning: The contact problem has been solved, but there is no error bound on this mesh"
   ${_no_bound} --output-directory no_error_bound_yet --set "Refinement/Number of cycles=2")
-add_message_test(no_limit_load_to_compare 0 "Warning: There is no bound of the limit load to compare the force 1 with. No continuous velocity moves the whole indenter down: it reaches a point that is held, or the supports enclose the body."
+add_message_test(no_limit_load_to_compare 0 "Warning: There is no bound of the limit load to compare the force 1 with. No velocity moves the whole indenter down: it reaches a point that is held, or the supports enclose the body."
   ${_full_width} --output-directory no_limit_load_to_compare --set "Analysis=contact" --set "Loading/Control=force" --set "Output/Fields=never")
 # Elsewhere, the program comes to the limit itself. Steps that are taken back and
 # cut come closer: under a circular punch, the exact one is 10.3.

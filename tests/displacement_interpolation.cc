@@ -68,8 +68,9 @@ namespace
         for (unsigned int d = 0; d < 2; ++d)
           value_error =
             std::max(value_error,
-                     std::abs(value_at_center(field, mesh.triangles[t])[d] -
-                              Bilinear().value(center, d)));
+                     std::abs(
+                       values_at_vertices(field, mesh.triangles[t])[3][d] -
+                       Bilinear().value(center, d)));
         for (unsigned int i = 0; i < 3; ++i)
           {
             const Point<2>       &x = corners[i];

@@ -16,7 +16,6 @@
 #include "equilibrium/error_bound.h"
 #include "equilibrium/hencky_material.h"
 #include "equilibrium/stress_problem.h"
-#include "equilibrium/velocity_field.h"
 #include "sample_mesh.h"
 #include "verdict.h"
 
@@ -151,24 +150,6 @@ namespace
     const double computed = bound_error(body, zero, 0., stress).of_contact();
     verify("gap not too small", computed > exact * (1. - 1e-14));
     verify("hardly too large", computed / exact - 1., 1e-6);
-  }
-
-
-
-  // A block that shrinks has the divergence -sqrt(2) of its rate of strain.
-  void
-  test_divergence(const SplitMesh &mesh)
-  {
-    QuadraticField field;
-    for (const Point<2> &vertex : mesh.vertices)
-      field.at_vertices.push_back(-vertex);
-    for (const auto &side : mesh.sides)
-      field.at_sides.push_back(-0.5 * (mesh.vertices[side.vertices[0]] +
-                                       mesh.vertices[side.vertices[1]]));
-    output() << "Divergence of a contraction" << std::endl;
-    verify("found",
-           std::abs(relative_divergence(mesh, field) - std::sqrt(2.)),
-           1e-12);
   }
 
 
@@ -324,7 +305,6 @@ main(int argc, char *argv[])
     make_body(mesh, material(infinity, 0.), Kinematics::cartesian);
   test_penetration(elastic);
   test_wedge(elastic);
-  test_divergence(mesh);
   test_sum(elastic);
   test_displacement(mesh);
   test_conjugate(elastic, "Elastic");

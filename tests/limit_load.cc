@@ -3,7 +3,8 @@
 
 // Stresses in exact equilibrium and mechanisms of collapse under a flat strip
 // punch: admissible whatever the mesh, on both sides of the exact limit load
-// (2 + pi) k, and the same on any number of ranks.
+// (2 + pi) k, of a smooth as of a rough punch, and the same on any number of
+// ranks.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
@@ -109,12 +110,13 @@ namespace
     const double    lower = bounds.stress.force, upper = bounds.velocity.force;
     output() << (body.kinematics == Kinematics::plane_stress ? "Plane stress" :
                                                                "Plane strain")
+             << (body.indenter_surface == SurfaceFinish::rough ? ", rough" : "")
              << std::endl;
     if (body.kinematics != Kinematics::plane_stress)
       {
         verify("lower bound", lower <= exact && lower > 0.96 * exact);
-        verify("upper bound", upper >= exact && upper < 1.07 * exact);
-        verify("no change of volume", bounds.velocity.divergence, 1e-9);
+        verify("upper bound", upper >= exact && upper < 1.02 * exact);
+        verify("admissible velocity", bounds.velocity.error, 1e-9);
       }
     verify("order", lower <= upper);
     verify("admissible stress",
@@ -176,11 +178,18 @@ main(int argc, char *argv[])
     return 0; // not the first rank
 
   test_mesh(mesh);
-  const auto body_with = [&](const Kinematics kinematics) {
-    return make_plane_body(mesh, conditions, {material()}, kinematics, gap, 0.);
+  const auto body_with = [&](const Kinematics    kinematics,
+                             const SurfaceFinish surface =
+                               SurfaceFinish::smooth) {
+    return make_plane_body(
+      mesh, conditions, {material()}, kinematics, gap, 0., surface);
   };
-  test_bounds(body_with(Kinematics::cartesian));
-  test_bounds(body_with(Kinematics::plane_stress));
+  for (const SurfaceFinish surface :
+       {SurfaceFinish::smooth, SurfaceFinish::rough})
+    {
+      test_bounds(body_with(Kinematics::cartesian, surface));
+      test_bounds(body_with(Kinematics::plane_stress, surface));
+    }
   test_hencky(body_with(Kinematics::cartesian), 0.);
   test_hencky(body_with(Kinematics::cartesian), 10.);
   test_hencky(body_with(Kinematics::plane_stress), 10.);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/enum_names.h"
+#include "contact/surface_finish.h"
 
 namespace ElastoPlastic
 {
@@ -51,6 +52,7 @@ namespace ElastoPlastic
     std::vector<double> position; ///< horizontal; empty stands for the origin
     double              initial_gap = 0;
     double              reach       = 0; ///< 0: as far as the shape goes
+    SurfaceFinish       surface     = SurfaceFinish::smooth;
 
     void
     add_parameters(ParameterHandler &prm);

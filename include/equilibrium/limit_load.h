@@ -20,14 +20,19 @@ namespace ElastoPlastic
     StressField   stress;
     VelocityField velocity;
 
-    /// By triangles: plastic work of the mechanism less the power of the
-    /// stresses, int sqrt(2/3) sigma_0 |e(v)| - tau : e(v) dx. It is never
-    /// negative, and zero where the two fields belong together; all together
-    /// are the difference of the bounds at most.
+    /// By triangles, with a share of what is on their sides: plastic work of
+    /// the mechanism less the power of the stresses,
+    /// int sqrt(2/3) sigma_0 |e(v)| - tau : e(v) dx. It is never negative, and
+    /// zero where the two fields belong together; all together are the
+    /// difference of the bounds at most.
     std::vector<double> gaps;
   };
 
 
+
+  /// Computes the gaps from stress and velocity.
+  void
+  find_gaps(const PlaneBody &body, LimitLoad &bounds);
 
   /// @throws ConvergenceError
   LimitLoad

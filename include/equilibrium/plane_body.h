@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/kinematics.h"
+#include "contact/surface_finish.h"
 #include "equilibrium/split_mesh.h"
 #include "material/material.h"
 #include "mesh/boundary_conditions.h"
@@ -21,8 +22,9 @@ namespace ElastoPlastic
   {
     continuous,   ///< between two triangles
     traction,     ///< the traction is given, maybe zero
-    displacement, ///< the displacement is given, maybe zero
-    contact       ///< the indenter presses, if it touches
+    displacement, ///< the displacement is given, maybe zero; as it is across
+                  ///< the direction in which a rough indenter presses
+    contact       ///< the indenter presses, if it touches, in this direction
   };
 
 
@@ -44,21 +46,24 @@ namespace ElastoPlastic
 
     /// Whether the indenter can touch any point of the side. If it can touch
     /// some only, it presses on none: the stresses stay admissible. But no
-    /// point of the side may penetrate, so that motions are admissible, too.
+    /// point of the side may penetrate, nor slide along a rough indenter, so
+    /// that motions are admissible, too.
     bool is_reached = false;
   };
 
 
 
-  /// The problem of a plane section in plane strain or of a sheet, as the
-  /// equilibrium method needs it: the mesh, the materials, what acts on the
-  /// sides, and the units in which it computes.
+  /// The problem of a plane section in plane strain, of a sheet, or of the
+  /// half section x = r >= 0 of a body of revolution, as the equilibrium method
+  /// needs it: the mesh, the materials, what acts on the sides, and the units
+  /// in which it computes.
   struct PlaneBody
   {
     SplitMesh                     mesh;
     std::vector<SideCondition>    conditions; ///< by sides
     std::vector<Material<double>> materials;  ///< by triangles
     Kinematics                    kinematics;
+    SurfaceFinish                 indenter_surface = SurfaceFinish::smooth;
     /// The gap between indenter and body, where the indenter can touch.
     std::function<double(const Point<2> &)> gap;
 
@@ -67,6 +72,28 @@ namespace ElastoPlastic
     /// A typical strain: this stress by Young's modulus.
     double strain_unit;
     double length_unit;
+
+    bool
+    is_axisymmetric() const;
+
+    /// Of a body of revolution, with rounding errors.
+    bool
+    is_on_axis(const Point<2> &x) const;
+
+    /// What stresses are multiplied by to be in equilibrium like those of a
+    /// plane section: the distance r from the axis of a body of revolution, or
+    /// 1.
+    double
+    weight(const Point<2> &x) const;
+
+    /// A typical value of it.
+    double
+    weight_unit() const;
+
+    /// What weighted stresses, integrated over the mesh, are multiplied by to
+    /// be those of the body: 2 pi, or 1.
+    double
+    angle() const;
   };
 
 
@@ -81,7 +108,8 @@ namespace ElastoPlastic
                   const std::vector<Material<double>>           &materials,
                   const Kinematics                               kinematics,
                   const std::function<double(const Point<2> &)> &gap,
-                  const double                                   time);
+                  const double                                   time,
+                  const SurfaceFinish indenter_surface = SurfaceFinish::smooth);
 } // namespace ElastoPlastic
 
 #endif

@@ -40,10 +40,10 @@ namespace ElastoPlastic
           const QuadraticField &field,
           const unsigned int    triangle);
 
-  /// Its value at the centre of gravity of a triangle.
-  Tensor<1, 2>
-  value_at_center(const QuadraticField      &field,
-                  const SplitMesh::Triangle &triangle);
+  /// Its values at the corners and at the centre of gravity of a triangle.
+  std::array<Tensor<1, 2>, 4>
+  values_at_vertices(const QuadraticField      &field,
+                     const SplitMesh::Triangle &triangle);
 
   /// Interpolates a finite element solution on the quadrilaterals, of which
   /// @p mesh is the triangulation. Bilinear displacements of parallelograms are

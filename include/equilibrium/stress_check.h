@@ -10,11 +10,18 @@
 namespace ElastoPlastic
 {
   /// How well a stress field satisfies what it promises, relative to the unit
-  /// of stress of the body: all should be zero but for rounding.
+  /// of stress of the body: all should be zero but for rounding. Errors of
+  /// weighted stresses are divided by the distance from the axis of a body of
+  /// revolution. On the axis, where these stresses must vanish, all follows
+  /// from that.
   struct StressErrors
   {
-    double divergence    = 0; ///< times the size of the triangle
-    double traction_jump = 0; ///< between subtriangles and between triangles
+    /// What is missing to equilibrium, times the size of the triangle.
+    double divergence = 0;
+    double on_axis    = 0; ///< weighted stress, over the size of the triangle
+    /// The component 33 against the circumferential stress.
+    double circumferential = 0;
+    double traction_jump   = 0; ///< between subtriangles and between triangles
     double boundary_force =
       0;                ///< given tractions, and shear under the indenter
     double tension = 0; ///< under the indenter

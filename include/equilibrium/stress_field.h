@@ -10,30 +10,37 @@
 #include <array>
 #include <vector>
 
-#include "equilibrium/split_mesh.h"
+#include "equilibrium/plane_body.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// Stresses in exact equilibrium.
+  /// Stresses in exact equilibrium. In a body of revolution, it is the weighted
+  /// stress that is linear, the stress times the distance r from the axis (see
+  /// LocalStresses); in the plane, the weight is 1.
   struct StressField
   {
-    /// By triangles: the components 11, 22, 12 at the corners of the
-    /// subtriangles, see JohnsonMercier::value_index().
+    /// By triangles: the components 11, 22, 12 of the weighted stress (rr, zz,
+    /// rz) at the corners of the subtriangles, see
+    /// JohnsonMercier::value_index().
     std::vector<Vector<double>> in_plane;
-    /// By triangles: the component 33 at the corners of the subtriangles.
+    /// By triangles: its component 33 at the corners of the subtriangles.
     std::vector<std::array<double, 9>> out_of_plane;
+    /// By triangles of a body of revolution: the circumferential stress on the
+    /// subtriangles, without weight. It is constant there; so the component 33
+    /// at a corner is this times r.
+    std::vector<std::array<double, 3>> circumferential;
     /// By sides: the pressure of the indenter at the two ends, between which it
-    /// is linear; zero where it cannot touch.
+    /// is linear when weighted; zero where it cannot touch.
     std::vector<std::array<double, 2>> pressure;
     /// By triangles, at the corners: the Lagrange multiplier u_h of the
     /// equilibrium in J (4.1), linear on each triangle and not continuous. The
     /// velocity, when the indenter moves down by 1, of a limit load.
     std::vector<std::array<Tensor<1, 2>, 3>> displacement;
 
-    /// Of the indenter. The depth is zero if neither it nor the force has been
-    /// prescribed.
+    /// Of the indenter, on the whole body of revolution. The depth is zero if
+    /// neither it nor the force has been prescribed.
     double force = 0;
     double depth = 0;
     /// What has been minimised.
@@ -44,11 +51,20 @@ namespace ElastoPlastic
     /// False if rounding errors have ended the minimisation early.
     bool is_optimal = true;
 
-    /// The stress at a @p corner of a @p subtriangle of a triangle.
+    /// The weighted stress at a @p corner of a @p subtriangle of a triangle.
     SymmetricTensor<2, 3>
     at(const unsigned int triangle,
        const unsigned int subtriangle,
        const unsigned int corner) const;
+
+    /// The stress there, without weight. On the axis, where it may depend on
+    /// the direction from which one comes, it is that on the way to the middle
+    /// of the opposite side.
+    SymmetricTensor<2, 3>
+    without_weight(const PlaneBody   &body,
+                   const unsigned int triangle,
+                   const unsigned int subtriangle,
+                   const unsigned int corner) const;
 
     /// The largest pressure of the indenter.
     double

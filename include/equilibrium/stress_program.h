@@ -20,26 +20,30 @@ namespace ElastoPlastic
   /// body.
   ///
   /// Each triangle is a block. Its unknowns are the coefficients of the
-  /// equilibrated basis; sigma_33 at the corners of the subtriangles, in plane
-  /// strain; and zeta there, the growth of the yield surface, if the material
-  /// hardens. A side under the indenter is a block, too; its two unknowns are
-  /// the forces q >= 0 that the linear pressure stands for at its ends. The
-  /// equations, two at each end of the sides, say that the tractions of the two
-  /// triangles, or of triangle and indenter, add up to zero, or to what is
-  /// prescribed.
+  /// equilibrated basis (see LocalStresses); sigma_33 at the corners of the
+  /// subtriangles, in plane strain; and zeta there, the growth of the yield
+  /// surface, if the material hardens. Each end of a side under the indenter is
+  /// a block, too; its unknown is the force q >= 0 that the linear pressure
+  /// stands for there. The equations, two at each end of the sides, say that
+  /// the tractions of the two triangles, or of triangle and indenter, add up to
+  /// zero, or to what is prescribed. There are none on the axis of a body of
+  /// revolution, where nothing acts.
   /// Between the corners, the yield condition holds because stresses are linear
-  /// and the set of admissible ones is convex.
+  /// and the set of admissible ones is convex; for a body of revolution, both
+  /// sides of it are linear when multiplied by r.
   class StressProgram
   {
   public:
     /// What is known of sigma_33: it is a field of its own, which need not be
     /// continuous; or the mean of sigma_11 and sigma_22, with which the yield
-    /// condition of plane strain admits most; or zero.
+    /// condition of plane strain admits most; or zero; or what the others
+    /// leave to the equilibrium of a body of revolution.
     enum class OutOfPlaneStress
     {
       unknown,
       mean,
-      zero
+      zero,
+      circumferential
     };
 
     /// @p body must live as long as this object. There is no cost yet.
@@ -52,7 +56,8 @@ namespace ElastoPlastic
     void
     add_energy();
 
-    /// Add int g p ds, with the gap g and the pressure p of the indenter.
+    /// Add int g p ds, with the gap g and the vertical part p of the indenter's
+    /// pressure.
     void
     add_gap();
 
@@ -60,7 +65,8 @@ namespace ElastoPlastic
     void
     add_force(const double factor);
 
-    /// Require int p ds = @p force. The depth will be the Lagrange multiplier.
+    /// Require int p ds = @p force (of the whole body of revolution). The depth
+    /// will be the Lagrange multiplier.
     void
     prescribe_force(const double force);
 
@@ -85,6 +91,10 @@ namespace ElastoPlastic
     number_equations();
     void
     add_block(const unsigned int triangle);
+    /// Of the stresses of a @p basis.
+    void
+    add_circumferential_stress(const unsigned int        triangle,
+                               const FullMatrix<double> &basis);
     void
     add_yield_conditions(const unsigned int triangle);
     void
@@ -100,6 +110,10 @@ namespace ElastoPlastic
                        const unsigned int k,
                        const unsigned int end,
                        const unsigned int component) const;
+
+    /// Pressure and force of the indenter, from those of its blocks.
+    void
+    set_pressure(StressField &field, const double *forces) const;
 
     /// What int C^-1 sigma : tau is as a bilinear form of the stresses at the
     /// corners of the subtriangles (36 x 36).
@@ -137,10 +151,20 @@ namespace ElastoPlastic
                     const Vector<double> &strain_moments,
                     const Vector<double> &y) const;
 
-    /// @p cost(side, end) goes with the indenter's force at an end of a side.
-    template <typename Function>
+    /// The block of an end under the indenter.
+    ConicBlock &
+    contact_block(const unsigned int i);
+
+    /// What the force there is multiplied by to be vertical.
+    double
+    vertical_part(const unsigned int i) const;
+
+    /// The work of the vertical part along this @p distance.
     void
-    add_contact_cost(const Function &cost);
+    add_contact_cost(const unsigned int i, const double distance);
+
+    double
+    force_unit() const;
 
     /// int f phi ds for the two linear functions phi of a side, relative to
     /// half of its length.
@@ -156,14 +180,20 @@ namespace ElastoPlastic
     /// By sides; invalid where there is none.
     std::vector<ByEnds<unsigned int>> equations;
 
-    /// By triangles: stress at the corners of the subtriangles, four components
-    /// each (36 x n); and their three sides.
+    /// By triangles: weighted stress at the corners of the subtriangles, four
+    /// components each (36 x n); and their three sides.
     std::vector<FullMatrix<double>>            point_stresses;
     std::vector<std::array<SideOfTriangle, 3>> sides;
 
-    /// The sides under the indenter, in the order of their blocks, which come
-    /// after those of the triangles.
-    std::vector<unsigned int> contact_sides;
+    struct EndOfSide
+    {
+      unsigned int side;
+      unsigned int end;
+    };
+
+    /// Under the indenter, in the order of their blocks, which come after those
+    /// of the triangles.
+    std::vector<EndOfSide> contact_ends;
   };
 } // namespace ElastoPlastic
 

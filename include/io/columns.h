@@ -26,7 +26,7 @@ namespace ElastoPlastic
     unsigned int cells, triangles;
     double       lower_bound, upper_bound;
     unsigned int lower_iterations, upper_iterations;
-    double       stress_error, divergence;
+    double       stress_error, velocity_error;
     double       wall_seconds;
 
     double

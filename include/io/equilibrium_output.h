@@ -6,12 +6,12 @@
 
 #include <deal.II/base/data_out_base.h>
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "equilibrium/plane_body.h"
-#include "equilibrium/quadratic_field.h"
 #include "equilibrium/stress_field.h"
 #include "io/output_parameters.h"
 
@@ -20,10 +20,12 @@ namespace ElastoPlastic
   /// What there is on the triangles of a SplitMesh.
   struct EquilibriumFields
   {
-    const PlaneBody           &body;
-    const StressField         &stress;
-    const QuadraticField      &motion; ///< a displacement, or a velocity
-    const std::vector<double> &errors; ///< by triangles
+    const PlaneBody   &body;
+    const StressField &stress;
+    /// A displacement, or a velocity: by triangles, at their corners and
+    /// their centres of gravity.
+    const std::vector<std::array<Tensor<1, 2>, 4>> motion;
+    const std::vector<double>                     &errors; ///< by triangles
   };
 
 

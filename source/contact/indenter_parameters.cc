@@ -185,6 +185,12 @@ namespace ElastoPlastic
         "Contact is looked for only within this horizontal distance from "
         "'Position'; 0 stands for as far as the shape goes. Unit: length, >= 0.",
         Patterns::Double());
+      prm.add_parameter(
+        "Surface",
+        p.surface,
+        "For 'Analysis = limit load': along a smooth indenter the body slides "
+        "without shear stress, on a rough one it does not slide unless it "
+        "yields. The other analyses have 'Contact/Friction coefficient'.");
     }
 
     template <typename T>

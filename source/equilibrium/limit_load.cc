@@ -1,38 +1,94 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include "equilibrium/integration.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/limit_load.h"
+#include "equilibrium/side_view.h"
 #include "equilibrium/stress_problem.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    using namespace JohnsonMercier;
-
-
-
-    /// int tau : e(v) over a triangle, the product of two linear functions on
-    /// each subtriangle.
+    /// The power of the stresses in a triangle. Stresses are linear on each
+    /// subtriangle, strain rates quadratic at most, but for a flux.
     double
-    power(const PlaneBody &body, const LimitLoad &bounds, const unsigned int t)
+    power_inside(const PlaneBody   &body,
+                 const LimitLoad   &bounds,
+                 const unsigned int t)
     {
-      const auto rates = strains(body.mesh, bounds.velocity.velocity, t);
-      double     sum   = 0;
-      for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
-        {
-          const auto rate = on_subtriangle(rates, subtriangle);
-          sum +=
-            integrate_product([&](const unsigned int i, const unsigned int j) {
-              return stress_at(bounds.stress.in_plane[t], subtriangle, i) *
-                     rate[j];
-            });
-        }
-      return area(body.mesh.corners(body.mesh.triangles[t])) / 3. * sum;
+      static const QGaussSimplex<2> quadrature(3);
+
+      double sum = 0;
+      for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          {
+            const double x = quadrature.point(q)[0], y = quadrature.point(q)[1];
+            const SymmetricTensor<2, 3> stress =
+              (1. - x - y) * bounds.stress.at(t, k, 0) +
+              x * bounds.stress.at(t, k, 1) + y * bounds.stress.at(t, k, 2);
+            Bernstein::Barycentric point;
+            point.fill(y / 3.);
+            point[k] += 1. - x - y;
+            point[(k + 1) % 3] += x;
+            sum +=
+              2. * quadrature.weight(q) / 3. *
+              (stress *
+               strain_rate_at(body, bounds.velocity.velocity[t], t, point));
+          }
+      return area(body.mesh.corners(body.mesh.triangles[t])) * sum;
+    }
+
+
+
+    /// That of the shear stress in what slides along a side.
+    double
+    power_on_side(const PlaneBody &body,
+                  const LimitLoad &bounds,
+                  const SideView  &view)
+    {
+      const auto [t, k]       = view.neighbors[0];
+      const auto &side        = body.mesh.sides[view.side];
+      const bool  is_reversed = // the side, seen from the triangle
+        side.vertices[0] != body.mesh.triangles[t].vertices[k];
+      const auto shear = [&](const unsigned int end) {
+        return view.tangent *
+               (JohnsonMercier::stress_at(bounds.stress.in_plane[t],
+                                          k,
+                                          is_reversed ? 1 - end : end) *
+                view.normal);
+      };
+      double sum = 0;
+      integrate_on_side(
+        body.mesh.vertices[side.vertices[0]],
+        body.mesh.vertices[side.vertices[1]],
+        [&](const double at, const Point<2> &x, const double weight) {
+          sum -= weight * view.length * ((1. - at) * shear(0) + at * shear(1)) *
+                 (view.jump(bounds.velocity.velocity, at) * view.tangent) /
+                 body.weight(x);
+        });
+      return sum;
     }
   } // namespace
+
+
+
+  void
+  find_gaps(const PlaneBody &body, LimitLoad &bounds)
+  {
+    bounds.gaps = bounds.velocity.dissipation;
+    for (unsigned int t = 0; t < bounds.gaps.size(); ++t)
+      bounds.gaps[t] -= body.angle() * power_inside(body, bounds, t);
+    for (const SideView &view : views_of_sides(body))
+      if (view.is_inside() || view.support.resists_slip)
+        for (const auto &neighbor : view.neighbors)
+          bounds.gaps[neighbor.triangle] -= body.angle() *
+                                            power_on_side(body, bounds, view) /
+                                            view.neighbors.size();
+  }
 
 
 
@@ -42,9 +98,7 @@ namespace ElastoPlastic
     LimitLoad bounds;
     bounds.stress   = maximize_force(body);
     bounds.velocity = minimize_plastic_work(body);
-    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
-      bounds.gaps.push_back(bounds.velocity.dissipation[t] -
-                            power(body, bounds, t));
+    find_gaps(body, bounds);
     return bounds;
   }
 } // namespace ElastoPlastic

@@ -32,7 +32,8 @@ namespace ElastoPlastic
     public:
       Conditions(const BoundaryConditions<2>                   &conditions,
                  const std::function<double(const Point<2> &)> &gap,
-                 const double                                   time)
+                 const double                                   time,
+                 const SurfaceFinish indenter_surface)
         : contact(conditions.ids(BoundaryConditionType::contact))
         , fixed(conditions.ids(BoundaryConditionType::fixed))
         , rollers(conditions.ids(BoundaryConditionType::roller))
@@ -40,6 +41,7 @@ namespace ElastoPlastic
         , tractions(conditions.tractions())
         , gap(gap)
         , time(time)
+        , indenter_surface(indenter_surface)
       {}
 
       SideCondition
@@ -54,11 +56,11 @@ namespace ElastoPlastic
                             SideConditionType::displacement);
         const Reach reach =
           contact.count(id) > 0 ? reach_of(mesh, side) : Reach::none;
-        SideCondition condition =
-          along_axes(SideConditionType::traction,
-                     reach == Reach::whole ? SideConditionType::contact :
-                                             SideConditionType::traction);
-        condition.is_reached = reach != Reach::none;
+        SideCondition condition = reach == Reach::whole ?
+                                    under_indenter() :
+                                    along_axes(SideConditionType::traction,
+                                               SideConditionType::traction);
+        condition.is_reached    = reach != Reach::none;
         if (rollers.count(id) > 0)
           {
             const Tensor<1, 2> normal = mesh.normal(side);
@@ -83,6 +85,15 @@ namespace ElastoPlastic
       {
         return {{{{Tensor<1, 2>({1., 0.}), x, zero},
                   {Tensor<1, 2>({0., 1.}), y, zero}}}};
+      }
+
+      SideCondition
+      under_indenter() const
+      {
+        return along_axes(indenter_surface == SurfaceFinish::rough ?
+                            SideConditionType::displacement :
+                            SideConditionType::traction,
+                          SideConditionType::contact);
       }
 
       void
@@ -140,6 +151,7 @@ namespace ElastoPlastic
       const Values                                  &tractions;
       const std::function<double(const Point<2> &)> &gap;
       const double                                   time;
+      const SurfaceFinish                            indenter_surface;
     };
 
 
@@ -167,20 +179,63 @@ namespace ElastoPlastic
 
 
 
+  bool
+  PlaneBody::is_axisymmetric() const
+  {
+    return kinematics == Kinematics::axisymmetric;
+  }
+
+
+
+  bool
+  PlaneBody::is_on_axis(const Point<2> &x) const
+  {
+    constexpr double rounding = 1e-12;
+    return is_axisymmetric() && x[0] <= rounding * length_unit;
+  }
+
+
+
+  double
+  PlaneBody::weight(const Point<2> &x) const
+  {
+    return is_axisymmetric() ? x[0] : 1.;
+  }
+
+
+
+  double
+  PlaneBody::weight_unit() const
+  {
+    return is_axisymmetric() ? length_unit : 1.;
+  }
+
+
+
+  double
+  PlaneBody::angle() const
+  {
+    return is_axisymmetric() ? 2. * numbers::PI : 1.;
+  }
+
+
+
   PlaneBody
   make_plane_body(SplitMesh                                      mesh,
                   const BoundaryConditions<2>                   &conditions,
                   const std::vector<Material<double>>           &materials,
                   const Kinematics                               kinematics,
                   const std::function<double(const Point<2> &)> &gap,
-                  const double                                   time)
+                  const double                                   time,
+                  const SurfaceFinish indenter_surface)
   {
     PlaneBody body;
-    body.mesh       = std::move(mesh);
-    body.kinematics = kinematics;
-    body.gap        = gap;
+    body.mesh             = std::move(mesh);
+    body.kinematics       = kinematics;
+    body.indenter_surface = indenter_surface;
+    body.gap              = gap;
 
-    const Conditions condition_of(conditions, gap, time);
+    const Conditions condition_of(conditions, gap, time, indenter_surface);
     for (const SplitMesh::Side &side : body.mesh.sides)
       body.conditions.push_back(condition_of(body.mesh, side));
     for (const SplitMesh::Triangle &triangle : body.mesh.triangles)

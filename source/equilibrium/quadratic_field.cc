@@ -106,15 +106,17 @@ namespace ElastoPlastic
 
 
 
-  Tensor<1, 2>
-  value_at_center(const QuadraticField      &field,
-                  const SplitMesh::Triangle &triangle)
+  std::array<Tensor<1, 2>, 4>
+  values_at_vertices(const QuadraticField      &field,
+                     const SplitMesh::Triangle &triangle)
   {
-    Tensor<1, 2> sum;
+    std::array<Tensor<1, 2>, 4> values;
     for (unsigned int i = 0; i < 3; ++i)
-      sum += 4. * field.at_sides[triangle.sides[i]] -
-             field.at_vertices[triangle.vertices[i]];
-    return sum / 9.;
+      {
+        values[i] = field.at_vertices[triangle.vertices[i]];
+        values[3] += (4. * field.at_sides[triangle.sides[i]] - values[i]) / 9.;
+      }
+    return values;
   }
 
 

@@ -17,8 +17,50 @@ namespace ElastoPlastic
 
     constexpr double largest_stress_error = 1e-8;
 
-    /// The tractions of a triangle at the ends of a side, in the direction of
-    /// the side, on a plane with the normal of the side.
+
+
+    void
+    enlarge(double &largest, const double error)
+    {
+      largest = std::max(largest, error);
+    }
+
+
+
+    /// 1 / weight off the axis, 0 on it.
+    double
+    inverse_weight(const PlaneBody &body, const Point<2> &x)
+    {
+      return body.is_on_axis(x) ? 0. : 1. / body.weight(x);
+    }
+
+
+
+    /// Of the weighted stress on a subtriangle, by differences between its
+    /// @p corners.
+    Tensor<1, 2>
+    divergence(const Triangle       &corners,
+               const Vector<double> &values,
+               const unsigned int    subtriangle)
+    {
+      const Tensor<2, 2> ways = invert(Tensor<2, 2>(
+        {{corners[1][0] - corners[0][0], corners[1][1] - corners[0][1]},
+         {corners[2][0] - corners[0][0], corners[2][1] - corners[0][1]}}));
+      Tensor<1, 2>       result;
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const auto change = stress_at(values, subtriangle, i + 1) -
+                              stress_at(values, subtriangle, 0);
+          for (unsigned int d = 0; d < 2; ++d)
+            result += ways[d][i] * (change * Point<2>::unit_vector(d));
+        }
+      return result;
+    }
+
+
+
+    /// The weighted tractions of a triangle at the ends of a side, in the
+    /// direction of the side, on a plane with the normal of the side.
     std::array<Tensor<1, 2>, 2>
     tractions(const PlaneBody   &body,
               const StressField &field,
@@ -38,43 +80,83 @@ namespace ElastoPlastic
 
 
 
+    /// That S has the divergence that the circumferential stress asks for.
     void
-    check_inside(StressErrors      &errors,
+    check_equilibrium(StressErrors      &errors,
+                      const PlaneBody   &body,
+                      const StressField &field,
+                      const unsigned int t)
+    {
+      const auto   corners = body.mesh.corners(body.mesh.triangles[t]);
+      const double size    = std::sqrt(area(corners));
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          const Triangle subtriangle = subtriangle_of(corners, k);
+          Tensor<1, 2> missing = divergence(subtriangle, field.in_plane[t], k);
+          if (body.is_axisymmetric())
+            missing[0] -= field.circumferential[t][k];
+          enlarge(errors.divergence,
+                  size * missing.norm() / body.weight(subtriangle[2]));
+        }
+    }
+
+
+
+    /// That the tractions are continuous between the subtriangles.
+    void
+    check_lines_inside(StressErrors      &errors,
+                       const PlaneBody   &body,
+                       const StressField &field,
+                       const unsigned int t)
+    {
+      const auto  corners = body.mesh.corners(body.mesh.triangles[t]);
+      const auto &values  = field.in_plane[t];
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          const Point<2>     center = subtriangle_of(corners, k)[2];
+          const Tensor<1, 2> line   = center - corners[k];
+          const Tensor<1, 2> normal = cross_product_2d(line) / line.norm();
+          const unsigned int before = (k + 2) % 3;
+          for (const auto &[here, there, point] :
+               {std::make_tuple(0u, 1u, corners[k]),
+                std::make_tuple(2u, 2u, center)})
+            enlarge(errors.traction_jump,
+                    inverse_weight(body, point) *
+                      ((stress_at(values, k, here) -
+                        stress_at(values, before, there)) *
+                       normal)
+                        .norm());
+        }
+    }
+
+
+
+    /// The yield condition, and what makes it hold for the circumferential
+    /// stress and on the axis.
+    void
+    check_points(StressErrors      &errors,
                  const PlaneBody   &body,
                  const StressField &field,
                  const unsigned int t)
     {
-      const auto  corners = body.mesh.corners(body.mesh.triangles[t]);
-      const auto &values  = field.in_plane[t];
-
-      Vector<double> divergence(6);
-      divergence_matrix(corners).vmult(divergence, values);
-      errors.divergence =
-        std::max(errors.divergence,
-                 divergence.linfty_norm() * std::sqrt(area(corners)));
-
-      for (unsigned int k = 0; k < 3; ++k)
-        {
-          const Tensor<1, 2> line = subtriangle_of(corners, k)[2] - corners[k];
-          const Tensor<1, 2> normal = cross_product_2d(line) / line.norm();
-          const unsigned int before = (k + 2) % 3;
-          for (const auto &[here, there] :
-               {std::make_pair(0u, 1u), std::make_pair(2u, 2u)})
-            errors.traction_jump =
-              std::max(errors.traction_jump,
-                       ((stress_at(values, k, here) -
-                         stress_at(values, before, there)) *
-                        normal)
-                         .norm());
-        }
-
-      if (HenckyMaterial::hardens(body.materials[t]))
-        return;
+      const auto corners = body.mesh.corners(body.mesh.triangles[t]);
       for (unsigned int k = 0; k < 3; ++k)
         for (unsigned int i = 0; i < 3; ++i)
-          errors.yield_excess = std::max(errors.yield_excess,
-                                         deviator(field.at(t, k, i)).norm() -
-                                           body.materials[t].yield_radius);
+          {
+            const Point<2> point    = subtriangle_of(corners, k)[i];
+            const auto     weighted = field.at(t, k, i);
+            if (body.is_on_axis(point))
+              enlarge(errors.on_axis,
+                      weighted.norm() / std::sqrt(area(corners)));
+            else if (body.is_axisymmetric())
+              enlarge(errors.circumferential,
+                      std::abs(weighted[2][2] / point[0] -
+                               field.circumferential[t][k]));
+            if (!HenckyMaterial::hardens(body.materials[t]))
+              enlarge(errors.yield_excess,
+                      inverse_weight(body, point) * deviator(weighted).norm() -
+                        body.materials[t].yield_radius);
+          }
     }
 
 
@@ -92,17 +174,18 @@ namespace ElastoPlastic
       for (unsigned int end = 0; end < 2; ++end)
         for (const auto &component : body.conditions[s].components)
           {
-            const double traction = tractions[end] * component.direction;
-            if (component.type == SideConditionType::traction)
-              errors.boundary_force =
-                std::max(errors.boundary_force,
-                         std::abs(traction -
-                                  component.value(
-                                    body.mesh.vertices[side.vertices[end]])));
+            const Point<2> point    = body.mesh.vertices[side.vertices[end]];
+            const double   weighted = tractions[end] * component.direction;
+            const double   traction = inverse_weight(body, point) * weighted;
+            if (component.type == SideConditionType::traction &&
+                !body.is_on_axis(point))
+              enlarge(errors.boundary_force,
+                      std::abs(traction - component.value(point)));
             if (component.type == SideConditionType::contact)
               {
-                errors.tension = std::max(errors.tension, traction);
-                force -= 0.5 * length * traction;
+                enlarge(errors.tension, traction);
+                force -= body.angle() * 0.5 * length * weighted *
+                         component.direction[1];
               }
           }
       return force;
@@ -115,6 +198,8 @@ namespace ElastoPlastic
   StressErrors::largest() const
   {
     return std::max({divergence,
+                     on_axis,
+                     circumferential,
                      traction_jump,
                      boundary_force,
                      tension,
@@ -133,7 +218,9 @@ namespace ElastoPlastic
     std::vector<bool> seen(body.mesh.sides.size(), false);
     for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
       {
-        check_inside(errors, body, field, t);
+        check_equilibrium(errors, body, field, t);
+        check_lines_inside(errors, body, field, t);
+        check_points(errors, body, field, t);
         for (unsigned int k = 0; k < 3; ++k)
           {
             const unsigned int s    = body.mesh.triangles[t].sides[k];
@@ -145,18 +232,25 @@ namespace ElastoPlastic
               first[s] = here;
             else
               for (unsigned int end = 0; end < 2; ++end)
-                errors.traction_jump =
-                  std::max(errors.traction_jump,
-                           (here[end] - first[s][end]).norm());
+                {
+                  const auto &vertices = body.mesh.sides[s].vertices;
+                  enlarge(errors.traction_jump,
+                          inverse_weight(body,
+                                         body.mesh.vertices[vertices[end]]) *
+                            (here[end] - first[s][end]).norm());
+                }
             seen[s] = true;
           }
       }
 
-    errors.divergence /= body.stress_unit;
-    errors.traction_jump /= body.stress_unit;
-    errors.boundary_force /= body.stress_unit;
-    errors.tension /= body.stress_unit;
-    errors.yield_excess /= body.stress_unit;
+    for (double *error : {&errors.divergence,
+                          &errors.on_axis,
+                          &errors.circumferential,
+                          &errors.traction_jump,
+                          &errors.boundary_force,
+                          &errors.tension,
+                          &errors.yield_excess})
+      *error /= body.stress_unit;
     errors.force_difference =
       std::abs(force - field.force) / std::max(std::abs(force), 1e-300);
     return errors;

@@ -22,6 +22,23 @@ namespace ElastoPlastic
 
 
 
+  SymmetricTensor<2, 3>
+  StressField::without_weight(const PlaneBody   &body,
+                              const unsigned int triangle,
+                              const unsigned int subtriangle,
+                              const unsigned int corner) const
+  {
+    const auto corners = JohnsonMercier::subtriangle_of(
+      body.mesh.corners(body.mesh.triangles[triangle]), subtriangle);
+    if (!body.is_on_axis(corners[corner]))
+      return at(triangle, subtriangle, corner) / body.weight(corners[corner]);
+    const unsigned int a = (corner + 1) % 3, b = (corner + 2) % 3;
+    return (at(triangle, subtriangle, a) + at(triangle, subtriangle, b)) /
+           (body.weight(corners[a]) + body.weight(corners[b]));
+  }
+
+
+
   double
   StressField::max_pressure() const
   {

@@ -18,6 +18,22 @@ namespace ElastoPlastic
 
 
 
+    OutOfPlaneStress
+    least_restrictive(const Kinematics kinematics)
+    {
+      switch (kinematics)
+        {
+          case Kinematics::plane_stress:
+            return OutOfPlaneStress::zero;
+          case Kinematics::axisymmetric:
+            return OutOfPlaneStress::circumferential;
+          default:
+            return OutOfPlaneStress::mean;
+        }
+    }
+
+
+
     StressProgram
     complementary_energy(const PlaneBody &body)
     {
@@ -80,10 +96,7 @@ namespace ElastoPlastic
   StressField
   maximize_force(const PlaneBody &body)
   {
-    StressProgram program(body,
-                          body.kinematics == Kinematics::plane_stress ?
-                            OutOfPlaneStress::zero :
-                            OutOfPlaneStress::mean);
+    StressProgram program(body, least_restrictive(body.kinematics));
     const double  unit = body.strain_unit * body.length_unit;
     program.add_force(-unit);
     StressField field = solve_bounded(program);

@@ -7,6 +7,7 @@
 #include "equilibrium/integration.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/local_algebra.h"
+#include "equilibrium/local_stresses.h"
 #include "equilibrium/stress_program.h"
 #include "equilibrium/yield_conditions.h"
 
@@ -99,11 +100,16 @@ namespace ElastoPlastic
         const auto &components = body.conditions[s].components;
         for (unsigned int c = 0; c < 2; ++c)
           {
-            const SideConditionType type = components[c].type;
-            const bool has_equation = type != SideConditionType::displacement;
-            const auto load         = moments(s, components[c].value);
+            const auto load = moments(s, [&](const Point<2> &x) {
+              return body.weight(x) / body.weight_unit() *
+                     components[c].value(x);
+            });
             for (unsigned int end = 0; end < 2; ++end)
               {
+                const bool has_equation =
+                  components[c].type != SideConditionType::displacement &&
+                  !body.is_on_axis(
+                    body.mesh.vertices[body.mesh.sides[s].vertices[end]]);
                 equations[s][end][c] =
                   has_equation ? values.size() : numbers::invalid_unsigned_int;
                 // the traction that is linear and has the same moments
@@ -123,18 +129,17 @@ namespace ElastoPlastic
   void
   StressProgram::add_block(const unsigned int t)
   {
-    const bool         own_unknown = out_of_plane == OutOfPlaneStress::unknown;
-    const unsigned int n = n_equilibrated_dofs + (own_unknown ? n_points : 0) +
+    const bool own_unknown         = out_of_plane == OutOfPlaneStress::unknown;
+    const FullMatrix<double> basis = LocalStresses::equilibrated_basis(body, t);
+    const unsigned int       n     = basis.n() + (own_unknown ? n_points : 0) +
                            (hardens(body.materials[t]) ? n_points : 0);
-    const FullMatrix<double> basis =
-      equilibrated_basis(body.mesh.corners(body.mesh.triangles[t]));
 
     FullMatrix<double> &stress =
       point_stresses.emplace_back(n_components * n_points, n);
     for (unsigned int p = 0; p < n_points; ++p)
       {
         const unsigned int row = n_components * p;
-        for (unsigned int j = 0; j < n_equilibrated_dofs; ++j)
+        for (unsigned int j = 0; j < basis.n(); ++j)
           {
             for (unsigned int c = 0; c < 3; ++c)
               stress(row + c, j) = basis(3 * p + c, j);
@@ -143,10 +148,28 @@ namespace ElastoPlastic
                 0.5 * (basis(3 * p, j) + basis(3 * p + 1, j));
           }
         if (own_unknown)
-          stress(row + 3, n_equilibrated_dofs + p) = 1.;
+          stress(row + 3, basis.n() + p) = 1.;
       }
+    if (out_of_plane == OutOfPlaneStress::circumferential)
+      add_circumferential_stress(t, basis);
 
     program.blocks.emplace_back(n);
+  }
+
+
+
+  void
+  StressProgram::add_circumferential_stress(const unsigned int        t,
+                                            const FullMatrix<double> &basis)
+  {
+    const auto         weights = LocalStresses::weights(body, t);
+    FullMatrix<double> of_subtriangles(3, basis.n());
+    LocalStresses::circumferential_matrix(body, t).mmult(of_subtriangles,
+                                                         basis);
+    for (unsigned int p = 0; p < n_points; ++p)
+      for (unsigned int j = 0; j < basis.n(); ++j)
+        point_stresses[t](n_components * p + 3, j) =
+          weights[p] * of_subtriangles(p / 3, j);
   }
 
 
@@ -158,9 +181,12 @@ namespace ElastoPlastic
     const Material<double> &material = body.materials[t];
     if (!yields(material))
       return;
-    ConicBlock &block = program.blocks[t];
+    ConicBlock              &block  = program.blocks[t];
+    const FullMatrix<double> points = LocalStresses::yield_points(body, t);
+    FullMatrix<double>       stress(points.m(), point_stresses[t].n());
+    points.mmult(stress, point_stresses[t]);
     ElastoPlastic::add_yield_conditions(
-      block, point_stresses[t], material.yield_radius / body.stress_unit);
+      block, stress, material.yield_radius / body.stress_unit);
     if (hardens(material))
       for (unsigned int p = 0; p < n_points; ++p)
         block.cone_matrix(4 * p, block.cone_matrix.n() - n_points + p) = -1.;
@@ -176,8 +202,9 @@ namespace ElastoPlastic
     ConicBlock                &block    = program.blocks[t];
     const unsigned int         n        = block.linear_cost.size();
 
-    FullMatrix<double> tractions(n_tractions, n_equilibrated_dofs);
-    traction_matrix(corners).mmult(tractions, equilibrated_basis(corners));
+    const FullMatrix<double> basis = LocalStresses::equilibrated_basis(body, t);
+    FullMatrix<double>       tractions(n_tractions, basis.n());
+    traction_matrix(corners).mmult(tractions, basis);
 
     sides.emplace_back();
     for (unsigned int k = 0; k < 3; ++k)
@@ -220,28 +247,6 @@ namespace ElastoPlastic
         0.5 * body.mesh.length(side) / body.length_unit *
         body.conditions[s].components[component].direction[d];
     return force;
-  }
-
-
-
-  // The indenter's forces point down.
-  void
-  StressProgram::add_indenter()
-  {
-    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-      if (body.conditions[s].components[1].type == SideConditionType::contact)
-        {
-          contact_sides.push_back(s);
-          ConicBlock &block = program.blocks.emplace_back(2);
-          for (unsigned int end = 0; end < 2; ++end)
-            {
-              Vector<double> force(2);
-              force[end] = 1.;
-              block.add_to_equation(equations[s][end][1], force);
-              force *= -1.;
-              block.add_inequality(force);
-            }
-        }
   }
 
 
@@ -307,58 +312,6 @@ namespace ElastoPlastic
     return -moments(side,
                     body.conditions[side].components[component].value)[end] /
            (body.strain_unit * body.length_unit);
-  }
-
-
-
-  void
-  StressProgram::add_gap()
-  {
-    for (unsigned int i = 0; i < contact_sides.size(); ++i)
-      program.blocks[body.mesh.triangles.size() + i].cone_scales.assign(
-        2,
-        {0.5 * body.mesh.length(body.mesh.sides[contact_sides[i]]) /
-           body.length_unit,
-         1.});
-    add_contact_cost([this](const unsigned int side, const unsigned int end) {
-      return moments(side, body.gap)[end];
-    });
-  }
-
-
-
-  void
-  StressProgram::add_force(const double factor)
-  {
-    add_contact_cost([factor](unsigned int, unsigned int) { return factor; });
-  }
-
-
-
-  template <typename Function>
-  void
-  StressProgram::add_contact_cost(const Function &cost)
-  {
-    for (unsigned int i = 0; i < contact_sides.size(); ++i)
-      for (unsigned int end = 0; end < 2; ++end)
-        program.blocks[body.mesh.triangles.size() + i].linear_cost[end] +=
-          cost(contact_sides[i], end) / (body.strain_unit * body.length_unit);
-  }
-
-
-
-  void
-  StressProgram::prescribe_force(const double force)
-  {
-    const unsigned int row = program.right_hand_side.size();
-    program.right_hand_side.grow_or_shrink(row + 1);
-    program.right_hand_side[row] =
-      force / (body.stress_unit * body.length_unit);
-    program.n_dense_rows = 1;
-    Vector<double> sum(2);
-    sum = 1.;
-    for (unsigned int i = 0; i < contact_sides.size(); ++i)
-      program.blocks[body.mesh.triangles.size() + i].add_to_equation(row, sum);
   }
 
 

@@ -5,12 +5,49 @@
 #include "equilibrium/interior_point.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/local_algebra.h"
+#include "equilibrium/local_stresses.h"
 #include "equilibrium/stress_program.h"
 #include "equilibrium/yield_conditions.h"
 
 namespace ElastoPlastic
 {
   using namespace JohnsonMercier;
+
+  namespace
+  {
+    /// Adds the weighted stress of the next triangle, given by its @p values,
+    /// four components at each corner of the subtriangles.
+    void
+    add_stress(StressField          &field,
+               const PlaneBody      &body,
+               const unsigned int    t,
+               const Vector<double> &values)
+    {
+      field.in_plane.emplace_back(n_values);
+      field.out_of_plane.emplace_back();
+      for (unsigned int p = 0; p < n_points; ++p)
+        {
+          for (unsigned int c = 0; c < 3; ++c)
+            field.in_plane[t][3 * p + c] = values[n_stress_components * p + c];
+          field.out_of_plane[t][p] = values[n_stress_components * p + 3];
+        }
+      if (!body.is_axisymmetric())
+        return;
+      // It is a derivative of S, with rounding errors that grow as triangles
+      // become small: they must be the same at all corners.
+      const auto weights = LocalStresses::weights(body, t);
+      field.circumferential.emplace_back();
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          const unsigned int center = 3 * k + 2;
+          const double       stress = field.out_of_plane[t][center] /
+                                (weights[center] * body.weight_unit());
+          field.circumferential[t][k] = stress;
+          for (unsigned int p = 3 * k; p < 3 * k + 3; ++p)
+            field.out_of_plane[t][p] = weights[p] * body.weight_unit() * stress;
+        }
+    }
+  } // namespace
 
 
 
@@ -32,33 +69,15 @@ namespace ElastoPlastic
           t,
           strain_moments(t, values, solution.z.begin() + layout.rows[t]),
           solution.y));
-        values *= body.stress_unit;
-        field.in_plane.emplace_back(JohnsonMercier::n_values);
-        field.out_of_plane.emplace_back();
-        for (unsigned int p = 0; p < JohnsonMercier::n_points; ++p)
-          {
-            for (unsigned int c = 0; c < 3; ++c)
-              field.in_plane[t][3 * p + c] =
-                values[n_stress_components * p + c];
-            field.out_of_plane[t][p] = values[n_stress_components * p + 3];
-          }
+        values *= body.stress_unit * body.weight_unit();
+        add_stress(field, body, t, values);
       }
-    for (unsigned int i = 0; i < contact_sides.size(); ++i)
-      for (unsigned int end = 0; end < 2; ++end)
-        {
-          const unsigned int s = contact_sides[i];
-          const double       force =
-            body.stress_unit * body.length_unit *
-            solution.x[layout.unknowns[n_triangles + i] + end];
-          field.pressure[s][end] =
-            2. * force / body.mesh.length(body.mesh.sides[s]);
-          field.force += force;
-        }
+    set_pressure(field, solution.x.begin() + layout.unknowns[n_triangles]);
     if (program.n_dense_rows > 0)
       field.depth = -body.strain_unit * body.length_unit *
                     solution.y[solution.y.size() - 1];
-    field.cost = solution.cost * body.stress_unit * body.strain_unit *
-                 body.length_unit * body.length_unit;
+    field.cost =
+      solution.cost * force_unit() * body.strain_unit * body.length_unit;
     field.relative_gap = solution.relative_gap;
     field.n_iterations = solution.n_iterations;
     field.is_optimal   = solution.is_optimal;
@@ -67,8 +86,34 @@ namespace ElastoPlastic
 
 
 
+  // From the axis on, the weighted pressure is in proportion to r: there, the
+  // pressure is that of the other end.
+  void
+  StressProgram::set_pressure(StressField &field, const double *forces) const
+  {
+    for (unsigned int i = 0; i < contact_ends.size(); ++i)
+      {
+        const auto [s, end]         = contact_ends[i];
+        const SplitMesh::Side &side = body.mesh.sides[s];
+        const auto             at   = [&](const unsigned int e) {
+          return body.mesh.vertices[side.vertices[e]];
+        };
+        const double pressure = 2. * forces[i] * body.stress_unit *
+                                body.length_unit * body.weight_unit() /
+                                (body.mesh.length(side) * body.weight(at(end)));
+        field.pressure[s][end] = pressure;
+        if (body.is_on_axis(at(1 - end)))
+          field.pressure[s][1 - end] = pressure;
+        field.force += force_unit() * vertical_part(i) * forces[i];
+      }
+  }
+
+
+
   // sigma_33 follows the others where it is their mean; where it is an unknown,
-  // its own derivative vanishes.
+  // its own derivative vanishes; where it is the circumferential stress, its
+  // derivative is the mean of u_h along r, which displacement_of() finds from
+  // the others.
   Vector<double>
   StressProgram::strain_moments(const unsigned int    t,
                                 const Vector<double> &stress,
@@ -81,7 +126,8 @@ namespace ElastoPlastic
       {
         ConicBlock block(stress.size());
         ElastoPlastic::add_yield_conditions(block,
-                                            IdentityMatrix(stress.size()),
+                                            LocalStresses::yield_points(body,
+                                                                        t),
                                             /* radius = */ 1.);
         LocalAlgebra::add_transposed_product(moments.begin(),
                                              block.cone_matrix,
@@ -120,18 +166,18 @@ namespace ElastoPlastic
   // For all stresses tau of the triangle, with the traces w of the displacement
   // on its sides,
   //   (strain, tau) + (u_h, div tau) - <w, tau n> = 0.
-  // Of these 15 equations, the nine without divergence have been solved; least
-  // squares take out of the others the values of u_h at the centres of gravity
-  // of the subtriangles, where div tau is constant. Such a value is 4/9 of
-  // those at the corners k and k + 1 and 1/9 of the third one.
+  // Of these (at most 15) equations, those of the unknowns have been solved;
+  // least squares take out of the others the values of u_h at the centres of
+  // gravity of the subtriangles, where div tau is constant. Such a value is 4/9
+  // of those at the corners k and k + 1 and 1/9 of the third one.
   std::array<Tensor<1, 2>, 3>
   StressProgram::displacement_of(const unsigned int    t,
                                  const Vector<double> &strain_moments,
                                  const Vector<double> &y) const
   {
     const auto corners              = body.mesh.corners(body.mesh.triangles[t]);
-    const FullMatrix<double> shapes = shape_functions(corners);
-    FullMatrix<double>       divergence(6, n_dofs);
+    const FullMatrix<double> shapes = LocalStresses::shape_functions(body, t);
+    FullMatrix<double>       divergence(6, shapes.n());
     divergence_matrix(corners).mmult(divergence, shapes);
     divergence *= area(corners) / (3. * body.length_unit);
 
@@ -144,7 +190,7 @@ namespace ElastoPlastic
 
     Vector<double> moments = strain_moments;
     traction_matrix(corners).Tvmult(moments, traction_moments, true);
-    Vector<double> residual(n_dofs);
+    Vector<double> residual(shapes.n());
     shapes.Tvmult(residual, moments);
 
     FullMatrix<double> normal_matrix(6, 6);

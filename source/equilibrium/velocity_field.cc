@@ -1,34 +1,135 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
-#include <cmath>
-
+#include "base/tensors.h"
+#include "equilibrium/johnson_mercier.h"
 #include "equilibrium/velocity_field.h"
 
 namespace ElastoPlastic
 {
-  double
-  relative_divergence(const SplitMesh &mesh, const QuadraticField &velocity)
+  namespace
   {
-    double divergence = 0, largest_rate = 0;
-    for (unsigned int t = 0; t < mesh.triangles.size(); ++t)
-      for (const auto &rate : strains(mesh, velocity, t))
-        {
-          divergence   = std::max(divergence, std::abs(trace(rate)));
-          largest_rate = std::max(largest_rate, rate.norm());
-        }
-    return largest_rate > 0 ? divergence / largest_rate : 0.;
+    using Bernstein::Barycentric;
+
+
+
+    Tensor<1, 2>
+    polynomial_velocity(const std::array<Point<2>, 3> &corners,
+                        const TriangleVelocity        &velocity,
+                        const Barycentric             &point)
+    {
+      const auto functions =
+        Bernstein::cubics(JohnsonMercier::gradients(corners), point);
+      Tensor<1, 2> sum;
+      for (unsigned int i = 0; i < functions.size(); ++i)
+        sum += functions[i].value * velocity.coefficients[i];
+      return sum;
+    }
+  } // namespace
+
+
+
+  Point<2>
+  position(const std::array<Point<2>, 3> &corners, const Barycentric &point)
+  {
+    Point<2> sum;
+    for (unsigned int i = 0; i < 3; ++i)
+      sum += point[i] * corners[i];
+    return sum;
   }
 
 
 
-  double
-  plastic_rate(const PlaneBody &body, const SymmetricTensor<2, 2> &rate)
+  Tensor<1, 2>
+  weighted_velocity(const PlaneBody        &body,
+                    const TriangleVelocity &velocity,
+                    const unsigned int      t,
+                    const Barycentric      &point)
   {
-    const double square = rate * rate;
-    return std::sqrt(square +
-                     (body.kinematics == Kinematics::plane_stress ? 1. : -0.5) *
-                       trace(rate) * trace(rate));
+    const auto corners = body.mesh.corners(body.mesh.triangles[t]);
+    return body.weight(position(corners, point)) *
+             polynomial_velocity(corners, velocity, point) +
+           velocity_of_stream(velocity.flux);
+  }
+
+
+
+  Tensor<1, 2>
+  velocity_at(const PlaneBody        &body,
+              const TriangleVelocity &velocity,
+              const unsigned int      t,
+              const Barycentric      &point)
+  {
+    const auto corners = body.mesh.corners(body.mesh.triangles[t]);
+    const auto value   = polynomial_velocity(corners, velocity, point);
+    return velocity.flux.norm() == 0 ?
+             value :
+             value +
+               velocity_of_stream(velocity.flux) / position(corners, point)[0];
+  }
+
+
+
+  std::array<Tensor<1, 2>, 4>
+  values_at_vertices(const PlaneBody        &body,
+                     const TriangleVelocity &velocity,
+                     const unsigned int      t)
+  {
+    return {{velocity_at(body, velocity, t, {{1., 0., 0.}}),
+             velocity_at(body, velocity, t, {{0., 1., 0.}}),
+             velocity_at(body, velocity, t, {{0., 0., 1.}}),
+             velocity_at(body, velocity, t, {{1. / 3., 1. / 3., 1. / 3.}})}};
+  }
+
+
+
+  SymmetricTensor<2, 2>
+  polynomial_rate(const std::array<Point<2>, 3> &corners,
+                  const TriangleVelocity        &velocity,
+                  const Barycentric             &point)
+  {
+    const auto functions =
+      Bernstein::cubics(JohnsonMercier::gradients(corners), point);
+    Tensor<2, 2> sum;
+    for (unsigned int i = 0; i < functions.size(); ++i)
+      sum += outer_product(velocity.coefficients[i], functions[i].gradient);
+    return symmetrize(sum);
+  }
+
+
+
+  SymmetricTensor<2, 2>
+  weighted_flux_rate(const TriangleVelocity &velocity)
+  {
+    SymmetricTensor<2, 2> rate;
+    rate[0][0] = velocity.flux[1];
+    rate[0][1] = -0.5 * velocity.flux[0];
+    return rate;
+  }
+
+
+
+  SymmetricTensor<2, 3>
+  strain_rate_at(const PlaneBody        &body,
+                 const TriangleVelocity &velocity,
+                 const unsigned int      t,
+                 const Barycentric      &point)
+  {
+    const auto corners = body.mesh.corners(body.mesh.triangles[t]);
+    auto       rate    = polynomial_rate(corners, velocity, point);
+    if (velocity.flux.norm() > 0)
+      rate += weighted_flux_rate(velocity) /
+              Utilities::fixed_power<2>(position(corners, point)[0]);
+    return rate_in_space(body, rate);
+  }
+
+
+
+  SymmetricTensor<2, 3>
+  rate_in_space(const PlaneBody &body, const SymmetricTensor<2, 2> &rate)
+  {
+    return in_space<2>(rate,
+                       body.kinematics == Kinematics::cartesian ? 0. :
+                                                                  -trace(rate));
   }
 } // namespace ElastoPlastic

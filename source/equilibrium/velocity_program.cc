@@ -3,353 +3,52 @@
 
 #include <deal.II/base/patterns.h>
 
-#include <algorithm>
-#include <cmath>
+#include <numeric>
 
 #include "equilibrium/certificate.h"
-#include "equilibrium/integration.h"
-#include "equilibrium/interior_point.h"
+#include "equilibrium/sheet_program.h"
+#include "equilibrium/stream_program.h"
+#include "equilibrium/velocity_check.h"
 #include "equilibrium/velocity_program.h"
-#include "equilibrium/yield_conditions.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    constexpr double gap_tolerance = 1e-6;
-
-    /// Relative to the largest rate of strain.
-    constexpr double largest_divergence = 1e-8;
-
-    /// Stresses at the corners of a triangle: 11, 22, 12.
-    constexpr unsigned int n_stresses = 9;
-
-    constexpr unsigned int invalid = numbers::invalid_unsigned_int;
-
-
-
-    /// The components of the velocity at a node, in two directions at right
-    /// angles: the numbers of their equations, if they are not zero.
-    struct Node
-    {
-      std::array<Tensor<1, 2>, 2> directions = {
-        {Tensor<1, 2>({1., 0.}), Tensor<1, 2>({0., 1.})}};
-      std::array<bool, 2>         fixed     = {};
-      std::array<unsigned int, 2> equations = {{invalid, invalid}};
-
-      /// No velocity in this direction.
-      void
-      fix(const Tensor<1, 2> &direction)
-      {
-        for (unsigned int c = 0; c < 2; ++c)
-          if (std::abs(std::abs(directions[c] * direction) - 1.) < 1e-10)
-            {
-              fixed[c] = true;
-              return;
-            }
-        if (fixed[0] || fixed[1])
-          fixed = {{true, true}};
-        else
-          {
-            directions = {{direction, cross_product_2d(direction)}};
-            fixed      = {{true, false}};
-          }
-      }
-    };
-
-
-
-    /// The dual of the minimisation, which reads: find stresses at the corners
-    /// of the triangles, and forces q >= 0 of the indenter, in equilibrium in
-    /// the sense of the principle of virtual power, with the largest sum of
-    /// all q. Its Lagrange multipliers are the velocities, with the opposite
-    /// sign.
-    class VelocityProgram
-    {
-    public:
-      explicit VelocityProgram(const PlaneBody &body);
-
-      VelocityField
-      solve() const;
-
-    private:
-      void
-      number_equations();
-      void
-      add_tractions();
-      void
-      add_block(const unsigned int triangle);
-
-      /// The nodes that a force of the indenter moves, with factors, downwards.
-      using ContactForce = std::vector<std::pair<unsigned int, double>>;
-
-      /// Those of the triangle's sides, each vertex being counted once.
-      std::vector<ContactForce>
-      contact_forces(const unsigned int triangle);
-      double
-      lowest_depth(const std::vector<Tensor<1, 2>> &velocities) const;
-      void
-      add_work(VelocityField &field) const;
-
-      const PlaneBody  &body;
-      std::vector<Node> nodes;
-      ConicProgram      program;
-      std::vector<bool> vertex_is_pressed;
-    };
-
-
-
-    /// Of a triangle: its corners, then the middles of its sides.
-    std::array<unsigned int, 6>
-    nodes_of(const SplitMesh &mesh, const unsigned int t)
-    {
-      const auto        &vertices = mesh.triangles[t].vertices;
-      const auto        &sides    = mesh.triangles[t].sides;
-      const unsigned int n        = mesh.vertices.size();
-      return {{vertices[0],
-               vertices[1],
-               vertices[2],
-               n + sides[0],
-               n + sides[1],
-               n + sides[2]}};
-    }
-
-
-
-    VelocityProgram::VelocityProgram(const PlaneBody &body)
-      : body(body)
-      , nodes(body.mesh.vertices.size() + body.mesh.sides.size())
-      , vertex_is_pressed(body.mesh.vertices.size(), false)
-    {
-      number_equations();
-      add_tractions();
-      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
-        add_block(t);
-    }
-
-
-
-    void
-    VelocityProgram::number_equations()
-    {
-      const unsigned int n_vertices = body.mesh.vertices.size();
-      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-        for (const auto &component : body.conditions[s].components)
-          if (component.type == SideConditionType::displacement)
-            {
-              for (const unsigned int vertex : body.mesh.sides[s].vertices)
-                nodes[vertex].fix(component.direction);
-              nodes[n_vertices + s].fix(component.direction);
-            }
-
-      unsigned int n_equations = 0;
-      for (Node &node : nodes)
-        for (unsigned int c = 0; c < 2; ++c)
-          if (!node.fixed[c])
-            node.equations[c] = n_equations++;
-      program.right_hand_side.reinit(n_equations);
-    }
-
-
-
-    // The power of the given tractions, for each of the three quadratic
-    // functions of a side.
-    void
-    VelocityProgram::add_tractions()
-    {
-      const double unit = body.stress_unit * body.length_unit;
-      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-        for (const auto &component : body.conditions[s].components)
-          {
-            if (component.type != SideConditionType::traction)
-              continue;
-            const SplitMesh::Side &side   = body.mesh.sides[s];
-            const unsigned int     middle = body.mesh.vertices.size() + s;
-            const auto add = [&](const unsigned int n, const double force) {
-              for (unsigned int c = 0; c < 2; ++c)
-                if (!nodes[n].fixed[c])
-                  program.right_hand_side[nodes[n].equations[c]] +=
-                    force * (component.direction * nodes[n].directions[c]);
-            };
-            integrate_on_side(
-              body.mesh.vertices[side.vertices[0]],
-              body.mesh.vertices[side.vertices[1]],
-              [&](const double t, const Point<2> &x, const double weight) {
-                const double force =
-                  weight * body.mesh.length(side) * component.value(x) / unit;
-                add(side.vertices[0], (1. - t) * (1. - 2. * t) * force);
-                add(side.vertices[1], t * (2. * t - 1.) * force);
-                add(middle, 4. * t * (1. - t) * force);
-              });
-          }
-    }
-
-
-
-    // A quadratic function is 1 or more on a side if its three coefficients in
-    // Bernstein's basis are: the values at the ends, a and b, and 2 m - (a + b)
-    // / 2 with that in the middle, m. To each belongs a force.
-    std::vector<VelocityProgram::ContactForce>
-    VelocityProgram::contact_forces(const unsigned int t)
-    {
-      std::vector<ContactForce> forces;
-      for (const unsigned int s : body.mesh.triangles[t].sides)
-        {
-          if (!body.conditions[s].is_reached)
-            continue;
-          const auto        &vertices = body.mesh.sides[s].vertices;
-          const unsigned int middle   = body.mesh.vertices.size() + s;
-          forces.push_back(
-            {{middle, 2.}, {vertices[0], -0.5}, {vertices[1], -0.5}});
-          for (const unsigned int vertex : vertices)
-            if (!vertex_is_pressed[vertex])
-              {
-                vertex_is_pressed[vertex] = true;
-                forces.push_back({{vertex, 1.}});
-              }
-        }
-      return forces;
-    }
-
-
-
-    void
-    VelocityProgram::add_block(const unsigned int t)
-    {
-      const auto         forces = contact_forces(t);
-      const unsigned int n      = n_stresses + forces.size();
-      FullMatrix<double> stresses(3 * n_stress_components, n);
-      for (unsigned int corner = 0; corner < 3; ++corner)
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            stresses(n_stress_components * corner + c, 3 * corner + c) = 1.;
-            if (body.kinematics != Kinematics::plane_stress &&
-                c < 2) // admits most, as in StressProgram
-              stresses(n_stress_components * corner + 3, 3 * corner + c) = 0.5;
-          }
-
-      ConicBlock &block = program.blocks.emplace_back(n);
-      add_yield_conditions(block,
-                           stresses,
-                           body.materials[t].yield_radius / body.stress_unit);
-      for (unsigned int f = 0; f < forces.size(); ++f)
-        {
-          block.linear_cost[n_stresses + f] = -1.;
-          Vector<double> row(n);
-          row[n_stresses + f] = -1.;
-          block.add_inequality(row);
-        }
-
-      const auto   corners = body.mesh.corners(body.mesh.triangles[t]);
-      const double weight  = area(corners) / (3. * body.length_unit);
-      std::array<std::array<Tensor<1, 2>, 6>, 3> gradients;
-      for (unsigned int corner = 0; corner < 3; ++corner)
-        gradients[corner] = shape_gradients(corners, corner);
-
-      unsigned int i = 0;
-      for (const unsigned int node : nodes_of(body.mesh, t))
-        {
-          for (unsigned int c = 0; c < 2; ++c)
-            if (!nodes[node].fixed[c])
-              {
-                const Tensor<1, 2> &d = nodes[node].directions[c];
-                Vector<double>      power(n);
-                for (unsigned int corner = 0; corner < 3; ++corner)
-                  {
-                    const Tensor<1, 2> g  = weight * gradients[corner][i];
-                    power[3 * corner]     = d[0] * g[0];
-                    power[3 * corner + 1] = d[1] * g[1];
-                    power[3 * corner + 2] = d[0] * g[1] + d[1] * g[0];
-                  }
-                for (unsigned int f = 0; f < forces.size(); ++f)
-                  for (const auto &[pressed, factor] : forces[f])
-                    if (pressed == node)
-                      power[n_stresses + f] += factor * d[1];
-                block.add_to_equation(nodes[node].equations[c], power);
-              }
-          ++i;
-        }
-    }
+    constexpr double largest_velocity_error = 1e-8;
 
 
 
     VelocityField
-    VelocityProgram::solve() const
+    find_mechanism(const PlaneBody &body)
     {
-      const ConicSolution solution = minimize(program, gap_tolerance);
-
-      std::vector<Tensor<1, 2>> velocities(nodes.size());
-      for (unsigned int i = 0; i < nodes.size(); ++i)
-        for (unsigned int c = 0; c < 2; ++c)
-          if (!nodes[i].fixed[c])
-            velocities[i] -=
-              solution.y[nodes[i].equations[c]] * nodes[i].directions[c];
-
-      const double depth = lowest_depth(velocities);
-      for (Tensor<1, 2> &velocity : velocities)
-        velocity /= depth;
-
-      VelocityField      field;
-      const unsigned int n_vertices = body.mesh.vertices.size();
-      field.velocity.at_vertices.assign(velocities.begin(),
-                                        velocities.begin() + n_vertices);
-      field.velocity.at_sides.assign(velocities.begin() + n_vertices,
-                                     velocities.end());
-      field.n_iterations = solution.n_iterations;
-      field.is_optimal   = solution.is_optimal;
-      add_work(field);
-      for (unsigned int i = 0; i < nodes.size(); ++i)
-        for (unsigned int c = 0; c < 2; ++c)
-          if (!nodes[i].fixed[c])
-            field.force -= body.stress_unit * body.length_unit *
-                           program.right_hand_side[nodes[i].equations[c]] *
-                           (velocities[i] * nodes[i].directions[c]);
-      return field;
-    }
-
-
-
-    // How far every point under the indenter goes down at least.
-    double
-    VelocityProgram::lowest_depth(
-      const std::vector<Tensor<1, 2>> &velocities) const
-    {
-      double depth = std::numeric_limits<double>::max();
-      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-        if (body.conditions[s].is_reached)
-          {
-            const auto  &vertices = body.mesh.sides[s].vertices;
-            const double a        = -velocities[vertices[0]][1],
-                         b        = -velocities[vertices[1]][1],
-                         m = -velocities[body.mesh.vertices.size() + s][1];
-            depth          = std::min({depth, a, b, 2. * m - 0.5 * (a + b)});
-          }
-      return depth;
-    }
-
-
-
-    void
-    VelocityProgram::add_work(VelocityField &field) const
-    {
-      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+      try
         {
-          double sum = 0;
-          for (const auto &rate : strains(body.mesh, field.velocity, t))
-            sum += plastic_rate(body, rate);
-          field.dissipation.push_back(
-            body.materials[t].yield_radius *
-            area(body.mesh.corners(body.mesh.triangles[t])) / 3. * sum);
-          field.force += field.dissipation.back();
+          return body.kinematics == Kinematics::plane_stress ?
+                   find_motion_of_sheet(body) :
+                   find_stream(body);
         }
-      if (body.kinematics == Kinematics::plane_stress)
-        return;
-      field.divergence = relative_divergence(body.mesh, field.velocity);
-      if (field.divergence > largest_divergence)
-        throw ConvergenceError(
-          "The mechanism of collapse changes the volume: its divergence is " +
-          Patterns::Tools::to_string(field.divergence) +
-          " of the rate of strain, because of rounding errors.");
+      catch (const UnboundedError &)
+        {
+          throw ConvergenceError(
+            "No velocity moves the whole indenter down: it reaches a point "
+            "that is held, or the supports enclose the body. Let "
+            "'Indenter/Reach' end before what is held.");
+        }
+    }
+
+
+
+    // The indenter then moves down by 1.
+    void
+    scale(VelocityField &field, const double factor)
+    {
+      for (TriangleVelocity &velocity : field.velocity)
+        {
+          for (Tensor<1, 2> &coefficient : velocity.coefficients)
+            coefficient *= factor;
+          velocity.flux *= factor;
+        }
     }
   } // namespace
 
@@ -358,16 +57,19 @@ namespace ElastoPlastic
   VelocityField
   minimize_plastic_work(const PlaneBody &body)
   {
-    try
-      {
-        return VelocityProgram(body).solve();
-      }
-    catch (const UnboundedError &)
-      {
-        throw ConvergenceError(
-          "No continuous velocity moves the whole indenter down: it reaches a "
-          "point that is held, or the supports enclose the body. Let "
-          "'Indenter/Reach' end before what is held.");
-      }
+    VelocityField field = find_mechanism(body);
+    scale(field, 1. / lowest_depth(body, field.velocity));
+
+    field.error = check_velocity(body, field.velocity).largest();
+    if (field.error > largest_velocity_error)
+      throw ConvergenceError(
+        "The mechanism of collapse violates its conditions by " +
+        Patterns::Tools::to_string(field.error) +
+        " of its velocity or strain rate, because of rounding errors.");
+    field.dissipation = plastic_work(body, field.velocity);
+    field.force =
+      std::accumulate(field.dissipation.begin(), field.dissipation.end(), 0.) -
+      power_of_tractions(body, field.velocity);
+    return field;
   }
 } // namespace ElastoPlastic

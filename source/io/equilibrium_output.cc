@@ -81,15 +81,15 @@ namespace ElastoPlastic
                const unsigned int       t,
                const unsigned int       subtriangle)
     {
-      const auto &[body, stress_field, field, errors] = fields;
-      const auto &triangle                            = body.mesh.triangles[t];
+      const auto &[body, stress_field, motion, errors] = fields;
+      const auto &triangle                             = body.mesh.triangles[t];
       const auto  corners =
         JohnsonMercier::subtriangle_of(body.mesh.corners(triangle),
                                        subtriangle);
       const std::array<Tensor<1, 2>, 3> motions = {
-        {field.at_vertices[triangle.vertices[subtriangle]],
-         field.at_vertices[triangle.vertices[(subtriangle + 1) % 3]],
-         value_at_center(field, triangle)}};
+        {motion[t][subtriangle],
+         motion[t][(subtriangle + 1) % 3],
+         motion[t][3]}};
 
       const auto multipliers =
         JohnsonMercier::on_subtriangle(stress_field.displacement[t],
@@ -101,8 +101,9 @@ namespace ElastoPlastic
       patch.data.reinit(6 + names.size(), 3);
       for (unsigned int i = 0; i < 3; ++i)
         {
-          patch.vertices[i]          = corners[i];
-          const auto   stress        = stress_field.at(t, subtriangle, i);
+          patch.vertices[i] = corners[i];
+          const auto stress =
+            stress_field.without_weight(body, t, subtriangle, i);
           const double deviator_norm = deviator(stress).norm();
           for (unsigned int d = 0; d < 2; ++d)
             {

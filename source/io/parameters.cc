@@ -60,8 +60,8 @@ namespace ElastoPlastic
                       "contact: an indenter pressed into an elasto-plastic "
                       "body, or a body loaded by its boundary conditions. "
                       "limit load: the largest force that the indenter can "
-                      "exert on a perfectly plastic body in plane strain or "
-                      "plane stress, between two rigorous bounds. "
+                      "exert on a perfectly plastic body in two dimensions, "
+                      "between two rigorous bounds. "
                       "contact with error bound: contact in one load step, in "
                       "plane strain or plane stress, with stresses in exact "
                       "equilibrium beside the displacement, and a guaranteed "
@@ -195,6 +195,13 @@ namespace ElastoPlastic
         loading.path,
         "an indenter that moves sideways is not axisymmetric. Set "
         "'Dimension = 3'.");
+    if (indenter.surface != SurfaceFinish::smooth &&
+        analysis != Analysis::limit_load)
+      throw InputError("Indenter/Surface",
+                       Patterns::Tools::to_string(indenter.surface),
+                       "that is for 'Analysis = limit load'. Choose 'smooth', "
+                       "and set 'Contact/Friction coefficient', for instance "
+                       "to stick.");
     const bool has_friction = contact.friction_coefficient() > 0.;
     if (!indenter.is_present() && (has_friction || !loading.path.empty()))
       throw InputError(has_friction ? "Contact/Friction coefficient" :
@@ -207,7 +214,10 @@ namespace ElastoPlastic
         has_friction ? "Contact/Friction coefficient" : "Loading/Path",
         has_friction ? contact.friction : loading.path,
         "'Analysis = " + Patterns::Tools::to_string(analysis) +
-          "' knows indenters without friction only, that move up and down.");
+          "' knows indenters without friction only, that move up and down." +
+          (analysis == Analysis::limit_load ?
+             " Set 'Indenter/Surface = rough' if nothing slides." :
+             ""));
   }
 
 
@@ -220,7 +230,8 @@ namespace ElastoPlastic
       "'Analysis = " + Patterns::Tools::to_string(analysis) + "'";
     if (dimension == 3)
       throw InputError("Dimension", "3", entry + " is for two dimensions.");
-    if (discretization.kinematics == Kinematics::axisymmetric)
+    if (discretization.kinematics == Kinematics::axisymmetric &&
+        analysis != Analysis::limit_load)
       throw InputError("Kinematics",
                        Patterns::Tools::to_string(discretization.kinematics),
                        entry + " is for plane strain and plane stress.");

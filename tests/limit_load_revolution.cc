@@ -1,0 +1,443 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Bounds of the limit loads of bodies of revolution against exact values: on
+// either side of them, whatever the mesh, and admissible to rounding errors.
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "equilibrium/limit_load.h"
+#include "equilibrium/stress_check.h"
+#include "equilibrium/stress_problem.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  const double k = 1. / std::sqrt(3.); // the yield stress is 1
+
+  using Gap = std::function<double(const Point<2> &)>;
+
+  const Gap everywhere = [](const Point<2> &) {
+    return 0.;
+  };
+  const Gap up_to_radius_1 = [](const Point<2> &x) {
+    return x[0] <= 1. ? 0. : std::numeric_limits<double>::infinity();
+  };
+
+
+
+  Material<double>
+  material()
+  {
+    Material<double> material;
+    material.bulk_modulus      = 800.;
+    material.shear_modulus     = 400.;
+    material.yield_radius      = std::sqrt(2. / 3.);
+    material.isotropic_modulus = 0.;
+    return material;
+  }
+
+
+
+  enum class MeshKind
+  {
+    regular,
+    refined,  ///< around (1, 0), with hanging nodes
+    distorted ///< inside
+  };
+
+  const std::map<MeshKind, std::string> kinds = {
+    {MeshKind::regular, ", regular mesh"},
+    {MeshKind::refined, ", refined mesh"},
+    {MeshKind::distorted, ", distorted mesh"}};
+
+  void
+  refine_around_edge(Triangulation<2> &mesh, const unsigned int n_levels)
+  {
+    for (unsigned int level = 0; level < n_levels; ++level)
+      {
+        for (const auto &cell : mesh.active_cell_iterators())
+          if (cell->center().distance(Point<2>(1., 0.)) <
+              1.5 * cell->diameter())
+            cell->set_refine_flag();
+        mesh.execute_coarsening_and_refinement();
+      }
+  }
+
+
+
+  /// Boundaries 0 to 3: left, right, bottom, top. The top is at z = 0.
+  void
+  make_rectangle(Triangulation<2>  &mesh,
+                 const MeshKind     kind,
+                 const unsigned int n,
+                 const double       inner_radius,
+                 const double       outer_radius,
+                 const double       height)
+  {
+    GridGenerator::subdivided_hyper_rectangle(mesh,
+                                              {n, n},
+                                              Point<2>(inner_radius, -height),
+                                              Point<2>(outer_radius, 0.),
+                                              /* colorize = */ true);
+    if (kind == MeshKind::distorted)
+      GridTools::distort_random(0.25, mesh, /* keep_boundary = */ true);
+    if (kind == MeshKind::refined)
+      refine_around_edge(mesh, 3);
+  }
+
+
+
+  const BoundaryNames names = {{"left", 0},
+                               {"right", 1},
+                               {"bottom", 2},
+                               {"top", 3}};
+
+  PlaneBody
+  make_body(const Triangulation<2>      &mesh,
+            const BoundaryConditions<2> &conditions,
+            const Gap                   &gap,
+            const SurfaceFinish          surface    = SurfaceFinish::smooth,
+            const Kinematics             kinematics = Kinematics::axisymmetric)
+  {
+    return make_plane_body(make_split_mesh(mesh),
+                           conditions,
+                           {material()},
+                           kinematics,
+                           gap,
+                           /* time = */ 0.,
+                           surface);
+  }
+
+
+
+  /// Puts a @p pressure on a boundary, normal to its sides.
+  void
+  press(PlaneBody               &body,
+        const types::boundary_id boundary,
+        const double             pressure)
+  {
+    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      if (body.mesh.sides[s].boundary_id == boundary)
+        {
+          const Tensor<1, 2> normal = body.mesh.normal(body.mesh.sides[s]);
+          for (unsigned int d = 0; d < 2; ++d)
+            body.conditions[s].components[d] = {Point<2>::unit_vector(d),
+                                                SideConditionType::traction,
+                                                [load = -pressure * normal[d]](
+                                                  const Point<2> &) {
+                                                  return load;
+                                                }};
+        }
+  }
+
+
+
+  /// A limit load, or strict bounds of it that have been found before.
+  struct Limit
+  {
+    double lower, upper;
+  };
+
+  Limit
+  exactly(const double force)
+  {
+    return {force, force};
+  }
+
+
+
+  /// The bounds, relative to those of the @p limit, are between @p least and 1,
+  /// and between 1 and @p most.
+  void
+  verify_bounds(const std::string &title,
+                const PlaneBody   &body,
+                const Limit       &limit,
+                const double       least,
+                const double       most)
+  {
+    const LimitLoad bounds = bound_limit_load(body);
+    const double    lower  = bounds.stress.force / limit.upper,
+                 upper     = bounds.velocity.force / limit.lower;
+    output() << title << std::endl;
+    verify("below the exact limit", lower <= 1. + 1e-12);
+    verify("near to it", lower >= least);
+    verify("admissible stress",
+           check_stress(body, bounds.stress).largest(),
+           1e-9);
+    verify("above the exact limit", upper >= 1. - 1e-12);
+    verify("near to it", upper <= most);
+    verify("admissible velocity", bounds.velocity.error, 1e-9);
+    verify("gaps",
+           *std::min_element(bounds.gaps.begin(), bounds.gaps.end()) > -1e-8);
+    verify("sum of the gaps",
+           std::accumulate(bounds.gaps.begin(), bounds.gaps.end(), 0.) <=
+             bounds.velocity.force - bounds.stress.force + 1e-6);
+  }
+
+
+
+  // sigma_zz = -1 - q, with the pressure q on the jacket.
+  void
+  test_plates(const MeshKind kind)
+  {
+    const double     jacket = 0.7;
+    Triangulation<2> mesh;
+    make_rectangle(mesh, kind, 2, 0., 1., 1.5);
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"left", "bottom"};
+    parameters.free    = {"right"};
+    parameters.contact = {"top"};
+    const BoundaryConditions<2> conditions(parameters, names);
+    PlaneBody                   body = make_body(mesh, conditions, everywhere);
+    press(body, 1, jacket);
+    verify_bounds("Cylinder between smooth plates" + kinds.at(kind),
+                  body,
+                  exactly(numbers::PI * (1. + jacket)),
+                  1. - 1e-6,
+                  1. + 1e-6);
+  }
+
+
+
+  // sigma_rz = k / r: the inner wall is drawn down, the outer one is held; no
+  // other load.
+  void
+  test_axial_shear(const MeshKind kind)
+  {
+    Triangulation<2> mesh;
+    make_rectangle(mesh, kind, 2, 1., 2., 1.);
+    BoundaryConditionParameters parameters;
+    parameters.contact                 = {"left"};
+    parameters.fixed                   = {"right"};
+    parameters.prescribed_displacement = "bottom: 0; free | top: 0; free";
+    const BoundaryConditions<2> conditions(parameters, names);
+    verify_bounds("Tube under axial shear" + kinds.at(kind),
+                  make_body(mesh, conditions, everywhere),
+                  exactly(2. * numbers::PI * k),
+                  1. - 1e-6,
+                  1.2);
+  }
+
+
+
+  /// That a body bears the part @p safe of its limit pressure, but not more
+  /// than all of it.
+  void
+  verify_pressure(const std::string                                 &title,
+                  const std::function<PlaneBody(const double part)> &body_under,
+                  const double                                       safe)
+  {
+    const PlaneBody   body  = body_under(safe);
+    const StressField field = maximize_force(body);
+    output() << title << std::endl;
+    verify("admissible", check_stress(body, field).largest(), 1e-9);
+    print_error("Beyond its limit",
+                [&]() { maximize_force(body_under(1.001)); });
+  }
+
+
+
+  // Between smooth plates that must not pull: hence a pressure on both walls.
+  void
+  test_tube(const MeshKind kind)
+  {
+    Triangulation<2> mesh;
+    make_rectangle(mesh, kind, 6, 1., 2., 0.5);
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"bottom"};
+    parameters.free    = {"left", "right"};
+    parameters.contact = {"top"};
+    const BoundaryConditions<2> conditions(parameters, names);
+    verify_pressure(
+      "Tube" + kinds.at(kind),
+      [&](const double part) {
+        PlaneBody body = make_body(mesh, conditions, everywhere);
+        press(body, 0, 2. + part * 2. * k * std::log(2.));
+        press(body, 1, 2.);
+        return body;
+      },
+      0.99);
+  }
+
+
+
+  /// A quarter of a ring inside the shell between the radii 1 and 2, whose
+  /// sides are chords outside and tangents inside, below the plane z = 0.
+  void
+  make_shell(Triangulation<2> &mesh, const unsigned int n)
+  {
+    GridGenerator::subdivided_hyper_cube(
+      mesh, n, 0., 1., /* colorize = */ true);
+    const double step = 0.5 * numbers::PI / n;
+    GridTools::transform(
+      [step](const Point<2> &x) {
+        const double inner  = 1. / std::cos(0.5 * step);
+        const double radius = inner * std::pow(2. / inner, x[0]);
+        const double angle  = 0.5 * numbers::PI * (x[1] - 1.);
+        return Point<2>(radius * std::cos(angle), radius * std::sin(angle));
+      },
+      mesh);
+  }
+
+
+
+  // The plane z = 0 must not pull: hence a pressure on both walls.
+  void
+  test_hollow_sphere()
+  {
+    Triangulation<2> mesh;
+    make_shell(mesh, 12);
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"bottom"};
+    parameters.free    = {"left", "right"};
+    parameters.contact = {"top"};
+    const BoundaryConditions<2> conditions(parameters, names);
+    verify_pressure(
+      "Hollow sphere",
+      [&](const double part) {
+        PlaneBody body = make_body(mesh, conditions, everywhere);
+        press(body, 0, 2. + part * 2. * std::log(2.));
+        press(body, 1, 2.);
+        return body;
+      },
+      0.97);
+  }
+
+
+
+  // Own strict bounds, times the yield stress: 3.0140 to 3.0147 for a smooth
+  // punch, 3.177 to 3.19 for a rough one.
+  void
+  test_circular_punch(const MeshKind kind,
+                      const double   least,
+                      const double   most)
+  {
+    Triangulation<2> mesh;
+    make_rectangle(mesh, kind, 10, 0., 5., 5.);
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"left"};
+    parameters.free    = {"right"};
+    parameters.fixed   = {"bottom"};
+    parameters.contact = {"top"};
+    const BoundaryConditions<2> conditions(parameters, names);
+    verify_bounds("Smooth circular punch" + kinds.at(kind),
+                  make_body(mesh, conditions, up_to_radius_1),
+                  {3.0140 * numbers::PI, 3.0147 * numbers::PI},
+                  least,
+                  most);
+    verify_bounds(
+      "Rough circular punch" + kinds.at(kind),
+      make_body(mesh, conditions, up_to_radius_1, SurfaceFinish::rough),
+      {3.177 * numbers::PI, 3.19 * numbers::PI},
+      least,
+      most);
+  }
+
+
+
+  // A block that is turned, between plates that press along its own axis.
+  void
+  test_inclined_plates()
+  {
+    constexpr double angle = numbers::PI / 6.;
+    Triangulation<2> mesh;
+    make_rectangle(mesh, MeshKind::refined, 2, 0., 1., 1.);
+    GridTools::rotate(angle, mesh);
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"bottom"};
+    parameters.free    = {"left", "right"};
+    parameters.contact = {"top"};
+    const BoundaryConditions<2> conditions(parameters, names);
+    PlaneBody                   body = make_body(mesh,
+                               conditions,
+                               everywhere,
+                               SurfaceFinish::smooth,
+                               Kinematics::cartesian);
+    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      if (body.conditions[s].components[1].type == SideConditionType::contact)
+        {
+          const Tensor<1, 2> normal = body.mesh.normal(body.mesh.sides[s]);
+          body.conditions[s].components[0].direction = cross_product_2d(normal);
+          body.conditions[s].components[1].direction = normal;
+        }
+    verify_bounds("Block between inclined plates",
+                  body,
+                  exactly(2. * k * std::cos(angle)),
+                  1. - 1e-6,
+                  1. + 1e-6);
+  }
+
+
+
+  // Whatever is wrong with the stresses shows.
+  void
+  test_check()
+  {
+    Triangulation<2> mesh;
+    make_rectangle(mesh, MeshKind::regular, 2, 0., 1., 1.);
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"left", "bottom"};
+    parameters.free    = {"right"};
+    parameters.contact = {"top"};
+    const BoundaryConditions<2> conditions(parameters, names);
+    const PlaneBody             body  = make_body(mesh, conditions, everywhere);
+    const StressField           field = maximize_force(body);
+    const auto                  error = [&](const auto &damage) {
+      StressField damaged = field;
+      damage(damaged);
+      return check_stress(body, damaged);
+    };
+    constexpr double change = 1e-3;
+    output() << "Check" << std::endl;
+    verify("circumferential stress", error([](StressField &f) {
+                                       f.circumferential[0][1] += change;
+                                     }).divergence > 0.1 * change);
+    verify("component 33", error([](StressField &f) {
+                             f.out_of_plane[0][2] += change;
+                           }).circumferential > change);
+    verify("yield condition", error([](StressField &f) {
+                                for (auto &of_triangle : f.in_plane)
+                                  of_triangle *= 1. + change;
+                              }).yield_excess > 0.1 * change);
+    verify("axis", error([](StressField &f) {
+                     for (auto &of_triangle : f.in_plane)
+                       of_triangle.add(change);
+                   }).on_axis > change);
+    verify("force", error([](StressField &f) {
+                      f.force *= 1. + change;
+                    }).force_difference > 0.5 * change);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  for (const MeshKind kind :
+       {MeshKind::regular, MeshKind::refined, MeshKind::distorted})
+    {
+      test_plates(kind);
+      test_axial_shear(kind);
+      test_tube(kind);
+    }
+  test_hollow_sphere();
+  test_circular_punch(MeshKind::regular, 0.92, 1.04);
+  test_circular_punch(MeshKind::refined, 0.97, 1.02);
+  test_circular_punch(MeshKind::distorted, 0.91, 1.04);
+  test_inclined_plates();
+  test_check();
+}
