@@ -23,8 +23,8 @@ namespace ElastoPlastic
     bool
     has_limit_load(const Model<2> &model)
     {
-      return model.strain_model.kinematics != Kinematics::axisymmetric &&
-             !model.strain_model.is_finite() && model.indenter.shape &&
+      return !model.strain_model.is_finite() && model.indenter.shape &&
+             model.contact.friction_coefficient() == 0. &&
              model.boundary_conditions.tractions().empty() &&
              std::all_of(model.materials.begin(),
                          model.materials.end(),
