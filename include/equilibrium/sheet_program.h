@@ -13,7 +13,8 @@ namespace ElastoPlastic
   /// triangle: so the work is at most a third of the area times the sum of that
   /// at the corners, because it is a convex function.
   ///
-  /// Velocities are up to a factor, and work and force are not yet computed.
+  /// Velocities are up to a factor. The force is what has been minimised; work
+  /// and errors are not yet computed.
   /// @throws ConvergenceError, UnboundedError if there is no mechanism.
   VelocityField
   find_motion_of_sheet(const PlaneBody &body);

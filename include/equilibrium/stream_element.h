@@ -66,9 +66,10 @@ namespace ElastoPlastic
     velocities_on_side(const unsigned int  k,
                        const Tensor<1, 2> &direction) const;
 
-    /// The same without (0, 2 chi), which is continuous. The three last
-    /// columns belong to a velocity of the side itself, a quadratic polynomial
-    /// times the square of the weight, which is subtracted.
+    /// The same without (0, 2 chi), which is continuous, less a velocity of the
+    /// side itself, a quadratic polynomial times the square of the weight. Nine
+    /// more columns belong to those of the three sides, from end to end as the
+    /// triangle goes round.
     FullMatrix<double>
     slips_on_side(const unsigned int k, const Tensor<1, 2> &direction) const;
 

@@ -15,7 +15,8 @@ namespace ElastoPlastic
   /// yield stress in shear k of the weaker material. So they may along fixed
   /// sides and along a rough indenter.
   ///
-  /// Velocities are up to a factor, and work and force are not yet computed.
+  /// Velocities are up to a factor. The force is what has been minimised; work
+  /// and errors are not yet computed.
   /// @throws ConvergenceError, UnboundedError if there is no mechanism.
   VelocityField
   find_stream(const PlaneBody &body);

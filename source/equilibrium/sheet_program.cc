@@ -277,6 +277,7 @@ namespace ElastoPlastic
       VelocityField field;
       for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
         field.velocity.push_back(velocity_of(t, velocities));
+      field.force        = -solution.cost * body.stress_unit * body.length_unit;
       field.n_iterations = solution.n_iterations;
       field.is_optimal   = solution.is_optimal;
       return field;

@@ -19,7 +19,7 @@ namespace ElastoPlastic
     /// apart. So phi costs this part of r / h more than its work, h being
     /// the size of the triangle: then that costs this part at least of what
     /// slips of the same velocity cost.
-    constexpr double flux_penalty = 1e-5;
+    constexpr double flux_penalty = 1e-4;
   } // namespace
 
 
@@ -175,7 +175,7 @@ namespace ElastoPlastic
               components[c];
           }
       }
-    result.rates   = rates;
+    result.rates      = rates;
     const double size = area(corners);
     const double r    = (corners[0][0] + corners[1][0] + corners[2][0]) / 3.;
     result.weights.push_back(
@@ -244,7 +244,7 @@ namespace ElastoPlastic
                                const Tensor<1, 2> &direction) const
   {
     return coefficients_on_side(
-      k, n_functions() + 3, [&](const Barycentric &point, const double t) {
+      k, n_functions() + 9, [&](const Barycentric &point, const double t) {
         const double        r = body.weight(position(corners, point));
         std::vector<double> row;
         for (const Jet &jet : cubics(gradients, point))
@@ -252,8 +252,10 @@ namespace ElastoPlastic
         if (has_flux)
           for (const Tensor<1, 2> &gradient : gradients)
             row.push_back(velocity_of_stream(gradient) * direction);
+        row.resize(n_functions() + 3 * k, 0.);
         for (const double function : side_functions(2, t))
           row.push_back(-r * r * function);
+        row.resize(n_functions() + 9, 0.);
         return row;
       });
   }

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/patterns.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "equilibrium/certificate.h"
@@ -16,6 +17,9 @@ namespace ElastoPlastic
   namespace
   {
     constexpr double largest_velocity_error = 1e-8;
+
+    /// Of the force that has been minimised and that of the velocities.
+    constexpr double largest_loss = 1e-3;
 
 
 
@@ -57,7 +61,8 @@ namespace ElastoPlastic
   VelocityField
   minimize_plastic_work(const PlaneBody &body)
   {
-    VelocityField field = find_mechanism(body);
+    VelocityField field   = find_mechanism(body);
+    const double  minimum = field.force;
     scale(field, 1. / lowest_depth(body, field.velocity));
 
     field.error = check_velocity(body, field.velocity).largest();
@@ -70,6 +75,8 @@ namespace ElastoPlastic
     field.force =
       std::accumulate(field.dissipation.begin(), field.dissipation.end(), 0.) -
       power_of_tractions(body, field.velocity);
+    if (field.force - minimum > largest_loss * std::abs(minimum))
+      field.is_optimal = false;
     return field;
   }
 } // namespace ElastoPlastic
