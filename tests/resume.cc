@@ -281,6 +281,7 @@ main(int argc, char *argv[])
   on_first_rank([]() { std::ofstream("resume.prm") << input; });
   check_same_results("Refinement/Steps between adaptations=4");
   check_same_results("Refinement/Steps between adaptations=2");
+  check_same_results("Loading/Step control=adaptive");
   check_refusals("Refinement/Steps between adaptations=2");
   check_other_histories("Refinement/Steps between adaptations=2");
 }

@@ -42,7 +42,7 @@ namespace ElastoPlastic
     /// So many Newton iterations leave an adaptive step as long as it is.
     static constexpr unsigned int target_iterations = 6;
     /// The longest adaptive step: so many nominal ones.
-    static constexpr double longest = 4.;
+    static constexpr double longest = 2.;
 
     /// Fixed steps. @p segment_ends are the ends of the segments, increasing;
     /// the first begins at 0. @p n_steps is their total number of nominal

@@ -57,6 +57,24 @@ namespace ElastoPlastic
                      fixed.uncut_ends().end());
       return TimeSteps(ends, loading.n_steps, loading.max_cuts, stops);
     }
+
+
+
+    /// What to say of the shortest possible one of @p steps that has failed
+    /// with @p error, the last equilibrium being @p last.
+    ConvergenceError
+    failure_of_shortest_step(const ConvergenceError &error,
+                             const TimeSteps        &steps,
+                             const SolveResult      &last)
+    {
+      return ConvergenceError(
+        "Load step " + std::to_string(steps.number()) +
+        " from t = " + Patterns::Tools::to_string(steps.time()) + " (depth " +
+        Patterns::Tools::to_string(last.depth) + ") fails even if it ends at " +
+        "t = " + Patterns::Tools::to_string(steps.next_time()) +
+        ", and 'Loading/Maximum number of cuts' allows for no shorter one. " +
+        error.what());
+    }
   } // namespace
 
 
@@ -235,7 +253,11 @@ namespace ElastoPlastic
         catch (const ConvergenceError &error)
           {
             if (!time_steps.cut())
-              give_up_step(error,
+              give_up_step(parameters.loading.is_single_step() ?
+                             error :
+                             failure_of_shortest_step(error,
+                                                      time_steps,
+                                                      last_step.result),
                            model,
                            {contact.force(), time_steps.next_time()},
                            tractions_grow(),

@@ -67,7 +67,7 @@ namespace ElastoPlastic
       "fixed: all steps of a segment are equal, but for those that have to be "
       "cut. adaptive: a segment begins with such a step; after n Newton "
       "iterations the next is longer by the factor sqrt(6/n), at least 1/2 and "
-      "at most 2, and never longer than 4 of the 'Number of steps'. Steps end "
+      "at most 2, and never longer than 2 of the 'Number of steps'. Steps end "
       "at the ends of the segments and at 'Output/Field times'. Expressions in "
       "t may turn anywhere: with them, adaptive steps also end where fixed ones "
       "do.");

@@ -24,6 +24,7 @@ from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
 from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
                                 johnson_limit, load_cycles)
 from .job_preview import job_preview
+from .load_steps import adaptive_steps
 from .rounding import contrast, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .zero_load import far_indenter, zero_force, zero_stress
@@ -282,7 +283,7 @@ ALL = {
                      limit_load, blas_kernels, safe_load, error_bound, error_bound_ranks,
                      error_bound_refinement, equilibrium_hertz, equilibrium_limit, zero_stress,
                      zero_force, far_indenter, contrast, nearly_incompressible, job_preview,
-                     finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
+                     finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones, adaptive_steps,
                      ssnv128, bonded_punch, spence, mindlin_cylinder, friction_ranks, friction_resume,
                      symmetric_bodies, cone_in_space, pyramids)
 }
