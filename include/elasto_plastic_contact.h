@@ -169,6 +169,8 @@ namespace ElastoPlastic
     bound_error(SolveResult &result);
     void
     measure_imprint(SolveResult &result);
+    void
+    measure_elements(SolveResult &result);
     ContactSurface<dim>
     contact_surface() const;
 

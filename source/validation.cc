@@ -160,11 +160,15 @@ namespace ElastoPlastic
     template <int dim>
     void
     print_cost(const JobPreview<dim> &preview,
+               const StepControl      control,
                const unsigned int     n_ranks,
                std::ostream          &out)
     {
       const auto cost = preview.expected_cost();
-      print_line("Load steps", std::to_string(preview.n_steps()), out);
+      print_line("Load steps",
+                 std::to_string(preview.n_steps()) +
+                   (control == StepControl::adaptive ? ", which adapt" : ""),
+                 out);
       print_line("Memory",
                  about(cost.megabytes + n_ranks * megabytes_of_rank) +
                    " MB on " + std::to_string(n_ranks) + " rank(s)",
@@ -218,7 +222,10 @@ namespace ElastoPlastic
     print_materials(preview, out);
     if (model.indenter.shape)
       print_contact(preview, parameters.output.units, n_over_radius, out);
-    print_cost(preview, Utilities::MPI::n_mpi_processes(communicator), out);
+    print_cost(preview,
+               parameters.loading.step_control,
+               Utilities::MPI::n_mpi_processes(communicator),
+               out);
     print_output_directory(parameters, communicator, out);
     out << std::flush;
     if (const std::string safety =

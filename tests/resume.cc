@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A run that is resumed with a longer history gives the tables of one that has
-// had it from the beginning: with meshes that follow the contact, where the
-// control changes, and after a first step whose next mesh would have been too
-// large. Tables that are not what the interrupted run has left are refused, and
-// so are histories that have not begun alike.
+// had it from the beginning: with steps that adapt, with meshes that follow the
+// contact, where the control changes, and after a first step whose next mesh
+// would have been too large. Tables that are not what the interrupted run has
+// left are refused, and so are histories that have not begun alike.
 
 #include <cmath>
 #include <filesystem>
@@ -279,6 +279,7 @@ main(int argc, char *argv[])
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   on_first_rank([]() { std::ofstream("resume.prm") << input; });
+  check_same_results("Loading/Step control=adaptive");
   check_same_results("Refinement/Steps between adaptations=4");
   check_same_results("Refinement/Steps between adaptations=2");
   check_refusals("Refinement/Steps between adaptations=2");

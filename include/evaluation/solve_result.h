@@ -30,8 +30,10 @@ namespace ElastoPlastic
     /// See contact_radius() and pile_up().
     double contact_radius = 0;
     double pile_up        = 0;
-    double residual       = 0;
-    double energy         = 0;
+    /// See worst_element(); measured with finite strains only
+    double min_scaled_jacobian = 1;
+    double residual            = 0;
+    double energy              = 0;
     /// |force - reaction of the supports - tractions| / the largest sum of the
     /// magnitudes of all nodal forces so far
     double force_balance_error = 0;
@@ -52,8 +54,9 @@ namespace ElastoPlastic
       archive &boost::serialization::base_object<ContactState>(*this);
       archive &boost::serialization::base_object<BodyState>(*this);
       archive &step &time &cycle &cells &dofs &newton_iterations
-        &linear_iterations &depth &contact_radius &pile_up &residual &energy
-          &force_balance_error &wall_seconds &memory_mb &external_work;
+        &linear_iterations &depth &contact_radius &pile_up &min_scaled_jacobian
+          &residual &energy &force_balance_error &wall_seconds &memory_mb
+            &external_work;
     }
   };
 } // namespace ElastoPlastic

@@ -51,6 +51,11 @@ namespace ElastoPlastic
     bool
     is_segment_end(const double time) const;
 
+    /// Whether load and path are linear between segment_ends(), so that they
+    /// turn nowhere else.
+    bool
+    is_piecewise_linear() const;
+
     /// The load at @p time > 0, at a segment's end that of the segment that
     /// ends. None as long as it depends on what will be reached at the
     /// beginning of its segment: where the control changes, in the interior of

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "loading/load.h"
+#include "loading/time_steps.h"
 
 namespace ElastoPlastic
 {
@@ -22,12 +23,17 @@ namespace ElastoPlastic
     std::string  force   = "1";
     std::string  history;
     std::string  path;
-    unsigned int n_steps    = 1;
-    double       final_time = 1;
-    unsigned int max_cuts   = 6;
+    unsigned int n_steps      = 1;
+    StepControl  step_control = StepControl::fixed;
+    double       final_time   = 1;
+    unsigned int max_cuts     = 6;
 
     void
     add_parameters(ParameterHandler &prm);
+
+    /// @throws InputError
+    void
+    check() const;
 
     /// Whether the load is one step from the virgin state, Johnson's stationary
     /// problem, rather than a history.

@@ -4,28 +4,59 @@
 #ifndef loading_time_steps_h
 #define loading_time_steps_h
 
-#include <cstdint>
 #include <vector>
+
+#include "base/enum_names.h"
 
 namespace ElastoPlastic
 {
+  enum class StepControl
+  {
+    fixed,   ///< equal steps, shorter ones only where they fail
+    adaptive ///< as long as the nonlinear solver finds easy
+  };
+
+  template <>
+  inline const EnumNames<StepControl> enum_names<StepControl> = {
+    {"fixed", StepControl::fixed}, {"adaptive", StepControl::adaptive}};
+
+
+
   /// The load steps of a history: which one comes next, cutting a step that
   /// fails, growing again after success. No step crosses the end of a segment.
   ///
-  /// In each segment there is a number of equal steps. A cut halves the step
-  /// under way; a shorter step is doubled again after it has succeeded, as soon
-  /// as the doubled one ends where an uncut one would. The position in an uncut
-  /// step is counted in units of the shortest possible one, so that times do
-  /// not depend on rounding.
+  /// In each segment there is a number of equal, nominal steps; they are the
+  /// unit of positions and lengths. A cut halves the step under way.
+  ///
+  /// Fixed steps: a shorter step is doubled again after it has succeeded, as
+  /// soon as the doubled one ends where an uncut one would. (All positions are
+  /// binary fractions, so that times do not depend on rounding.)
+  ///
+  /// Adaptive steps: each segment begins with a nominal one; after n Newton
+  /// iterations the next is longer by the factor sqrt(target_iterations / n)
+  /// @cite ramm_1981, which is kept between 1/2 and 2. What is left up to the
+  /// next stop is divided evenly, so that no step is shorter without need.
   class TimeSteps
   {
   public:
-    /// @p segment_ends are the ends of the segments, increasing; the first
-    /// begins at 0. @p n_steps is their total number of steps, which the
-    /// segments share in proportion to their lengths (at least one each).
+    /// So many Newton iterations leave an adaptive step as long as it is.
+    static constexpr unsigned int target_iterations = 6;
+    /// The longest adaptive step: so many nominal ones.
+    static constexpr double longest = 2.;
+
+    /// Fixed steps. @p segment_ends are the ends of the segments, increasing;
+    /// the first begins at 0. @p n_steps is their total number of nominal
+    /// steps, which the segments share in proportion to their lengths (at least
+    /// one each). No step is shorter than one of them after @p max_cuts cuts.
     TimeSteps(const std::vector<double> &segment_ends,
               const unsigned int         n_steps,
               const unsigned int         max_cuts);
+
+    /// Adaptive steps that do not cross the times @p stops either.
+    TimeSteps(const std::vector<double> &segment_ends,
+              const unsigned int         n_steps,
+              const unsigned int         max_cuts,
+              const std::vector<double> &stops);
 
     /// Whether the end of the last segment has been reached.
     bool
@@ -43,13 +74,14 @@ namespace ElastoPlastic
     double
     next_time() const;
 
-    /// The ends of all steps as long as none is cut, increasing.
+    /// The ends of the nominal steps, increasing.
     const std::vector<double> &
     uncut_ends() const;
 
-    /// The step under way has succeeded: on to the next.
+    /// The step under way has succeeded, after @p n_iterations of Newton's
+    /// method: on to the next.
     void
-    advance();
+    advance(const unsigned int n_iterations = target_iterations);
 
     /// The step under way has failed: try half of it. @return false if it is
     /// as short as it may be.
@@ -57,28 +89,42 @@ namespace ElastoPlastic
     cut();
 
     /// The position in the history, for checkpoints. It may be taken over by
-    /// another history with the same steps until then.
+    /// another history with the same nominal steps until then.
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /* version */)
     {
-      archive &step_number &n_uncut &position &length;
+      archive &step_number &position &length;
     }
 
   private:
-    /// In the uncut step under way.
     double
-    time_at(const std::uint64_t units) const;
+    time_at(const double a_position) const;
 
+    double
+    position_at(const double time) const;
+
+    /// Of the step under way.
+    double
+    end() const;
+
+    void
+    adapt(const double taken, const unsigned int n_iterations);
+
+    /// Times of the nominal steps.
     std::vector<double> ends;
-    /// Of an uncut step.
-    const std::uint64_t units_per_step;
 
+    /// Positions: where segments end, and what no step crosses, increasing.
+    StepControl         control;
+    std::vector<double> segments;
+    std::vector<double> stops;
+    double              shortest;
+
+    /// How far the steps have got, and how long the one under way is unless it
+    /// is to meet a stop.
     unsigned int step_number = 1;
-    /// The uncut steps behind us, and the position in the next.
-    std::uint64_t n_uncut  = 0;
-    std::uint64_t position = 0;
-    std::uint64_t length;
+    double       position    = 0;
+    double       length      = 1;
   };
 } // namespace ElastoPlastic
 

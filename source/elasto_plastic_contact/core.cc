@@ -24,6 +24,57 @@ namespace ElastoPlastic
         modulus = std::max(modulus, material.shear_modulus);
       return modulus;
     }
+
+
+
+    template <int dim>
+    bool
+    depends_on_time_elsewhere(const Model<dim> &model)
+    {
+      return !model.boundary_conditions.prescribed_displacements().empty() ||
+             !model.boundary_conditions.tractions().empty();
+    }
+
+
+
+    // Adaptive steps end where fixed ones do if something may turn there.
+    template <int dim>
+    TimeSteps
+    make_time_steps(const Model<dim> &model, const Parameters &parameters)
+    {
+      const LoadingParameters  &loading = parameters.loading;
+      const std::vector<double> ends    = model.load_program.segment_ends();
+      const TimeSteps           fixed(ends,
+                            loading.n_steps,
+                            loading.is_single_step() ? 0 : loading.max_cuts);
+      if (loading.step_control == StepControl::fixed)
+        return fixed;
+      std::vector<double> stops = parameters.output.field_times;
+      if (!model.load_program.is_piecewise_linear() ||
+          depends_on_time_elsewhere(model))
+        stops.insert(stops.end(),
+                     fixed.uncut_ends().begin(),
+                     fixed.uncut_ends().end());
+      return TimeSteps(ends, loading.n_steps, loading.max_cuts, stops);
+    }
+
+
+
+    /// What to say of the shortest possible one of @p steps that has failed
+    /// with @p error, the last equilibrium being @p last.
+    ConvergenceError
+    failure_of_shortest_step(const ConvergenceError &error,
+                             const TimeSteps        &steps,
+                             const SolveResult      &last)
+    {
+      return ConvergenceError(
+        "Load step " + std::to_string(steps.number()) +
+        " from t = " + Patterns::Tools::to_string(steps.time()) + " (depth " +
+        Patterns::Tools::to_string(last.depth) + ") fails even if it ends at " +
+        "t = " + Patterns::Tools::to_string(steps.next_time()) +
+        ", and 'Loading/Maximum number of cuts' allows for no shorter one. " +
+        error.what());
+    }
   } // namespace
 
 
@@ -40,11 +91,7 @@ namespace ElastoPlastic
     , parameters(parameters)
     , communicator(communicator)
     , load_program(model.load_program)
-    , time_steps(load_program.segment_ends(),
-                 parameters.loading.n_steps,
-                 parameters.loading.is_single_step() ?
-                   0 :
-                   parameters.loading.max_cuts)
+    , time_steps(make_time_steps(model, parameters))
     , log(communicator, parameters.output.screen)
     , timer(log.full_stream(), TimerOutput::never, TimerOutput::wall_times)
     , field_output(parameters.output)
@@ -209,7 +256,11 @@ namespace ElastoPlastic
         catch (const ConvergenceError &error)
           {
             if (!time_steps.cut())
-              give_up_step(error,
+              give_up_step(parameters.loading.is_single_step() ?
+                             error :
+                             failure_of_shortest_step(error,
+                                                      time_steps,
+                                                      last_step.result),
                            model,
                            {contact.force(), time_steps.next_time()},
                            tractions_grow(),
@@ -252,9 +303,10 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::finish_step(Statistics &statistics)
   {
+    const unsigned int n_iterations = last_step.result.newton_iterations;
     if (last_step.result.time != load_program.final_time())
       adapt_mesh(statistics);
-    time_steps.advance();
+    time_steps.advance(n_iterations);
   }
 
 
@@ -283,9 +335,7 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::remark_on_holds()
   {
-    if (load_program.path().is_at_rest() &&
-        model.boundary_conditions.prescribed_displacements().empty() &&
-        model.boundary_conditions.tractions().empty())
+    if (load_program.path().is_at_rest() && !depends_on_time_elsewhere(model))
       for (const auto &[begin, end] : load_program.holds())
         log.remark(
           "'Loading/History' holds the load from t = " +

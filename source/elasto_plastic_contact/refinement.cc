@@ -10,7 +10,9 @@
 namespace ElastoPlastic
 {
   // The mesh is adapted in the first load step: in cycles, and until its
-  // elements are small enough for the contact.
+  // elements are small enough for the contact. (Not with finite strains: a
+  // step, however short, would press many virgin elements of such a mesh at
+  // once. There, refinement follows from step to step.)
   template <int dim>
   bool
   ElastoPlasticContact<dim>::mark_next_mesh()
@@ -22,7 +24,9 @@ namespace ElastoPlastic
     const bool is_next_cycle = cycle + 1 < parameters.refinement.n_cycles;
     if (is_next_cycle)
       flag_cells(parameters.refinement, error_indicators, triangulation);
-    if (!mark_contact_zone() && !is_next_cycle)
+    const bool follows_contact =
+      !model.strain_model.is_finite() && mark_contact_zone();
+    if (!follows_contact && !is_next_cycle)
       return false;
     if (next_mesh_is_allowed())
       return true;
@@ -239,6 +243,8 @@ namespace ElastoPlastic
     SolveResult result = solve();
     statistics.add_solve(result);
     statistics.add_mesh_change(last_step.result, result);
+    if (last_step.result.contact_area >= largest_contact_area)
+      largest_contact_area = result.contact_area;
 
     result.plastic_work           = 0;
     result.dissipation            = 0;

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "elasto_plastic_contact.h"
+#include "evaluation/element_quality.h"
 #include "make_tangent_solver.h"
 #include "mechanics/external_forces.h"
 #include "mechanics/ghosted_copy.h"
@@ -134,6 +135,8 @@ namespace ElastoPlastic
     static_cast<BodyState &>(result)    = body_state(*solid, displacement);
     result.depth = gap_function.has_indenter() ? contact.depth() : 0.;
     measure_imprint(result);
+    if (model.strain_model.is_finite())
+      measure_elements(result);
     check_force_balance(result);
     // in a history, only where the user sees it or the mesh depends on it
     if (time_steps.number() == 1 || adaptation_is_due() || fields_are_due())
@@ -239,6 +242,32 @@ namespace ElastoPlastic
   {
     TimerOutput::Scope scope(timer, "Evaluation");
     imprint.measure(result, contact_surface());
+  }
+
+
+
+  // Force and contact hardly depend on such elements (doc/user_guide.md,
+  // "Finite strains"), so that the run goes on.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::measure_elements(SolveResult &result)
+  {
+    TimerOutput::Scope        scope(timer, "Evaluation");
+    const ElementQuality<dim> worst = worst_element(dof_handler, displacement);
+    result.min_scaled_jacobian      = worst.scaled_jacobian;
+    if (worst.scaled_jacobian > 0. ||
+        last_step.result.min_scaled_jacobian <= 0.)
+      return;
+    log.warn("In step " + std::to_string(result.step) +
+             " (t = " + Patterns::Tools::to_string(result.time) + ", depth " +
+             Patterns::Tools::to_string(result.depth) +
+             ") an element has a corner that is turned inside out, at (" +
+             Patterns::Tools::to_string(worst.place) +
+             ") of the deformed body; its scaled Jacobian is " +
+             Patterns::Tools::to_string(worst.scaled_jacobian) +
+             ". From here on, stresses and strains of the elements around are "
+             "meaningless; force and contact area hardly depend on them. See "
+             "'Finite strains' in doc/user_guide.md. This is not said again.");
   }
 
 

@@ -132,6 +132,7 @@ namespace ElastoPlastic
       check_equilibrium_method();
     check_contact_geometry();
     check_friction_and_path();
+    loading.check();
     material.check();
     indenter.check(dimension);
     refinement.check();

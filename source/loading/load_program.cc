@@ -177,6 +177,19 @@ namespace ElastoPlastic
 
 
 
+  bool
+  LoadProgram::is_piecewise_linear() const
+  {
+    return std::none_of(segments.begin(),
+                        segments.end(),
+                        [](const Segment &segment) {
+                          return segment.expression != nullptr;
+                        }) &&
+           (indenter_path.is_at_rest() || !indenter_path.corners().empty());
+  }
+
+
+
   std::vector<std::pair<double, double>>
   LoadProgram::holds() const
   {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "base/exceptions.h"
 #include "loading/loading_parameters.h"
 
 namespace ElastoPlastic
@@ -60,6 +61,16 @@ namespace ElastoPlastic
       "which the corners of a 'Path' divide further, share the steps in "
       "proportion to their lengths, each gets at least one.",
       Patterns::Integer(1, 1000000));
+    prm.add_parameter(
+      "Step control",
+      step_control,
+      "fixed: all steps of a segment are equal, but for those that have to be "
+      "cut. adaptive: a segment begins with such a step; after n Newton "
+      "iterations the next is longer by the factor sqrt(6/n), at least 1/2 and "
+      "at most 2, and never longer than 2 of the 'Number of steps'. Steps end "
+      "at the ends of the segments and at 'Output/Field times'. Expressions in "
+      "t may turn anywhere: with them, adaptive steps also end where fixed ones "
+      "do.");
     prm.add_parameter("Final time",
                       final_time,
                       "The time t at the end of the last step. Greater than 0. "
@@ -69,9 +80,25 @@ namespace ElastoPlastic
                       max_cuts,
                       "A step that does not converge is taken back and "
                       "halved, this many times at most; after success steps "
-                      "grow again. A single step is never cut.",
+                      "grow again. A single step is never cut. Adaptive steps "
+                      "are not shorter than a step that has been cut so "
+                      "often.",
                       Patterns::Integer(0, 30));
     prm.leave_subsection();
+  }
+
+
+
+  void
+  LoadingParameters::check() const
+  {
+    if (step_control == StepControl::adaptive && is_single_step())
+      throw InputError(
+        "Loading/Step control",
+        Patterns::Tools::to_string(step_control),
+        "a single step is Johnson's stationary problem, which is "
+        "solved at once. Choose 'fixed', or a 'Loading/Number "
+        "of steps' above 1.");
   }
 
 

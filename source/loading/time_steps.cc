@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "loading/time_steps.h"
 
@@ -10,6 +11,10 @@ namespace ElastoPlastic
 {
   namespace
   {
+    constexpr double negligible = 1e-9;
+
+
+
     double
     between(const double begin, const double end, const double fraction)
     {
@@ -42,16 +47,37 @@ namespace ElastoPlastic
                        const unsigned int         n_steps,
                        const unsigned int         max_cuts)
     : ends(ends_of_steps(segment_ends, n_steps))
-    , units_per_step(std::uint64_t(1) << max_cuts)
-    , length(units_per_step)
-  {}
+    , control(StepControl::fixed)
+    , shortest(std::ldexp(1., -static_cast<int>(max_cuts)))
+  {
+    for (const double time : segment_ends)
+      segments.push_back(position_at(time));
+    for (const double time : ends)
+      stops.push_back(position_at(time));
+  }
+
+
+
+  TimeSteps::TimeSteps(const std::vector<double> &segment_ends,
+                       const unsigned int         n_steps,
+                       const unsigned int         max_cuts,
+                       const std::vector<double> &more_stops)
+    : TimeSteps(segment_ends, n_steps, max_cuts)
+  {
+    control = StepControl::adaptive;
+    std::set<double> all(segments.begin(), segments.end());
+    for (const double time : more_stops)
+      if (time > 0 && time < ends.back())
+        all.insert(position_at(time));
+    stops.assign(all.begin(), all.end());
+  }
 
 
 
   bool
   TimeSteps::finished() const
   {
-    return n_uncut == ends.size();
+    return position == ends.size();
   }
 
 
@@ -65,13 +91,28 @@ namespace ElastoPlastic
 
 
   double
-  TimeSteps::time_at(const std::uint64_t units) const
+  TimeSteps::time_at(const double a_position) const
   {
-    if (finished())
+    const auto n_behind = static_cast<std::size_t>(a_position);
+    if (n_behind == ends.size())
       return ends.back();
-    return between(n_uncut == 0 ? 0. : ends[n_uncut - 1],
-                   ends[n_uncut],
-                   static_cast<double>(units) / units_per_step);
+    return between(n_behind == 0 ? 0. : ends[n_behind - 1],
+                   ends[n_behind],
+                   a_position - n_behind);
+  }
+
+
+
+  // (What is as good as the end of a nominal step is taken for it.)
+  double
+  TimeSteps::position_at(const double time) const
+  {
+    const auto   next  = std::lower_bound(ends.begin(), ends.end(), time);
+    const double begin = next == ends.begin() ? 0. : *(next - 1);
+    const double part  = (time - begin) / (*next - begin);
+    return (next - ends.begin()) + (part < negligible     ? 0. :
+                                    part > 1 - negligible ? 1. :
+                                                            part);
   }
 
 
@@ -85,9 +126,21 @@ namespace ElastoPlastic
 
 
   double
+  TimeSteps::end() const
+  {
+    if (finished())
+      return position;
+    const double stop = *std::upper_bound(stops.begin(), stops.end(), position);
+    const double n    = std::ceil((stop - position) / length - negligible);
+    return n > 1 ? position + (stop - position) / n : stop;
+  }
+
+
+
+  double
   TimeSteps::next_time() const
   {
-    return time_at(position + length);
+    return time_at(end());
   }
 
 
@@ -101,17 +154,34 @@ namespace ElastoPlastic
 
 
   void
-  TimeSteps::advance()
+  TimeSteps::advance(const unsigned int n_iterations)
   {
+    const double begin = position;
+    position           = end();
     ++step_number;
-    position += length;
-    if (length < units_per_step && position % (2 * length) == 0)
+    if (control == StepControl::adaptive)
+      adapt(position - begin, n_iterations);
+    else if (length < 1 && std::fmod(position, 2 * length) == 0)
       length *= 2;
-    if (position == units_per_step)
+  }
+
+
+
+  // A step that had to meet a stop says nothing against longer ones.
+  void
+  TimeSteps::adapt(const double taken, const unsigned int n_iterations)
+  {
+    if (std::binary_search(segments.begin(), segments.end(), position))
       {
-        ++n_uncut;
-        position = 0;
+        length = 1;
+        return;
       }
+    const double growth =
+      std::clamp(std::sqrt(target_iterations / std::max(1., 1. * n_iterations)),
+                 0.5,
+                 2.);
+    length = growth < 1 ? std::max(growth * taken, shortest) :
+                          std::min(std::max(length, growth * taken), longest);
   }
 
 
@@ -119,9 +189,10 @@ namespace ElastoPlastic
   bool
   TimeSteps::cut()
   {
-    if (length == 1)
+    const double failed = end() - position;
+    if (failed <= (1 + negligible) * shortest)
       return false;
-    length /= 2;
+    length = std::max(0.5 * failed, shortest);
     return true;
   }
 } // namespace ElastoPlastic

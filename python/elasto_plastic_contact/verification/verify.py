@@ -26,6 +26,7 @@ from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
 from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
                                 johnson_limit, load_cycles)
 from .job_preview import job_preview
+from .load_steps import adaptive_steps
 from .rounding import contrast, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .zero_load import far_indenter, zero_force, zero_stress
@@ -285,6 +286,7 @@ ALL = {
                      error_bound_refinement, force_bounds, equilibrium_hertz, equilibrium_limit, zero_stress,
                      zero_force, far_indenter, contrast, nearly_incompressible, job_preview,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
+                     adaptive_steps,
                      ssnv128, bonded_punch, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
                      friction_symmetries, friction_ranks, friction_resume,
                      symmetric_bodies, cone_in_space, pyramids)

@@ -1,0 +1,59 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Verification of load steps that adapt to Newton's iterations; see verify."""
+
+import math
+import subprocess
+
+from .finite_strain import COARSE, CONE
+
+LOADING = "Loading/History=1: depth {}"
+ADAPTIVE = "Loading/Step control=adaptive"
+
+
+def adaptive_steps(runner):
+    """Adaptive load steps under a cone with finite strains against fixed ones."""
+    elastic_body(runner)
+    loading_curve(runner)
+    too_long_steps(runner)
+
+
+def elastic_body(runner):
+    """The state of an elastic body does not depend on the steps."""
+    rows = [runner.history(CONE, *COARSE, "Material/Law=linear elastic", "Contact/Edge=at nodes", LOADING.format(0.1),
+                           "Loading/Number of steps=12", *control)[-1] for control in ((), (ADAPTIVE,))]
+    runner.verify("other steps", rows[0]["step"] != rows[1]["step"])
+    for column in ("force", "contact_area", "elastic_energy"):
+        runner.compare(f"elastic: {column}", rows[1][column], rows[0][column], 1e-9)
+
+
+def loading_curve(runner):
+    """With at most twice the length, about half the Newton iterations, and a similar curve."""
+    fixed, adaptive = (runner.history(CONE, LOADING.format(0.02), "Loading/Number of steps=100", *control)
+                       for control in ((), (ADAPTIVE,)))
+    n_fixed, n_adaptive = (sum(step["newton_iterations"] for step in steps) for steps in (fixed, adaptive))
+    runner.verify(f"{n_adaptive:.0f} Newton iterations in {len(adaptive)} steps, fixed {n_fixed:.0f} in {len(fixed)}",
+                  n_adaptive < 0.7 * n_fixed)
+    differences = [abs(step["force"] - force_at(step["depth"], fixed)) / fixed[-1]["force"] for step in adaptive]
+    runner.compare("largest difference of the forces over the largest force", max(differences), 0, 0.02, absolute=True)
+
+
+def force_at(depth, steps):
+    """From linear interpolation of its root."""
+    points = [(0, 0)] + [(step["depth"], math.sqrt(step["force"])) for step in steps]
+    for (x, a), (y, b) in zip(points, points[1:]):
+        if depth <= y * (1 + 1e-12):
+            return (a + (b - a) * (depth - x) / (y - x)) ** 2
+    raise ValueError(f"no step is as deep as {depth}")
+
+
+def too_long_steps(runner):
+    """Where steps of a fixed length fail, adaptive ones go through."""
+    entries = (*COARSE, LOADING.format(0.1), "Loading/Number of steps=16")
+    try:
+        runner.history(CONE, *entries, "Loading/Maximum number of cuts=0")
+        failure = 0
+    except subprocess.CalledProcessError as error:
+        failure = error.returncode
+    runner.verify("16 fixed steps fail", failure == 3)
+    runner.verify("adaptive ones reach the depth", runner.history(CONE, *entries, ADAPTIVE)[-1]["time"] == 1)
