@@ -165,24 +165,25 @@ end
 
   /// (Estimated errors are computed in single precision.)
   void
-  check_same_results(const std::string &entry)
+  check_same_results(const Entries &entries)
   {
-    output() << entry << std::endl;
-    verify("  the run", run("--overwrite", {entry}).first == 0);
+    for (const std::string &entry : entries)
+      output() << entry << std::endl;
+    verify("  the run", run("--overwrite", entries).first == 0);
     std::map<std::string, std::vector<Row>> straight;
     for (const std::string &table : tables)
       straight[table] = read_table(file(table));
     output() << "  mesh changes: " << straight["mesh_changes"].size()
              << std::endl;
     verify("  its first part",
-           run("--overwrite", both({entry}, first_part)).first == 0);
-    verify("  the resumed run", run("--resume", {entry}).first == 0);
+           run("--overwrite", both(entries, first_part)).first == 0);
+    verify("  the resumed run", run("--resume", entries).first == 0);
     for (const std::string &table : tables)
       verify("  " + table,
              difference(straight[table], read_table(file(table))),
              1e-6);
 
-    verify("  resumed at its end", run("--resume", {entry}).first == 0);
+    verify("  resumed at its end", run("--resume", entries).first == 0);
     for (const std::string &table : tables)
       verify("  " + table,
              difference(straight[table], read_table(file(table))),
@@ -279,9 +280,10 @@ main(int argc, char *argv[])
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   on_first_rank([]() { std::ofstream("resume.prm") << input; });
-  check_same_results("Loading/Step control=adaptive");
-  check_same_results("Refinement/Steps between adaptations=4");
-  check_same_results("Refinement/Steps between adaptations=2");
+  check_same_results({"Refinement/Steps between adaptations=2",
+                      "Loading/Step control=adaptive"});
+  check_same_results({"Refinement/Steps between adaptations=4"});
+  check_same_results({"Refinement/Steps between adaptations=2"});
   check_refusals("Refinement/Steps between adaptations=2");
   check_other_histories("Refinement/Steps between adaptations=2");
 }

@@ -84,8 +84,10 @@ namespace ElastoPlastic
       n_over_contact_radius,
       "Cells are refined around what the indenter touches until so many "
       "elements fit into its radius (in the plane: half its width), and four "
-      "times as many per length at its edge (in space twice); in a load history, the mesh follows the edge of "
-      "the contact as it grows. Cells that this has made are put together "
+      "times as many per length at its edge (in space twice); in a load "
+      "history, the mesh follows the edge of the contact as it grows (with "
+      "'Strain = logarithmic' from the end of the first step on, one level "
+      "after each). Cells that this has made are put together "
       "again when the contact has grown so much that they are not needed, "
       "if the strategy is none. 0: the mesh does not depend on the "
       "contact. 10 to 40 are usual.",
