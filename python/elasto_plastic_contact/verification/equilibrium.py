@@ -43,6 +43,21 @@ def limit_load(runner):
                   f"{strip['upper_bound']:.7g}", 1.999 < strip["lower_bound"] <= 2 <= strip["upper_bound"] < 2.03)
 
 
+def limit_load_revolution(runner):
+    """Limit loads of smooth and rough circular punches and of a ring, against strict bounds on finer meshes."""
+    cases = {"smooth circular punch": ("circular_punch", 1, 3.0140, 3.0147, ()),
+             "rough circular punch": ("circular_punch", 1, 3.1766, 3.189, ("Indenter/Surface=rough",)),
+             "ring": ("ring_punch", 3, 2.967, 2.977, ())}
+    for name, (case, area, lower, upper, entries) in cases.items():
+        rows = runner.tables(f"limit_load/{case}.prm", "Refinement/Number of cycles=7", *entries)["limit_load"]
+        for row in rows:
+            below, above = (row[bound] / (area * math.pi) for bound in ("lower_bound", "upper_bound"))
+            runner.verify(f"{name}: {below:.6g} <= limit load <= {above:.6g}", below <= upper and above >= lower)
+        runner.compare(f"{name}: difference of the bounds", rows[-1]["relative_difference"], 0, 0.016, absolute=True)
+        runner.compare(f"{name}: largest error of stresses and velocities",
+                       max(max(row["stress_error"], row["velocity_error"]) for row in rows), 0, 1e-9, absolute=True)
+
+
 def openblas_kernels():
     """Names of some kernels of OpenBLAS that this processor can run; without OpenBLAS, they are ignored."""
     with open("/proc/cpuinfo", encoding="ascii") as file:
