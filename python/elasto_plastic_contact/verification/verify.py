@@ -15,7 +15,7 @@ from . import uniaxial as exact_uniaxial
 from .contact_edge import contact_edge, contact_mesh
 from .runner import E, E_STAR, NU, Runner, add_program
 from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, error_bound,
-                                error_bound_ranks, error_bound_refinement, force_bounds, limit_load,
+                          error_bound_ranks, error_bound_refinement, force_bounds, limit_load,
                           limit_load_revolution, safe_load)
 from .finite_strain import (cone_in_space, finite_cone, finite_strain, finite_strain_ranks,
                             finite_strain_resume, published_cones, pyramids, symmetric_bodies)
@@ -24,7 +24,7 @@ from .friction import (bonded_punch, friction_ranks, friction_resume, friction_s
 from .hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
 from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
-                                johnson_limit, load_cycles)
+                          johnson_limit, load_cycles)
 from .job_preview import job_preview
 from .load_steps import adaptive_steps
 from .rounding import contrast, nearly_incompressible
