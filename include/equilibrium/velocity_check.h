@@ -9,13 +9,14 @@
 namespace ElastoPlastic
 {
   /// By how much a velocity violates the conditions of the kinematic theorem,
-  /// relative to its largest value or rate.
+  /// when the indenter moves down by 1: all should be zero but for rounding.
   struct VelocityErrors
   {
-    double divergence = 0;  ///< not in plane stress, where the sheet changes
-                            ///< its thickness
-    double separation = 0;  ///< what passes through a side; in plane stress
-                            ///< also what slides along it
+    /// Times the size of the triangle. Not in plane stress, where the sheet
+    /// changes its thickness.
+    double divergence = 0;
+    /// What passes through a side; in plane stress also what slides along it.
+    double separation  = 0;
     double penetration = 0; ///< into the indenter
 
     double

@@ -187,31 +187,58 @@ namespace ElastoPlastic
 
 
     void
-    check_divergence(VelocityErrors   &errors,
-                     const PlaneBody  &body,
-                     const Velocities &velocity)
+    check_divergence(VelocityErrors         &errors,
+                     const PlaneBody        &body,
+                     const TriangleVelocity &velocity,
+                     const unsigned int      t)
     {
-      double divergence = 0, largest_rate = 0;
-      for (unsigned int t = 0; t < velocity.size(); ++t)
-        for (const Barycentric &point : quadratic_points())
-          {
-            const auto     corners = body.mesh.corners(body.mesh.triangles[t]);
-            const Point<2> x       = position(corners, point);
-            if (body.is_on_axis(x))
-              continue;
-            const auto rate = polynomial_rate(corners, velocity[t], point);
-            TriangleVelocity polynomial = velocity[t];
-            polynomial.flux             = Tensor<1, 2>();
-            const double hoop =
-              body.is_axisymmetric() ?
-                velocity_at(body, polynomial, t, point)[0] / x[0] :
-                0.;
-            divergence = std::max(divergence, std::abs(trace(rate) + hoop));
-            largest_rate =
-              std::max(largest_rate,
-                       strain_rate_at(body, velocity[t], t, point).norm());
-          }
-      errors.divergence = largest_rate > 0 ? divergence / largest_rate : 0.;
+      TriangleVelocity polynomial = velocity; // the flux has no divergence
+      polynomial.flux             = Tensor<1, 2>();
+      const auto corners          = body.mesh.corners(body.mesh.triangles[t]);
+      for (const Barycentric &point : quadratic_points())
+        {
+          const Point<2> x = position(corners, point);
+          if (body.is_on_axis(x))
+            continue;
+          double divergence = trace(polynomial_rate(corners, velocity, point));
+          if (body.is_axisymmetric())
+            divergence += velocity_at(body, polynomial, t, point)[0] / x[0];
+          errors.divergence =
+            std::max(errors.divergence,
+                     std::abs(divergence) * std::sqrt(area(corners)));
+        }
+    }
+
+
+
+    void
+    check_side(VelocityErrors   &errors,
+               const PlaneBody  &body,
+               const SideView   &view,
+               const Velocities &velocity)
+    {
+      const bool slips = body.kinematics != Kinematics::plane_stress;
+      for (unsigned int p = 0; p <= trace_degree; ++p)
+        {
+          const Tensor<1, 2> jump =
+            view.jump(velocity, p / static_cast<double>(trace_degree)) /
+            body.weight_unit();
+          if (view.is_inside() || view.support.is_closed)
+            errors.separation =
+              std::max(errors.separation, std::abs(jump * view.normal));
+          if (!slips && (view.is_inside() || view.support.resists_slip))
+            errors.separation =
+              std::max(errors.separation, std::abs(jump * view.tangent));
+        }
+      if (body.conditions[view.side].is_reached)
+        {
+          const auto [of_body, of_indenter] =
+            against_indenter(body, view, velocity);
+          for (unsigned int i = 0; i < of_body.size(); ++i)
+            errors.penetration =
+              std::max(errors.penetration,
+                       (of_indenter[i] - of_body[i]) / body.weight_unit());
+        }
     }
   } // namespace
 
@@ -228,40 +255,12 @@ namespace ElastoPlastic
   VelocityErrors
   check_velocity(const PlaneBody &body, const Velocities &velocity)
   {
-    const bool     is_sheet = body.kinematics == Kinematics::plane_stress;
     VelocityErrors errors;
-    if (!is_sheet)
-      check_divergence(errors, body, velocity);
-
-    double largest = 0;
-    for (unsigned int t = 0; t < velocity.size(); ++t)
-      for (const Barycentric &point : cubic_points())
-        largest =
-          std::max(largest,
-                   weighted_velocity(body, velocity[t], t, point).norm());
-
+    if (body.kinematics != Kinematics::plane_stress)
+      for (unsigned int t = 0; t < velocity.size(); ++t)
+        check_divergence(errors, body, velocity[t], t);
     for (const SideView &view : views_of_sides(body))
-      for (unsigned int p = 0; p <= trace_degree; ++p)
-        {
-          const Tensor<1, 2> jump =
-            view.jump(velocity, p / static_cast<double>(trace_degree));
-          double &separation = errors.separation;
-          if (view.is_inside() || view.support.is_closed)
-            separation =
-              std::max(separation, std::abs(jump * view.normal) / largest);
-          if (is_sheet && (view.is_inside() || view.support.resists_slip))
-            separation =
-              std::max(separation, std::abs(jump * view.tangent) / largest);
-          if (body.conditions[view.side].is_reached)
-            {
-              const auto [of_body, of_indenter] =
-                against_indenter(body, view, velocity);
-              for (unsigned int i = 0; i < of_body.size(); ++i)
-                errors.penetration =
-                  std::max(errors.penetration,
-                           (of_indenter[i] - of_body[i]) / largest);
-            }
-        }
+      check_side(errors, body, view, velocity);
     return errors;
   }
 

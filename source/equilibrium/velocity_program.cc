@@ -70,7 +70,7 @@ namespace ElastoPlastic
       throw ConvergenceError(
         "The mechanism of collapse violates its conditions by " +
         Patterns::Tools::to_string(field.error) +
-        " of its velocity or strain rate, because of rounding errors.");
+        " of the indenter's velocity, because of rounding errors.");
     field.dissipation = plastic_work(body, field.velocity);
     field.force =
       std::accumulate(field.dissipation.begin(), field.dissipation.end(), 0.) -

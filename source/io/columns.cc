@@ -205,7 +205,7 @@ namespace ElastoPlastic
       {"lower_iterations", "1", "of the interior point method", &R::lower_iterations},
       {"upper_iterations", "1", "of the interior point method", &R::upper_iterations},
       {"stress_error", "1", "the largest violation of equilibrium, tractions or yield condition", &R::stress_error},
-      {"velocity_error", "1", "the largest violation of incompressibility, supports or indenter by the mechanism, relative to its strain rates or velocities", &R::velocity_error},
+      {"velocity_error", "1", "the largest violation of incompressibility, supports or indenter by the mechanism, relative to the velocity of the indenter", &R::velocity_error},
       {"wall_seconds", "seconds", "for both bounds", &R::wall_seconds}};
     return columns;
   }

@@ -70,11 +70,12 @@ class Picture:
         return self.draw(i, title, magnitude, shading="gouraud", cmap="magma", vmax=numpy.quantile(magnitude, 0.99))
 
     def joined(self, name):
-        """Points, triangles and values of a continuous field, with one point where several triangles meet."""
+        """Points, triangles and values of a field, with one point, and the mean value, where several triangles meet."""
         points = self.fields["points"][:, :2]
-        _, first, nodes = numpy.unique(same_points(points, 1e-6 * numpy.ptp(points)), return_index=True,
-                                       return_inverse=True)
-        return points[first], nodes[self.triangles.triangles], self.fields[name][first]
+        _, first, nodes, numbers = numpy.unique(same_points(points, 1e-6 * numpy.ptp(points)), return_index=True,
+                                                return_inverse=True, return_counts=True)
+        values = [numpy.bincount(nodes, weights=part) / numbers for part in self.fields[name].T]
+        return points[first], nodes[self.triangles.triangles], numpy.transpose(values)
 
     def draw_flow(self, axes):
         """The lines along which the mechanism moves, where it does."""
