@@ -62,21 +62,6 @@ namespace
     {MeshKind::refined, ", refined mesh"},
     {MeshKind::distorted, ", distorted mesh"}};
 
-  void
-  refine_around_edge(Triangulation<2> &mesh, const unsigned int n_levels)
-  {
-    for (unsigned int level = 0; level < n_levels; ++level)
-      {
-        for (const auto &cell : mesh.active_cell_iterators())
-          if (cell->center().distance(Point<2>(1., 0.)) <
-              1.5 * cell->diameter())
-            cell->set_refine_flag();
-        mesh.execute_coarsening_and_refinement();
-      }
-  }
-
-
-
   /// Boundaries 0 to 3: left, right, bottom, top. The top is at z = 0.
   void
   make_rectangle(Triangulation<2>  &mesh,
@@ -93,8 +78,13 @@ namespace
                                               /* colorize = */ true);
     if (kind == MeshKind::distorted)
       GridTools::distort_random(0.25, mesh, /* keep_boundary = */ true);
-    if (kind == MeshKind::refined)
-      refine_around_edge(mesh, 3);
+    for (unsigned int k = 0; k < (kind == MeshKind::refined ? 3 : 0); ++k)
+      {
+        for (const auto &cell : mesh.active_cell_iterators())
+          if (cell->center().distance({1., 0.}) < 1.5 * cell->diameter())
+            cell->set_refine_flag();
+        mesh.execute_coarsening_and_refinement();
+      }
   }
 
 
@@ -103,6 +93,20 @@ namespace
                                {"right", 1},
                                {"bottom", 2},
                                {"top", 3}};
+
+  /// Under a plate.
+  BoundaryConditions<2>
+  on_rollers(const std::vector<std::string> &rollers,
+             const std::vector<std::string> &free)
+  {
+    BoundaryConditionParameters parameters;
+    parameters.roller  = rollers;
+    parameters.free    = free;
+    parameters.contact = {"top"};
+    return {parameters, names};
+  }
+
+
 
   PlaneBody
   make_body(const Triangulation<2>      &mesh,
@@ -131,13 +135,14 @@ namespace
     for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
       if (body.mesh.sides[s].boundary_id == boundary)
         {
-          const Tensor<1, 2> normal = body.mesh.normal(body.mesh.sides[s]);
+          const Tensor<1, 2> load =
+            -pressure * body.mesh.normal(body.mesh.sides[s]);
           for (unsigned int d = 0; d < 2; ++d)
             body.conditions[s].components[d] = {Point<2>::unit_vector(d),
                                                 SideConditionType::traction,
-                                                [load = -pressure * normal[d]](
-                                                  const Point<2> &) {
-                                                  return load;
+                                                [load_d =
+                                                   load[d]](const Point<2> &) {
+                                                  return load_d;
                                                 }};
         }
   }
@@ -195,12 +200,8 @@ namespace
     const double     jacket = 0.7;
     Triangulation<2> mesh;
     make_rectangle(mesh, kind, 2, 0., 1., 1.5);
-    BoundaryConditionParameters parameters;
-    parameters.roller  = {"left", "bottom"};
-    parameters.free    = {"right"};
-    parameters.contact = {"top"};
-    const BoundaryConditions<2> conditions(parameters, names);
-    PlaneBody                   body = make_body(mesh, conditions, everywhere);
+    const auto conditions = on_rollers({"left", "bottom"}, {"right"});
+    PlaneBody  body       = make_body(mesh, conditions, everywhere);
     press(body, 1, jacket);
     verify_bounds("Cylinder between smooth plates" + kinds.at(kind),
                   body,
@@ -249,17 +250,13 @@ namespace
 
 
 
-  // Between smooth plates that must not pull: hence a pressure on both walls.
+  // Pressure on both walls, so that the smooth plates need not pull.
   void
   test_tube(const MeshKind kind)
   {
     Triangulation<2> mesh;
     make_rectangle(mesh, kind, 6, 1., 2., 0.5);
-    BoundaryConditionParameters parameters;
-    parameters.roller  = {"bottom"};
-    parameters.free    = {"left", "right"};
-    parameters.contact = {"top"};
-    const BoundaryConditions<2> conditions(parameters, names);
+    const auto conditions = on_rollers({"bottom"}, {"left", "right"});
     verify_pressure(
       "Tube" + kinds.at(kind),
       [&](const double part) {
@@ -293,17 +290,13 @@ namespace
 
 
 
-  // The plane z = 0 must not pull: hence a pressure on both walls.
+  // As in the tube; the plate is the plane z = 0.
   void
   test_hollow_sphere()
   {
     Triangulation<2> mesh;
     make_shell(mesh, 12);
-    BoundaryConditionParameters parameters;
-    parameters.roller  = {"bottom"};
-    parameters.free    = {"left", "right"};
-    parameters.contact = {"top"};
-    const BoundaryConditions<2> conditions(parameters, names);
+    const auto conditions = on_rollers({"bottom"}, {"left", "right"});
     verify_pressure(
       "Hollow sphere",
       [&](const double part) {
@@ -355,12 +348,8 @@ namespace
     Triangulation<2> mesh;
     make_rectangle(mesh, MeshKind::refined, 2, 0., 1., 1.);
     GridTools::rotate(angle, mesh);
-    BoundaryConditionParameters parameters;
-    parameters.roller  = {"bottom"};
-    parameters.free    = {"left", "right"};
-    parameters.contact = {"top"};
-    const BoundaryConditions<2> conditions(parameters, names);
-    PlaneBody                   body = make_body(mesh,
+    const auto conditions = on_rollers({"bottom"}, {"left", "right"});
+    PlaneBody  body       = make_body(mesh,
                                conditions,
                                everywhere,
                                SurfaceFinish::smooth,
@@ -387,14 +376,10 @@ namespace
   {
     Triangulation<2> mesh;
     make_rectangle(mesh, MeshKind::regular, 2, 0., 1., 1.);
-    BoundaryConditionParameters parameters;
-    parameters.roller  = {"left", "bottom"};
-    parameters.free    = {"right"};
-    parameters.contact = {"top"};
-    const BoundaryConditions<2> conditions(parameters, names);
-    const PlaneBody             body  = make_body(mesh, conditions, everywhere);
-    const StressField           field = maximize_force(body);
-    const auto                  error = [&](const auto &damage) {
+    const auto        conditions = on_rollers({"left", "bottom"}, {"right"});
+    const PlaneBody   body       = make_body(mesh, conditions, everywhere);
+    const StressField field      = maximize_force(body);
+    const auto        error      = [&](const auto &damage) {
       StressField damaged = field;
       damage(damaged);
       return check_stress(body, damaged);
