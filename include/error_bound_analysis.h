@@ -60,7 +60,8 @@ namespace ElastoPlastic
     evaluate(const Solution &solution, const DisplacementAt &displacement_at);
 
     /// The parts of the last bound, for each active cell of this rank; the
-    /// squares add up to that of the bound.
+    /// squares add up to that of the bound. If the load is the goal of the
+    /// refinement: those of the distance between its bounds.
     const Vector<float> &
     indicators() const;
 

@@ -113,6 +113,27 @@ namespace
     verify("  none is longer than the longest",
            longest > 0.15 && longest < 0.2 + 1e-14);
   }
+
+
+
+  /// The last step has ended at 10, and the checkpoint is from before it was
+  /// counted; a longer history with another stop goes on from there.
+  void
+  check_longer_history()
+  {
+    TimeSteps steps({10.}, 10, 2, {});
+    while (steps.next_time() < 10.)
+      steps.advance(4);
+    TimeSteps longer =
+      copy_from_checkpoint(steps, TimeSteps({20.}, 20, 2, {9.9, 10.5}));
+    output() << "A longer history" << std::endl;
+    verify("  other stops would move the end", longer.next_time() == 9.9);
+    longer.end_step_at(10.);
+    longer.advance(6);
+    verify("  the step that has been taken ends where it did",
+           longer.time() == 10.);
+    verify("  and the next at the next stop", longer.next_time() == 10.5);
+  }
 } // namespace
 
 
@@ -133,4 +154,5 @@ main(int argc, char *argv[])
               TimeSteps({2., 12.}, 12, 2, {}),
               {24, 24, 1, 1, 1, 6, 6, 6, 6, 6});
   check_random_histories();
+  check_longer_history();
 }

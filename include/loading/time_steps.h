@@ -88,6 +88,11 @@ namespace ElastoPlastic
     bool
     cut();
 
+    /// Lets the step under way end at @p time, whatever the stops: it has done
+    /// so before a checkpoint, in a history with others.
+    void
+    end_step_at(const double time);
+
     /// The position in the history, for checkpoints. It may be taken over by
     /// another history with the same nominal steps until then.
     template <typename Archive>

@@ -121,6 +121,8 @@ namespace ElastoPlastic
     check_same_past(loading_parameters(contents.entries),
                     parameters.loading,
                     last_step.result.time);
+    if (last_step.result.step == time_steps.number())
+      time_steps.end_step_at(last_step.result.time);
 
     coarsen_to_coarse_mesh(triangulation);
     CellValues values = load_mesh(triangulation, contents.mesh_file);

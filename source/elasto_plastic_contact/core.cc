@@ -178,6 +178,8 @@ namespace ElastoPlastic
     log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     output_directory.resume_run();
     const Statistics::Progress progress = load_checkpoint();
+    if (gap_function.has_indenter())
+      check_path(model, time_steps, parameters.loading, triangulation);
     run_load_history(progress);
   }
 

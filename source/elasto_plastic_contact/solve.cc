@@ -267,7 +267,7 @@ namespace ElastoPlastic
              Patterns::Tools::to_string(worst.scaled_jacobian) +
              ". From here on, stresses and strains of the elements around are "
              "meaningless; force and contact area hardly depend on them. See "
-             "'Finite strains' in doc/user_guide.md. This is not said again.");
+             "'Finite strains' in doc/user_guide.md.");
   }
 
 

@@ -56,6 +56,13 @@ namespace ElastoPlastic
                             SideConditionType::displacement);
         const Reach reach =
           contact.count(id) > 0 ? reach_of(mesh, side) : Reach::none;
+        if (reach != Reach::none && indenter_surface == SurfaceFinish::rough &&
+            std::abs(mesh.normal(side)[0]) > 1e-10)
+          throw InputError("Indenter/Surface",
+                           "rough",
+                           "the bounds of a rough indenter are for contact "
+                           "boundaries that are level where it can touch. "
+                           "Choose 'smooth', or reduce 'Indenter/Reach'.");
         SideCondition condition = reach == Reach::whole ?
                                     under_indenter() :
                                     along_axes(SideConditionType::traction,

@@ -68,6 +68,9 @@ namespace ElastoPlastic
       solve() const;
 
     private:
+      /// No velocity of a side in this direction.
+      void
+      fix(const unsigned int side, const Tensor<1, 2> &direction);
       void
       number_equations();
       void
@@ -124,17 +127,27 @@ namespace ElastoPlastic
 
 
     void
+    SheetProgram::fix(const unsigned int s, const Tensor<1, 2> &direction)
+    {
+      for (const unsigned int vertex : body.mesh.sides[s].vertices)
+        nodes[vertex].fix(direction);
+      nodes[body.mesh.vertices.size() + s].fix(direction);
+    }
+
+
+
+    void
     SheetProgram::number_equations()
     {
-      const unsigned int n_vertices = body.mesh.vertices.size();
       for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-        for (const auto &component : body.conditions[s].components)
-          if (component.type == SideConditionType::displacement)
-            {
-              for (const unsigned int vertex : body.mesh.sides[s].vertices)
-                nodes[vertex].fix(component.direction);
-              nodes[n_vertices + s].fix(component.direction);
-            }
+        {
+          for (const auto &component : body.conditions[s].components)
+            if (component.type == SideConditionType::displacement)
+              fix(s, component.direction);
+          if (body.conditions[s].is_reached &&
+              body.indenter_surface == SurfaceFinish::rough)
+            fix(s, Point<2>::unit_vector(0));
+        }
 
       unsigned int n_equations = 0;
       for (Node &node : nodes)

@@ -20,6 +20,10 @@ namespace ElastoPlastic
         support.velocity[1]  = -1.;
         return support;
       }
+    const auto &vertices = body.mesh.sides[s].vertices;
+    if (body.is_on_axis(body.mesh.vertices[vertices[0]]) &&
+        body.is_on_axis(body.mesh.vertices[vertices[1]]))
+      return support;
     const Tensor<1, 2> normal = body.mesh.normal(body.mesh.sides[s]);
     for (const auto &component : condition.components)
       if (component.type == SideConditionType::displacement)

@@ -271,7 +271,7 @@ namespace ElastoPlastic
   {
     constexpr double rounding = 1e-12;
 
-    double depth = std::numeric_limits<double>::max();
+    double depth = std::numeric_limits<double>::infinity();
     for (const SideView &view : views_of_sides(body))
       if (body.conditions[view.side].is_reached)
         {

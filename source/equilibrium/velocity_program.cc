@@ -37,7 +37,8 @@ namespace ElastoPlastic
           throw ConvergenceError(
             "No velocity moves the whole indenter down: it reaches a point "
             "that is held, or the supports enclose the body. Let "
-            "'Indenter/Reach' end before what is held.");
+            "'Indenter/Reach' end before what is held. (Mechanisms that change "
+            "the volume of a hole are not looked for.)");
         }
     }
 
@@ -63,10 +64,15 @@ namespace ElastoPlastic
   {
     VelocityField field   = find_mechanism(body);
     const double  minimum = field.force;
-    scale(field, 1. / lowest_depth(body, field.velocity));
+    const double  depth   = lowest_depth(body, field.velocity);
+    if (!(depth > 0. && std::isfinite(depth)))
+      throw ConvergenceError(
+        "No mechanism of collapse has been found that moves the whole indenter "
+        "down, because of rounding errors.");
+    scale(field, 1. / depth);
 
     field.error = check_velocity(body, field.velocity).largest();
-    if (field.error > largest_velocity_error)
+    if (!(field.error <= largest_velocity_error))
       throw ConvergenceError(
         "The mechanism of collapse violates its conditions by " +
         Patterns::Tools::to_string(field.error) +
@@ -75,7 +81,7 @@ namespace ElastoPlastic
     field.force =
       std::accumulate(field.dissipation.begin(), field.dissipation.end(), 0.) -
       power_of_tractions(body, field.velocity);
-    if (field.force - minimum > largest_loss * std::abs(minimum))
+    if (!(field.force - minimum <= largest_loss * std::abs(minimum)))
       field.is_optimal = false;
     return field;
   }

@@ -239,7 +239,7 @@ namespace ElastoPlastic
       {"depth_upper_bound", "length", "nor larger. If a depth is given, both are that", [](const R &r) { return r.depth_bounds.upper; }},
       {"iterations", "1", "of the interior point method", &R::iterations},
       {"stress_error", "1", "the largest violation of equilibrium, tractions or yield condition", &R::stress_error},
-      {"wall_seconds", "seconds", "of the equilibrium method and the bound", &R::wall_seconds}};
+      {"wall_seconds", "seconds", "of the equilibrium method and the bounds", &R::wall_seconds}};
     return columns;
   }
 } // namespace ElastoPlastic

@@ -117,6 +117,21 @@ namespace ElastoPlastic
 
 
 
+  void
+  TimeSteps::end_step_at(const double time)
+  {
+    if (control == StepControl::fixed)
+      return;
+    const double stop = position_at(time);
+    const auto   next =
+      stops.erase(std::upper_bound(stops.begin(), stops.end(), position),
+                  std::lower_bound(stops.begin(), stops.end(), stop));
+    if (next == stops.end() || *next != stop)
+      stops.insert(next, stop);
+  }
+
+
+
   double
   TimeSteps::time() const
   {
