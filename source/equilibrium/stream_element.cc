@@ -14,11 +14,10 @@ namespace ElastoPlastic
 
   namespace
   {
-    /// On triangles that are small compared to their distance r from the axis,
-    /// r^2 chi is close to any phi, so that the program could hardly tell them
-    /// apart. So phi costs this part of r / h more than its work, h being
-    /// the size of the triangle: then that costs this part at least of what
-    /// slips of the same velocity cost.
+    /// On triangles of a size h that are far from the axis, r^2 chi is close to
+    /// any phi, so that rounding errors could hardly tell them apart. So phi
+    /// costs the work of this part of r / h times its rate at least, which is
+    /// this part of what slips of the same velocity cost.
     constexpr double flux_penalty = 1e-4;
   } // namespace
 

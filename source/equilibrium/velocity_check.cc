@@ -60,6 +60,56 @@ namespace ElastoPlastic
 
 
 
+    /// An upper bound of int w |e| dx over a part of a triangle, for the strain
+    /// rate e and the weight w of the body.
+    double
+    integral_of_rate(const PlaneBody               &body,
+                     const std::array<Point<2>, 3> &corners,
+                     const TriangleVelocity        &velocity,
+                     const Part                    &part)
+    {
+      std::array<double, 3> weights, radii;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const Point<2> corner = position(corners, part[i]);
+          radii[i]              = corner[0];
+          weights[i]            = body.weight(corner);
+        }
+      std::array<SymmetricTensor<2, 2>, n_quadratics> rates;
+      for (unsigned int p = 0; p < n_quadratics; ++p)
+        rates[p] = polynomial_rate(corners,
+                                   velocity,
+                                   combination(part, quadratic_points()[p]));
+      double sum = 0;
+      if (velocity.flux.norm() > 0)
+        {
+          const auto [r_min, r_max] =
+            std::minmax({radii[0], radii[1], radii[2]});
+          const InverseSquare inverse_square(r_min, r_max);
+          const auto          rate = weighted_flux_rate(velocity);
+          for (unsigned int p = 0; p < n_quadratics; ++p)
+            {
+              const auto &[a, b, c] = quadratic_points()[p];
+              rates[p] +=
+                inverse_square(a * radii[0] + b * radii[1] + c * radii[2]) *
+                rate;
+            }
+          sum += (weights[0] + weights[1] + weights[2]) / 3. *
+                 inverse_square.error() * rate_in_space(body, rate).norm();
+        }
+      const auto moments = quadratic_moments(weights);
+      for (unsigned int p = 0; p < n_quadratics; ++p)
+        {
+          SymmetricTensor<2, 2> coefficient;
+          for (unsigned int q = 0; q < n_quadratics; ++q)
+            coefficient += quadratic_coefficients()(p, q) * rates[q];
+          sum += moments[p] * rate_in_space(body, coefficient).norm();
+        }
+      return area(corners) / (n_side_parts * n_side_parts) * sum;
+    }
+
+
+
     /// Of a triangle, without its sides.
     double
     work_inside(const PlaneBody        &body,
@@ -68,51 +118,10 @@ namespace ElastoPlastic
     {
       static const std::vector<Part> parts = parts_of_triangle();
 
-      const auto   corners = body.mesh.corners(body.mesh.triangles[t]);
-      const double size    = area(corners) / parts.size();
-      double       sum     = 0;
+      const auto corners = body.mesh.corners(body.mesh.triangles[t]);
+      double     sum     = 0;
       for (const Part &part : parts)
-        {
-          std::array<double, 3> weights, radii;
-          for (unsigned int i = 0; i < 3; ++i)
-            {
-              const Point<2> corner = position(corners, part[i]);
-              radii[i]              = corner[0];
-              weights[i]            = body.weight(corner);
-            }
-          std::array<SymmetricTensor<2, 2>, n_quadratics> values;
-          for (unsigned int p = 0; p < n_quadratics; ++p)
-            values[p] =
-              polynomial_rate(corners,
-                              velocity,
-                              combination(part, quadratic_points()[p]));
-          if (velocity.flux.norm() > 0)
-            {
-              const auto [r_min, r_max] =
-                std::minmax({radii[0], radii[1], radii[2]});
-              const InverseSquare inverse_square(r_min, r_max);
-              const auto          rate = weighted_flux_rate(velocity);
-              for (unsigned int p = 0; p < n_quadratics; ++p)
-                {
-                  const auto &point = quadratic_points()[p];
-                  values[p] +=
-                    inverse_square(point[0] * radii[0] + point[1] * radii[1] +
-                                   point[2] * radii[2]) *
-                    rate;
-                }
-              sum += size * (weights[0] + weights[1] + weights[2]) / 3. *
-                     inverse_square.error() * rate_in_space(body, rate).norm();
-            }
-          const auto moments = quadratic_moments(weights);
-          for (unsigned int p = 0; p < n_quadratics; ++p)
-            {
-              SymmetricTensor<2, 2> coefficient;
-              for (unsigned int q = 0; q < n_quadratics; ++q)
-                coefficient += quadratic_coefficients()(p, q) * values[q];
-              sum +=
-                size * moments[p] * rate_in_space(body, coefficient).norm();
-            }
-        }
+        sum += integral_of_rate(body, corners, velocity, part);
       return body.materials[t].yield_radius * sum;
     }
 
