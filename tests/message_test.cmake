@@ -6,7 +6,7 @@
 # Runs the program with the arguments and expects that it ends with the exit
 # status and that the regular expression <message> fits one message on standard error,
 # which begins with 'Error: ' or 'Warning: ', and no other; blanks in it stand for any
-# white space, and ';' must be written as '.'. An error is never beside another.
+# white space, and ';' must be written as '.', in arguments as '@'. An error is never beside another.
 #
 # Starting MPI takes longer than to be refused: the functions write a table, and
 # messages.cc runs all of it in one process, or rather in one on each rank.
@@ -17,6 +17,7 @@ function(add_message_test _name _status _message)
   cmake_parse_arguments(PARSE_ARGV 3 _test "" "" "")
   set(_row "name ${_name}\nstatus ${_status}\nmessage ${_message}\n")
   foreach(_argument IN LISTS _test_UNPARSED_ARGUMENTS)
+    string(REPLACE "@" ";" _argument "${_argument}")
     string(APPEND _row "argument ${_argument}\n")
   endforeach()
   file(APPEND ${_table} "${_row}")
