@@ -17,7 +17,7 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// A displacement or velocity that is quadratic on each triangle of a
+  /// A displacement that is quadratic on each triangle of a
   /// SplitMesh and continuous: its strains are linear on each triangle.
   struct QuadraticField
   {
