@@ -70,6 +70,8 @@ namespace ElastoPlastic
       Parameters result                     = parameters;
       result.refinement                     = RefinementParameters();
       result.refinement.refinement_fraction = 0.1;
+      if (result.output.screen == Verbosity::summary)
+        result.output.screen = Verbosity::quiet; // a table of load steps
       return result;
     }
   } // namespace
