@@ -76,6 +76,9 @@ add_entry_test(adaptive_single_step "entry 'Loading/Step control' is 'adaptive',
 # Friction and motion to the side
 add_entry_test(friction_negative "entry 'Contact/Friction coefficient' is '-0.1', but it must be a number, at least 0, or 'stick'" "Contact/Friction coefficient=-0.1")
 add_entry_test(friction_word "entry 'Contact/Friction coefficient' is 'rough', but it must be a number, at least 0, or 'stick'" "Contact/Friction coefficient=rough")
+add_message_test(rough_not_level 2 "entry 'Indenter/Surface' is 'rough', but the bounds of a rough indenter are for contact boundaries that are level"
+  ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --quiet --overwrite --output-directory rough_not_level --set "Geometry/Type=half ball" --set "Geometry/Radius=1"
+  --set "Indenter/Surface=rough" --set "Boundary conditions/Contact=curved" --set "Boundary conditions/Roller=" --set "Boundary conditions/Free=" --set "Boundary conditions/Fixed=top")
 add_entry_test(rough_indenter "entry 'Indenter/Surface' is 'rough', but that is for 'Analysis = limit load'" "Indenter/Surface=rough" Dimension=2)
 add_entry_test(friction_limit_load "entry 'Contact/Friction coefficient' is '0.1', but 'Analysis = limit load' knows indenters without friction" "Analysis=limit load" "Contact/Friction coefficient=0.1" Dimension=2)
 add_entry_test(path_row "entry 'Loading/Path' is '2 0.1', but a row must look like" "Loading/Path=1: 0, 0 | 2 0.1")
@@ -400,6 +403,10 @@ add_message_test(adapted_mesh_too_soft 0 "Warning: No equilibrium has been found
   ${_circular_punch} --output-directory adapted_mesh_too_soft --set "Loading/History=1: force 10.5 | 2: force 0"
   --set "Loading/Number of steps=10" --set "Loading/Maximum number of cuts=2"
   --set "Refinement/Steps between adaptations=5" --set "Refinement/Refinement fraction=0.1")
+add_message_test(indenter_has_left 3 "Error: Load step 2 from t = 1 .depth 0.0095[0-9]*. fails even if it ends at t = 2, .*The indenter has left the contact boundary: there is nothing below it"
+  ${CMAKE_SOURCE_DIR}/parameter_files/friction/mindlin_cylinder.prm --quiet --overwrite --output-directory indenter_has_left --set "Geometry/Local refinements=7"
+  --set "Refinement/Elements over contact radius=0" --set "Loading/History=1: force 836.8 | 2: force 836.8" --set "Loading/Path=1: 0 | 2: 100"
+  --set "Loading/Number of steps=2" --set "Loading/Maximum number of cuts=0" --set "Output/Fields=never")
 add_message_test(sinks_without_end 3 "The indenter sinks without end: its depth exceeds the size of the body by far"
   ${_base} --output-directory sinks_without_end --overwrite --quiet --set "Loading/Control=force" --set "Loading/Force=1e12")
 
