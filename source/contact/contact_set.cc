@@ -276,61 +276,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  std::uint64_t
-  ContactSet<dim>::fingerprint() const
-  {
-    std::uint64_t sum = 0;
-    for (const Node &node : candidates)
-      if (node.active)
-        {
-          // the splitmix64 finalizer spreads neighbouring indices
-          std::uint64_t x = first_owned_dof + node.index + 1;
-          x += node.friction.fingerprint() << 40;
-          x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-          x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-          sum += x ^ (x >> 31);
-        }
-    return Utilities::MPI::sum(sum, communicator);
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  ContactSet<dim>::n_candidates() const
-  {
-    return Utilities::MPI::sum(static_cast<unsigned int>(candidates.size()),
-                               communicator);
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  ContactSet<dim>::n_active() const
-  {
-    return Utilities::MPI::sum(static_cast<unsigned int>(std::count_if(
-                                 candidates.begin(),
-                                 candidates.end(),
-                                 [](const Node &node) { return node.active; })),
-                               communicator);
-  }
-
-
-
-  template <int dim>
-  double
-  ContactSet<dim>::min_gap() const
-  {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const Node &node : candidates)
-      smallest = std::min(smallest, node.gap.height);
-    return Utilities::MPI::min(smallest, communicator);
-  }
-
-
-
-  template <int dim>
   void
   ContactSet<dim>::move_active(Vector &u) const
   {
