@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 
 #include "equilibrium/limit_load.h"
 #include "equilibrium/stress_check.h"
 #include "equilibrium/stress_problem.h"
+#include "section_body.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -26,103 +26,9 @@ namespace
 {
   const double k = 1. / std::sqrt(3.); // the yield stress is 1
 
-  using Gap = std::function<double(const Point<2> &)>;
-
-  const Gap everywhere = [](const Point<2> &) {
-    return 0.;
-  };
   const Gap up_to_radius_1 = [](const Point<2> &x) {
     return x[0] <= 1. ? 0. : std::numeric_limits<double>::infinity();
   };
-
-
-
-  Material<double>
-  material()
-  {
-    Material<double> material;
-    material.bulk_modulus      = 800.;
-    material.shear_modulus     = 400.;
-    material.yield_radius      = std::sqrt(2. / 3.);
-    material.isotropic_modulus = 0.;
-    return material;
-  }
-
-
-
-  enum class MeshKind
-  {
-    regular,
-    refined,  ///< around (1, 0), with hanging nodes
-    distorted ///< inside
-  };
-
-  const std::map<MeshKind, std::string> kinds = {
-    {MeshKind::regular, ", regular mesh"},
-    {MeshKind::refined, ", refined mesh"},
-    {MeshKind::distorted, ", distorted mesh"}};
-
-  /// Boundaries 0 to 3: left, right, bottom, top. The top is at z = 0.
-  void
-  make_rectangle(Triangulation<2>  &mesh,
-                 const MeshKind     kind,
-                 const unsigned int n,
-                 const double       inner_radius,
-                 const double       outer_radius,
-                 const double       height)
-  {
-    GridGenerator::subdivided_hyper_rectangle(mesh,
-                                              {n, n},
-                                              Point<2>(inner_radius, -height),
-                                              Point<2>(outer_radius, 0.),
-                                              /* colorize = */ true);
-    if (kind == MeshKind::distorted)
-      GridTools::distort_random(0.25, mesh, /* keep_boundary = */ true);
-    for (unsigned int k = 0; k < (kind == MeshKind::refined ? 3 : 0); ++k)
-      {
-        for (const auto &cell : mesh.active_cell_iterators())
-          if (cell->center().distance({1., 0.}) < 1.5 * cell->diameter())
-            cell->set_refine_flag();
-        mesh.execute_coarsening_and_refinement();
-      }
-  }
-
-
-
-  const BoundaryNames names = {{"left", 0},
-                               {"right", 1},
-                               {"bottom", 2},
-                               {"top", 3}};
-
-  /// Under a plate.
-  BoundaryConditions<2>
-  on_rollers(const std::vector<std::string> &rollers,
-             const std::vector<std::string> &free)
-  {
-    BoundaryConditionParameters parameters;
-    parameters.roller  = rollers;
-    parameters.free    = free;
-    parameters.contact = {"top"};
-    return {parameters, names};
-  }
-
-
-
-  PlaneBody
-  make_body(const Triangulation<2>      &mesh,
-            const BoundaryConditions<2> &conditions,
-            const Gap                   &gap,
-            const SurfaceFinish          surface    = SurfaceFinish::smooth,
-            const Kinematics             kinematics = Kinematics::axisymmetric)
-  {
-    return make_plane_body(make_split_mesh(mesh),
-                           conditions,
-                           {material()},
-                           kinematics,
-                           gap,
-                           /* time = */ 0.,
-                           surface);
-  }
 
 
 
@@ -367,43 +273,6 @@ namespace
                   1. - 1e-6,
                   1. + 1e-6);
   }
-
-
-
-  // Whatever is wrong with the stresses shows.
-  void
-  test_check()
-  {
-    Triangulation<2> mesh;
-    make_rectangle(mesh, MeshKind::regular, 2, 0., 1., 1.);
-    const auto        conditions = on_rollers({"left", "bottom"}, {"right"});
-    const PlaneBody   body       = make_body(mesh, conditions, everywhere);
-    const StressField field      = maximize_force(body);
-    const auto        error      = [&](const auto &damage) {
-      StressField damaged = field;
-      damage(damaged);
-      return check_stress(body, damaged);
-    };
-    constexpr double change = 1e-3;
-    output() << "Check" << std::endl;
-    verify("circumferential stress", error([](StressField &f) {
-                                       f.circumferential[0][1] += change;
-                                     }).divergence > 0.1 * change);
-    verify("component 33", error([](StressField &f) {
-                             f.out_of_plane[0][2] += change;
-                           }).circumferential > change);
-    verify("yield condition", error([](StressField &f) {
-                                for (auto &of_triangle : f.in_plane)
-                                  of_triangle *= 1. + change;
-                              }).yield_excess > 0.1 * change);
-    verify("axis", error([](StressField &f) {
-                     for (auto &of_triangle : f.in_plane)
-                       of_triangle.add(change);
-                   }).on_axis > change);
-    verify("force", error([](StressField &f) {
-                      f.force *= 1. + change;
-                    }).force_difference > 0.5 * change);
-  }
 } // namespace
 
 
@@ -424,5 +293,4 @@ main(int argc, char *argv[])
   test_circular_punch(MeshKind::refined, 0.97, 1.02);
   test_circular_punch(MeshKind::distorted, 0.91, 1.04);
   test_inclined_plates();
-  test_check();
 }

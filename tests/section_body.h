@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef tests_section_body_h
+#define tests_section_body_h
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "equilibrium/plane_body.h"
+
+// Small bodies for tests of the equilibrium method. The yield stress is 1.
+
+using namespace ElastoPlastic;
+
+using Gap = std::function<double(const Point<2> &)>;
+
+inline const Gap everywhere = [](const Point<2> &) {
+  return 0.;
+};
+
+
+
+inline Material<double>
+material()
+{
+  Material<double> material;
+  material.bulk_modulus      = 800.;
+  material.shear_modulus     = 400.;
+  material.yield_radius      = std::sqrt(2. / 3.);
+  material.isotropic_modulus = 0.;
+  return material;
+}
+
+
+
+enum class MeshKind
+{
+  regular,
+  refined,  ///< around (1, 0), with hanging nodes
+  distorted ///< inside
+};
+
+inline const std::map<MeshKind, std::string> kinds = {
+  {MeshKind::regular, ", regular mesh"},
+  {MeshKind::refined, ", refined mesh"},
+  {MeshKind::distorted, ", distorted mesh"}};
+
+/// Boundaries 0 to 3: left, right, bottom, top. The top is at z = 0.
+inline void
+make_rectangle(Triangulation<2>  &mesh,
+               const MeshKind     kind,
+               const unsigned int n,
+               const double       inner_radius,
+               const double       outer_radius,
+               const double       height)
+{
+  GridGenerator::subdivided_hyper_rectangle(mesh,
+                                            {n, n},
+                                            Point<2>(inner_radius, -height),
+                                            Point<2>(outer_radius, 0.),
+                                            /* colorize = */ true);
+  if (kind == MeshKind::distorted)
+    GridTools::distort_random(0.25, mesh, /* keep_boundary = */ true);
+  for (unsigned int k = 0; k < (kind == MeshKind::refined ? 3 : 0); ++k)
+    {
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->center().distance({1., 0.}) < 1.5 * cell->diameter())
+          cell->set_refine_flag();
+      mesh.execute_coarsening_and_refinement();
+    }
+}
+
+
+
+inline const BoundaryNames names = {{"left", 0},
+                                    {"right", 1},
+                                    {"bottom", 2},
+                                    {"top", 3}};
+
+/// Under a plate.
+inline BoundaryConditions<2>
+on_rollers(const std::vector<std::string> &rollers,
+           const std::vector<std::string> &free)
+{
+  BoundaryConditionParameters parameters;
+  parameters.roller  = rollers;
+  parameters.free    = free;
+  parameters.contact = {"top"};
+  return {parameters, names};
+}
+
+
+
+inline PlaneBody
+make_body(const Triangulation<2>      &mesh,
+          const BoundaryConditions<2> &conditions,
+          const Gap                   &gap,
+          const SurfaceFinish          surface    = SurfaceFinish::smooth,
+          const Kinematics             kinematics = Kinematics::axisymmetric)
+{
+  return make_plane_body(make_split_mesh(mesh),
+                         conditions,
+                         {material()},
+                         kinematics,
+                         gap,
+                         /* time = */ 0.,
+                         surface);
+}
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The independent check of stresses in equilibrium: whatever is wrong with them
+// shows.
+
+#include <deal.II/base/mpi.h>
+
+#include "equilibrium/stress_check.h"
+#include "equilibrium/stress_problem.h"
+#include "section_body.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  void
+  test_check()
+  {
+    Triangulation<2> mesh;
+    make_rectangle(mesh, MeshKind::regular, 2, 0., 1., 1.);
+    const auto        conditions = on_rollers({"left", "bottom"}, {"right"});
+    const PlaneBody   body       = make_body(mesh, conditions, everywhere);
+    const StressField field      = maximize_force(body);
+    const auto        error      = [&](const auto &damage) {
+      StressField damaged = field;
+      damage(damaged);
+      return check_stress(body, damaged);
+    };
+    constexpr double change = 1e-3;
+    verify("circumferential stress", error([](StressField &f) {
+                                       f.circumferential[0][1] += change;
+                                     }).divergence > 0.1 * change);
+    verify("component 33", error([](StressField &f) {
+                             f.out_of_plane[0][2] += change;
+                           }).circumferential > change);
+    verify("yield condition", error([](StressField &f) {
+                                for (auto &of_triangle : f.in_plane)
+                                  of_triangle *= 1. + change;
+                              }).yield_excess > 0.1 * change);
+    verify("axis", error([](StressField &f) {
+                     for (auto &of_triangle : f.in_plane)
+                       of_triangle.add(change);
+                   }).on_axis > change);
+    verify("force", error([](StressField &f) {
+                      f.force *= 1. + change;
+                    }).force_difference > 0.5 * change);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_check();
+}
