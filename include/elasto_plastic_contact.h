@@ -147,7 +147,7 @@ namespace ElastoPlastic
     void
     setup_contact();
     VectorType
-    forces_of_tractions(const double time) const;
+    external_forces_at(const double time) const;
 
     // One solve: contact and plasticity in one Newton loop, and
     // what its solution says.

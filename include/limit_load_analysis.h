@@ -6,6 +6,10 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <functional>
+#include <string>
+#include <vector>
+
 #include "contact/gap_function.h"
 #include "equilibrium/limit_load.h"
 #include "io/columns.h"
@@ -16,11 +20,24 @@
 
 namespace ElastoPlastic
 {
+  /// What may be beyond a limit load: a force of the indenter, or the largest
+  /// of the tractions and body forces at some times.
+  struct LoadInQuestion
+  {
+    double              force = 0; ///< 0 if it is the other loads
+    std::vector<double> times;     ///< none if it is the force
+
+    std::string
+    in_words() const;
+  };
+
+
+
   /// The largest force that an indenter can exert on a plane body of perfectly
-  /// plastic materials, between two rigorous bounds: that of stresses in exact
-  /// equilibrium, which are safe, and that of a mechanism of collapse
-  /// (doc/theory.md, "Limit loads"). The mesh is refined where the two fields
-  /// disagree.
+  /// plastic materials, or the largest factor of its other loads, between two
+  /// rigorous bounds: that of stresses in exact equilibrium, which are safe,
+  /// and that of a mechanism of collapse (doc/theory.md, "Limit loads"). The
+  /// mesh is refined where the two fields disagree.
   ///
   /// The mesh is distributed; the conic programs are solved by the first rank.
   class LimitLoadAnalysis
@@ -40,15 +57,15 @@ namespace ElastoPlastic
     run(const bool overwrite);
 
     /// Refines the mesh until it is decided whether the body can bear the
-    /// @p force, or until there are many triangles. Writes no files.
+    /// @p load, or until there are many triangles. Writes no files.
     /// @throws EquilibriumError if it cannot, or if that remains undecided.
     void
-    require_safe(const double force);
+    require_safe(const LoadInQuestion &load);
 
-    /// Whether the force is below the lower bound on the first mesh. Writes no
-    /// files. @throws EquilibriumError if it is not below the upper one.
+    /// Whether the @p load is below the lower bound on the first mesh. Writes
+    /// no files. @throws EquilibriumError if it is not below the upper one.
     bool
-    is_safe_at_first_sight(const double force);
+    is_safe_at_first_sight(const LoadInQuestion &load);
 
     types::global_cell_index
     n_cells() const;
@@ -60,14 +77,17 @@ namespace ElastoPlastic
     void
     find_bounds();
 
-    /// Whether the force is below the last lower bound.
+    void
+    let_grow(const LoadInQuestion &load);
+
+    /// Whether the load is below the last lower bound.
     /// @throws EquilibriumError if it is not below the upper one.
     bool
-    is_safe(const double force) const;
+    is_safe(const LoadInQuestion &load) const;
 
     /// The last bounds, and what to do.
     std::string
-    bounds_in_words() const;
+    bounds_in_words(const LoadInQuestion &load) const;
 
     void
     write_results(Table<LimitLoadRow> &table);
@@ -89,6 +109,9 @@ namespace ElastoPlastic
 
     parallel::distributed::Triangulation<2> triangulation;
     const GapFunction<2>                    gap_function;
+
+    /// Which tractions and body forces are there, and grow.
+    std::function<PlaneLoads(const SplitMesh &)> loads;
 
     // On the first rank: the problem on the present mesh, and its solution.
     PlaneBody body;

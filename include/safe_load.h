@@ -18,10 +18,11 @@ namespace ElastoPlastic
   /// Johnson's condition of a safe load, (1.14) in @cite johnson_1978: a
   /// perfectly plastic body must have stresses in equilibrium with the force of
   /// the indenter that satisfy the yield condition. Where the equilibrium
-  /// method can look for them (plane strain and plane stress, no tractions),
-  /// the largest force that is prescribed is compared with the bounds of the
-  /// limit load; a warning says why, if there are no such bounds. Otherwise,
-  /// nothing is done.
+  /// method can look for them (in two dimensions, without friction), the
+  /// largest force that is prescribed, or if there is no indenter, the largest
+  /// of the tractions and body forces, is compared with the bounds of the limit
+  /// load; a warning says why, if there are no such bounds. Otherwise, nothing
+  /// is done.
   /// @throws EquilibriumError if the force is not safe.
   template <int dim>
   void

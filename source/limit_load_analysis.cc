@@ -11,6 +11,7 @@
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
 #include "equilibrium/cell_indicators.h"
+#include "equilibrium/growing_loads.h"
 #include "equilibrium/stress_check.h"
 #include "io/output_directory.h"
 #include "io/table_reference.h"
@@ -44,6 +45,15 @@ namespace ElastoPlastic
 
 
 
+  std::string
+  LoadInQuestion::in_words() const
+  {
+    return times.empty() ? "the force " + Patterns::Tools::to_string(force) :
+                           "the largest load of tractions and body forces";
+  }
+
+
+
   LimitLoadAnalysis::LimitLoadAnalysis(const Model<2>   &model,
                                        const Parameters &parameters,
                                        const MPI_Comm    communicator)
@@ -56,6 +66,14 @@ namespace ElastoPlastic
     , triangulation(communicator)
     , gap_function(make_mesh_and_place_indenter(model, triangulation))
   {
+    if (parameters.limit_load.load == GrowingLoad::tractions)
+      loads = [&model](const SplitMesh &mesh) {
+        return growing_loads(mesh, model.boundary_conditions, model.body_force);
+      };
+    else
+      loads = [&model](const SplitMesh &) {
+        return PlaneLoads(/* time = */ 0., model.body_force);
+      };
     check_is_perfect(model.materials);
     check_material_ids(triangulation, model.materials.size());
     for (const std::string &warning : model.geometry.warnings())
@@ -95,19 +113,41 @@ namespace ElastoPlastic
 
 
   void
-  LimitLoadAnalysis::require_safe(const double force)
+  LimitLoadAnalysis::let_grow(const LoadInQuestion &load)
   {
+    if (load.times.empty())
+      return;
+    if (triangulation.get_manifold_ids() !=
+        std::vector<types::manifold_id>{numbers::flat_manifold_id})
+      throw ConvergenceError(
+        "The body is curved: on a coarse mesh, it is "
+        "another one.");
+    loads = [this, times = load.times](const SplitMesh &mesh) {
+      return PlaneLoads(std::nullopt,
+                        time_of_largest_load(mesh,
+                                             model.boundary_conditions,
+                                             model.body_force,
+                                             times),
+                        model.body_force);
+    };
+  }
+
+
+
+  void
+  LimitLoadAnalysis::require_safe(const LoadInQuestion &load)
+  {
+    let_grow(load);
     setup_body();
     find_bounds();
-    while (!is_safe(force))
+    while (!is_safe(load))
       {
         if (n_cells() > max_cells_to_decide)
-          throw EquilibriumError(
-            "There may be no equilibrium under the force " +
-            Patterns::Tools::to_string(force) +
-            ", which is too close to the limit load of "
-            "the body to tell: that is " +
-            bounds_in_words());
+          throw EquilibriumError("There may be no equilibrium under " +
+                                 load.in_words() +
+                                 ", which is too close to the limit load of "
+                                 "the body to tell: that is " +
+                                 bounds_in_words(load));
         refine_mesh();
         find_bounds();
       }
@@ -116,34 +156,39 @@ namespace ElastoPlastic
 
 
   bool
-  LimitLoadAnalysis::is_safe_at_first_sight(const double force)
+  LimitLoadAnalysis::is_safe_at_first_sight(const LoadInQuestion &load)
   {
+    let_grow(load);
     setup_body();
     find_bounds();
-    return is_safe(force);
+    return is_safe(load);
   }
 
 
 
   bool
-  LimitLoadAnalysis::is_safe(const double force) const
+  LimitLoadAnalysis::is_safe(const LoadInQuestion &load) const
   {
-    if (force >= row.upper_bound)
-      throw EquilibriumError("There is no equilibrium under the force " +
-                             Patterns::Tools::to_string(force) +
-                             ": the limit load of the body is " +
-                             bounds_in_words());
-    return force < row.lower_bound;
+    const double value = load.times.empty() ? load.force : 1.;
+    if (value >= row.upper_bound)
+      throw EquilibriumError(
+        "There is no equilibrium under " + load.in_words() +
+        ": the limit load of the body is " + bounds_in_words(load));
+    return value < row.lower_bound;
   }
 
 
 
   std::string
-  LimitLoadAnalysis::bounds_in_words() const
+  LimitLoadAnalysis::bounds_in_words(const LoadInQuestion &load) const
   {
     return "between " + Patterns::Tools::to_string(row.lower_bound) + " and " +
            Patterns::Tools::to_string(row.upper_bound) +
-           ". Prescribe a force below the first of these bounds, or the depth.";
+           (load.times.empty() ?
+              ". Prescribe a force below the first of these bounds, or the "
+              "depth." :
+              " times that. Prescribe smaller loads ('Boundary "
+              "conditions/Traction', 'Body force').");
   }
 
 
@@ -162,15 +207,19 @@ namespace ElastoPlastic
   {
     SplitMesh mesh = make_split_mesh(triangulation);
     rethrow_collectively(communicator, [&]() {
-      if (first_rank)
-        body = make_plane_body(
-          std::move(mesh),
-          model.boundary_conditions,
-          model.materials,
-          model.strain_model.kinematics,
-          [this](const Point<2> &x) { return gap_function.value(x); },
-          /* time = */ 0.,
-          parameters.indenter.surface);
+      if (!first_rank)
+        return;
+      const PlaneLoads mesh_loads = loads(mesh);
+      body                        = make_plane_body(
+        std::move(mesh),
+        model.boundary_conditions,
+        model.materials,
+        model.strain_model.kinematics,
+        [this](const Point<2> &x) { return gap_function.value(x); },
+        mesh_loads,
+        parameters.indenter.surface);
+      if (!model.indenter.shape && body.load_factor_unit == 0)
+        throw ConvergenceError("No load acts on the body.");
     });
   }
 
@@ -191,8 +240,8 @@ namespace ElastoPlastic
       row                       = {cycle,
                                    static_cast<unsigned int>(body.mesh.cells.size()),
                                    static_cast<unsigned int>(body.mesh.triangles.size()),
-                                   bounds.stress.force,
-                                   bounds.velocity.force,
+                                   bounds.lower_bound,
+                                   bounds.upper_bound,
                                    bounds.stress.n_iterations,
                                    bounds.velocity.n_iterations,
                                    stress_error,

@@ -33,6 +33,7 @@ namespace ElastoPlastic
     return {geometry,
             BoundaryConditions<dim>(parameters.boundary_conditions,
                                     geometry.boundary_names()),
+            BodyForce<dim>(parameters.body_force.components),
             parameters.discretization.strain_model(),
             parameters.discretization.degree,
             parameters.material.materials(),

@@ -23,9 +23,10 @@ namespace ElastoPlastic
     bool
     has_limit_load(const Model<2> &model)
     {
-      return !model.strain_model.is_finite() && model.indenter.shape &&
+      return !model.strain_model.is_finite() &&
              model.contact.friction_coefficient() == 0. &&
-             model.boundary_conditions.tractions().empty() &&
+             !(model.body_force.is_present() &&
+               model.strain_model.kinematics == Kinematics::plane_stress) &&
              std::all_of(model.materials.begin(),
                          model.materials.end(),
                          is_perfect) &&
@@ -36,20 +37,28 @@ namespace ElastoPlastic
 
 
 
-    /// The largest one that a limit load is to be compared with; 0 if there is
-    /// none. A force that a depth has reached, and from which the next segment
-    /// begins, is safe.
-    double
-    force_in_question(const Model<2> &model, const Parameters &parameters)
+    /// What a limit load is to be compared with, if there is any: the largest
+    /// force of the indenter, or without indenter, all other loads. A force
+    /// that a depth has reached, and from which the next segment begins, is
+    /// safe.
+    std::optional<LoadInQuestion>
+    load_in_question(const Model<2> &model, const Parameters &parameters)
     {
-      if (!has_limit_load(model))
-        return 0.;
-      return largest_load(model.load_program,
-                          TimeSteps(model.load_program.segment_ends(),
-                                    parameters.loading.n_steps,
-                                    0),
-                          Control::force)
-        .value_or(0.);
+      const bool has_other_loads =
+        !model.boundary_conditions.tractions().empty() ||
+        model.body_force.is_present();
+      if (!has_limit_load(model) ||
+          has_other_loads == (model.indenter.shape != nullptr))
+        return {};
+      const TimeSteps steps(model.load_program.segment_ends(),
+                            parameters.loading.n_steps,
+                            0);
+      if (has_other_loads)
+        return LoadInQuestion{0., steps.uncut_ends()};
+      const double force =
+        largest_load(model.load_program, steps, Control::force).value_or(0.);
+      return force > 0 ? std::make_optional(LoadInQuestion{force, {}}) :
+                         std::nullopt;
     }
 
 
@@ -88,8 +97,8 @@ namespace ElastoPlastic
                     const Parameters &parameters,
                     const MPI_Comm    communicator)
   {
-    const double force = force_in_question(model, parameters);
-    if (force <= 0)
+    const auto load = load_in_question(model, parameters);
+    if (!load)
       return;
 
     const Model<2>   coarse_model = with_coarse_mesh(model);
@@ -97,13 +106,13 @@ namespace ElastoPlastic
     try
       {
         LimitLoadAnalysis(coarse_model, few_cells, communicator)
-          .require_safe(force);
+          .require_safe(*load);
       }
     catch (const ConvergenceError &error)
       {
         Log(communicator, Verbosity::quiet)
-          .warn("There is no bound of the limit load to compare the force " +
-                Patterns::Tools::to_string(force) + " with. " + error.what() +
+          .warn("There is no bound of the limit load to compare " +
+                load->in_words() + " with. " + error.what() +
                 " The load is applied all the same; beyond a limit load, it "
                 "finds no equilibrium.");
       }
@@ -117,25 +126,24 @@ namespace ElastoPlastic
                      const Parameters &parameters,
                      const MPI_Comm    communicator)
   {
-    const double force = force_in_question(model, parameters);
-    if (force <= 0)
+    const auto load = load_in_question(model, parameters);
+    if (!load)
       return "";
 
     const Model<2>   coarse_model = with_coarse_mesh(model);
     const Parameters few_cells    = with_refinement_of_few_cells(parameters);
-    const auto       the_force    = Patterns::Tools::to_string(force);
     try
       {
         return LimitLoadAnalysis(coarse_model, few_cells, communicator)
-                   .is_safe_at_first_sight(force) ?
-                 "the force " + the_force + " is below the limit load" :
-                 "a coarse mesh does not tell whether the force " + the_force +
+                   .is_safe_at_first_sight(*load) ?
+                 load->in_words() + " is below the limit load" :
+                 "a coarse mesh does not tell whether " + load->in_words() +
                    " is below it; the run begins with finding out";
       }
     catch (const ConvergenceError &error)
       {
-        return "there is no bound to compare the force " + the_force +
-               " with. " + error.what();
+        return "there is no bound to compare " + load->in_words() + " with. " +
+               error.what();
       }
   }
 

@@ -107,7 +107,7 @@ namespace
   test_bounds(const PlaneBody &body)
   {
     const LimitLoad bounds = bound_limit_load(body);
-    const double    lower = bounds.stress.force, upper = bounds.velocity.force;
+    const double    lower = bounds.stress.force, upper = bounds.velocity.bound;
     output() << (body.kinematics == Kinematics::plane_stress ? "Plane stress" :
                                                                "Plane strain")
              << (body.indenter_surface == SurfaceFinish::rough ? ", rough" : "")

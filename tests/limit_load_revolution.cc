@@ -80,7 +80,7 @@ namespace
   {
     const LimitLoad bounds = bound_limit_load(body);
     const double    lower  = bounds.stress.force / limit.upper,
-                 upper     = bounds.velocity.force / limit.lower;
+                 upper     = bounds.velocity.bound / limit.lower;
     output() << title << std::endl;
     verify("below the exact limit", lower <= 1. + 1e-12);
     verify("near to it", lower >= least);
@@ -94,7 +94,7 @@ namespace
            *std::min_element(bounds.gaps.begin(), bounds.gaps.end()) > -1e-8);
     verify("sum of the gaps",
            std::accumulate(bounds.gaps.begin(), bounds.gaps.end(), 0.) <=
-             bounds.velocity.force - bounds.stress.force + 1e-6);
+             bounds.velocity.bound - bounds.stress.force + 1e-6);
   }
 
 

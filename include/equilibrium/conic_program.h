@@ -60,13 +60,17 @@ namespace ElastoPlastic
   /// Minimises the sum of the costs of all blocks so that their contributions
   /// to each equation sum up to the right-hand side b.
   ///
+  /// The right-hand side may grow: it then is b + lambda d with a free unknown
+  /// lambda, the load factor, whose cost is -lambda.
+  ///
   /// Many programs are of this kind: the unknowns of a block are the stresses
   /// on a triangle, and the equations are equilibrium at sides or nodes. The
   /// Lagrange multipliers y of the equations then are displacements.
   struct ConicProgram
   {
     std::vector<ConicBlock> blocks;
-    Vector<double>          right_hand_side;
+    Vector<double>          right_hand_side; ///< b
+    Vector<double>          growth; ///< d; empty if there is no load factor
     /// The last equations, to which many blocks contribute (the force balance
     /// of an indenter). They are kept out of the sparse factorisation.
     unsigned int n_dense_rows = 0;
@@ -101,19 +105,21 @@ namespace ElastoPlastic
   /// The solution of a ConicProgram: its unknowns x, what is left to the
   /// boundary of the cones, s, and the Lagrange multipliers y and z. They
   /// satisfy
-  ///   P x + c + A^T y + G^T z = 0, A x = b, G x + s = h, s^T z = 0
+  ///   P x + c + A^T y + G^T z = 0, A x = b + lambda d, -d^T y = 1,
+  ///   G x + s = h, s^T z = 0
   /// with s and z in the cones.
   struct ConicSolution
   {
-    Vector<double> x; ///< see ConicLayout::unknowns
-    Vector<double> s; ///< see ConicLayout::rows
-    Vector<double> z; ///< see ConicLayout::rows
-    Vector<double> y; ///< by equations
+    Vector<double> x;               ///< see ConicLayout::unknowns
+    Vector<double> s;               ///< see ConicLayout::rows
+    Vector<double> z;               ///< see ConicLayout::rows
+    Vector<double> y;               ///< by equations
+    double         load_factor = 0; ///< lambda
 
-    double       cost         = 0; ///< 1/2 x^T P x + c^T x
+    double       cost         = 0; ///< 1/2 x^T P x + c^T x - lambda
     double       relative_gap = 0; ///< s^T z, relative to the cost
-    double       primal_error = 0; ///< of A x = b and G x + s = h
-    double       dual_error   = 0; ///< of the first equation, relative
+    double       primal_error = 0; ///< of A x = b + ... and G x + s = h
+    double       dual_error   = 0; ///< of the first and the third, relative
     unsigned int n_iterations = 0;
     /// Whether gap and errors have come below their tolerances before rounding
     /// errors have ended the iteration.

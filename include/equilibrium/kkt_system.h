@@ -25,13 +25,15 @@ namespace ElastoPlastic
     Vector<double> x; ///< see ConicLayout::unknowns
     Vector<double> z; ///< see ConicLayout::rows
     Vector<double> y; ///< by equations
+    double         load_factor = 0;
   };
 
 
 
   /// The linear system of an interior point step,
   ///   P x + A^T y + G^T z   = r_x
-  ///   A x                   = r_y
+  ///   A x - lambda d        = r_y
+  ///       - d^T y           = r_lambda, if there is a load factor,
   ///   G x         - W^2 z   = r_z,
   /// W being the scalings of the cones. The blocks eliminate z and x, one by
   /// one: with the local matrices H = P + G^T W^-2 G, the sum of all A H^-1 A^T
@@ -86,6 +88,11 @@ namespace ElastoPlastic
     void
     solve_sparse_and_dense(Vector<double> &y) const;
 
+    /// Takes d into the solution @p y of the sum of all blocks.
+    /// @return lambda, such that -d^T y = @p r_lambda.
+    double
+    add_growth(Vector<double> &y, const double r_lambda) const;
+
     /// z := W^-2 z for the cones of a block
     void
     divide_by_square(Vector<double> &z, const unsigned int block) const;
@@ -112,6 +119,9 @@ namespace ElastoPlastic
     std::vector<Vector<double>> dense_rows;
     std::vector<Vector<double>> dense_solutions;
     FullMatrix<double>          dense_inverse;
+
+    /// Solution for the right-hand side d.
+    Vector<double> growth_solution;
   };
 } // namespace ElastoPlastic
 

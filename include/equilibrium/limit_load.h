@@ -12,19 +12,25 @@
 
 namespace ElastoPlastic
 {
-  /// Two bounds of the largest force that a body of perfectly plastic materials
-  /// can bear: any force below that of the stresses is safe, J (1.14) in
+  /// Two bounds of the largest force, or the largest load factor, that a body
+  /// of perfectly plastic materials can bear: any force below that of the
+  /// stresses is safe, J (1.14) in
   /// @cite johnson_1978, any force above that of the mechanism is not.
   struct LimitLoad
   {
     StressField   stress;
     VelocityField velocity;
 
+    /// Forces of the indenter, or load factors if other loads grow.
+    double lower_bound = 0;
+    double upper_bound = 0;
+
     /// By triangles, with a share of what is on their sides: plastic work of
     /// the mechanism less the power of the stresses,
     /// int sqrt(2/3) sigma_0 |e(v)| - tau : e(v) dx. It is never negative, and
     /// zero where the two fields belong together; all together are the
-    /// difference of the bounds at most.
+    /// difference of the bounds at most, or that by the power of the loads that
+    /// grow.
     std::vector<double> gaps;
   };
 

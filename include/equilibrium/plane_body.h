@@ -5,11 +5,13 @@
 #define equilibrium_plane_body_h
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/kinematics.h"
 #include "contact/surface_finish.h"
 #include "equilibrium/split_mesh.h"
+#include "loading/body_force.h"
 #include "material/material.h"
 #include "mesh/boundary_conditions.h"
 
@@ -40,6 +42,10 @@ namespace ElastoPlastic
       Tensor<1, 2>      direction;
       SideConditionType type;
       Value             value;
+      /// What a load factor adds to a traction.
+      Value growth = [](const Point<2> &) {
+        return 0.;
+      };
     };
 
     std::array<Component, 2> components;
@@ -66,12 +72,22 @@ namespace ElastoPlastic
     SurfaceFinish                 indenter_surface = SurfaceFinish::smooth;
     /// The gap between indenter and body, where the indenter can touch.
     std::function<double(const Point<2> &)> gap;
+    /// Of the indenter, in a mechanism of collapse: down, or zero if it is
+    /// other loads that grow.
+    Tensor<1, 2> indenter_velocity = Tensor<1, 2>({0., -1.});
+
+    /// What acts on the volume, and what a load factor adds to it.
+    Tensor<1, 2> body_force;
+    Tensor<1, 2> body_force_growth;
 
     /// A typical stress: the smallest yield stress, or a modulus of elasticity.
     double stress_unit;
     /// A typical strain: this stress by Young's modulus.
     double strain_unit;
     double length_unit;
+    /// A typical load factor, with which tractions or body forces are as large
+    /// as stresses are; 0 if no load grows.
+    double load_factor_unit = 0;
 
     bool
     is_axisymmetric() const;
@@ -94,21 +110,74 @@ namespace ElastoPlastic
     /// be those of the body: 2 pi, or 1.
     double
     angle() const;
+
+    /// The body force f is that of a pressure f . (x - x_0) in the body, which
+    /// is taken out of all stresses: so they have no divergence. The load that
+    /// then acts on a side with this outward @p normal, and what a load factor
+    /// adds to it, in the direction of a @p component of its condition.
+    double
+    load(const SideCondition::Component &component,
+         const Tensor<1, 2>             &normal,
+         const Point<2>                 &x) const;
+    double
+    growth(const SideCondition::Component &component,
+           const Tensor<1, 2>             &normal,
+           const Point<2>                 &x) const;
+
+    /// That pressure.
+    double
+    pressure_of_body_force(const Point<2> &x, const double load_factor) const;
   };
 
 
 
-  /// Puts a PlaneBody together. The loads are those at @p time; @p conditions
-  /// must live as long as it. The indenter can touch a side of the contact
+  /// The tractions and body forces of a PlaneBody: those at one time, or such
+  /// that grow in proportion to a load factor beside others that do not.
+  struct PlaneLoads
+  {
+    /// All loads are those at this @p time.
+    PlaneLoads(const double time, const BodyForce<2> &body_force = {});
+
+    /// The load factor multiplies what the loads become between two times,
+    /// or all that they are at the second, if there is no first.
+    PlaneLoads(const std::optional<double> begin,
+               const double                end,
+               const BodyForce<2>         &body_force);
+
+    /// Of a @p load as a function of time.
+    template <typename Load>
+    auto
+    constant_part(const Load &load) const
+    {
+      return begin ? load(*begin) : decltype(load(0.))();
+    }
+
+    template <typename Load>
+    auto
+    growing_part(const Load &load) const
+    {
+      return end ? load(*end) - constant_part(load) : decltype(load(0.))();
+    }
+
+    std::optional<double> begin;
+    std::optional<double> end;
+    BodyForce<2>          body_force;
+  };
+
+
+
+  /// Puts a PlaneBody together. Prescribed displacements are those at the time
+  /// at which the loads begin. The indenter can touch a side of the contact
   /// boundary where @p gap is finite in all of it. If there is one material
-  /// only, all cells are of it.
+  /// only, all cells are of it. @throws InputError for a body force that
+  /// depends on the position.
   PlaneBody
   make_plane_body(SplitMesh                                      mesh,
                   const BoundaryConditions<2>                   &conditions,
                   const std::vector<Material<double>>           &materials,
                   const Kinematics                               kinematics,
                   const std::function<double(const Point<2> &)> &gap,
-                  const double                                   time,
+                  const PlaneLoads                              &loads,
                   const SurfaceFinish indenter_surface = SurfaceFinish::smooth);
 } // namespace ElastoPlastic
 

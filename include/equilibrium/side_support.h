@@ -15,7 +15,7 @@ namespace ElastoPlastic
     bool is_closed = false;
     /// To slide along the side, or along the indenter, takes plastic work.
     bool resists_slip = false;
-    /// Of what the body slides along: the indenter moves down by 1.
+    /// Of what the body slides along, see PlaneBody::indenter_velocity.
     Tensor<1, 2> velocity;
   };
 

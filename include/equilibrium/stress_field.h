@@ -16,7 +16,8 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// Stresses in exact equilibrium. In a body of revolution, it is the weighted
+  /// Stresses in exact equilibrium, without the pressure of body forces (see
+  /// PlaneBody). In a body of revolution, it is the weighted
   /// stress that is linear, the stress times the distance r from the axis (see
   /// LocalStresses); in the plane, the weight is 1.
   struct StressField
@@ -43,6 +44,8 @@ namespace ElastoPlastic
     /// neither it nor the force has been prescribed.
     double force = 0;
     double depth = 0;
+    /// Of the loads that grow; zero if none does.
+    double load_factor = 0;
     /// What has been minimised.
     double cost = 0;
     /// Between the cost and its lower bound in the space of these stresses.
@@ -57,9 +60,9 @@ namespace ElastoPlastic
        const unsigned int subtriangle,
        const unsigned int corner) const;
 
-    /// The stress there, without weight. On the axis, where it may depend on
-    /// the direction from which one comes, it is that on the way to the middle
-    /// of the opposite side.
+    /// The whole stress there, without weight. On the axis, where it may depend
+    /// on the direction from which one comes, it is that on the way to the
+    /// middle of the opposite side.
     SymmetricTensor<2, 3>
     without_weight(const PlaneBody   &body,
                    const unsigned int triangle,

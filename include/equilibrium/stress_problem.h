@@ -23,11 +23,12 @@ namespace ElastoPlastic
   StressField
   equilibrate_with_depth(const PlaneBody &body, const double depth);
 
-  /// The stresses with the largest force of the indenter that satisfy the yield
-  /// condition everywhere. The force is a lower bound of the limit load.
+  /// The stresses with the largest load factor, or if no load grows, with the
+  /// largest force of the indenter, that satisfy the yield condition
+  /// everywhere. This is a lower bound of the limit load.
   /// @throws ConvergenceError, in particular if there is no limit.
   StressField
-  maximize_force(const PlaneBody &body);
+  maximize_load(const PlaneBody &body);
 } // namespace ElastoPlastic
 
 #endif

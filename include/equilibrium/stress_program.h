@@ -89,6 +89,11 @@ namespace ElastoPlastic
 
     void
     number_equations();
+    /// The forces at the ends of a side of the linear traction that has the
+    /// same moments as a @p load.
+    std::array<double, 2>
+    end_forces(const unsigned int                             side,
+               const std::function<double(const Point<2> &)> &load) const;
     void
     add_block(const unsigned int triangle);
     /// Of the stresses of a @p basis.

@@ -8,8 +8,8 @@
 
 namespace ElastoPlastic
 {
-  /// By how much a velocity violates the conditions of the kinematic theorem,
-  /// when the indenter moves down by 1: all should be zero but for rounding.
+  /// By how much a velocity whose size is 1, see VelocityField, violates the
+  /// conditions of the kinematic theorem: all should be zero but for rounding.
   struct VelocityErrors
   {
     /// Times the size of the triangle. Not in plane stress, where the sheet
@@ -44,11 +44,6 @@ namespace ElastoPlastic
   std::vector<double>
   plastic_work(const PlaneBody                     &body,
                const std::vector<TriangleVelocity> &velocity);
-
-  /// The power of the given tractions.
-  double
-  power_of_tractions(const PlaneBody                     &body,
-                     const std::vector<TriangleVelocity> &velocity);
 } // namespace ElastoPlastic
 
 #endif

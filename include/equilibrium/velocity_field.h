@@ -34,16 +34,17 @@ namespace ElastoPlastic
   /// A mechanism of collapse, and the bound of the limit load that it gives.
   struct VelocityField
   {
-    /// By triangles; the indenter moves down by 1. Neighbours may slide along
-    /// each other.
+    /// By triangles; the indenter moves down by 1, or 1 is the largest velocity
+    /// if other loads grow. Neighbours may slide along each other.
     std::vector<TriangleVelocity> velocity;
 
     /// By triangles: an upper bound of the plastic work in it and on its sides.
     /// Neighbours share that on the side between them.
     std::vector<double> dissipation;
 
-    /// Plastic work less that of the given tractions, per unit of depth.
-    double force = 0;
+    /// Plastic work less the power of the constant loads: per unit of depth, or
+    /// by that of the loads that grow.
+    double bound = 0;
     /// See VelocityErrors::largest().
     double       error        = 0;
     unsigned int n_iterations = 0;

@@ -11,9 +11,11 @@
 #include "base/enum_names.h"
 #include "contact/contact_parameters.h"
 #include "contact/indenter_parameters.h"
+#include "equilibrium/limit_load_parameters.h"
 #include "evaluation/indentation_test.h"
 #include "io/command_line.h"
 #include "io/output_parameters.h"
+#include "loading/body_force.h"
 #include "loading/loading_parameters.h"
 #include "material/material_parameters.h"
 #include "mechanics/discretization_parameters.h"
@@ -50,11 +52,13 @@ namespace ElastoPlastic
     Analysis     analysis  = Analysis::contact;
 
     GeometryParameters          geometry;
+    BodyForceParameters         body_force;
     BoundaryConditionParameters boundary_conditions;
     MaterialParameters          material;
     IndenterParameters          indenter;
     ContactParameters           contact;
     LoadingParameters           loading;
+    LimitLoadParameters         limit_load;
     DiscretizationParameters    discretization;
     RefinementParameters        refinement;
     NewtonParameters            newton;

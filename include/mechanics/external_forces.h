@@ -14,9 +14,9 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// Computes the nodal forces int traction . phi_i ds of the tractions of
-  /// @p model at @p time, condensed with @p constraints. @p forces has its
-  /// layout. Collective.
+  /// Computes the nodal forces int traction . phi_i ds and int f . phi_i dx of
+  /// the tractions and body forces f of @p model at @p time, condensed with @p
+  /// constraints. @p forces has its layout. Collective.
   template <int dim>
   void
   compute_external_forces(LinearAlgebra::distributed::Vector<double> &forces,

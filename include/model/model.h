@@ -11,6 +11,7 @@
 #include "base/kinematics.h"
 #include "contact/contact_parameters.h"
 #include "contact/gap_function.h"
+#include "loading/body_force.h"
 #include "loading/load_program.h"
 #include "material/material.h"
 #include "mesh/boundary_conditions.h"
@@ -29,6 +30,7 @@ namespace ElastoPlastic
   {
     Geometry<dim>           geometry;
     BoundaryConditions<dim> boundary_conditions;
+    BodyForce<dim>          body_force;
 
     /// What strains are, and the degree p of the elements FE_Q(p)^dim.
     StrainModel  strain_model;

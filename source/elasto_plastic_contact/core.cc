@@ -32,7 +32,8 @@ namespace ElastoPlastic
     depends_on_time_elsewhere(const Model<dim> &model)
     {
       return !model.boundary_conditions.prescribed_displacements().empty() ||
-             !model.boundary_conditions.tractions().empty();
+             !model.boundary_conditions.tractions().empty() ||
+             model.body_force.is_present();
     }
 
 

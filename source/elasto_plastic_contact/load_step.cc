@@ -148,7 +148,7 @@ namespace ElastoPlastic
   {
     VectorType growth = external_forces;
     if (!last_step.is_virgin())
-      growth -= forces_of_tractions(time_steps.time());
+      growth -= external_forces_at(time_steps.time());
     return growth * external_forces > 0;
   }
 

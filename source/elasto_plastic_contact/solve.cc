@@ -71,7 +71,7 @@ namespace ElastoPlastic
   {
     const double time = time_steps.next_time();
     supports.set_time(time);
-    external_forces = forces_of_tractions(time);
+    external_forces = external_forces_at(time);
     move_indenter(time);
     contact.set_load(load_program.load(time).value());
   }
@@ -106,7 +106,7 @@ namespace ElastoPlastic
 
   template <int dim>
   VectorType
-  ElastoPlasticContact<dim>::forces_of_tractions(const double time) const
+  ElastoPlasticContact<dim>::external_forces_at(const double time) const
   {
     VectorType forces;
     solid->initialize_vector(forces);

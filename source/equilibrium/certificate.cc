@@ -36,7 +36,8 @@ namespace ElastoPlastic
 
     Vector<double> multipliers_product(residual.x.size()), // A^T y + G^T z
       cone_residual(residual.z.size());                    // G x + s
-    double linear_cost = 0, quadratic_slope = 0, offset_product = 0;
+    double linear_cost = -iterate.load_factor, quadratic_slope = 0,
+           offset_product = 0;
     for (unsigned int b = 0; b < program.blocks.size(); ++b)
       {
         const ConicBlock   &block = program.blocks[b];
@@ -59,12 +60,14 @@ namespace ElastoPlastic
             offset_product += block.cone_offset[i] * iterate.z[row];
           }
       }
-    Vector<double> product = program.right_hand_side; // A x
+    Vector<double> product = program.right_hand_side; // A x - lambda d
     product -= residual.y;
 
     const double contradiction =
       -(program.right_hand_side * iterate.y) - offset_product;
-    if (multipliers_product.linfty_norm() <
+    const double growth =
+      program.growth.size() > 0 ? std::abs(program.growth * iterate.y) : 0.;
+    if (std::max(multipliers_product.linfty_norm(), growth) <
         multiplier_tolerance * contradiction)
       throw NoSolutionError();
 

@@ -23,6 +23,14 @@ namespace ElastoPlastic
 
 
 
+    double
+    largest_entry(const Vector<double> &v)
+    {
+      return v.size() > 0 ? v.linfty_norm() : 0.;
+    }
+
+
+
     bool
     satisfies_equations(const ConicSolution &solution)
     {
@@ -48,6 +56,7 @@ namespace ElastoPlastic
           solution.x += change.x;
           solution.y += change.y;
           solution.z += change.z;
+          solution.load_factor += change.load_factor;
           solution.s += evaluate(program, layout, system, solution).z;
           residual = evaluate(program, layout, system, solution);
         }
@@ -92,7 +101,9 @@ namespace ElastoPlastic
     residual.z.reinit(solution.z.size());
     residual.y = program.right_hand_side;
     residual.z -= solution.s;
-    double         quadratic_cost = 0, linear_cost = 0, dual_size = 0;
+    residual.load_factor  = program.growth.size() > 0 ? 1. : 0.;
+    double quadratic_cost = 0, linear_cost = 0,
+           dual_size = residual.load_factor;
     Vector<double> product;
     for (unsigned int b = 0; b < program.blocks.size(); ++b)
       {
@@ -113,17 +124,22 @@ namespace ElastoPlastic
         for (unsigned int i = 0; i < block.cone_offset.size(); ++i)
           residual.z[layout.rows[b] + i] += block.cone_offset[i];
       }
-    const double primal_size = std::max(1., residual.y.linfty_norm());
-    system.subtract_product(residual, {solution.x, solution.z, solution.y});
+    const double primal_size = std::max(
+      {1.,
+       program.right_hand_side.linfty_norm(),
+       std::abs(solution.load_factor) * largest_entry(program.growth)});
+    system.subtract_product(
+      residual, {solution.x, solution.z, solution.y, solution.load_factor});
 
-    solution.cost         = 0.5 * quadratic_cost + linear_cost;
+    solution.cost = 0.5 * quadratic_cost + linear_cost - solution.load_factor;
     solution.relative_gap = (solution.s * solution.z) /
                             std::max(smallest_cost, std::abs(solution.cost));
     solution.primal_error =
       std::max(residual.y.linfty_norm(), residual.z.linfty_norm()) /
       primal_size;
     solution.dual_error =
-      residual.x.linfty_norm() / std::max(smallest_cost, dual_size);
+      std::max(residual.x.linfty_norm(), std::abs(residual.load_factor)) /
+      std::max(smallest_cost, dual_size);
     return residual;
   }
 
@@ -172,6 +188,8 @@ namespace ElastoPlastic
       {
         solution.x.sadd(part, 1. - part, inside.x);
         solution.s.sadd(part, 1. - part, inside.s);
+        solution.load_factor =
+          part * solution.load_factor + (1. - part) * inside.load_factor;
       }
     evaluate(program, layout, system, solution);
   }

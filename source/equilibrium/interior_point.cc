@@ -163,10 +163,11 @@ namespace ElastoPlastic
           "rounding errors are too large.");
       residual = evaluate(program, layout, system, current);
       system.solve(change, residual);
-      current.x = change.x;
-      current.y = change.y;
-      current.z = change.z;
-      current.s = evaluate(program, layout, system, current).z;
+      current.x           = change.x;
+      current.y           = change.y;
+      current.z           = change.z;
+      current.load_factor = change.load_factor;
+      current.s           = evaluate(program, layout, system, current).z;
       move_into_cones(current.s, &ConeScale::slack);
       move_into_cones(current.z, &ConeScale::multiplier);
       look_at_iterate();
@@ -280,6 +281,7 @@ namespace ElastoPlastic
       current.x.add(length, change.x);
       current.y.add(length, change.y);
       current.z.add(length, change.z);
+      current.load_factor += length * change.load_factor;
       for (unsigned int c = 0; c < n_cones; ++c)
         scalings[c].multiply(cone(scaled_s, c));
       current.s.add(length, scaled_s);
@@ -300,6 +302,7 @@ namespace ElastoPlastic
       right_hand_side.x *= part;
       right_hand_side.y *= part;
       right_hand_side.z *= part;
+      right_hand_side.load_factor *= part;
       Vector<double> slack = scaled_s;
       for (unsigned int c = 0; c < n_cones; ++c)
         {

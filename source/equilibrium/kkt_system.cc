@@ -107,7 +107,8 @@ namespace ElastoPlastic
     double
     square(const KktVector &v)
     {
-      return v.x.norm_sqr() + v.y.norm_sqr() + v.z.norm_sqr();
+      return v.x.norm_sqr() + v.y.norm_sqr() + v.z.norm_sqr() +
+             v.load_factor * v.load_factor;
     }
   } // namespace
 
@@ -171,6 +172,9 @@ namespace ElastoPlastic
       }
     if (!dense_rows.empty())
       dense_inverse.gauss_jordan();
+    growth_solution = program.growth;
+    if (program.growth.size() > 0)
+      solve_sparse_and_dense(growth_solution);
     return true;
   }
 
@@ -282,6 +286,7 @@ namespace ElastoPlastic
         solution.x += correction.x;
         solution.y += correction.y;
         solution.z += correction.z;
+        solution.load_factor += correction.load_factor;
       }
   }
 
@@ -306,6 +311,7 @@ namespace ElastoPlastic
       }
     solution.y *= -1.;
     solve_sparse_and_dense(solution.y);
+    solution.load_factor = add_growth(solution.y, right_hand_side.load_factor);
 
     solution.z.equ(-1., right_hand_side.z);
     for (unsigned int b = 0; b < program.blocks.size(); ++b)
@@ -358,10 +364,28 @@ namespace ElastoPlastic
 
 
 
+  double
+  KktSystem::add_growth(Vector<double> &y, const double r_lambda) const
+  {
+    if (growth_solution.size() == 0)
+      return 0.;
+    const double lambda =
+      (r_lambda + program.growth * y) / (program.growth * growth_solution);
+    y.add(-lambda, growth_solution);
+    return lambda;
+  }
+
+
+
   void
   KktSystem::subtract_product(KktVector       &residual,
                               const KktVector &solution) const
   {
+    if (program.growth.size() > 0)
+      {
+        residual.y.add(solution.load_factor, program.growth);
+        residual.load_factor += program.growth * solution.y;
+      }
     for (unsigned int b = 0; b < program.blocks.size(); ++b)
       {
         const ConicBlock   &block = program.blocks[b];

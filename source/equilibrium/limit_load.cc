@@ -96,8 +96,11 @@ namespace ElastoPlastic
   bound_limit_load(const PlaneBody &body)
   {
     LimitLoad bounds;
-    bounds.stress   = maximize_force(body);
-    bounds.velocity = minimize_plastic_work(body);
+    bounds.stress      = maximize_load(body);
+    bounds.velocity    = minimize_plastic_work(body);
+    bounds.lower_bound = body.load_factor_unit > 0 ? bounds.stress.load_factor :
+                                                     bounds.stress.force;
+    bounds.upper_bound = bounds.velocity.bound;
     find_gaps(body, bounds);
     return bounds;
   }

@@ -32,7 +32,7 @@ namespace ElastoPlastic
     public:
       Conditions(const BoundaryConditions<2>                   &conditions,
                  const std::function<double(const Point<2> &)> &gap,
-                 const double                                   time,
+                 const PlaneLoads                              &loads,
                  const SurfaceFinish indenter_surface)
         : contact(conditions.ids(BoundaryConditionType::contact))
         , fixed(conditions.ids(BoundaryConditionType::fixed))
@@ -40,7 +40,7 @@ namespace ElastoPlastic
         , displacements(conditions.prescribed_displacements())
         , tractions(conditions.tractions())
         , gap(gap)
-        , time(time)
+        , loads(loads)
         , indenter_surface(indenter_surface)
       {}
 
@@ -114,12 +114,23 @@ namespace ElastoPlastic
           return;
         for (unsigned int d = 0; d < 2; ++d)
           if (found->second[d])
-            condition.components[d] = {Point<2>::unit_vector(d),
-                                       type,
-                                       [&expression = *found->second[d],
-                                        time        = time](const Point<2> &x) {
-                                         return expression.value(x, time);
-                                       }};
+            {
+              const auto at = [expression =
+                                 found->second[d]](const Point<2> &x) {
+                return [expression, x](const double time) {
+                  return expression->value(x, time);
+                };
+              };
+              condition.components[d] = {
+                Point<2>::unit_vector(d),
+                type,
+                [at, loads = loads](const Point<2> &x) {
+                  return loads.constant_part(at(x));
+                },
+                [at, loads = loads](const Point<2> &x) {
+                  return loads.growing_part(at(x));
+                }};
+            }
       }
 
       /// How much of a side the indenter can touch.
@@ -157,9 +168,72 @@ namespace ElastoPlastic
       const Values                                  &displacements;
       const Values                                  &tractions;
       const std::function<double(const Point<2> &)> &gap;
-      const double                                   time;
+      const PlaneLoads                              &loads;
       const SurfaceFinish                            indenter_surface;
     };
+
+
+
+    /// The same at all vertices.
+    Tensor<1, 2>
+    constant_body_force(const PlaneLoads &loads,
+                        const SplitMesh  &mesh,
+                        const double      time)
+    {
+      constexpr double   rounding = 1e-12;
+      const Tensor<1, 2> first =
+        loads.body_force.value(mesh.vertices.front(), time);
+      for (const Point<2> &vertex : mesh.vertices)
+        if ((loads.body_force.value(vertex, time) - first).norm() >
+            rounding * first.norm())
+          throw InputError(
+            "The body force ('Body force') depends on the "
+            "position. The equilibrium method is for constant "
+            "ones. Write numbers, or expressions in t alone.");
+      return first;
+    }
+
+
+
+    void
+    set_body_force(PlaneBody &body, const PlaneLoads &loads)
+    {
+      const auto at = [&](const double time) {
+        return constant_body_force(loads, body.mesh, time);
+      };
+      body.body_force        = loads.constant_part(at);
+      body.body_force_growth = loads.growing_part(at);
+    }
+
+
+
+    /// The largest load that grows, as a stress.
+    double
+    largest_growth(const PlaneBody &body)
+    {
+      double largest = body.body_force_growth.norm() * body.length_unit;
+      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+        for (const auto &component : body.conditions[s].components)
+          if (component.type == SideConditionType::traction)
+            for (const unsigned int vertex : body.mesh.sides[s].vertices)
+              largest = std::max(largest,
+                                 std::abs(component.growth(
+                                   body.mesh.vertices[vertex])));
+      return largest;
+    }
+
+
+
+    /// Of a pressure on a side with this @p normal: what is in the direction of
+    /// a component. Within the body, both triangles bear the same one.
+    double
+    pressed_part(const SideCondition::Component &component,
+                 const Tensor<1, 2>             &normal)
+    {
+      return component.type == SideConditionType::continuous ?
+               0. :
+               normal * component.direction;
+    }
 
 
 
@@ -181,6 +255,12 @@ namespace ElastoPlastic
         square =
           std::max(square, vertex.distance_square(body.mesh.vertices.front()));
       body.length_unit = std::sqrt(square);
+
+      if (const double growth = largest_growth(body); growth > 0)
+        {
+          body.load_factor_unit  = body.stress_unit / growth;
+          body.indenter_velocity = Tensor<1, 2>();
+        }
     }
   } // namespace
 
@@ -227,13 +307,63 @@ namespace ElastoPlastic
 
 
 
+  double
+  PlaneBody::load(const SideCondition::Component &component,
+                  const Tensor<1, 2>             &normal,
+                  const Point<2>                 &x) const
+  {
+    return component.value(x) +
+           pressed_part(component, normal) * pressure_of_body_force(x, 0.);
+  }
+
+
+
+  double
+  PlaneBody::growth(const SideCondition::Component &component,
+                    const Tensor<1, 2>             &normal,
+                    const Point<2>                 &x) const
+  {
+    return component.growth(x) +
+           pressed_part(component, normal) *
+             (pressure_of_body_force(x, 1.) - pressure_of_body_force(x, 0.));
+  }
+
+
+
+  double
+  PlaneBody::pressure_of_body_force(const Point<2> &x,
+                                    const double    load_factor) const
+  {
+    return (body_force + load_factor * body_force_growth) *
+           (x - mesh.vertices.front());
+  }
+
+
+
+  PlaneLoads::PlaneLoads(const double time, const BodyForce<2> &body_force)
+    : begin(time)
+    , body_force(body_force)
+  {}
+
+
+
+  PlaneLoads::PlaneLoads(const std::optional<double> begin,
+                         const double                end,
+                         const BodyForce<2>         &body_force)
+    : begin(begin)
+    , end(end)
+    , body_force(body_force)
+  {}
+
+
+
   PlaneBody
   make_plane_body(SplitMesh                                      mesh,
                   const BoundaryConditions<2>                   &conditions,
                   const std::vector<Material<double>>           &materials,
                   const Kinematics                               kinematics,
                   const std::function<double(const Point<2> &)> &gap,
-                  const double                                   time,
+                  const PlaneLoads                              &loads,
                   const SurfaceFinish indenter_surface)
   {
     PlaneBody body;
@@ -242,7 +372,9 @@ namespace ElastoPlastic
     body.indenter_surface = indenter_surface;
     body.gap              = gap;
 
-    const Conditions condition_of(conditions, gap, time, indenter_surface);
+    set_body_force(body, loads);
+
+    const Conditions condition_of(conditions, gap, loads, indenter_surface);
     for (const SplitMesh::Side &side : body.mesh.sides)
       body.conditions.push_back(condition_of(body.mesh, side));
     for (const SplitMesh::Triangle &triangle : body.mesh.triangles)

@@ -155,6 +155,8 @@ namespace ElastoPlastic
           if (!node.fixed[c])
             node.equations[c] = n_equations++;
       program.right_hand_side.reinit(n_equations);
+      if (body.load_factor_unit > 0)
+        program.growth.reinit(n_equations);
     }
 
 
@@ -164,7 +166,8 @@ namespace ElastoPlastic
     void
     SheetProgram::add_tractions()
     {
-      const double unit = body.stress_unit * body.length_unit;
+      const double unit        = body.stress_unit * body.length_unit;
+      const double growth_unit = body.load_factor_unit / unit;
       for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
         for (const auto &component : body.conditions[s].components)
           {
@@ -172,21 +175,32 @@ namespace ElastoPlastic
               continue;
             const SplitMesh::Side &side   = body.mesh.sides[s];
             const unsigned int     middle = body.mesh.vertices.size() + s;
-            const auto add = [&](const unsigned int n, const double force) {
+            const auto             add    = [&](Vector<double>    &loads,
+                                 const unsigned int n,
+                                 const double       force) {
               for (unsigned int c = 0; c < 2; ++c)
                 if (!nodes[n].fixed[c])
-                  program.right_hand_side[nodes[n].equations[c]] +=
+                  loads[nodes[n].equations[c]] +=
                     force * (component.direction * nodes[n].directions[c]);
             };
+            const auto add_all =
+              [&](Vector<double> &loads, const double t, const double force) {
+                add(loads, side.vertices[0], (1. - t) * (1. - 2. * t) * force);
+                add(loads, side.vertices[1], t * (2. * t - 1.) * force);
+                add(loads, middle, 4. * t * (1. - t) * force);
+              };
             integrate_on_side(
               body.mesh.vertices[side.vertices[0]],
               body.mesh.vertices[side.vertices[1]],
               [&](const double t, const Point<2> &x, const double weight) {
-                const double force =
-                  weight * body.mesh.length(side) * component.value(x) / unit;
-                add(side.vertices[0], (1. - t) * (1. - 2. * t) * force);
-                add(side.vertices[1], t * (2. * t - 1.) * force);
-                add(middle, 4. * t * (1. - t) * force);
+                const double length = weight * body.mesh.length(side);
+                add_all(program.right_hand_side,
+                        t,
+                        length * component.value(x) / unit);
+                if (body.load_factor_unit > 0)
+                  add_all(program.growth,
+                          t,
+                          length * growth_unit * component.growth(x));
               });
           }
     }
@@ -236,7 +250,7 @@ namespace ElastoPlastic
                            body.materials[t].yield_radius / body.stress_unit);
       for (unsigned int f = 0; f < forces.size(); ++f)
         {
-          block.linear_cost[n_stresses + f] = -1.;
+          block.linear_cost[n_stresses + f] = body.indenter_velocity[1];
           Vector<double> row(n);
           row[n_stresses + f] = -1.;
           block.add_inequality(row);
@@ -290,7 +304,9 @@ namespace ElastoPlastic
       VelocityField field;
       for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
         field.velocity.push_back(velocity_of(t, velocities));
-      field.force        = -solution.cost * body.stress_unit * body.length_unit;
+      field.bound        = -solution.cost * (body.load_factor_unit > 0 ?
+                                               body.load_factor_unit :
+                                               body.stress_unit * body.length_unit);
       field.n_iterations = solution.n_iterations;
       field.is_optimal   = solution.is_optimal;
       return field;

@@ -17,7 +17,7 @@ namespace ElastoPlastic
     if (condition.is_reached)
       {
         support.resists_slip = body.indenter_surface == SurfaceFinish::rough;
-        support.velocity[1]  = -1.;
+        support.velocity     = body.indenter_velocity;
         return support;
       }
     const auto &vertices = body.mesh.sides[s].vertices;

@@ -65,10 +65,10 @@ namespace ElastoPlastic
                    const unsigned int   triangle,
                    const unsigned int   k) const;
       void
-      add_tractions(const StreamElement             &element,
-                    const std::vector<unsigned int> &equations,
-                    const unsigned int               triangle,
-                    const unsigned int               k);
+      add_loads(const StreamElement             &element,
+                const std::vector<unsigned int> &equations,
+                const unsigned int               triangle,
+                const unsigned int               k);
 
       const PlaneBody     &body;
       const StreamUnknowns unknowns;
@@ -84,6 +84,8 @@ namespace ElastoPlastic
       , work_unit(body.stress_unit * body.length_unit * body.weight_unit())
     {
       program.right_hand_side.reinit(unknowns.size());
+      if (body.load_factor_unit > 0)
+        program.growth.reinit(unknowns.size());
       for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
         add_block(t);
     }
@@ -109,7 +111,7 @@ namespace ElastoPlastic
         {
           add_slip(block, element, t, k);
           add_indenter(block, element, t, k);
-          add_tractions(element, equations, t, k);
+          add_loads(element, equations, t, k);
         }
       program.blocks.push_back(block.make(equations));
     }
@@ -169,20 +171,24 @@ namespace ElastoPlastic
 
 
 
-    // Their power, for each of the local functions.
+    // Their power, for each of the local functions. Inside the body, nothing is
+    // left of the pressure of body forces, because the normal velocity is
+    // continuous; nor where it is zero.
     void
-    StreamProgram::add_tractions(const StreamElement             &element,
-                                 const std::vector<unsigned int> &equations,
-                                 const unsigned int               t,
-                                 const unsigned int               k)
+    StreamProgram::add_loads(const StreamElement             &element,
+                             const std::vector<unsigned int> &equations,
+                             const unsigned int               t,
+                             const unsigned int               k)
     {
       const auto        &triangle = body.mesh.triangles[t];
       const auto         corners  = body.mesh.corners(triangle);
       const unsigned int next     = (k + 1) % 3;
       const double       length   = corners[k].distance(corners[next]);
-      for (const auto &component :
-           body.conditions[triangle.sides[k]].components)
-        if (component.type == SideConditionType::traction)
+      const unsigned int s        = triangle.sides[k];
+      const Tensor<1, 2> normal   = body.mesh.normal(body.mesh.sides[s]);
+      for (const auto &component : body.conditions[s].components)
+        if (component.type == SideConditionType::traction ||
+            component.type == SideConditionType::contact)
           integrate_on_side(
             corners[k],
             corners[next],
@@ -193,9 +199,17 @@ namespace ElastoPlastic
               const auto velocities        = element.weighted_velocities(point);
               for (unsigned int f = 0; f < velocities.size(); ++f)
                 if (equations[f] != numbers::invalid_unsigned_int)
-                  program.right_hand_side[equations[f]] +=
-                    weight * length * component.value(x) / work_unit *
-                    (velocities[f] * component.direction);
+                  {
+                    const double velocity =
+                      weight * length / work_unit *
+                      (velocities[f] * component.direction);
+                    program.right_hand_side[equations[f]] +=
+                      velocity * body.load(component, normal, x);
+                    if (body.load_factor_unit > 0)
+                      program.growth[equations[f]] +=
+                        velocity * body.load_factor_unit *
+                        body.growth(component, normal, x);
+                  }
             });
     }
 
@@ -206,7 +220,9 @@ namespace ElastoPlastic
     {
       const ConicSolution solution = minimize(program, work_tolerance);
       VelocityField       field;
-      field.force        = -solution.cost * body.angle() * work_unit;
+      field.bound =
+        -solution.cost * (body.load_factor_unit > 0 ? body.load_factor_unit :
+                                                      body.angle() * work_unit);
       field.n_iterations = solution.n_iterations;
       field.is_optimal   = solution.is_optimal;
       for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)

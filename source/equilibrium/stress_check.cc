@@ -161,10 +161,12 @@ namespace ElastoPlastic
 
 
 
-    /// Of a side at the boundary. @return the force of the indenter.
+    /// Of a side at the boundary, where the pressure of body forces counts.
+    /// @return the force of the indenter.
     double
     check_boundary(StressErrors                      &errors,
                    const PlaneBody                   &body,
+                   const StressField                 &field,
                    const unsigned int                 s,
                    const std::array<Tensor<1, 2>, 2> &tractions)
     {
@@ -174,13 +176,18 @@ namespace ElastoPlastic
       for (unsigned int end = 0; end < 2; ++end)
         for (const auto &component : body.conditions[s].components)
           {
-            const Point<2> point    = body.mesh.vertices[side.vertices[end]];
-            const double   weighted = tractions[end] * component.direction;
-            const double   traction = inverse_weight(body, point) * weighted;
+            const Point<2> point = body.mesh.vertices[side.vertices[end]];
+            const double   pressure =
+              body.pressure_of_body_force(point, field.load_factor) *
+              (body.mesh.normal(side) * component.direction);
+            const double weighted = tractions[end] * component.direction -
+                                    body.weight(point) * pressure;
+            const double traction = inverse_weight(body, point) * weighted;
             if (component.type == SideConditionType::traction &&
                 !body.is_on_axis(point))
               enlarge(errors.boundary_force,
-                      std::abs(traction - component.value(point)));
+                      std::abs(traction - component.value(point) -
+                               field.load_factor * component.growth(point)));
             if (component.type == SideConditionType::contact)
               {
                 enlarge(errors.tension, traction);
@@ -227,7 +234,7 @@ namespace ElastoPlastic
             const auto         here = tractions(body, field, t, k);
             if (body.mesh.sides[s].boundary_id !=
                 numbers::internal_face_boundary_id)
-              force += check_boundary(errors, body, s, here);
+              force += check_boundary(errors, body, field, s, here);
             else if (!seen[s])
               first[s] = here;
             else
@@ -252,7 +259,10 @@ namespace ElastoPlastic
                           &errors.yield_excess})
       *error /= body.stress_unit;
     errors.force_difference =
-      std::abs(force - field.force) / std::max(std::abs(force), 1e-300);
+      std::abs(force - field.force) /
+      std::max(std::abs(force),
+               body.stress_unit * body.length_unit * body.weight_unit() *
+                 body.angle());
     return errors;
   }
 

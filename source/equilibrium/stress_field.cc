@@ -30,11 +30,16 @@ namespace ElastoPlastic
   {
     const auto corners = JohnsonMercier::subtriangle_of(
       body.mesh.corners(body.mesh.triangles[triangle]), subtriangle);
+    const auto pressure =
+      body.pressure_of_body_force(corners[corner], load_factor) *
+      unit_symmetric_tensor<3>();
     if (!body.is_on_axis(corners[corner]))
-      return at(triangle, subtriangle, corner) / body.weight(corners[corner]);
+      return at(triangle, subtriangle, corner) / body.weight(corners[corner]) -
+             pressure;
     const unsigned int a = (corner + 1) % 3, b = (corner + 2) % 3;
     return (at(triangle, subtriangle, a) + at(triangle, subtriangle, b)) /
-           (body.weight(corners[a]) + body.weight(corners[b]));
+             (body.weight(corners[a]) + body.weight(corners[b])) -
+           pressure;
   }
 
 

@@ -94,11 +94,12 @@ namespace ElastoPlastic
 
 
   StressField
-  maximize_force(const PlaneBody &body)
+  maximize_load(const PlaneBody &body)
   {
     StressProgram program(body, least_restrictive(body.kinematics));
     const double  unit = body.strain_unit * body.length_unit;
-    program.add_force(-unit);
+    if (body.load_factor_unit == 0)
+      program.add_force(-unit);
     StressField field = solve_bounded(program);
     for (auto &velocities : field.displacement)
       for (Tensor<1, 2> &velocity : velocities)

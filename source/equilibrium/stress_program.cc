@@ -93,35 +93,51 @@ namespace ElastoPlastic
   void
   StressProgram::number_equations()
   {
-    std::vector<double> values;
+    std::vector<double> values, growth;
     for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
       {
+        const SplitMesh::Side &side   = body.mesh.sides[s];
+        const Tensor<1, 2>     normal = body.mesh.normal(side);
         equations.emplace_back();
-        const auto &components = body.conditions[s].components;
         for (unsigned int c = 0; c < 2; ++c)
           {
-            const auto load = moments(s, [&](const Point<2> &x) {
-              return body.weight(x) / body.weight_unit() *
-                     components[c].value(x);
+            const auto &component = body.conditions[s].components[c];
+            const auto  load      = end_forces(s, [&](const Point<2> &x) {
+              return body.load(component, normal, x);
+            });
+            const auto  more      = end_forces(s, [&](const Point<2> &x) {
+              return body.load_factor_unit * body.growth(component, normal, x);
             });
             for (unsigned int end = 0; end < 2; ++end)
               {
-                const bool has_equation =
-                  components[c].type != SideConditionType::displacement &&
-                  !body.is_on_axis(
-                    body.mesh.vertices[body.mesh.sides[s].vertices[end]]);
-                equations[s][end][c] =
-                  has_equation ? values.size() : numbers::invalid_unsigned_int;
-                // the traction that is linear and has the same moments
-                if (has_equation)
-                  values.push_back(0.5 * body.mesh.length(body.mesh.sides[s]) /
-                                   body.length_unit *
-                                   (2. * load[end] - load[1 - end]) /
-                                   body.stress_unit);
+                equations[s][end][c] = numbers::invalid_unsigned_int;
+                if (component.type == SideConditionType::displacement ||
+                    body.is_on_axis(body.mesh.vertices[side.vertices[end]]))
+                  continue;
+                equations[s][end][c] = values.size();
+                values.push_back(load[end]);
+                growth.push_back(more[end]);
               }
           }
       }
     program.right_hand_side = Vector<double>(values.begin(), values.end());
+    if (body.load_factor_unit > 0)
+      program.growth = Vector<double>(growth.begin(), growth.end());
+  }
+
+
+
+  std::array<double, 2>
+  StressProgram::end_forces(
+    const unsigned int                             side,
+    const std::function<double(const Point<2> &)> &load) const
+  {
+    const auto [first, second] = moments(side, [&](const Point<2> &x) {
+      return body.weight(x) / body.weight_unit() * load(x);
+    });
+    const double unit          = 0.5 * body.mesh.length(body.mesh.sides[side]) /
+                        body.length_unit / body.stress_unit;
+    return {{unit * (2. * first - second), unit * (2. * second - first)}};
   }
 
 

@@ -76,6 +76,7 @@ namespace ElastoPlastic
     if (program.n_dense_rows > 0)
       field.depth = -body.strain_unit * body.length_unit *
                     solution.y[solution.y.size() - 1];
+    field.load_factor = body.load_factor_unit * solution.load_factor;
     field.cost =
       solution.cost * force_unit() * body.strain_unit * body.length_unit;
     field.relative_gap = solution.relative_gap;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "equilibrium/integration.h"
 #include "equilibrium/inverse_square.h"
 #include "equilibrium/side_view.h"
 #include "equilibrium/velocity_check.h"
@@ -311,28 +310,4 @@ namespace ElastoPlastic
     return work;
   }
 
-
-
-  double
-  power_of_tractions(const PlaneBody &body, const Velocities &velocity)
-  {
-    double power = 0;
-    for (const SideView &view : views_of_sides(body))
-      for (const auto &component : body.conditions[view.side].components)
-        if (component.type == SideConditionType::traction)
-          {
-            const unsigned int t        = view.neighbors[0].triangle;
-            const auto        &vertices = body.mesh.sides[view.side].vertices;
-            integrate_on_side(
-              body.mesh.vertices[vertices[0]],
-              body.mesh.vertices[vertices[1]],
-              [&](const double at, const Point<2> &x, const double weight) {
-                power +=
-                  weight * view.length * component.value(x) *
-                  (weighted_velocity(body, velocity[t], t, view.point(at)) *
-                   component.direction);
-              });
-          }
-    return body.angle() * power;
-  }
 } // namespace ElastoPlastic

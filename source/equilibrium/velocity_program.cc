@@ -3,10 +3,12 @@
 
 #include <deal.II/base/patterns.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "equilibrium/certificate.h"
+#include "equilibrium/load_power.h"
 #include "equilibrium/sheet_program.h"
 #include "equilibrium/stream_program.h"
 #include "equilibrium/velocity_check.h"
@@ -35,16 +37,19 @@ namespace ElastoPlastic
       catch (const UnboundedError &)
         {
           throw ConvergenceError(
-            "No velocity moves the whole indenter down: it reaches a point "
-            "that is held, or the supports enclose the body. Let "
-            "'Indenter/Reach' end before what is held. (Mechanisms that change "
-            "the volume of a hole are not looked for.)");
+            body.load_factor_unit > 0 ?
+              "No velocity lets the loads that grow do work: the supports "
+              "enclose the body. (Mechanisms that change the volume of a hole "
+              "are not looked for.)" :
+              "No velocity moves the whole indenter down: it reaches a point "
+              "that is held, or the supports enclose the body. Let "
+              "'Indenter/Reach' end before what is held. (Mechanisms that "
+              "change the volume of a hole are not looked for.)");
         }
     }
 
 
 
-    // The indenter then moves down by 1.
     void
     scale(VelocityField &field, const double factor)
     {
@@ -55,6 +60,53 @@ namespace ElastoPlastic
           velocity.flux *= factor;
         }
     }
+
+
+
+    double
+    largest_velocity(const PlaneBody &body, const VelocityField &field)
+    {
+      double largest = 0;
+      for (unsigned int t = 0; t < field.velocity.size(); ++t)
+        for (const Tensor<1, 2> &velocity :
+             values_at_vertices(body, field.velocity[t], t))
+          largest = std::max(largest, velocity.norm());
+      return largest;
+    }
+
+
+
+    /// Scales a velocity as VelocityField::velocity says.
+    void
+    normalize(VelocityField &field, const PlaneBody &body)
+    {
+      const double size = body.load_factor_unit > 0 ?
+                            largest_velocity(body, field) :
+                            lowest_depth(body, field.velocity);
+      if (!(size > 0. && std::isfinite(size)))
+        throw ConvergenceError(
+          "No mechanism of collapse has been found, because of rounding "
+          "errors.");
+      scale(field, 1. / size);
+    }
+
+
+
+    void
+    find_bound(VelocityField &field, const PlaneBody &body)
+    {
+      const LoadPower power = power_of_loads(body, field.velocity);
+      field.dissipation     = plastic_work(body, field.velocity);
+      const double missing  = std::accumulate(field.dissipation.begin(),
+                                             field.dissipation.end(),
+                                             -power.constant);
+      field.bound =
+        body.load_factor_unit > 0 ? missing / power.growing : missing;
+      if (body.load_factor_unit > 0 && !(power.growing > 0))
+        throw ConvergenceError(
+          "The loads that grow have no power in the mechanism of collapse, "
+          "because of rounding errors.");
+    }
   } // namespace
 
 
@@ -63,25 +115,16 @@ namespace ElastoPlastic
   minimize_plastic_work(const PlaneBody &body)
   {
     VelocityField field   = find_mechanism(body);
-    const double  minimum = field.force;
-    const double  depth   = lowest_depth(body, field.velocity);
-    if (!(depth > 0. && std::isfinite(depth)))
-      throw ConvergenceError(
-        "No mechanism of collapse has been found that moves the whole indenter "
-        "down, because of rounding errors.");
-    scale(field, 1. / depth);
-
+    const double  minimum = field.bound;
+    normalize(field, body);
     field.error = check_velocity(body, field.velocity).largest();
     if (!(field.error <= largest_velocity_error))
       throw ConvergenceError(
         "The mechanism of collapse violates its conditions by " +
         Patterns::Tools::to_string(field.error) +
-        " of the indenter's velocity, because of rounding errors.");
-    field.dissipation = plastic_work(body, field.velocity);
-    field.force =
-      std::accumulate(field.dissipation.begin(), field.dissipation.end(), 0.) -
-      power_of_tractions(body, field.velocity);
-    if (!(field.force - minimum <= largest_loss * std::abs(minimum)))
+        " of its velocity, because of rounding errors.");
+    find_bound(field, body);
+    if (!(field.bound - minimum <= largest_loss * std::abs(minimum)))
       field.is_optimal = false;
     return field;
   }

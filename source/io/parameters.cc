@@ -61,17 +61,21 @@ namespace ElastoPlastic
                       "body, or a body loaded by its boundary conditions. "
                       "limit load: the largest force that the indenter can "
                       "exert on a perfectly plastic body in two dimensions, "
-                      "between two rigorous bounds. "
+                      "or the largest factor of its tractions and body forces, "
+                      "between two rigorous bounds, see the section 'Limit "
+                      "load'. "
                       "contact with error bound: contact in one load step, in "
                       "plane strain or plane stress, with stresses in exact "
                       "equilibrium beside the displacement, and a guaranteed "
                       "bound of the error that follows from both.");
+    body_force.add_parameters(prm);
     geometry.add_parameters(prm);
     boundary_conditions.add_parameters(prm);
     material.add_parameters(prm);
     indenter.add_parameters(prm);
     contact.add_parameters(prm);
     loading.add_parameters(prm);
+    limit_load.add_parameters(prm);
     discretization.add_parameters(prm);
     refinement.add_parameters(prm);
     newton.add_parameters(prm);
@@ -248,12 +252,24 @@ namespace ElastoPlastic
                        entry +
                          " knows the vertical gap only. Choose "
                          "'vertical'.");
-    if (analysis == Analysis::limit_load && !indenter.is_present())
+    if (analysis == Analysis::limit_load && !indenter.is_present() &&
+        limit_load.load == GrowingLoad::indenter)
       throw InputError("Indenter/Type",
                        "none",
                        entry +
                          " looks for the largest force of an indenter. "
-                         "Choose one, for example strip punch.");
+                         "Choose one, for example strip punch, or set 'Limit "
+                         "load/Load = tractions'.");
+    if (!body_force.components.empty() &&
+        (analysis == Analysis::contact_with_error_bound ||
+         discretization.kinematics == Kinematics::plane_stress))
+      throw InputError("Body force",
+                       body_force.components,
+                       entry + " knows no body forces" +
+                         (analysis == Analysis::limit_load ?
+                            " in plane stress" :
+                            "") +
+                         ". Leave it empty.");
     if (analysis == Analysis::contact_with_error_bound &&
         !loading.is_single_step())
       throw InputError("Analysis",

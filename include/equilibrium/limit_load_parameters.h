@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_limit_load_parameters_h
+#define equilibrium_limit_load_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include "base/enum_names.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// What grows until the body collapses.
+  enum class GrowingLoad
+  {
+    indenter, ///< its force
+    tractions ///< and body forces
+  };
+
+  template <>
+  inline const EnumNames<GrowingLoad> enum_names<GrowingLoad> = {
+    {"indenter", GrowingLoad::indenter}, {"tractions", GrowingLoad::tractions}};
+
+
+
+  /// The entries of the section "Limit load".
+  struct LimitLoadParameters
+  {
+    GrowingLoad load = GrowingLoad::indenter;
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+} // namespace ElastoPlastic
+
+#endif

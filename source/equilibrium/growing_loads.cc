@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+
+#include "base/exceptions.h"
+#include "equilibrium/growing_loads.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// The diameter of the mesh or so: body forces by it are as large as the
+    /// stresses that they cause.
+    double
+    size_of(const SplitMesh &mesh)
+    {
+      double size = 0;
+      for (const Point<2> &vertex : mesh.vertices)
+        size = std::max(size, vertex.distance(mesh.vertices.front()));
+      return size;
+    }
+
+
+
+    /// As stresses: the tractions at the ends of all sides, and body forces at
+    /// all vertices.
+    Vector<double>
+    all_loads(const SplitMesh             &mesh,
+              const BoundaryConditions<2> &conditions,
+              const BodyForce<2>          &body_force,
+              const double                 time)
+    {
+      std::vector<double> values;
+      for (const SplitMesh::Side &side : mesh.sides)
+        if (const auto traction = conditions.tractions().find(side.boundary_id);
+            traction != conditions.tractions().end())
+          for (const unsigned int vertex : side.vertices)
+            for (const auto &component : traction->second)
+              values.push_back(component->value(mesh.vertices[vertex], time));
+      const double size = size_of(mesh);
+      for (const Point<2> &vertex : mesh.vertices)
+        for (unsigned int d = 0; d < 2; ++d)
+          values.push_back(size * body_force.value(vertex, time)[d]);
+      return Vector<double>(values.begin(), values.end());
+    }
+  } // namespace
+
+
+
+  PlaneLoads
+  growing_loads(const SplitMesh             &mesh,
+                const BoundaryConditions<2> &conditions,
+                const BodyForce<2>          &body_force)
+  {
+    constexpr double rounding = 1e-10;
+
+    const auto at = [&](const double time) {
+      return all_loads(mesh, conditions, body_force, time);
+    };
+    const Vector<double> begin = at(0.), end = at(1.);
+    const double size = std::max(begin.linfty_norm(), end.linfty_norm());
+    if (size == 0)
+      throw InputError(
+        "Limit load/Load",
+        "tractions",
+        "there is no traction ('Boundary conditions/Traction') and no body "
+        "force ('Body force') that could grow.");
+    Vector<double> middle = at(0.5);
+    middle.add(-0.5, begin, -0.5, end);
+    if (middle.linfty_norm() > rounding * size)
+      throw InputError(
+        "Limit load/Load",
+        "tractions",
+        "tractions and body forces must be linear functions of the time t, "
+        "which is the load factor. For instance: 'Traction = top: 0; -t'.");
+    Vector<double> change = end;
+    change -= begin;
+    if (change.linfty_norm() > rounding * size)
+      return {0., 1., body_force};
+    return {std::nullopt, 0., body_force};
+  }
+
+
+
+  double
+  time_of_largest_load(const SplitMesh             &mesh,
+                       const BoundaryConditions<2> &conditions,
+                       const BodyForce<2>          &body_force,
+                       const std::vector<double>   &times)
+  {
+    const auto load_at = [&](const double time) {
+      return all_loads(mesh, conditions, body_force, time).linfty_norm();
+    };
+    return *std::max_element(times.begin(),
+                             times.end(),
+                             [&](const double a, const double b) {
+                               return load_at(a) < load_at(b);
+                             });
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Bounds of the factor of tractions and body forces that a perfectly plastic
+// body bears, against exact values: on either side of them, whatever the mesh.
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "equilibrium/growing_loads.h"
+#include "equilibrium/limit_load.h"
+#include "equilibrium/load_power.h"
+#include "equilibrium/stress_check.h"
+#include "section_body.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  const double k = 1. / std::sqrt(3.); // the yield stress is 1
+
+  const Gap nowhere = [](const Point<2> &) {
+    return std::numeric_limits<double>::infinity();
+  };
+
+
+
+  struct Problem
+  {
+    Kinematics               kinematics;
+    double                   inner_radius;
+    std::string              tractions;
+    std::string              body_force;
+    std::vector<std::string> free    = {};
+    std::vector<std::string> contact = {}; ///< an anvil
+    std::vector<std::string> fixed   = {}; ///< the others are rollers
+  };
+
+
+
+  /// Between x = inner_radius and x = 2, y = -1 and y = 0.
+  PlaneBody
+  make_problem(const Problem &problem, const MeshKind kind)
+  {
+    Triangulation<2> mesh;
+    make_rectangle(mesh, kind, 2, problem.inner_radius, 2., 1.);
+    BoundaryConditionParameters parameters;
+    parameters.traction = problem.tractions;
+    parameters.free     = problem.free;
+    parameters.contact  = problem.contact;
+    parameters.fixed    = problem.fixed;
+    for (const auto &[name, id] : names)
+      if (problem.tractions.find(name) == std::string::npos &&
+          std::count(problem.free.begin(), problem.free.end(), name) == 0 &&
+          std::count(problem.contact.begin(), problem.contact.end(), name) ==
+            0 &&
+          std::count(problem.fixed.begin(), problem.fixed.end(), name) == 0)
+        parameters.roller.push_back(name);
+    const BoundaryConditions<2> conditions(parameters, names);
+    const BodyForce<2>          body_force(problem.body_force);
+    SplitMesh                   split_mesh = make_split_mesh(mesh);
+    const PlaneLoads loads = growing_loads(split_mesh, conditions, body_force);
+    return make_plane_body(std::move(split_mesh),
+                           conditions,
+                           {material()},
+                           problem.kinematics,
+                           problem.contact.empty() ? nowhere : everywhere,
+                           loads);
+  }
+
+
+
+  /// The bounds, relative to the @p exact factor, are between @p least and 1,
+  /// and between 1 and @p most.
+  void
+  test(const std::string &title,
+       const Problem     &problem,
+       const double       exact,
+       const double       least,
+       const double       most)
+  {
+    for (const auto &[kind, name] : kinds)
+      {
+        const PlaneBody body   = make_problem(problem, kind);
+        const LimitLoad bounds = bound_limit_load(body);
+        output() << title << name << std::endl;
+        verify("below the exact factor",
+               bounds.lower_bound <= exact * (1. + 1e-9));
+        verify("near to it", bounds.lower_bound >= least * exact);
+        verify("admissible stress",
+               check_stress(body, bounds.stress).largest(),
+               1e-9);
+        verify("above the exact factor",
+               bounds.upper_bound >= exact * (1. - 1e-9));
+        verify("near to it", bounds.upper_bound <= most * exact);
+        verify("admissible velocity", bounds.velocity.error, 1e-9);
+        verify("sum of the gaps",
+               std::abs(
+                 std::accumulate(bounds.gaps.begin(), bounds.gaps.end(), 0.) /
+                   power_of_loads(body, bounds.velocity.velocity).growing -
+                 (bounds.upper_bound - bounds.lower_bound)),
+               1e-5);
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const double exactly = 5e-5;
+  test("Sheet in tension",
+       {Kinematics::plane_stress, 0., "top: 0; t", "", {"right"}},
+       1.,
+       1. - exactly,
+       1. + exactly);
+  test("Slab in tension, all loads grow",
+       {Kinematics::cartesian, 0., "top: 0; 0.01", "", {"right"}},
+       200. * k,
+       1. - exactly,
+       1. + exactly);
+  test("Slab in tension beside a constant pressure",
+       {Kinematics::cartesian, 0., "top: 0; t | right: -0.3; 0", ""},
+       2. * k - 0.3,
+       1. - exactly,
+       1. + exactly);
+  test("Bar in tension under a constant pressure",
+       {Kinematics::axisymmetric, 0., "top: 0; t | right: -0.3; 0", ""},
+       1. - 0.3,
+       1. - exactly,
+       1. + exactly);
+  // sigma_rr = 2 k ln(r / 2)
+  test("Tube under pressure in plane strain",
+       {Kinematics::axisymmetric, 1., "left: 2*t; 0 | right: 0; 0", ""},
+       k * std::log(2.),
+       0.93,
+       1.02);
+  // sigma_xy = t x, k at the wall
+  test("Slab between rough walls under its weight",
+       {Kinematics::cartesian,
+        0.,
+        "top: t*x; 0 | bottom: -t*x; 0",
+        "0; -t",
+        {},
+        {},
+        {"right"}},
+       k / 2.,
+       1. - exactly,
+       1. + exactly);
+  test("Slab between an anvil and the ground, drawn to the side",
+       {Kinematics::cartesian, 0., "right: t; 0", "", {}, {"top"}},
+       2. * k,
+       1. - exactly,
+       1. + exactly);
+}
