@@ -52,9 +52,18 @@ add_message_test(limit_load_no_indenter 2 "entry 'Indenter/Type' is 'none', but 
 add_message_test(limit_load_resume 2 "nothing to resume. Leave out --resume" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --resume)
 set(_full_width ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --quiet --overwrite
   --set "Indenter/Half width=10" --set "Boundary conditions/Free=" --set "Boundary conditions/Fixed=bottom, right")
-add_message_test(limit_load_enclosed 3 "No velocity moves the whole indenter down: it reaches a point that is held, or the supports enclose the body" ${_full_width} --output-directory limit_load_enclosed)
+add_message_test(limit_load_enclosed 3 "There is no limit load: the supports enclose the body, which bears any load, or the indenter reaches a point that is held. Let .Indenter/Reach. end before" ${_full_width} --output-directory limit_load_enclosed)
 add_message_test(limit_load_held_point 3 "No velocity moves the whole indenter down: it reaches a point that is held" ${_full_width} --output-directory limit_load_held_point --set "Kinematics=plane stress")
 add_message_test(limit_load_tractions 3 "The body does not even bear the given tractions" ${_files}/pulled_apart.prm --quiet --overwrite --output-directory limit_load_tractions)
+
+set(_pulled_block ${_files}/pulled_apart.prm --quiet --overwrite --set "Limit load/Load=tractions")
+add_message_test(no_growing_load 2 "entry 'Limit load/Load' is 'tractions', but there is no traction" ${_pulled_block} --output-directory no_growing_load --set "Boundary conditions/Traction=right: 0@ 0")
+add_message_test(load_not_linear 2 "entry 'Limit load/Load' is 'tractions', but tractions and body forces must be linear functions of the time t" ${_pulled_block} --output-directory load_not_linear --set "Boundary conditions/Traction=right: t^2@ 0")
+add_message_test(body_force_by_position 2 "The body force .'Body force'. depends on the position. The equilibrium method is for constant ones" ${_pulled_block} --output-directory body_force_by_position --set "Body force=x@ 0")
+add_message_test(no_limit_of_loads 3 "There is no limit load: the supports enclose the body, which bears any load" ${_pulled_block} --output-directory no_limit_of_loads --set "Boundary conditions/Fixed=bottom, left, top" --set "Boundary conditions/Roller=" --set "Boundary conditions/Contact=" --set Indenter/Type=none --set "Boundary conditions/Traction=right: -t@ 0" --set "Body force=1@ 0")
+add_entry_test(body_force_components "entry 'Body force' is '1', but it must have 2 components separated by ';', one per dimension" "Body force=1")
+add_entry_test(body_force_error_bound "entry 'Body force' is '0. 1', but 'Analysis = contact with error bound' knows no body forces. Leave it empty" "Analysis=contact with error bound" "Body force=0@ 1")
+add_entry_test(body_force_of_sheet "entry 'Body force' is '0. 1', but 'Analysis = limit load' knows no body forces in plane stress" "Analysis=limit load" "Kinematics=plane stress" "Body force=0@ 1")
 
 # Finite strains
 add_entry_test(limit_load_finite "entry 'Strain' is 'logarithmic', but 'Analysis = limit load' is for small strains" "Analysis=limit load" Strain=logarithmic)
@@ -386,7 +395,7 @@ add_message_test(no_error_bound 3 "Error: The contact problem has been solved, a
   ${_no_bound} --output-directory no_error_bound --set "Refinement/Number of cycles=1")
 add_message_test(no_error_bound_yet 3 "Warning: The contact problem has been solved, but there is no error bound on this mesh"
   ${_no_bound} --output-directory no_error_bound_yet --set "Refinement/Number of cycles=2")
-add_message_test(no_limit_load_to_compare 0 "Warning: There is no bound of the limit load to compare the force 1 with. No velocity moves the whole indenter down: it reaches a point that is held, or the supports enclose the body."
+add_message_test(no_limit_load_to_compare 0 "Warning: There is no bound of the limit load to compare the force 1 with. There is no limit load: the supports enclose the body"
   ${_full_width} --output-directory no_limit_load_to_compare --set "Analysis=contact" --set "Loading/Control=force" --set "Output/Fields=never")
 # With tractions, be they zero, the program comes to the limit itself. Steps that are
 # taken back and cut come closer: under a circular punch, the exact one is 10.3.
@@ -397,7 +406,10 @@ add_message_test(close_to_limit_load 4 "Error: No equilibrium .* The largest for
   ${_circular_punch} --output-directory close_to_limit_load --set "Loading/Force=20"
   --set "Loading/Number of steps=4" --set "Loading/Maximum number of cuts=3")
 add_message_test(tractions_beyond_limit 4 "Error: No equilibrium has been found under the tractions at t = 0.57[0-9]*: they seem to be beyond the limit load of the body, whose material stops hardening. The last equilibrium is that at t = 0.57[0-9]*. Prescribe smaller tractions"
-  ${_files}/pulled_too_far.prm --quiet --overwrite --output-directory tractions_beyond_limit)
+  ${_files}/pulled_too_far.prm --quiet --overwrite --output-directory tractions_beyond_limit --set Dimension=3
+  --set "Boundary conditions/Roller=left, bottom, front, back" --set "Boundary conditions/Traction=right: 2*t@ 0@ 0")
+add_message_test(unsafe_tractions 4 "Error: There is no equilibrium under the largest load of tractions and body forces: the limit load of the body is between 0.57735[0-9]* and 0.57735[0-9]* times that. Prescribe smaller loads"
+  ${_files}/pulled_too_far.prm --quiet --overwrite --output-directory unsafe_tractions)
 # The exact limit of the punch is 10.3: what the first mesh bears, the next one does not.
 add_message_test(adapted_mesh_too_soft 0 "Warning: No equilibrium has been found on the adapted mesh under the load of step 5. the next step begins with the interpolated state"
   ${_circular_punch} --output-directory adapted_mesh_too_soft --set "Loading/History=1: force 10.5 | 2: force 0"

@@ -95,6 +95,44 @@ namespace
 
 
 
+  // Maximise lambda with x_0 = 2 lambda and x_1 = 1.2 in the ball of radius 2:
+  // 2 lambda = sqrt(4 - x_1^2).
+  void
+  test_load_factor()
+  {
+    ConicProgram program;
+    program.blocks = {ball(3, 2.)};
+    Vector<double> row(3);
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        row    = 0.;
+        row[i] = 1.;
+        program.blocks[0].add_to_equation(i, row);
+      }
+    program.right_hand_side.reinit(2);
+    program.right_hand_side[1] = 1.2;
+    program.growth.reinit(2);
+    program.growth[0] = 2.;
+
+    const ConicSolution solution = minimize(program, 1e-12);
+    output() << "Load factor" << std::endl;
+    verify("load factor", std::abs(solution.load_factor - 0.8), 1e-9);
+    verify("cost", std::abs(solution.cost + 0.8), 1e-9);
+    verify("x",
+           std::abs(solution.x[0] - 1.6) + std::abs(solution.x[1] - 1.2) +
+             std::abs(solution.x[2]),
+           1e-6);
+    // d cost / d b = -y
+    verify("multipliers",
+           std::abs(solution.y[0] + 0.5) + std::abs(solution.y[1] + 0.375),
+           1e-5);
+
+    program.right_hand_side[1] = 2.2;
+    print_error("No load factor", [&]() { minimize(program, 1e-9); });
+  }
+
+
+
   void
   test_no_solution()
   {
@@ -140,6 +178,7 @@ main(int argc, char *argv[])
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_linear_cost();
   test_quadratic_cost();
+  test_load_factor();
   test_no_solution();
   test_unbounded();
 }

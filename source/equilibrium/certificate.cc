@@ -32,7 +32,7 @@ namespace ElastoPlastic
   {
     // for the equations in a certificate, relative to its inequality
     constexpr double multiplier_tolerance = 1e-7;
-    constexpr double direction_tolerance  = 1e-6;
+    constexpr double direction_tolerance  = 1e-5;
 
     Vector<double> multipliers_product(residual.x.size()), // A^T y + G^T z
       cone_residual(residual.z.size());                    // G x + s

@@ -17,8 +17,9 @@ namespace ElastoPlastic
     constexpr double smallest_cost = 1e-12;
 
     /// So well are the equations satisfied in the end, relative to the largest
-    /// of their terms.
-    constexpr double       final_tolerance  = 1e-10;
+    /// of their terms. Those of the forces count as stresses on small sides.
+    constexpr double       primal_tolerance = 1e-13;
+    constexpr double       dual_tolerance   = 1e-10;
     constexpr unsigned int max_restorations = 5;
 
 
@@ -34,8 +35,8 @@ namespace ElastoPlastic
     bool
     satisfies_equations(const ConicSolution &solution)
     {
-      return std::max(solution.primal_error, solution.dual_error) <=
-             final_tolerance;
+      return solution.primal_error <= primal_tolerance &&
+             solution.dual_error <= dual_tolerance;
     }
 
 

@@ -36,6 +36,11 @@ namespace ElastoPlastic
 
 
 
+    /// A growth of the right-hand side is of order 1, or rounding errors.
+    constexpr double smallest_growth = 1e-10;
+
+
+
     /// The part of s^T z that a cone may keep.
     double
     weight(const ConeScale &scale)
@@ -131,6 +136,9 @@ namespace ElastoPlastic
     ConicSolution
     InteriorPoint::run()
     {
+      if (program.growth.size() > 0 &&
+          program.growth.linfty_norm() < smallest_growth)
+        throw UnboundedError();
       begin();
       while (!converged() && current.n_iterations < max_iterations &&
              current.n_iterations <= best.n_iterations + max_idle_iterations &&

@@ -258,11 +258,10 @@ namespace ElastoPlastic
                           &errors.tension,
                           &errors.yield_excess})
       *error /= body.stress_unit;
-    errors.force_difference =
-      std::abs(force - field.force) /
-      std::max(std::abs(force),
-               body.stress_unit * body.length_unit * body.weight_unit() *
-                 body.angle());
+    errors.force_difference = std::abs(force - field.force) /
+                              std::max(std::abs(force),
+                                       body.stress_unit * body.length_unit *
+                                         body.weight_unit() * body.angle());
     return errors;
   }
 

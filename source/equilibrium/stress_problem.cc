@@ -59,7 +59,8 @@ namespace ElastoPlastic
         {
           throw ConvergenceError(
             "There is no limit load: the supports enclose the body, which bears "
-            "any force.");
+            "any load, or the indenter reaches a point that is held. Let "
+            "'Indenter/Reach' end before what is held.");
         }
       catch (const NoSolutionError &)
         {

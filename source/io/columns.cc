@@ -199,13 +199,13 @@ namespace ElastoPlastic
       {"cycle", "1", "number of the mesh, from 0", &R::cycle},
       {"cells", "1", "of the mesh", &R::cells},
       {"triangles", "1", "that the cells are split into", &R::triangles},
-      {"lower_bound", "force", "of the limit load: that of stresses in equilibrium which satisfy the yield condition", &R::lower_bound},
-      {"upper_bound", "force", "of the limit load: that of a mechanism of collapse", &R::upper_bound},
+      {"lower_bound", "force", "of the limit load (of the load factor, without unit, if tractions grow): that of stresses in equilibrium which satisfy the yield condition", &R::lower_bound},
+      {"upper_bound", "force", "of the same: that of a mechanism of collapse", &R::upper_bound},
       {"relative_difference", "1", "of the bounds, over the lower one", &R::relative_difference},
       {"lower_iterations", "1", "of the interior point method", &R::lower_iterations},
       {"upper_iterations", "1", "of the interior point method", &R::upper_iterations},
       {"stress_error", "1", "the largest violation of equilibrium, tractions or yield condition", &R::stress_error},
-      {"velocity_error", "1", "the largest violation of incompressibility, supports or indenter by the mechanism, relative to the velocity of the indenter", &R::velocity_error},
+      {"velocity_error", "1", "the largest violation of incompressibility, supports or indenter by the mechanism, relative to the velocity of the indenter, or if tractions grow, to the largest one", &R::velocity_error},
       {"wall_seconds", "seconds", "for both bounds", &R::wall_seconds}};
     return columns;
   }

@@ -21,6 +21,7 @@ from .finite_strain import (cone_in_space, finite_cone, finite_strain, finite_st
                             finite_strain_resume, published_cones, pyramids, symmetric_bodies)
 from .friction import (bonded_punch, friction_ranks, friction_resume, friction_symmetries, mindlin_cylinder,
                        mindlin_sphere, sliding_mesh, spence, ssnv128)
+from .loads import body_force, limit_load_factors
 from .hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
 from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
@@ -282,7 +283,7 @@ ALL = {
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space,
                      sphere_indentation, cone_indentation, contact_edge, contact_mesh, imprint,
                      imprint_ranks, probes, mean_strain_of_rings, strip_punch, strip_punch_locks,
-                     limit_load, limit_load_revolution, blas_kernels, safe_load, error_bound, error_bound_ranks,
+                     limit_load, limit_load_revolution, limit_load_factors, body_force, blas_kernels, safe_load, error_bound, error_bound_ranks,
                      error_bound_refinement, force_bounds, equilibrium_hertz, equilibrium_limit, zero_stress,
                      zero_force, far_indenter, contrast, nearly_incompressible, job_preview,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,

@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cases of verify: body forces, and limits of load factors."""
+
+import math
+
+BAR = "verification/uniaxial_stress.prm"
+FREE = ("Boundary conditions/Prescribed displacement=", "Loading/Number of steps=1")
+QUADRATIC = ("Discretization/Polynomial degree=2", "Discretization/Volumetric treatment=standard")
+
+
+def body_force(runner):
+    """A bar under its weight g: without lateral contraction, its end moves by g L^2 / (2 E)."""
+    weight, young = 100, 200000
+    probe = ("Material/Law=linear elastic", "Material/Poisson's ratio=0", *FREE, *QUADRATIC)
+    bars = {"in space": (1, ("Boundary conditions/Free=right, back, top", f"Body force=0; 0; -{weight}*t",
+                             "Output/Probe points=end: 0.3, 0.3, 1")),
+            "in plane strain": (1, ("Dimension=2", "Boundary conditions/Roller=left, bottom",
+                                    "Boundary conditions/Free=right, top", f"Body force=0; -{weight}*t",
+                                    "Output/Probe points=end: 0.3, 1")),
+            "of revolution": (math.pi, ("Dimension=2", "Kinematics=axisymmetric",
+                                        "Boundary conditions/Roller=left, bottom",
+                                        "Boundary conditions/Free=right, top", f"Body force=0; -{weight}",
+                                        "Output/Probe points=end: 0.3, 1"))}
+    for name, (area, entries) in bars.items():
+        tables = runner.tables(BAR, *probe, *entries)
+        axis = "z" if name == "in space" else "y"
+        runner.compare(f"bar {name}: displacement of its end", tables["probes"][-1][f"end_displacement_{axis}"],
+                       -weight / (2 * young), 1e-9)
+        runner.compare(f"bar {name}: reaction", tables["reactions"][-1][f"bottom_{axis}"], area * weight, 1e-9)
+    finite = runner.tables(BAR, *probe, *bars["in space"][1], "Strain=logarithmic", "Body force=0; 0; -20000*t")
+    runner.compare("bar with finite strains: reaction", finite["reactions"][-1]["bottom_z"], 20000, 1e-9)
+
+
+def limit_load_factors(runner):
+    """Load factors of weight and tractions between bounds, around exact and published values."""
+    ligament = 0.5  # of the notched bars, over their width
+    cases = {"vertical cut": ("vertical_cut", 3.7752, 3.7776, ()),
+             "plate with a hole": ("plate_with_hole", 0.8, 0.8, ("Refinement/Number of cycles=2",)),
+             "flat notched bar, plane stress":
+                 ("notched_bar", *2 * (2 / math.sqrt(3) * ligament,), ("Kinematics=plane stress",)),
+             "flat notched bar, plane strain":
+                 ("notched_bar", *2 * (2 / math.sqrt(3) * ligament * (1 + math.log(1.5)),),
+                  ("Kinematics=plane strain",)),
+             "round notched bar": ("notched_bar", 0.606, 0.611, ())}
+    for name, (case, lower, upper, entries) in cases.items():
+        rows = runner.tables(f"limit_load/{case}.prm", *entries)["limit_load"]
+        for row in rows:
+            below, above = row["lower_bound"], row["upper_bound"]
+            runner.verify(f"{name}: {below:.6g} <= limit <= {above:.6g}", below <= upper + 1e-6 and above >= lower - 1e-6)
+        runner.compare(f"{name}: difference of the bounds", rows[-1]["relative_difference"], 0, 0.007, absolute=True)
+        runner.compare(f"{name}: largest error of stresses and velocities",
+                       max(max(row["stress_error"], row["velocity_error"]) for row in rows), 0, 1e-9, absolute=True)
+    weight = runner.tables("limit_load/vertical_cut.prm", "Refinement/Number of cycles=3", "Body force=0; -1000",
+                           "Material/Yield stress=1e6")["limit_load"][-1]
+    same = runner.tables("limit_load/vertical_cut.prm", "Refinement/Number of cycles=3")["limit_load"][-1]
+    for bound in ("lower_bound", "upper_bound"):
+        runner.compare(f"vertical cut in other units, {bound}", weight[bound], same[bound] * 1e3 / math.sqrt(3), 1e-5)
