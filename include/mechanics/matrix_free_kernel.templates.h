@@ -56,10 +56,10 @@ namespace ElastoPlastic
 
 
 
-  // (Not inlined: in a function as large as that around it, the compiler would
-  // inline nothing else.)
+  // (Not inlined itself, but with all that it calls: there are so many kinds of
+  // kernels that the compiler would not do so, and be a tenth slower.)
   template <int degree, typename StrainMeasure, typename Base>
-  [[gnu::noinline]] void
+  [[gnu::noinline, gnu::flatten]] void
   MatrixFreeKernel<degree, StrainMeasure, Base>::apply_tangent(
     Evaluation &phi, const Tangents &tangents) const
   {
