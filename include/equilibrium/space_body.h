@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_space_body_h
+#define equilibrium_space_body_h
+
+#include <functional>
+#include <vector>
+
+#include "contact/surface_finish.h"
+#include "equilibrium/plane_body.h"
+#include "equilibrium/tetrahedral_mesh.h"
+#include "material/material.h"
+#include "mesh/boundary_conditions.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The condition of a face: for each of three directions at right angles.
+  /// What SideCondition is in two dimensions.
+  struct FaceCondition
+  {
+    struct Component
+    {
+      Tensor<1, 3>      direction;
+      SideConditionType type;
+      /// A given traction at the corners of the face, between which it is
+      /// linear.
+      std::array<double, 3> tractions = {};
+    };
+
+    std::array<Component, 3> components;
+
+    /// See SideCondition::is_reached.
+    bool is_reached = false;
+  };
+
+
+
+  /// What the condition of a face at the boundary demands of a mechanism.
+  struct FaceSupport
+  {
+    /// Nothing moves through the face.
+    bool is_closed = false;
+    /// To slide along the face, or along the indenter, takes plastic work.
+    bool resists_slip = false;
+  };
+
+
+
+  /// The problem of the limit load in space: the mesh, the materials, what acts
+  /// on the faces, and the units in which it is computed.
+  struct SpaceBody
+  {
+    TetrahedralMesh               mesh;
+    std::vector<FaceCondition>    conditions; ///< by faces
+    std::vector<Material<double>> materials;  ///< by tetrahedra
+    SurfaceFinish                 indenter_surface = SurfaceFinish::smooth;
+
+    double stress_unit; ///< the smallest yield radius
+    double length_unit; ///< of the size of the body
+
+    /// If a face is held in a direction oblique to it, it is taken to be
+    /// closed, and rough if it is held in any direction along it: such a
+    /// mechanism is admissible as well.
+    FaceSupport
+    support_of(const unsigned int face) const;
+
+    /// What a force per corner is in units: a third of the area of a face.
+    double
+    area_of_corner(const unsigned int face) const;
+
+    /// The yield stress in shear of the weaker of the tetrahedra at a face.
+    double
+    shear_strength(const unsigned int face) const;
+
+    /// The rows of the @p face's corners among three for each face.
+    static constexpr unsigned int
+    index(const unsigned int face, const unsigned int corner)
+    {
+      return 3 * face + corner;
+    }
+  };
+
+
+
+  /// Puts a SpaceBody together. The tractions are those at @p time. The
+  /// indenter can touch a face of the contact boundary where @p gap is finite
+  /// in all of it. If there is one material only, all cells are of it.
+  /// @throws InputError for tractions that are not linear on the faces.
+  SpaceBody
+  make_space_body(TetrahedralMesh                                mesh,
+                  const BoundaryConditions<3>                   &conditions,
+                  const std::vector<Material<double>>           &materials,
+                  const std::function<double(const Point<3> &)> &gap,
+                  const double                                   time,
+                  const SurfaceFinish indenter_surface = SurfaceFinish::smooth);
+} // namespace ElastoPlastic
+
+#endif

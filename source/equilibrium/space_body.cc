@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/exceptions.h"
+#include "equilibrium/space_body.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// Cosine and sine below which directions are at right angles or parallel.
+    constexpr double small_angle = 1e-10;
+
+
+
+    /// Tells the conditions of faces from those of the boundaries.
+    class FaceConditions
+    {
+    public:
+      FaceConditions(const BoundaryConditions<3>                   &conditions,
+                     const std::function<double(const Point<3> &)> &gap,
+                     const double                                   time,
+                     const SurfaceFinish indenter_surface)
+        : contact(conditions.ids(BoundaryConditionType::contact))
+        , fixed(conditions.ids(BoundaryConditionType::fixed))
+        , rollers(conditions.ids(BoundaryConditionType::roller))
+        , displacements(conditions.prescribed_displacements())
+        , tractions(conditions.tractions())
+        , gap(gap)
+        , time(time)
+        , indenter_surface(indenter_surface)
+      {}
+
+      FaceCondition
+      operator()(const TriangleFace      &corners,
+                 const types::boundary_id id) const
+      {
+        using Type = SideConditionType;
+        if (id == numbers::internal_face_boundary_id)
+          return along_axes({{Type::continuous, Type::continuous, Type::continuous}});
+        if (fixed.count(id) > 0)
+          return along_axes({{Type::displacement, Type::displacement, Type::displacement}});
+        if (rollers.count(id) > 0)
+          return on_roller(corners);
+        FaceCondition condition =
+          along_axes({{Type::traction, Type::traction, Type::traction}});
+        if (contact.count(id) > 0)
+          press(condition, corners);
+        if (const auto found = displacements.find(id);
+            found != displacements.end())
+          for (unsigned int d = 0; d < 3; ++d)
+            if (found->second[d])
+              condition.components[d].type = Type::displacement;
+        if (const auto found = tractions.find(id); found != tractions.end())
+          for (unsigned int d = 0; d < 3; ++d)
+            condition.components[d].tractions =
+              values_at_corners(*found->second[d], corners);
+        return condition;
+      }
+
+    private:
+      using Values =
+        std::map<types::boundary_id, BoundaryConditions<3>::Components>;
+
+      static FaceCondition
+      along_axes(const std::array<SideConditionType, 3> &types)
+      {
+        FaceCondition condition;
+        for (unsigned int d = 0; d < 3; ++d)
+          condition.components[d] = {Point<3>::unit_vector(d), types[d]};
+        return condition;
+      }
+
+      static FaceCondition
+      on_roller(const TriangleFace &corners)
+      {
+        const auto    across = tangents(corners);
+        FaceCondition condition;
+        condition.components = {
+          {{normal(corners), SideConditionType::displacement},
+           {across[0], SideConditionType::traction},
+           {across[1], SideConditionType::traction}}};
+        return condition;
+      }
+
+      void
+      press(FaceCondition &condition, const TriangleFace &corners) const
+      {
+        const Reach reach    = reach_of(corners);
+        condition.is_reached = reach != Reach::none;
+        const bool is_rough  = indenter_surface == SurfaceFinish::rough;
+        if (condition.is_reached && is_rough &&
+            std::hypot(normal(corners)[0], normal(corners)[1]) > small_angle)
+          throw InputError("Indenter/Surface",
+                           "rough",
+                           "the bounds of a rough indenter are for contact "
+                           "boundaries that are level where it can touch. "
+                           "Choose 'smooth', or reduce 'Indenter/Reach'.");
+        if (reach != Reach::whole)
+          return;
+        condition.components[2].type = SideConditionType::contact;
+        if (is_rough)
+          for (unsigned int d = 0; d < 2; ++d)
+            condition.components[d].type = SideConditionType::displacement;
+      }
+
+      std::array<double, 3>
+      values_at_corners(const Expression<3> &expression,
+                        const TriangleFace  &corners) const
+      {
+        constexpr double rounding = 1e-9;
+
+        std::array<double, 3> values;
+        double                largest = 0;
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            values[i] = expression.value(corners[i], time);
+            largest   = std::max(largest, std::abs(values[i]));
+          }
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            const unsigned int j = (i + 1) % 3;
+            const Point<3> middle(0.5 * (corners[i] + corners[j]));
+            if (std::abs(expression.value(middle, time) -
+                         0.5 * (values[i] + values[j])) > rounding * largest)
+              throw InputError(
+                "A traction of 'Boundary conditions/Traction' is not linear "
+                "on the faces of the mesh. In space, 'Analysis = limit load' "
+                "is for tractions that are linear functions of x, y and z.");
+          }
+        return values;
+      }
+
+      /// How much of a face the indenter can touch.
+      enum class Reach
+      {
+        none,
+        part,
+        whole
+      };
+
+      Reach
+      reach_of(const TriangleFace &corners) const
+      {
+        constexpr unsigned int n_intervals = 8;
+        constexpr double       inset       = 1e-6;
+
+        const Point<3> center((corners[0] + corners[1] + corners[2]) / 3.);
+        unsigned int   n_finite = 0, n_points = 0;
+        for (unsigned int i = 0; i <= n_intervals; ++i)
+          for (unsigned int j = 0; i + j <= n_intervals; ++j, ++n_points)
+            {
+              const double a = i / static_cast<double>(n_intervals),
+                           b = j / static_cast<double>(n_intervals);
+              const Point<3> x(corners[0] + a * (corners[1] - corners[0]) +
+                               b * (corners[2] - corners[0]));
+              if (std::isfinite(gap(Point<3>(x + inset * (center - x)))))
+                ++n_finite;
+            }
+        return n_finite == 0       ? Reach::none :
+               n_finite < n_points ? Reach::part :
+                                     Reach::whole;
+      }
+
+      const std::set<types::boundary_id>             contact;
+      const std::set<types::boundary_id>             fixed;
+      const std::set<types::boundary_id>             rollers;
+      const Values                                  &displacements;
+      const Values                                  &tractions;
+      const std::function<double(const Point<3> &)> &gap;
+      const double                                   time;
+      const SurfaceFinish                            indenter_surface;
+    };
+  } // namespace
+
+
+
+  FaceSupport
+  SpaceBody::support_of(const unsigned int f) const
+  {
+    const FaceCondition &condition = conditions[f];
+    FaceSupport          support;
+    if (condition.is_reached)
+      {
+        support.resists_slip = indenter_surface == SurfaceFinish::rough;
+        return support;
+      }
+    const Tensor<1, 3> n = normal(mesh.corners(mesh.faces[f]));
+    for (const auto &component : condition.components)
+      if (component.type == SideConditionType::displacement)
+        {
+          if (std::abs(component.direction * n) > small_angle)
+            support.is_closed = true;
+          if (cross_product_3d(component.direction, n).norm() > small_angle)
+            support.resists_slip = true;
+        }
+    return support;
+  }
+
+
+
+  double
+  SpaceBody::area_of_corner(const unsigned int f) const
+  {
+    return area(mesh.corners(mesh.faces[f])) /
+           (3. * length_unit * length_unit);
+  }
+
+
+
+  double
+  SpaceBody::shear_strength(const unsigned int f) const
+  {
+    double radius = std::numeric_limits<double>::infinity();
+    for (const unsigned int t : mesh.faces[f].neighbors)
+      if (t != numbers::invalid_unsigned_int)
+        radius = std::min(radius, materials[t].yield_radius);
+    return std::sqrt(0.5) * radius;
+  }
+
+
+
+  SpaceBody
+  make_space_body(TetrahedralMesh                                mesh,
+                  const BoundaryConditions<3>                   &conditions,
+                  const std::vector<Material<double>>           &materials,
+                  const std::function<double(const Point<3> &)> &gap,
+                  const double                                   time,
+                  const SurfaceFinish indenter_surface)
+  {
+    SpaceBody body;
+    body.mesh             = std::move(mesh);
+    body.indenter_surface = indenter_surface;
+
+    const FaceConditions condition_of(conditions, gap, time, indenter_surface);
+    for (const auto &face : body.mesh.faces)
+      body.conditions.push_back(
+        condition_of(body.mesh.corners(face), face.boundary_id));
+    for (const auto &tetrahedron : body.mesh.tetrahedra)
+      body.materials.push_back(
+        materials.size() == 1 ?
+          materials.front() :
+          materials[body.mesh.cells[tetrahedron.cell].material_id]);
+
+    body.stress_unit = std::numeric_limits<double>::infinity();
+    for (const Material<double> &material : materials)
+      body.stress_unit = std::min(body.stress_unit, material.yield_radius);
+    body.length_unit = 0;
+    for (const Point<3> &vertex : body.mesh.vertices)
+      body.length_unit = std::max(body.length_unit,
+                                  vertex.distance(body.mesh.vertices.front()));
+    return body;
+  }
+} // namespace ElastoPlastic
