@@ -6,8 +6,11 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <type_traits>
+
 #include "contact/gap_function.h"
 #include "equilibrium/limit_load.h"
+#include "equilibrium/space_limit_load.h"
 #include "io/columns.h"
 #include "io/equilibrium_output.h"
 #include "io/log.h"
@@ -16,20 +19,21 @@
 
 namespace ElastoPlastic
 {
-  /// The largest force that an indenter can exert on a plane body of perfectly
+  /// The largest force that an indenter can exert on a body of perfectly
   /// plastic materials, between two rigorous bounds: that of stresses in exact
   /// equilibrium, which are safe, and that of a mechanism of collapse
   /// (doc/theory.md, "Limit loads"). The mesh is refined where the two fields
   /// disagree.
   ///
   /// The mesh is distributed; the conic programs are solved by the first rank.
+  template <int dim>
   class LimitLoadAnalysis
   {
   public:
     /// Builds the mesh and checks what can be checked before anything is
     /// computed. @p model and @p parameters must outlive this object.
     /// @throws InputError
-    LimitLoadAnalysis(const Model<2>   &model,
+    LimitLoadAnalysis(const Model<dim> &model,
                       const Parameters &parameters,
                       const MPI_Comm    communicator);
 
@@ -40,7 +44,7 @@ namespace ElastoPlastic
     run(const bool overwrite);
 
     /// Refines the mesh until it is decided whether the body can bear the
-    /// @p force, or until there are many triangles. Writes no files.
+    /// @p force, or until there are many cells. Writes no files.
     /// @throws EquilibriumError if it cannot, or if that remains undecided.
     void
     require_safe(const double force);
@@ -54,6 +58,9 @@ namespace ElastoPlastic
     n_cells() const;
 
   private:
+    using Body   = std::conditional_t<dim == 2, PlaneBody, SpaceBody>;
+    using Bounds = std::conditional_t<dim == 2, LimitLoad, SpaceLimitLoad>;
+
     void
     setup_body();
 
@@ -78,7 +85,7 @@ namespace ElastoPlastic
     void
     refine_mesh();
 
-    const Model<2>   &model;
+    const Model<dim> &model;
     const Parameters &parameters;
     const MPI_Comm    communicator;
     const bool        first_rank;
@@ -87,12 +94,12 @@ namespace ElastoPlastic
     EquilibriumOutput output;
     unsigned int      cycle = 0;
 
-    parallel::distributed::Triangulation<2> triangulation;
-    const GapFunction<2>                    gap_function;
+    parallel::distributed::Triangulation<dim> triangulation;
+    const GapFunction<dim>                    gap_function;
 
     // On the first rank: the problem on the present mesh, and its solution.
-    PlaneBody body;
-    LimitLoad bounds;
+    Body   body;
+    Bounds bounds;
 
     // On all ranks: what limit_load.csv says of it; by active cells of this
     // rank, the square roots of LimitLoad::gaps, like other indicators.

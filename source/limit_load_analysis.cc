@@ -40,13 +40,85 @@ namespace ElastoPlastic
             "this analysis can find. Set 'Material/Law = perfectly plastic' "
             "with a yield stress for each material.");
     }
+
+
+
+    const std::vector<SplitMesh::Triangle> &
+    simplices_of(const SplitMesh &mesh)
+    {
+      return mesh.triangles;
+    }
+
+
+
+    const std::vector<TetrahedralMesh::Simplex> &
+    simplices_of(const TetrahedralMesh &mesh)
+    {
+      return mesh.tetrahedra;
+    }
+
+
+
+    PlaneBody
+    make_body(SplitMesh             mesh,
+              const Model<2>       &model,
+              const GapFunction<2> &gap_function,
+              const Parameters     &parameters)
+    {
+      return make_plane_body(
+        std::move(mesh),
+        model.boundary_conditions,
+        model.materials,
+        model.strain_model.kinematics,
+        [&](const Point<2> &x) { return gap_function.value(x); },
+        /* time = */ 0.,
+        parameters.indenter.surface);
+    }
+
+
+
+    SpaceBody
+    make_body(TetrahedralMesh       mesh,
+              const Model<3>       &model,
+              const GapFunction<3> &gap_function,
+              const Parameters     &parameters)
+    {
+      return make_space_body(
+        std::move(mesh),
+        model.boundary_conditions,
+        model.materials,
+        [&](const Point<3> &x) { return gap_function.value(x); },
+        /* time = */ 0.,
+        parameters.indenter.surface);
+    }
+
+
+
+    EquilibriumFields
+    fields_of(const PlaneBody &body, const LimitLoad &bounds)
+    {
+      std::vector<std::array<Tensor<1, 2>, 4>> velocities;
+      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+        velocities.push_back(
+          values_at_vertices(body, bounds.velocity.velocity[t], t));
+      return {body, bounds.stress, velocities, bounds.gaps};
+    }
+
+
+
+    SpaceFields
+    fields_of(const SpaceBody &body, const SpaceLimitLoad &bounds)
+    {
+      return {body, bounds};
+    }
   } // namespace
 
 
 
-  LimitLoadAnalysis::LimitLoadAnalysis(const Model<2>   &model,
-                                       const Parameters &parameters,
-                                       const MPI_Comm    communicator)
+  template <int dim>
+  LimitLoadAnalysis<dim>::LimitLoadAnalysis(const Model<dim> &model,
+                                            const Parameters &parameters,
+                                            const MPI_Comm    communicator)
     : model(model)
     , parameters(parameters)
     , communicator(communicator)
@@ -68,8 +140,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   void
-  LimitLoadAnalysis::run(const bool overwrite)
+  LimitLoadAnalysis<dim>::run(const bool overwrite)
   {
     log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     setup_body();
@@ -94,8 +167,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   void
-  LimitLoadAnalysis::require_safe(const double force)
+  LimitLoadAnalysis<dim>::require_safe(const double force)
   {
     setup_body();
     find_bounds();
@@ -115,8 +189,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   bool
-  LimitLoadAnalysis::is_safe_at_first_sight(const double force)
+  LimitLoadAnalysis<dim>::is_safe_at_first_sight(const double force)
   {
     setup_body();
     find_bounds();
@@ -125,8 +200,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   bool
-  LimitLoadAnalysis::is_safe(const double force) const
+  LimitLoadAnalysis<dim>::is_safe(const double force) const
   {
     if (force >= row.upper_bound)
       throw EquilibriumError("There is no equilibrium under the force " +
@@ -138,8 +214,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   std::string
-  LimitLoadAnalysis::bounds_in_words() const
+  LimitLoadAnalysis<dim>::bounds_in_words() const
   {
     return "between " + Patterns::Tools::to_string(row.lower_bound) + " and " +
            Patterns::Tools::to_string(row.upper_bound) +
@@ -148,8 +225,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   types::global_cell_index
-  LimitLoadAnalysis::n_cells() const
+  LimitLoadAnalysis<dim>::n_cells() const
   {
     return triangulation.n_global_active_cells();
   }
@@ -157,28 +235,23 @@ namespace ElastoPlastic
 
 
   // For the first rank.
+  template <int dim>
   void
-  LimitLoadAnalysis::setup_body()
+  LimitLoadAnalysis<dim>::setup_body()
   {
-    SplitMesh mesh = make_split_mesh(triangulation);
+    auto mesh = make_split_mesh(triangulation);
     rethrow_collectively(communicator, [&]() {
       if (first_rank)
-        body = make_plane_body(
-          std::move(mesh),
-          model.boundary_conditions,
-          model.materials,
-          model.strain_model.kinematics,
-          [this](const Point<2> &x) { return gap_function.value(x); },
-          /* time = */ 0.,
-          parameters.indenter.surface);
+        body = make_body(std::move(mesh), model, gap_function, parameters);
     });
   }
 
 
 
   // The work of the first rank, while the others wait for its results.
+  template <int dim>
   void
-  LimitLoadAnalysis::find_bounds()
+  LimitLoadAnalysis<dim>::find_bounds()
   {
     const Timer timer;
     bool        are_optimal = true;
@@ -190,7 +263,7 @@ namespace ElastoPlastic
       const double stress_error = require_admissible(body, bounds.stress);
       row                       = {cycle,
                                    static_cast<unsigned int>(body.mesh.cells.size()),
-                                   static_cast<unsigned int>(body.mesh.triangles.size()),
+                                   static_cast<unsigned int>(simplices_of(body.mesh).size()),
                                    bounds.stress.force,
                                    bounds.velocity.force,
                                    bounds.stress.n_iterations,
@@ -204,10 +277,10 @@ namespace ElastoPlastic
 
     std::ostringstream message;
     message.precision(8);
-    message << row.triangles << " triangles: the limit load is between "
-            << row.lower_bound << " and " << row.upper_bound << " ("
-            << 100. * row.relative_difference() << " %), " << row.wall_seconds
-            << " s";
+    message << row.triangles << (dim == 2 ? " triangles" : " tetrahedra")
+            << ": the limit load is between " << row.lower_bound << " and "
+            << row.upper_bound << " (" << 100. * row.relative_difference()
+            << " %), " << row.wall_seconds << " s";
     log.remark(message.str());
     if (!are_optimal)
       log.warn(
@@ -217,8 +290,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   void
-  LimitLoadAnalysis::write_results(Table<LimitLoadRow> &table)
+  LimitLoadAnalysis<dim>::write_results(Table<LimitLoadRow> &table)
   {
     table.add(row);
     if (parameters.output.fields == FieldOutputTimes::every_cycle ||
@@ -227,26 +301,24 @@ namespace ElastoPlastic
       rethrow_collectively(communicator, [&]() {
         if (!first_rank)
           return;
-        std::vector<std::array<Tensor<1, 2>, 4>> velocities;
-        for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
-          velocities.push_back(
-            values_at_vertices(body, bounds.velocity.velocity[t], t));
-        output.write({body, bounds.stress, velocities, bounds.gaps}, cycle);
+        output.write(fields_of(body, bounds), cycle);
       });
   }
 
 
 
+  template <int dim>
   bool
-  LimitLoadAnalysis::is_last_cycle() const
+  LimitLoadAnalysis<dim>::is_last_cycle() const
   {
     return cycle + 1 >= parameters.refinement.n_cycles;
   }
 
 
 
+  template <int dim>
   void
-  LimitLoadAnalysis::refine_mesh()
+  LimitLoadAnalysis<dim>::refine_mesh()
   {
     flag_cells(parameters.refinement, error_indicators, triangulation);
     triangulation.execute_coarsening_and_refinement();
@@ -254,4 +326,9 @@ namespace ElastoPlastic
     setup_body();
     ++cycle;
   }
+
+
+
+  template class LimitLoadAnalysis<2>;
+  template class LimitLoadAnalysis<3>;
 } // namespace ElastoPlastic

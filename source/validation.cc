@@ -236,8 +236,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   void
-  validate_limit_load(const Model<2>   &model,
+  validate_limit_load(const Model<dim> &model,
                       const Parameters &parameters,
                       const MPI_Comm    communicator,
                       std::ostream     &out)
@@ -262,4 +263,14 @@ namespace ElastoPlastic
            const Parameters &,
            const MPI_Comm,
            std::ostream &);
+  template void
+  validate_limit_load(const Model<2> &,
+                      const Parameters &,
+                      const MPI_Comm,
+                      std::ostream &);
+  template void
+  validate_limit_load(const Model<3> &,
+                      const Parameters &,
+                      const MPI_Comm,
+                      std::ostream &);
 } // namespace ElastoPlastic

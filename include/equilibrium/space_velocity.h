@@ -40,8 +40,7 @@ namespace ElastoPlastic
 
   /// Constant on a tetrahedron.
   SymmetricTensor<2, 3>
-  strain_rate(const Tetrahedron      &corners,
-              const CornerVelocities &velocity);
+  strain_rate(const Tetrahedron &corners, const CornerVelocities &velocity);
 
   /// At the corners of a face: the velocity of its first neighbour less that of
   /// the second one, or of the indenter, or zero.

@@ -36,14 +36,15 @@ namespace ElastoPlastic
       {}
 
       FaceCondition
-      operator()(const TriangleFace      &corners,
-                 const types::boundary_id id) const
+      operator()(const TriangleFace &corners, const types::boundary_id id) const
       {
         using Type = SideConditionType;
         if (id == numbers::internal_face_boundary_id)
-          return along_axes({{Type::continuous, Type::continuous, Type::continuous}});
+          return along_axes(
+            {{Type::continuous, Type::continuous, Type::continuous}});
         if (fixed.count(id) > 0)
-          return along_axes({{Type::displacement, Type::displacement, Type::displacement}});
+          return along_axes(
+            {{Type::displacement, Type::displacement, Type::displacement}});
         if (rollers.count(id) > 0)
           return on_roller(corners);
         FaceCondition condition =
@@ -124,7 +125,7 @@ namespace ElastoPlastic
         for (unsigned int i = 0; i < 3; ++i)
           {
             const unsigned int j = (i + 1) % 3;
-            const Point<3> middle(0.5 * (corners[i] + corners[j]));
+            const Point<3>     middle(0.5 * (corners[i] + corners[j]));
             if (std::abs(expression.value(middle, time) -
                          0.5 * (values[i] + values[j])) > rounding * largest)
               throw InputError(
@@ -206,8 +207,7 @@ namespace ElastoPlastic
   double
   SpaceBody::area_of_corner(const unsigned int f) const
   {
-    return area(mesh.corners(mesh.faces[f])) /
-           (3. * length_unit * length_unit);
+    return area(mesh.corners(mesh.faces[f])) / (3. * length_unit * length_unit);
   }
 
 
@@ -251,8 +251,8 @@ namespace ElastoPlastic
       body.stress_unit = std::min(body.stress_unit, material.yield_radius);
     body.length_unit = 0;
     for (const Point<3> &vertex : body.mesh.vertices)
-      body.length_unit = std::max(body.length_unit,
-                                  vertex.distance(body.mesh.vertices.front()));
+      body.length_unit =
+        std::max(body.length_unit, vertex.distance(body.mesh.vertices.front()));
     return body;
   }
 } // namespace ElastoPlastic

@@ -42,7 +42,7 @@ namespace ElastoPlastic
       while (tetrahedron.faces[k] != f)
         ++k;
       const Tensor<1, 3> n = outward_normal(body.mesh.corners(tetrahedron), k);
-      const auto jumps = velocity_jumps(body, bounds.velocity.velocity, f);
+      const auto jumps     = velocity_jumps(body, bounds.velocity.velocity, f);
 
       double sum = 0;
       for (unsigned int i = 0; i < 3; ++i)

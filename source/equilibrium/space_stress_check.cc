@@ -87,12 +87,9 @@ namespace ElastoPlastic
       for (unsigned int k = 0; k < 4; ++k)
         {
           raise(errors.divergence,
-                size *
-                  divergence_of_part(TetrahedronStress::part_of(corners, k),
-                                     field,
-                                     t,
-                                     k)
-                    .norm());
+                size * divergence_of_part(
+                         TetrahedronStress::part_of(corners, k), field, t, k)
+                         .norm());
           for (unsigned int i = 0; i < 4; ++i)
             raise(errors.yield_excess,
                   deviator(field.at(t, k, i)).norm() -
@@ -114,7 +111,7 @@ namespace ElastoPlastic
     {
       const unsigned int t           = body.mesh.faces[f].neighbors[neighbor];
       const auto        &tetrahedron = body.mesh.tetrahedra[t];
-      unsigned int       k           = 0, i = 0;
+      unsigned int       k = 0, i = 0;
       while (tetrahedron.faces[k] != f)
         ++k;
       while (tetrahedron.vertices[i] != body.mesh.faces[f].vertices[corner])

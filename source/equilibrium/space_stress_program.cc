@@ -75,14 +75,14 @@ namespace ElastoPlastic
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int c = 0; c < 3; ++c)
             {
-              const auto &component = body.conditions[f].components[c];
-              unsigned int &equation = equations[body.index(f, i)][c];
-              equation               = numbers::invalid_unsigned_int;
+              const auto   &component = body.conditions[f].components[c];
+              unsigned int &equation  = equations[body.index(f, i)][c];
+              equation                = numbers::invalid_unsigned_int;
               if (component.type == SideConditionType::displacement)
                 continue;
               equation = values.size();
-              values.push_back(body.area_of_corner(f) *
-                               component.tractions[i] / body.stress_unit);
+              values.push_back(body.area_of_corner(f) * component.tractions[i] /
+                               body.stress_unit);
             }
       program.right_hand_side = Vector<double>(values.begin(), values.end());
     }
@@ -102,7 +102,7 @@ namespace ElastoPlastic
     SpaceStressProgram::add_block(const unsigned int t)
     {
       const FullMatrix<double> basis = basis_of(t);
-      ConicBlock &block = program.blocks.emplace_back(basis.n());
+      ConicBlock              &block = program.blocks.emplace_back(basis.n());
       add_yield_conditions(block, basis, t);
       add_tractions(block, basis, t);
     }
@@ -113,7 +113,7 @@ namespace ElastoPlastic
     void
     SpaceStressProgram::add_yield_conditions(ConicBlock               &block,
                                              const FullMatrix<double> &basis,
-                                             const unsigned int t) const
+                                             const unsigned int        t) const
     {
       using namespace TetrahedronStress;
       static const FullMatrix<double> deviator =
@@ -148,14 +148,13 @@ namespace ElastoPlastic
       constexpr unsigned n           = TetrahedronStress::n_components;
       for (unsigned int k = 0; k < 4; ++k)
         {
-          const unsigned int f = tetrahedron.faces[k];
+          const unsigned int       f = tetrahedron.faces[k];
           const FullMatrix<double> traction =
             TetrahedronStress::traction_matrix(outward_normal(corners, k));
           for (unsigned int i = 0; i < 3; ++i)
             for (unsigned int c = 0; c < 3; ++c)
               {
-                const unsigned int equation =
-                  equations[body.index(f, i)][c];
+                const unsigned int equation = equations[body.index(f, i)][c];
                 if (equation == numbers::invalid_unsigned_int)
                   continue;
                 const auto &direction =
@@ -181,8 +180,7 @@ namespace ElastoPlastic
     {
       Vector<double> row(1);
       for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
-        if (body.conditions[f].components[2].type ==
-            SideConditionType::contact)
+        if (body.conditions[f].components[2].type == SideConditionType::contact)
           for (unsigned int i = 0; i < 3; ++i)
             {
               ConicBlock &block    = program.blocks.emplace_back(1);
@@ -199,9 +197,8 @@ namespace ElastoPlastic
     SpaceStressField
     SpaceStressProgram::solve() const
     {
-      const ConicSolution solution =
-        minimize(program, space_limit_tolerance);
-      const ConicLayout layout(program);
+      const ConicSolution solution = minimize(program, space_limit_tolerance);
+      const ConicLayout   layout(program);
 
       SpaceStressField field;
       for (unsigned int t = 0; t < body.mesh.tetrahedra.size(); ++t)
@@ -214,8 +211,8 @@ namespace ElastoPlastic
                                     solution.x.begin() + layout.unknowns[t]);
           values *= body.stress_unit;
         }
-      field.force = -solution.cost * body.stress_unit * body.length_unit *
-                    body.length_unit;
+      field.force =
+        -solution.cost * body.stress_unit * body.length_unit * body.length_unit;
       field.n_iterations = solution.n_iterations;
       field.is_optimal   = solution.is_optimal;
       return field;

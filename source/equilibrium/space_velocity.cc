@@ -23,8 +23,8 @@ namespace ElastoPlastic
                        const unsigned int                   f,
                        const unsigned int                   neighbor)
     {
-      const unsigned int t        = body.mesh.faces[f].neighbors[neighbor];
-      const auto        &vertices = body.mesh.tetrahedra[t].vertices;
+      const unsigned int          t = body.mesh.faces[f].neighbors[neighbor];
+      const auto                 &vertices = body.mesh.tetrahedra[t].vertices;
       std::array<Tensor<1, 3>, 3> result;
       for (unsigned int i = 0; i < 3; ++i)
         {
@@ -64,7 +64,7 @@ namespace ElastoPlastic
                  const std::vector<CornerVelocities> &velocity,
                  const unsigned int                   f)
   {
-    auto                        jumps = velocities_on_face(body, velocity, f, 0);
+    auto jumps = velocities_on_face(body, velocity, f, 0);
     std::array<Tensor<1, 3>, 3> beside;
     if (body.mesh.faces[f].is_inside())
       beside = velocities_on_face(body, velocity, f, 1);
@@ -160,8 +160,8 @@ namespace ElastoPlastic
             slip += area(corners) / 3. * (jump - (jump * n) * n).norm();
           for (const unsigned int t : face.neighbors)
             if (t != numbers::invalid_unsigned_int)
-              work[t] += body.shear_strength(f) * slip /
-                         (face.is_inside() ? 2. : 1.);
+              work[t] +=
+                body.shear_strength(f) * slip / (face.is_inside() ? 2. : 1.);
         }
     return work;
   }

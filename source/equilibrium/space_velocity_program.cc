@@ -31,8 +31,7 @@ namespace ElastoPlastic
       {
         for (unsigned int k = 0; k < 4; ++k)
           normal_derivatives[k] =
-            gradients[k] *
-            normal(body.mesh.corners(body.mesh.faces[faces[k]]));
+            gradients[k] * normal(body.mesh.corners(body.mesh.faces[faces[k]]));
       }
 
       /// Where the normal component on face @p k at corner @p v is 1, and those
@@ -90,8 +89,8 @@ namespace ElastoPlastic
 
       Trace
       trace_at(const unsigned int face,
-            const unsigned int neighbor,
-            const unsigned int corner) const;
+               const unsigned int neighbor,
+               const unsigned int corner) const;
 
       /// The unknown of face @p k of a tetrahedron at its corner @p v.
       unsigned int
@@ -192,8 +191,8 @@ namespace ElastoPlastic
 
     SpaceVelocityProgram::Trace
     SpaceVelocityProgram::trace_at(const unsigned int f,
-                                const unsigned int neighbor,
-                                const unsigned int corner) const
+                                   const unsigned int neighbor,
+                                   const unsigned int corner) const
     {
       const unsigned int t = body.mesh.faces[f].neighbors[neighbor];
       const FluxElement  element(body, t);
@@ -253,8 +252,9 @@ namespace ElastoPlastic
         vertical(0, i) = at_corner.velocities[i][2];
       PowerBlock block(3);
       block.add_condition(vertical, 0, body.area_of_corner(f), -1.);
-      program.blocks.push_back(block.make(std::vector<unsigned int>(
-        at_corner.unknowns.begin(), at_corner.unknowns.end())));
+      program.blocks.push_back(
+        block.make(std::vector<unsigned int>(at_corner.unknowns.begin(),
+                                             at_corner.unknowns.end())));
     }
 
 
@@ -284,7 +284,7 @@ namespace ElastoPlastic
     void
     SpaceVelocityProgram::remove_divergence(Vector<double> &fluxes) const
     {
-      const auto        &tetrahedra = body.mesh.tetrahedra;
+      const auto            &tetrahedra = body.mesh.tetrahedra;
       DynamicSparsityPattern couplings(tetrahedra.size(), n_unknowns);
       for (unsigned int t = 0; t < tetrahedra.size(); ++t)
         for (unsigned int k = 0; k < 4; ++k)
@@ -342,8 +342,8 @@ namespace ElastoPlastic
     {
       const ConicSolution solution = minimize(program, space_work_tolerance);
       SpaceVelocityField  field;
-      field.force = -solution.cost * body.stress_unit * body.length_unit *
-                    body.length_unit;
+      field.force =
+        -solution.cost * body.stress_unit * body.length_unit * body.length_unit;
       field.n_iterations = solution.n_iterations;
       field.is_optimal   = solution.is_optimal;
 

@@ -298,9 +298,10 @@ namespace ElastoPlastic
     std::array<Tensor<1, 3>, 4> result;
     for (unsigned int k = 0; k < 4; ++k)
       {
-        const Point<3>    &a       = corners[corner_of_face(k, 0)];
-        const Tensor<1, 3> product = cross_product_3d(
-          corners[corner_of_face(k, 1)] - a, corners[corner_of_face(k, 2)] - a);
+        const Point<3>    &a = corners[corner_of_face(k, 0)];
+        const Tensor<1, 3> product =
+          cross_product_3d(corners[corner_of_face(k, 1)] - a,
+                           corners[corner_of_face(k, 2)] - a);
         result[k] = product / (product * (corners[k] - a));
       }
     return result;

@@ -35,7 +35,7 @@ namespace ElastoPlastic::TetrahedronStress
         {Point<3>(), Point<3>(1, 0, 0), Point<3>(0, 1, 0), Point<3>(0, 0, 1)}};
       const FullMatrix<double> jumps       = jump_matrix(reference);
       const FullMatrix<double> divergences = divergence_matrix(reference);
-      FullMatrix<double>       conditions(jumps.m() + divergences.m(), n_values);
+      FullMatrix<double> conditions(jumps.m() + divergences.m(), n_values);
       conditions.fill(jumps);
       conditions.fill(divergences, jumps.m());
       return LocalAlgebra::kernel(conditions);
@@ -48,7 +48,7 @@ namespace ElastoPlastic::TetrahedronStress
   part_of(const Tetrahedron &tetrahedron, const unsigned int part)
   {
     Tetrahedron result = tetrahedron;
-    result[part] = Point<3>(0.25 * (tetrahedron[0] + tetrahedron[1] +
+    result[part]       = Point<3>(0.25 * (tetrahedron[0] + tetrahedron[1] +
                                     tetrahedron[2] + tetrahedron[3]));
     return result;
   }

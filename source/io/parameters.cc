@@ -60,8 +60,8 @@ namespace ElastoPlastic
                       "contact: an indenter pressed into an elasto-plastic "
                       "body, or a body loaded by its boundary conditions. "
                       "limit load: the largest force that the indenter can "
-                      "exert on a perfectly plastic body in two dimensions, "
-                      "between two rigorous bounds. "
+                      "exert on a perfectly plastic body, between two "
+                      "rigorous bounds. "
                       "contact with error bound: contact in one load step, in "
                       "plane strain or plane stress, with stresses in exact "
                       "equilibrium beside the displacement, and a guaranteed "
@@ -229,7 +229,7 @@ namespace ElastoPlastic
   {
     const std::string entry =
       "'Analysis = " + Patterns::Tools::to_string(analysis) + "'";
-    if (dimension == 3)
+    if (dimension == 3 && analysis != Analysis::limit_load)
       throw InputError("Dimension", "3", entry + " is for two dimensions.");
     if (discretization.kinematics == Kinematics::axisymmetric &&
         analysis != Analysis::limit_load)
