@@ -85,6 +85,11 @@ namespace ElastoPlastic
 
 
 
+  /// How close the bounds come to the best ones of their mesh, relative.
+  constexpr double usual_space_tolerance = 1e-5;
+
+
+
   /// Puts a SpaceBody together. The tractions are those at @p time. The
   /// indenter can touch a face of the contact boundary where @p gap is finite
   /// in all of it. If there is one material only, all cells are of it.

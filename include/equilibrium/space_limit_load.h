@@ -29,7 +29,8 @@ namespace ElastoPlastic
 
   /// @throws ConvergenceError
   SpaceLimitLoad
-  bound_limit_load(const SpaceBody &body);
+  bound_limit_load(const SpaceBody &body,
+                   const double     tolerance = usual_space_tolerance);
 } // namespace ElastoPlastic
 
 #endif

@@ -45,7 +45,8 @@ namespace ElastoPlastic
   /// prescribed. The force is a lower bound of the limit load.
   /// @throws ConvergenceError, in particular if there is no limit.
   SpaceStressField
-  maximize_force(const SpaceBody &body);
+  maximize_force(const SpaceBody &body,
+                 const double     tolerance = usual_space_tolerance);
 
 
 
@@ -72,11 +73,6 @@ namespace ElastoPlastic
   /// the stresses themselves.
   SpaceStressErrors
   check_stress(const SpaceBody &body, const SpaceStressField &field);
-
-  /// The largest of these errors, which must not be more than rounding.
-  /// @throws ConvergenceError if it is: nothing follows from such stresses.
-  double
-  require_admissible(const SpaceBody &body, const SpaceStressField &field);
 } // namespace ElastoPlastic
 
 #endif

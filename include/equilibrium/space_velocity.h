@@ -38,6 +38,16 @@ namespace ElastoPlastic
     bool is_optimal = true;
   };
 
+  inline void
+  scale(SpaceVelocityField &field, const double factor)
+  {
+    for (CornerVelocities &velocity : field.velocity)
+      for (Tensor<1, 3> &v : velocity)
+        v *= factor;
+  }
+
+
+
   /// Constant on a tetrahedron.
   SymmetricTensor<2, 3>
   strain_rate(const Tetrahedron &corners, const CornerVelocities &velocity);
@@ -68,12 +78,13 @@ namespace ElastoPlastic
   /// what has been minimised; work and errors are not yet computed.
   /// @throws ConvergenceError, UnboundedError if there is no mechanism.
   SpaceVelocityField
-  find_motion_in_space(const SpaceBody &body);
+  find_motion_in_space(const SpaceBody &body, const double tolerance);
 
   /// That mechanism, with the bound that follows from the velocities alone.
   /// @throws ConvergenceError, in particular if there is no mechanism.
   SpaceVelocityField
-  minimize_plastic_work(const SpaceBody &body);
+  minimize_plastic_work(const SpaceBody &body,
+                        const double     tolerance = usual_space_tolerance);
 
 
 

@@ -53,6 +53,19 @@ namespace ElastoPlastic
 
 
 
+  inline void
+  scale(VelocityField &field, const double factor)
+  {
+    for (TriangleVelocity &velocity : field.velocity)
+      {
+        for (Tensor<1, 2> &coefficient : velocity.coefficients)
+          coefficient *= factor;
+        velocity.flux *= factor;
+      }
+  }
+
+
+
   /// The velocity (-b, a) of a stream function with the gradient (a, b).
   inline Tensor<1, 2>
   velocity_of_stream(const Tensor<1, 2> &gradient)

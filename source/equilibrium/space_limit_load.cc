@@ -76,11 +76,11 @@ namespace ElastoPlastic
 
 
   SpaceLimitLoad
-  bound_limit_load(const SpaceBody &body)
+  bound_limit_load(const SpaceBody &body, const double tolerance)
   {
     SpaceLimitLoad bounds;
-    bounds.stress   = maximize_force(body);
-    bounds.velocity = minimize_plastic_work(body);
+    bounds.stress   = maximize_force(body, tolerance);
+    bounds.velocity = minimize_plastic_work(body, tolerance);
     find_gaps(body, bounds);
     return bounds;
   }

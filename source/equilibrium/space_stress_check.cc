@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/exceptions.h"
 #include "equilibrium/space_stress.h"
 #include "equilibrium/tetrahedron_stress.h"
 
@@ -12,10 +11,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    constexpr double largest_space_stress_error = 1e-8;
-
-
-
     void
     raise(double &largest, const double error)
     {
@@ -192,17 +187,4 @@ namespace ElastoPlastic
     return errors;
   }
 
-
-
-  double
-  require_admissible(const SpaceBody &body, const SpaceStressField &field)
-  {
-    const double error = check_stress(body, field).largest();
-    if (error > largest_space_stress_error)
-      throw ConvergenceError(
-        "The stresses of the equilibrium method violate equilibrium or yield "
-        "condition by " +
-        std::to_string(error) + " of the yield stress.");
-    return error;
-  }
 } // namespace ElastoPlastic

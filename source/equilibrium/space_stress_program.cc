@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "equilibrium/certificate.h"
+#include "equilibrium/evaluated_bounds.h"
 #include "equilibrium/interior_point.h"
 #include "equilibrium/local_algebra.h"
 #include "equilibrium/space_stress.h"
@@ -11,12 +11,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// Of the gap between the force and its upper bound in the space of these
-    /// stresses, relative.
-    constexpr double space_limit_tolerance = 1e-5;
-
-
-
     /// In the units of the body.
     class SpaceStressProgram
     {
@@ -24,7 +18,7 @@ namespace ElastoPlastic
       explicit SpaceStressProgram(const SpaceBody &body);
 
       SpaceStressField
-      solve() const;
+      solve(const double tolerance) const;
 
     private:
       void
@@ -195,9 +189,9 @@ namespace ElastoPlastic
 
 
     SpaceStressField
-    SpaceStressProgram::solve() const
+    SpaceStressProgram::solve(const double tolerance) const
     {
-      const ConicSolution solution = minimize(program, space_limit_tolerance);
+      const ConicSolution solution = minimize(program, tolerance);
       const ConicLayout   layout(program);
 
       SpaceStressField field;
@@ -233,22 +227,9 @@ namespace ElastoPlastic
 
 
   SpaceStressField
-  maximize_force(const SpaceBody &body)
+  maximize_force(const SpaceBody &body, const double tolerance)
   {
-    try
-      {
-        return SpaceStressProgram(body).solve();
-      }
-    catch (const UnboundedError &)
-      {
-        throw ConvergenceError(
-          "There is no limit load: the supports enclose the body, which bears "
-          "any force.");
-      }
-    catch (const NoSolutionError &)
-      {
-        throw ConvergenceError(
-          "The body does not even bear the given tractions.");
-      }
+    return explain_missing_limit(
+      [&]() { return SpaceStressProgram(body).solve(tolerance); });
   }
 } // namespace ElastoPlastic

@@ -1,15 +1,11 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/patterns.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
-#include "base/exceptions.h"
-#include "equilibrium/certificate.h"
+#include "equilibrium/evaluated_bounds.h"
 #include "equilibrium/space_velocity.h"
 
 namespace ElastoPlastic
@@ -191,16 +187,12 @@ namespace ElastoPlastic
 
 
   SpaceVelocityField
-  minimize_plastic_work(const SpaceBody &body)
+  minimize_plastic_work(const SpaceBody &body, const double tolerance)
   {
-    constexpr double largest_error = 1e-8;
-    // Of the work that has been minimised and that of the velocities.
-    constexpr double largest_loss_of_work = 1e-3;
-
     SpaceVelocityField field;
     try
       {
-        field = find_motion_in_space(body);
+        field = find_motion_in_space(body, tolerance);
       }
     catch (const UnboundedError &)
       {
@@ -209,28 +201,7 @@ namespace ElastoPlastic
           "that is held, or the supports enclose the body. Let "
           "'Indenter/Reach' end before what is held.");
       }
-    const double minimum = field.force;
-    const double depth   = lowest_depth(body, field.velocity);
-    if (!(depth > 0. && std::isfinite(depth)))
-      throw ConvergenceError(
-        "No mechanism of collapse has been found that moves the whole indenter "
-        "down, because of rounding errors.");
-    for (CornerVelocities &velocity : field.velocity)
-      for (Tensor<1, 3> &v : velocity)
-        v /= depth;
-
-    field.error = check_velocity(body, field.velocity).largest();
-    if (!(field.error <= largest_error))
-      throw ConvergenceError(
-        "The mechanism of collapse violates its conditions by " +
-        Patterns::Tools::to_string(field.error) +
-        " of the indenter's velocity, because of rounding errors.");
-    field.dissipation = plastic_work(body, field.velocity);
-    field.force =
-      std::accumulate(field.dissipation.begin(), field.dissipation.end(), 0.) -
-      power_of_tractions(body, field.velocity);
-    if (!(field.force - minimum <= largest_loss_of_work * std::abs(minimum)))
-      field.is_optimal = false;
+    evaluate_mechanism(body, field);
     return field;
   }
 } // namespace ElastoPlastic

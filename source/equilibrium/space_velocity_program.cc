@@ -1,63 +1,16 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-
+#include "equilibrium/flux_unknowns.h"
 #include "equilibrium/interior_point.h"
 #include "equilibrium/power_block.h"
 #include "equilibrium/space_velocity.h"
-#include "equilibrium/sparse_cholesky.h"
 #include "equilibrium/tetrahedron_stress.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// Of the gap between the work and its lower bound in the space of these
-    /// velocities, relative.
-    constexpr double space_work_tolerance = 1e-5;
-
-
-
-    /// The velocities of a tetrahedron that belong to the unknowns: the normal
-    /// components at the corners of its faces.
-    class FluxElement
-    {
-    public:
-      FluxElement(const SpaceBody &body, const unsigned int t)
-        : faces(body.mesh.tetrahedra[t].faces)
-        , corners(body.mesh.corners(body.mesh.tetrahedra[t]))
-        , gradients(ElastoPlastic::gradients(corners))
-      {
-        for (unsigned int k = 0; k < 4; ++k)
-          normal_derivatives[k] =
-            gradients[k] * normal(body.mesh.corners(body.mesh.faces[faces[k]]));
-      }
-
-      /// Where the normal component on face @p k at corner @p v is 1, and those
-      /// of the other two faces there are zero.
-      Tensor<1, 3>
-      velocity(const unsigned int k, const unsigned int v) const
-      {
-        return normal_derivatives[k] * (corners[k] - corners[v]);
-      }
-
-      SymmetricTensor<2, 3>
-      rate(const unsigned int k, const unsigned int v) const
-      {
-        return symmetrize(outer_product(velocity(k, v), gradients[v]));
-      }
-
-      const std::array<unsigned int, 4> faces;
-      const Tetrahedron                 corners;
-
-    private:
-      const std::array<Tensor<1, 3>, 4> gradients;
-      std::array<double, 4>             normal_derivatives;
-    };
-
-
-
     /// In the units of the body, as the dual of a PowerBlock's.
     class SpaceVelocityProgram
     {
@@ -65,11 +18,9 @@ namespace ElastoPlastic
       explicit SpaceVelocityProgram(const SpaceBody &body);
 
       SpaceVelocityField
-      solve() const;
+      solve(const double tolerance) const;
 
     private:
-      void
-      number_unknowns();
       void
       add_work(const unsigned int tetrahedron);
       void
@@ -92,32 +43,18 @@ namespace ElastoPlastic
                const unsigned int neighbor,
                const unsigned int corner) const;
 
-      /// The unknown of face @p k of a tetrahedron at its corner @p v.
-      unsigned int
-      unknown(const unsigned int tetrahedron,
-              const unsigned int k,
-              const unsigned int v) const
-      {
-        return unknowns[body.index(body.mesh.tetrahedra[tetrahedron].faces[k],
-                                   v < k ? v : v - 1)];
-      }
-
-      void
-      remove_divergence(Vector<double> &fluxes) const;
-
-      const SpaceBody          &body;
-      std::vector<unsigned int> unknowns; ///< see SpaceBody::index()
-      unsigned int              n_unknowns = 0;
-      ConicProgram              program;
+      const SpaceBody   &body;
+      const FluxUnknowns unknowns;
+      ConicProgram       program;
     };
 
 
 
     SpaceVelocityProgram::SpaceVelocityProgram(const SpaceBody &body)
       : body(body)
+      , unknowns(body)
     {
-      number_unknowns();
-      program.right_hand_side.reinit(n_unknowns);
+      program.right_hand_side.reinit(unknowns.size());
       for (unsigned int t = 0; t < body.mesh.tetrahedra.size(); ++t)
         add_work(t);
       for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
@@ -132,18 +69,6 @@ namespace ElastoPlastic
           if (!body.mesh.faces[f].is_inside())
             add_tractions(f);
         }
-    }
-
-
-
-    void
-    SpaceVelocityProgram::number_unknowns()
-    {
-      for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
-        for (unsigned int i = 0; i < 3; ++i)
-          unknowns.push_back(body.support_of(f).is_closed ?
-                               numbers::invalid_unsigned_int :
-                               n_unknowns++);
     }
 
 
@@ -170,21 +95,17 @@ namespace ElastoPlastic
       const double      weight =
         volume(element.corners) / (body.length_unit * body.length_unit);
       Vector<double> powers(n + 1);
-      for (unsigned int k = 0; k < 4; ++k)
-        for (unsigned int v = 0; v < 4; ++v)
-          if (v != k && unknown(t, k, v) != numbers::invalid_unsigned_int)
-            {
-              const SymmetricTensor<2, 3> rate = element.rate(k, v);
-              for (unsigned int i = 0; i < n; ++i)
-                {
-                  powers[i] = 0;
-                  for (unsigned int c = 0; c < deviator.n(); ++c)
-                    powers[i] +=
-                      weight * deviator(i, c) * rate.access_raw_entry(c);
-                }
-              powers[n] = weight * trace(rate);
-              block.add_to_equation(unknown(t, k, v), powers);
-            }
+      unknowns.for_each(t, [&](const auto k, const auto v, const auto unknown) {
+        const SymmetricTensor<2, 3> rate = element.rate(k, v);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            powers[i] = 0;
+            for (unsigned int c = 0; c < deviator.n(); ++c)
+              powers[i] += weight * deviator(i, c) * rate.access_raw_entry(c);
+          }
+        powers[n] = weight * trace(rate);
+        block.add_to_equation(unknown, powers);
+      });
     }
 
 
@@ -205,7 +126,7 @@ namespace ElastoPlastic
         {
           const unsigned int k = corner_of_face(v, i);
           result.velocities[i] = element.velocity(k, v);
-          result.unknowns[i]   = unknown(t, k, v);
+          result.unknowns[i]   = unknowns.at(t, k, v);
         }
       return result;
     }
@@ -279,68 +200,10 @@ namespace ElastoPlastic
 
 
 
-    // The least change of the unknowns that does so: D^T (D D^T)^-1 D, with a
-    // row of D for the flux out of each tetrahedron.
-    void
-    SpaceVelocityProgram::remove_divergence(Vector<double> &fluxes) const
-    {
-      const auto            &tetrahedra = body.mesh.tetrahedra;
-      DynamicSparsityPattern couplings(tetrahedra.size(), n_unknowns);
-      for (unsigned int t = 0; t < tetrahedra.size(); ++t)
-        for (unsigned int k = 0; k < 4; ++k)
-          for (unsigned int v = 0; v < 4; ++v)
-            if (v != k && unknown(t, k, v) != numbers::invalid_unsigned_int)
-              couplings.add(t, unknown(t, k, v));
-      SparsityPattern pattern, pattern_of_square;
-      pattern.copy_from(couplings);
-      SparseMatrix<double> divergence(pattern), square;
-      for (unsigned int t = 0; t < tetrahedra.size(); ++t)
-        {
-          const FluxElement element(body, t);
-          for (unsigned int k = 0; k < 4; ++k)
-            for (unsigned int v = 0; v < 4; ++v)
-              if (v != k && unknown(t, k, v) != numbers::invalid_unsigned_int)
-                divergence.set(t,
-                               unknown(t, k, v),
-                               volume(element.corners) *
-                                 trace(element.rate(k, v)));
-        }
-      DynamicSparsityPattern neighbors(tetrahedra.size(), tetrahedra.size());
-      for (unsigned int t = 0; t < tetrahedra.size(); ++t)
-        neighbors.add(t, t);
-      for (const auto &face : body.mesh.faces)
-        if (face.is_inside())
-          {
-            neighbors.add(face.neighbors[0], face.neighbors[1]);
-            neighbors.add(face.neighbors[1], face.neighbors[0]);
-          }
-      pattern_of_square.copy_from(neighbors);
-      square.reinit(pattern_of_square);
-      for (unsigned int t = 0; t < tetrahedra.size(); ++t)
-        for (auto entry = square.begin(t); entry != square.end(t); ++entry)
-          for (auto d = divergence.begin(t); d != divergence.end(t); ++d)
-            entry->value() +=
-              d->value() * divergence.el(entry->column(), d->column());
-
-      SparseCholesky factor(pattern_of_square);
-      if (!factor.factorize(square))
-        return;
-      Vector<double> flux(tetrahedra.size()), potential(tetrahedra.size());
-      for (unsigned int repetition = 0; repetition < 3; ++repetition)
-        {
-          divergence.vmult(flux, fluxes);
-          factor.vmult(potential, flux);
-          potential *= -1.;
-          divergence.Tvmult_add(fluxes, potential);
-        }
-    }
-
-
-
     SpaceVelocityField
-    SpaceVelocityProgram::solve() const
+    SpaceVelocityProgram::solve(const double tolerance) const
     {
-      const ConicSolution solution = minimize(program, space_work_tolerance);
+      const ConicSolution solution = minimize(program, tolerance);
       SpaceVelocityField  field;
       field.force =
         -solution.cost * body.stress_unit * body.length_unit * body.length_unit;
@@ -349,16 +212,14 @@ namespace ElastoPlastic
 
       Vector<double> fluxes = solution.y;
       fluxes *= -1.;
-      remove_divergence(fluxes);
+      unknowns.remove_divergence(fluxes);
       for (unsigned int t = 0; t < body.mesh.tetrahedra.size(); ++t)
         {
           const FluxElement element(body, t);
           CornerVelocities &velocity = field.velocity.emplace_back();
-          for (unsigned int v = 0; v < 4; ++v)
-            for (unsigned int k = 0; k < 4; ++k)
-              if (k != v && unknown(t, k, v) != numbers::invalid_unsigned_int)
-                velocity[v] +=
-                  fluxes[unknown(t, k, v)] * element.velocity(k, v);
+          unknowns.for_each(t, [&](const auto k, const auto v, const auto i) {
+            velocity[v] += fluxes[i] * element.velocity(k, v);
+          });
         }
       return field;
     }
@@ -367,8 +228,8 @@ namespace ElastoPlastic
 
 
   SpaceVelocityField
-  find_motion_in_space(const SpaceBody &body)
+  find_motion_in_space(const SpaceBody &body, const double tolerance)
   {
-    return SpaceVelocityProgram(body).solve();
+    return SpaceVelocityProgram(body).solve(tolerance);
   }
 } // namespace ElastoPlastic
