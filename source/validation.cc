@@ -245,7 +245,8 @@ namespace ElastoPlastic
   {
     const LimitLoadAnalysis analysis(model, parameters, communicator);
     print_line("First mesh",
-               std::to_string(analysis.n_cells()) + " cells",
+               std::to_string(analysis.n_cells()) + " cells" +
+                 (dim == 3 ? ", each cut into 24 tetrahedra or more" : ""),
                out);
     print_line("Meshes", std::to_string(parameters.refinement.n_cycles), out);
     print_output_directory(parameters, communicator, out);

@@ -226,6 +226,11 @@ namespace
       on_rollers({"left", "front", "back", "right", "bottom"}), names);
     const SpaceBody body =
       make_space_body(mesh, closed, {material()}, everywhere, 0.);
+    TetrahedralMesh distorted = mesh;
+    distorted.vertices[mesh.tetrahedra[0].vertices[3]] += Point<3>(2, 2, 2);
+    print_error("A centre outside of its cell", [&]() {
+      make_space_body(distorted, closed, {material()}, everywhere, 0.);
+    });
     print_error("Enclosed", [&]() { minimize_plastic_work(body); });
   }
 } // namespace

@@ -93,7 +93,8 @@ namespace ElastoPlastic
   /// Puts a SpaceBody together. The tractions are those at @p time. The
   /// indenter can touch a face of the contact boundary where @p gap is finite
   /// in all of it. If there is one material only, all cells are of it.
-  /// @throws InputError for tractions that are not linear on the faces.
+  /// @throws InputError for cells that cannot be cut into tetrahedra, and for
+  /// tractions that are not linear on the faces.
   SpaceBody
   make_space_body(TetrahedralMesh                                mesh,
                   const BoundaryConditions<3>                   &conditions,

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/patterns.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +16,35 @@ namespace ElastoPlastic
   {
     /// Cosine and sine below which directions are at right angles or parallel.
     constexpr double small_angle = 1e-10;
+
+
+
+    /// That the two tetrahedra at a face are on different sides of it. Of a
+    /// hexahedron whose faces cannot all be seen from its centre, some are not.
+    void
+    check_orientation(const TetrahedralMesh &mesh)
+    {
+      for (const auto &face : mesh.faces)
+        if (face.is_inside())
+          {
+            const TriangleFace    corners = mesh.corners(face);
+            const Tensor<1, 3>    n       = normal(corners);
+            std::array<double, 2> heights = {};
+            for (unsigned int i = 0; i < 2; ++i)
+              for (const unsigned int v :
+                   mesh.tetrahedra[face.neighbors[i]].vertices)
+                if (const double height = (mesh.vertices[v] - corners[0]) * n;
+                    std::abs(height) > std::abs(heights[i]))
+                  heights[i] = height;
+            if (heights[0] * heights[1] >= 0)
+              throw InputError(
+                "A cell of the mesh near the point (" +
+                Patterns::Tools::to_string(corners[0]) +
+                ") is so distorted that 'Analysis = limit load' cannot cut it "
+                "into tetrahedra: not all of its faces can be seen from its "
+                "centre. Improve the mesh.");
+          }
+    }
 
 
 
@@ -232,6 +263,7 @@ namespace ElastoPlastic
                   const double                                   time,
                   const SurfaceFinish indenter_surface)
   {
+    check_orientation(mesh);
     SpaceBody body;
     body.mesh             = std::move(mesh);
     body.indenter_surface = indenter_surface;
