@@ -67,7 +67,8 @@ namespace ElastoPlastic
     FaceSupport
     support_of(const unsigned int face) const;
 
-    /// What a force per corner is in units: a third of the area of a face.
+    /// What turns a traction at a corner of a face, in units of the body, into
+    /// a force: a third of the area.
     double
     area_of_corner(const unsigned int face) const;
 
@@ -75,7 +76,7 @@ namespace ElastoPlastic
     double
     shear_strength(const unsigned int face) const;
 
-    /// The rows of the @p face's corners among three for each face.
+    /// The number of a @p corner of a @p face among those of all faces.
     static constexpr unsigned int
     index(const unsigned int face, const unsigned int corner)
     {

@@ -29,7 +29,6 @@ namespace ElastoPlastic
             "the volume of a hole are not looked for.)");
         }
     }
-
   } // namespace
 
 
