@@ -8,10 +8,12 @@
 
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "contact/gap_function.h"
 #include "equilibrium/limit_load.h"
+#include "equilibrium/space_limit_load.h"
 #include "io/columns.h"
 #include "io/equilibrium_output.h"
 #include "io/log.h"
@@ -33,20 +35,21 @@ namespace ElastoPlastic
 
 
 
-  /// The largest force that an indenter can exert on a plane body of perfectly
+  /// The largest force that an indenter can exert on a body of perfectly
   /// plastic materials, or the largest factor of its other loads, between two
   /// rigorous bounds: that of stresses in exact equilibrium, which are safe,
   /// and that of a mechanism of collapse (doc/theory.md, "Limit loads"). The
   /// mesh is refined where the two fields disagree.
   ///
   /// The mesh is distributed; the conic programs are solved by the first rank.
+  template <int dim>
   class LimitLoadAnalysis
   {
   public:
     /// Builds the mesh and checks what can be checked before anything is
     /// computed. @p model and @p parameters must outlive this object.
     /// @throws InputError
-    LimitLoadAnalysis(const Model<2>   &model,
+    LimitLoadAnalysis(const Model<dim> &model,
                       const Parameters &parameters,
                       const MPI_Comm    communicator);
 
@@ -57,7 +60,7 @@ namespace ElastoPlastic
     run(const bool overwrite);
 
     /// Refines the mesh until it is decided whether the body can bear the
-    /// @p load, or until there are many triangles. Writes no files.
+    /// @p load, or until there are many cells. Writes no files.
     /// @throws EquilibriumError if it cannot, or if that remains undecided.
     void
     require_safe(const LoadInQuestion &load);
@@ -71,6 +74,10 @@ namespace ElastoPlastic
     n_cells() const;
 
   private:
+    using Body   = std::conditional_t<dim == 2, PlaneBody, SpaceBody>;
+    using Bounds = std::conditional_t<dim == 2, LimitLoad, SpaceLimitLoad>;
+    using Mesh   = decltype(Body::mesh);
+
     void
     setup_body();
 
@@ -98,7 +105,7 @@ namespace ElastoPlastic
     void
     refine_mesh();
 
-    const Model<2>   &model;
+    const Model<dim> &model;
     const Parameters &parameters;
     const MPI_Comm    communicator;
     const bool        first_rank;
@@ -107,15 +114,15 @@ namespace ElastoPlastic
     EquilibriumOutput output;
     unsigned int      cycle = 0;
 
-    parallel::distributed::Triangulation<2> triangulation;
-    const GapFunction<2>                    gap_function;
+    parallel::distributed::Triangulation<dim> triangulation;
+    const GapFunction<dim>                    gap_function;
 
     /// Which tractions and body forces are there, and grow.
-    std::function<PlaneLoads(const SplitMesh &)> loads;
+    std::function<Loads<dim>(const Mesh &)> loads;
 
     // On the first rank: the problem on the present mesh, and its solution.
-    PlaneBody body;
-    LimitLoad bounds;
+    Body   body;
+    Bounds bounds;
 
     // On all ranks: what limit_load.csv says of it; by active cells of this
     // rank, the square roots of LimitLoad::gaps, like other indicators.

@@ -26,8 +26,9 @@ namespace ElastoPlastic
            std::ostream     &out);
 
   /// The same for the search of a limit load.
+  template <int dim>
   void
-  validate_limit_load(const Model<2>   &model,
+  validate_limit_load(const Model<dim> &model,
                       const Parameters &parameters,
                       const MPI_Comm    communicator,
                       std::ostream     &out);

@@ -41,6 +41,79 @@ namespace ElastoPlastic
             "this analysis can find. Set 'Material/Law = perfectly plastic' "
             "with a yield stress for each material.");
     }
+
+
+
+    const std::vector<SplitMesh::Triangle> &
+    simplices_of(const SplitMesh &mesh)
+    {
+      return mesh.triangles;
+    }
+
+
+
+    const std::vector<TetrahedralMesh::Simplex> &
+    simplices_of(const TetrahedralMesh &mesh)
+    {
+      return mesh.tetrahedra;
+    }
+
+
+
+    PlaneBody
+    make_body(SplitMesh             mesh,
+              const Loads<2>       &loads,
+              const Model<2>       &model,
+              const GapFunction<2> &gap_function,
+              const Parameters     &parameters)
+    {
+      return make_plane_body(
+        std::move(mesh),
+        model.boundary_conditions,
+        model.materials,
+        model.strain_model.kinematics,
+        [&](const Point<2> &x) { return gap_function.value(x); },
+        loads,
+        parameters.indenter.surface);
+    }
+
+
+
+    SpaceBody
+    make_body(TetrahedralMesh       mesh,
+              const Loads<3>       &loads,
+              const Model<3>       &model,
+              const GapFunction<3> &gap_function,
+              const Parameters     &parameters)
+    {
+      return make_space_body(
+        std::move(mesh),
+        model.boundary_conditions,
+        model.materials,
+        [&](const Point<3> &x) { return gap_function.value(x); },
+        loads,
+        parameters.indenter.surface);
+    }
+
+
+
+    EquilibriumFields
+    fields_of(const PlaneBody &body, const LimitLoad &bounds)
+    {
+      std::vector<std::array<Tensor<1, 2>, 4>> velocities;
+      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+        velocities.push_back(
+          values_at_vertices(body, bounds.velocity.velocity[t], t));
+      return {body, bounds.stress, velocities, bounds.gaps};
+    }
+
+
+
+    SpaceFields
+    fields_of(const SpaceBody &body, const SpaceLimitLoad &bounds)
+    {
+      return {body, bounds};
+    }
   } // namespace
 
 
@@ -54,9 +127,10 @@ namespace ElastoPlastic
 
 
 
-  LimitLoadAnalysis::LimitLoadAnalysis(const Model<2>   &model,
-                                       const Parameters &parameters,
-                                       const MPI_Comm    communicator)
+  template <int dim>
+  LimitLoadAnalysis<dim>::LimitLoadAnalysis(const Model<dim> &model,
+                                            const Parameters &parameters,
+                                            const MPI_Comm    communicator)
     : model(model)
     , parameters(parameters)
     , communicator(communicator)
@@ -67,12 +141,12 @@ namespace ElastoPlastic
     , gap_function(make_mesh_and_place_indenter(model, triangulation))
   {
     if (parameters.limit_load.load == GrowingLoad::tractions)
-      loads = [&model](const SplitMesh &mesh) {
+      loads = [&model](const auto &mesh) {
         return growing_loads(mesh, model.boundary_conditions, model.body_force);
       };
     else
-      loads = [&model](const SplitMesh &) {
-        return PlaneLoads(/* time = */ 0., model.body_force);
+      loads = [&model](const auto &) {
+        return Loads<dim>(/* time = */ 0., model.body_force);
       };
     check_is_perfect(model.materials);
     check_material_ids(triangulation, model.materials.size());
@@ -86,8 +160,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   void
-  LimitLoadAnalysis::run(const bool overwrite)
+  LimitLoadAnalysis<dim>::run(const bool overwrite)
   {
     log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     setup_body();
@@ -112,8 +187,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   void
-  LimitLoadAnalysis::let_grow(const LoadInQuestion &load)
+  LimitLoadAnalysis<dim>::let_grow(const LoadInQuestion &load)
   {
     if (load.times.empty())
       return;
@@ -122,8 +198,8 @@ namespace ElastoPlastic
       throw ConvergenceError(
         "The body is curved: on a coarse mesh, it is "
         "another one.");
-    loads = [this, times = load.times](const SplitMesh &mesh) {
-      return PlaneLoads(std::nullopt,
+    loads = [this, times = load.times](const auto &mesh) {
+      return Loads<dim>(std::nullopt,
                         time_of_largest_load(mesh,
                                              model.boundary_conditions,
                                              model.body_force,
@@ -134,8 +210,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   void
-  LimitLoadAnalysis::require_safe(const LoadInQuestion &load)
+  LimitLoadAnalysis<dim>::require_safe(const LoadInQuestion &load)
   {
     let_grow(load);
     setup_body();
@@ -155,8 +232,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   bool
-  LimitLoadAnalysis::is_safe_at_first_sight(const LoadInQuestion &load)
+  LimitLoadAnalysis<dim>::is_safe_at_first_sight(const LoadInQuestion &load)
   {
     let_grow(load);
     setup_body();
@@ -166,8 +244,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   bool
-  LimitLoadAnalysis::is_safe(const LoadInQuestion &load) const
+  LimitLoadAnalysis<dim>::is_safe(const LoadInQuestion &load) const
   {
     const double value = load.times.empty() ? load.force : 1.;
     if (value >= row.upper_bound)
@@ -179,8 +258,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   std::string
-  LimitLoadAnalysis::bounds_in_words(const LoadInQuestion &load) const
+  LimitLoadAnalysis<dim>::bounds_in_words(const LoadInQuestion &load) const
   {
     return "between " + Patterns::Tools::to_string(row.lower_bound) + " and " +
            Patterns::Tools::to_string(row.upper_bound) +
@@ -193,8 +273,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   types::global_cell_index
-  LimitLoadAnalysis::n_cells() const
+  LimitLoadAnalysis<dim>::n_cells() const
   {
     return triangulation.n_global_active_cells();
   }
@@ -202,22 +283,17 @@ namespace ElastoPlastic
 
 
   // For the first rank.
+  template <int dim>
   void
-  LimitLoadAnalysis::setup_body()
+  LimitLoadAnalysis<dim>::setup_body()
   {
-    SplitMesh mesh = make_split_mesh(triangulation);
+    auto mesh = make_split_mesh(triangulation);
     rethrow_collectively(communicator, [&]() {
       if (!first_rank)
         return;
-      const PlaneLoads mesh_loads = loads(mesh);
-      body                        = make_plane_body(
-        std::move(mesh),
-        model.boundary_conditions,
-        model.materials,
-        model.strain_model.kinematics,
-        [this](const Point<2> &x) { return gap_function.value(x); },
-        mesh_loads,
-        parameters.indenter.surface);
+      const Loads<dim> mesh_loads = loads(mesh);
+      body =
+        make_body(std::move(mesh), mesh_loads, model, gap_function, parameters);
       if (!model.indenter.shape && body.load_factor_unit == 0)
         throw ConvergenceError("No load acts on the body.");
     });
@@ -226,8 +302,9 @@ namespace ElastoPlastic
 
 
   // The work of the first rank, while the others wait for its results.
+  template <int dim>
   void
-  LimitLoadAnalysis::find_bounds()
+  LimitLoadAnalysis<dim>::find_bounds()
   {
     const Timer timer;
     bool        are_optimal = true;
@@ -239,7 +316,7 @@ namespace ElastoPlastic
       const double stress_error = require_admissible(body, bounds.stress);
       row                       = {cycle,
                                    static_cast<unsigned int>(body.mesh.cells.size()),
-                                   static_cast<unsigned int>(body.mesh.triangles.size()),
+                                   static_cast<unsigned int>(simplices_of(body.mesh).size()),
                                    bounds.lower_bound,
                                    bounds.upper_bound,
                                    bounds.stress.n_iterations,
@@ -253,10 +330,10 @@ namespace ElastoPlastic
 
     std::ostringstream message;
     message.precision(8);
-    message << row.triangles << " triangles: the limit load is between "
-            << row.lower_bound << " and " << row.upper_bound << " ("
-            << 100. * row.relative_difference() << " %), " << row.wall_seconds
-            << " s";
+    message << row.triangles << (dim == 2 ? " triangles" : " tetrahedra")
+            << ": the limit load is between " << row.lower_bound << " and "
+            << row.upper_bound << " (" << 100. * row.relative_difference()
+            << " %), " << row.wall_seconds << " s";
     log.remark(message.str());
     if (!are_optimal)
       log.warn(
@@ -266,8 +343,9 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   void
-  LimitLoadAnalysis::write_results(Table<LimitLoadRow> &table)
+  LimitLoadAnalysis<dim>::write_results(Table<LimitLoadRow> &table)
   {
     table.add(row);
     if (parameters.output.fields == FieldOutputTimes::every_cycle ||
@@ -276,26 +354,24 @@ namespace ElastoPlastic
       rethrow_collectively(communicator, [&]() {
         if (!first_rank)
           return;
-        std::vector<std::array<Tensor<1, 2>, 4>> velocities;
-        for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
-          velocities.push_back(
-            values_at_vertices(body, bounds.velocity.velocity[t], t));
-        output.write({body, bounds.stress, velocities, bounds.gaps}, cycle);
+        output.write(fields_of(body, bounds), cycle);
       });
   }
 
 
 
+  template <int dim>
   bool
-  LimitLoadAnalysis::is_last_cycle() const
+  LimitLoadAnalysis<dim>::is_last_cycle() const
   {
     return cycle + 1 >= parameters.refinement.n_cycles;
   }
 
 
 
+  template <int dim>
   void
-  LimitLoadAnalysis::refine_mesh()
+  LimitLoadAnalysis<dim>::refine_mesh()
   {
     flag_cells(parameters.refinement, error_indicators, triangulation);
     triangulation.execute_coarsening_and_refinement();
@@ -303,4 +379,9 @@ namespace ElastoPlastic
     setup_body();
     ++cycle;
   }
+
+
+
+  template class LimitLoadAnalysis<2>;
+  template class LimitLoadAnalysis<3>;
 } // namespace ElastoPlastic

@@ -44,6 +44,7 @@ namespace
 
 
 
+  template <int dim>
   void
   find_limit_load(const CommandLine &command_line,
                   const Parameters  &parameters,
@@ -54,11 +55,25 @@ namespace
         "A limit load analysis has no load steps and keeps no "
         "checkpoints: there is nothing to resume. Leave out "
         "--resume.");
-    const Model<2> model = make_model<2>(parameters);
+    const Model<dim> model = make_model<dim>(parameters);
     if (command_line.task == CommandLine::Task::validate)
       return validate_limit_load(model, parameters, MPI_COMM_WORLD, out);
     LimitLoadAnalysis(model, parameters, MPI_COMM_WORLD)
       .run(command_line.overwrite);
+  }
+
+
+
+  template <int dim>
+  void
+  analyze_in(const CommandLine &command_line,
+             const Parameters  &parameters,
+             std::ostream      &out)
+  {
+    if (parameters.analysis == Analysis::limit_load)
+      find_limit_load<dim>(command_line, parameters, out);
+    else
+      solve_contact_problem<dim>(command_line, parameters, out);
   }
 
 
@@ -74,12 +89,10 @@ namespace
     try
       {
         parameters.check();
-        if (parameters.analysis == Analysis::limit_load)
-          find_limit_load(command_line, parameters, report);
-        else if (parameters.dimension == 2)
-          solve_contact_problem<2>(command_line, parameters, report);
+        if (parameters.dimension == 2)
+          analyze_in<2>(command_line, parameters, report);
         else
-          solve_contact_problem<3>(command_line, parameters, report);
+          analyze_in<3>(command_line, parameters, report);
       }
     catch (const InputError &error)
       {

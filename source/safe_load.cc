@@ -149,7 +149,7 @@ namespace ElastoPlastic
 
 
 
-  // Nothing is known in space.
+  // In space, bounds that are close enough to decide take minutes or more.
   template <>
   void
   require_safe_load(const Model<3> &, const Parameters &, const MPI_Comm)

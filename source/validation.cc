@@ -236,15 +236,17 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   void
-  validate_limit_load(const Model<2>   &model,
+  validate_limit_load(const Model<dim> &model,
                       const Parameters &parameters,
                       const MPI_Comm    communicator,
                       std::ostream     &out)
   {
     const LimitLoadAnalysis analysis(model, parameters, communicator);
     print_line("First mesh",
-               std::to_string(analysis.n_cells()) + " cells",
+               std::to_string(analysis.n_cells()) + " cells" +
+                 (dim == 3 ? ", each cut into 24 tetrahedra or more" : ""),
                out);
     print_line("Meshes", std::to_string(parameters.refinement.n_cycles), out);
     print_output_directory(parameters, communicator, out);
@@ -262,4 +264,14 @@ namespace ElastoPlastic
            const Parameters &,
            const MPI_Comm,
            std::ostream &);
+  template void
+  validate_limit_load(const Model<2> &,
+                      const Parameters &,
+                      const MPI_Comm,
+                      std::ostream &);
+  template void
+  validate_limit_load(const Model<3> &,
+                      const Parameters &,
+                      const MPI_Comm,
+                      std::ostream &);
 } // namespace ElastoPlastic

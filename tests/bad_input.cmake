@@ -40,7 +40,6 @@ add_message_test(set_nothing_similar 2 "no entry 'Refinement/Colour'. All sectio
 add_message_test(set_section 2 "no entry 'Geometry'" ${_base} --set "Geometry=box")
 
 # Limit load
-add_entry_test(limit_load_3d "entry 'Dimension' is '3', but 'Analysis = limit load' is for two dimensions" "Analysis=limit load" Dimension=3)
 add_entry_test(limit_load_hardening "entry 'Analysis' is 'limit load', but only a body of perfectly plastic materials" "Analysis=limit load")
 add_entry_test(goal_analysis "entry 'Refinement/Goal' is 'force', but only 'Analysis = contact with error bound' bounds the force" "Refinement/Goal=force")
 add_entry_test(goal_strategy "entry 'Refinement/Goal' is 'force', but only 'Refinement/Strategy = adaptive' has a goal" "Refinement/Goal=force" Refinement/Strategy=Kelly)
@@ -55,6 +54,9 @@ set(_full_width ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm -
 add_message_test(limit_load_enclosed 3 "There is no limit load: the supports enclose the body, which bears any load, or the indenter reaches a point that is held. Let .Indenter/Reach. end before" ${_full_width} --output-directory limit_load_enclosed)
 add_message_test(limit_load_held_point 3 "No velocity moves the whole indenter down: it reaches a point that is held" ${_full_width} --output-directory limit_load_held_point --set "Kinematics=plane stress")
 add_message_test(limit_load_tractions 3 "The body does not even bear the given tractions" ${_files}/pulled_apart.prm --quiet --overwrite --output-directory limit_load_tractions)
+add_message_test(limit_load_tractions_in_space 2 "A traction of 'Boundary conditions/Traction' is not linear on the faces of the mesh"
+  ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/square_punch_3d.prm --quiet --overwrite --output-directory limit_load_tractions_in_space
+  --set "Boundary conditions/Free=back" --set "Boundary conditions/Traction=right: 0.1*y^2; 0; 0")
 
 set(_pulled_block ${_files}/pulled_apart.prm --quiet --overwrite --set "Limit load/Load=tractions")
 add_message_test(no_growing_load 2 "entry 'Limit load/Load' is 'tractions', but there is no traction" ${_pulled_block} --output-directory no_growing_load --set "Boundary conditions/Traction=right: 0@ 0")

@@ -4,6 +4,7 @@
 follow from the tensors are those that are written, and the exact ones, as are additional
 fields; what is extrapolated stays physical; a history begins with the virgin body, and may
 have fields at chosen times only; units stand beside the fields and in tables.md.
+And those of a limit load in space.
 
 usage: fields.py PROGRAM
 """
@@ -83,6 +84,23 @@ def check_confined_block(program, folder):
             expect(f"confined block, {kinematics}: {field}", fields[field], exact)
 
 
+def check_plates_in_space(program, folder):
+    """The limit load of a cube between smooth plates: uniaxial stress, and a uniform rate of compression."""
+    run(program, folder, "limit_load/square_punch_3d.prm", "Geometry/Repetitions=1, 1, 1", "Refinement/Number of cycles=1",
+        "Geometry/Upper corner=1, 1, 0", "Geometry/Lower corner=0, 0, -1", "Boundary conditions/Fixed=",
+        "Boundary conditions/Roller=left, front, bottom")
+    fields = list(read_fields(folder, "limit_load"))[-1]
+    print(f"plates in space: {len(fields['cells'])} parts of tetrahedra")
+    assert len(fields["cells"]) == 24 * 4
+    for name, found, exact in (
+            ("stress", [stress[8] for stress in fields["stress"]], -1),
+            ("von Mises' stress", fields["von_mises_stress"], 1), ("yield ratio", fields["yield_ratio"], 1),
+            ("velocity", [2 + velocity[2] + point[2] for point, velocity in zip(fields["points"], fields["velocity"])], 1)):
+        error = max(abs(value / exact - 1) for value in found)
+        print(f"plates in space, {name}: {'ok' if error <= 1e-4 else f'FAILED, {error}'}")
+        assert error <= 1e-4
+
+
 def check_sheet(program, folder):
     """A tension by STRAIN without lateral stress."""
     stress = (YIELD_STRESS + HARDENING * STRAIN) / (1 + HARDENING / YOUNGS_MODULUS)
@@ -158,7 +176,7 @@ def check_contact(program, folder):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         for check in (check_confined_block, check_sheet, check_back_stress, check_initial_state, check_units,
-                      check_field_times, check_contact):
+                      check_field_times, check_contact, check_plates_in_space):
             check(sys.argv[1], pathlib.Path(folder))
 
 

@@ -147,11 +147,11 @@ namespace
                   const double                                       safe)
   {
     const PlaneBody   body  = body_under(safe);
-    const StressField field = maximize_force(body);
+    const StressField field = maximize_load(body);
     output() << title << std::endl;
     verify("admissible", check_stress(body, field).largest(), 1e-9);
     print_error("Beyond its limit",
-                [&]() { maximize_force(body_under(1.001)); });
+                [&]() { maximize_load(body_under(1.001)); });
   }
 
 

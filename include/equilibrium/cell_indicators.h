@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "equilibrium/split_mesh.h"
+#include "equilibrium/tetrahedral_mesh.h"
 
 namespace ElastoPlastic
 {
@@ -22,6 +23,12 @@ namespace ElastoPlastic
   cell_indicators(const SplitMesh           &mesh,
                   const std::vector<double> &of_triangles,
                   const Triangulation<2>    &triangulation);
+
+  /// The same for hexahedra and their tetrahedra.
+  Vector<float>
+  cell_indicators(const TetrahedralMesh     &mesh,
+                  const std::vector<double> &of_tetrahedra,
+                  const Triangulation<3>    &triangulation);
 } // namespace ElastoPlastic
 
 #endif

@@ -6,26 +6,29 @@
 
 #include <vector>
 
-#include "equilibrium/plane_body.h"
+#include "equilibrium/loads.h"
+#include "mesh/boundary_conditions.h"
 
 namespace ElastoPlastic
 {
   /// Tractions and body forces that grow with a load factor: it is the time, of
   /// which they are linear functions; or, if none depends on time, it
-  /// multiplies all of them.
+  /// multiplies all of them. @p Mesh is a SplitMesh or a TetrahedralMesh.
   /// @throws InputError if they are not linear in time, or all zero.
-  PlaneLoads
-  growing_loads(const SplitMesh             &mesh,
-                const BoundaryConditions<2> &conditions,
-                const BodyForce<2>          &body_force);
+  template <int dim, typename Mesh>
+  Loads<dim>
+  growing_loads(const Mesh                    &mesh,
+                const BoundaryConditions<dim> &conditions,
+                const BodyForce<dim>          &body_force);
 
   /// At which of these @p times the largest of all tractions and body forces
   /// occurs.
+  template <int dim, typename Mesh>
   double
-  time_of_largest_load(const SplitMesh             &mesh,
-                       const BoundaryConditions<2> &conditions,
-                       const BodyForce<2>          &body_force,
-                       const std::vector<double>   &times);
+  time_of_largest_load(const Mesh                    &mesh,
+                       const BoundaryConditions<dim> &conditions,
+                       const BodyForce<dim>          &body_force,
+                       const std::vector<double>     &times);
 } // namespace ElastoPlastic
 
 #endif

@@ -10,13 +10,6 @@
 
 namespace ElastoPlastic
 {
-  /// The power of tractions and body forces, of the whole body of revolution.
-  struct LoadPower
-  {
-    double constant = 0; ///< of the loads that do not grow
-    double growing  = 0; ///< of what a load factor of 1 adds
-  };
-
   /// Uses nothing but the velocities and the loads themselves.
   LoadPower
   power_of_loads(const PlaneBody                     &body,

@@ -5,13 +5,12 @@
 #define equilibrium_plane_body_h
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "base/kinematics.h"
 #include "contact/surface_finish.h"
+#include "equilibrium/loads.h"
 #include "equilibrium/split_mesh.h"
-#include "loading/body_force.h"
 #include "material/material.h"
 #include "mesh/boundary_conditions.h"
 
@@ -131,41 +130,6 @@ namespace ElastoPlastic
 
 
 
-  /// The tractions and body forces of a PlaneBody: those at one time, or such
-  /// that grow in proportion to a load factor beside others that do not.
-  struct PlaneLoads
-  {
-    /// All loads are those at this @p time.
-    PlaneLoads(const double time, const BodyForce<2> &body_force = {});
-
-    /// The load factor multiplies what the loads become between two times,
-    /// or all that they are at the second, if there is no first.
-    PlaneLoads(const std::optional<double> begin,
-               const double                end,
-               const BodyForce<2>         &body_force);
-
-    /// Of a @p load as a function of time.
-    template <typename Load>
-    auto
-    constant_part(const Load &load) const
-    {
-      return begin ? load(*begin) : decltype(load(0.))();
-    }
-
-    template <typename Load>
-    auto
-    growing_part(const Load &load) const
-    {
-      return end ? load(*end) - constant_part(load) : decltype(load(0.))();
-    }
-
-    std::optional<double> begin;
-    std::optional<double> end;
-    BodyForce<2>          body_force;
-  };
-
-
-
   /// Puts a PlaneBody together. Prescribed displacements are those at the time
   /// at which the loads begin. The indenter can touch a side of the contact
   /// boundary where @p gap is finite in all of it. If there is one material
@@ -177,7 +141,7 @@ namespace ElastoPlastic
                   const std::vector<Material<double>>           &materials,
                   const Kinematics                               kinematics,
                   const std::function<double(const Point<2> &)> &gap,
-                  const PlaneLoads                              &loads,
+                  const Loads<2>                                &loads,
                   const SurfaceFinish indenter_surface = SurfaceFinish::smooth);
 } // namespace ElastoPlastic
 

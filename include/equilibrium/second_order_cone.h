@@ -10,14 +10,14 @@
 #include <cmath>
 
 /// Algebra of the second-order cones { (v_0, v_1) : |v_1| <= v_0 }, of
-/// dimension 1 (numbers that are not negative) to 4, as an interior point
+/// dimension 1 (numbers that are not negative) to 6, as an interior point
 /// method needs it @cite vandenberghe_2010. Vectors are views of as many
 /// numbers as the cone has dimensions.
 namespace ElastoPlastic::SecondOrderCone
 {
   using namespace dealii;
 
-  constexpr unsigned int max_size = 4;
+  constexpr unsigned int max_size = 6;
 
   using View      = ArrayView<double>;
   using ConstView = ArrayView<const double>;

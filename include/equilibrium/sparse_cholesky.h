@@ -23,7 +23,8 @@ namespace ElastoPlastic
   class SparseCholesky
   {
   public:
-    /// Finds an ordering with little fill.
+    /// Finds an ordering with little fill. @throws FileError if the factors are
+    /// larger than the memory.
     explicit SparseCholesky(const SparsityPattern &pattern);
 
     /// @return false if the matrix is not positive definite. Only its lower

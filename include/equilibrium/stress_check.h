@@ -4,6 +4,7 @@
 #ifndef equilibrium_stress_check_h
 #define equilibrium_stress_check_h
 
+#include "equilibrium/evaluated_bounds.h"
 #include "equilibrium/plane_body.h"
 #include "equilibrium/stress_field.h"
 
@@ -40,11 +41,6 @@ namespace ElastoPlastic
   /// the stresses themselves.
   StressErrors
   check_stress(const PlaneBody &body, const StressField &field);
-
-  /// The largest of these errors, which must not be more than rounding.
-  /// @throws ConvergenceError if it is: nothing follows from such stresses.
-  double
-  require_admissible(const PlaneBody &body, const StressField &field);
 } // namespace ElastoPlastic
 
 #endif

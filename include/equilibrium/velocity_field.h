@@ -54,6 +54,19 @@ namespace ElastoPlastic
 
 
 
+  inline void
+  scale(VelocityField &field, const double factor)
+  {
+    for (TriangleVelocity &velocity : field.velocity)
+      {
+        for (Tensor<1, 2> &coefficient : velocity.coefficients)
+          coefficient *= factor;
+        velocity.flux *= factor;
+      }
+  }
+
+
+
   /// The velocity (-b, a) of a stream function with the gradient (a, b).
   inline Tensor<1, 2>
   velocity_of_stream(const Tensor<1, 2> &gradient)
@@ -108,6 +121,11 @@ namespace ElastoPlastic
               const TriangleVelocity       &velocity,
               const unsigned int            triangle,
               const Bernstein::Barycentric &point);
+
+  /// The largest velocity at a vertex or centre of gravity.
+  double
+  largest_velocity(const PlaneBody                     &body,
+                   const std::vector<TriangleVelocity> &velocity);
 
   /// The velocities at the corners and at the centre of gravity of a triangle.
   std::array<Tensor<1, 2>, 4>

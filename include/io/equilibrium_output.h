@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "equilibrium/plane_body.h"
+#include "equilibrium/space_limit_load.h"
 #include "equilibrium/stress_field.h"
 #include "io/output_parameters.h"
 
@@ -30,9 +31,18 @@ namespace ElastoPlastic
 
 
 
+  /// What there is on the tetrahedra of a TetrahedralMesh.
+  struct SpaceFields
+  {
+    const SpaceBody      &body;
+    const SpaceLimitLoad &bounds;
+  };
+
+
+
   /// Writes what ParaView shows of the equilibrium method, on one rank: files
-  /// with one triangle for each subtriangle, nothing smoothed, and a list of
-  /// them.
+  /// with one triangle for each subtriangle, or one tetrahedron for each of the
+  /// parts of a tetrahedron, nothing smoothed, and a list of them.
   class EquilibriumOutput
   {
   public:
@@ -46,7 +56,15 @@ namespace ElastoPlastic
     void
     write(const EquilibriumFields &fields, const unsigned int cycle);
 
+    /// The same in space, without a discontinuous relative of the motion.
+    void
+    write(const SpaceFields &fields, const unsigned int cycle);
+
   private:
+    template <typename Simplices>
+    void
+    write_file(Simplices &simplices, const unsigned int cycle);
+
     const std::string                           directory;
     const Units                                 units;
     const std::string                           name;

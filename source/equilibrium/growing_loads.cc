@@ -7,6 +7,8 @@
 
 #include "base/exceptions.h"
 #include "equilibrium/growing_loads.h"
+#include "equilibrium/split_mesh.h"
+#include "equilibrium/tetrahedral_mesh.h"
 
 namespace ElastoPlastic
 {
@@ -14,35 +16,53 @@ namespace ElastoPlastic
   {
     /// The diameter of the mesh or so: body forces by it are as large as the
     /// stresses that they cause.
+    template <typename Mesh>
     double
-    size_of(const SplitMesh &mesh)
+    size_of(const Mesh &mesh)
     {
       double size = 0;
-      for (const Point<2> &vertex : mesh.vertices)
+      for (const auto &vertex : mesh.vertices)
         size = std::max(size, vertex.distance(mesh.vertices.front()));
       return size;
     }
 
 
 
-    /// As stresses: the tractions at the ends of all sides, and body forces at
-    /// all vertices.
+    const std::vector<SplitMesh::Side> &
+    sides_of(const SplitMesh &mesh)
+    {
+      return mesh.sides;
+    }
+
+
+
+    const std::vector<TetrahedralMesh::Face> &
+    sides_of(const TetrahedralMesh &mesh)
+    {
+      return mesh.faces;
+    }
+
+
+
+    /// As stresses: the tractions at the corners of all sides, and body forces
+    /// at all vertices.
+    template <int dim, typename Mesh>
     Vector<double>
-    all_loads(const SplitMesh             &mesh,
-              const BoundaryConditions<2> &conditions,
-              const BodyForce<2>          &body_force,
-              const double                 time)
+    all_loads(const Mesh                    &mesh,
+              const BoundaryConditions<dim> &conditions,
+              const BodyForce<dim>          &body_force,
+              const double                   time)
     {
       std::vector<double> values;
-      for (const SplitMesh::Side &side : mesh.sides)
+      for (const auto &side : sides_of(mesh))
         if (const auto traction = conditions.tractions().find(side.boundary_id);
             traction != conditions.tractions().end())
           for (const unsigned int vertex : side.vertices)
             for (const auto &component : traction->second)
               values.push_back(component->value(mesh.vertices[vertex], time));
       const double size = size_of(mesh);
-      for (const Point<2> &vertex : mesh.vertices)
-        for (unsigned int d = 0; d < 2; ++d)
+      for (const Point<dim> &vertex : mesh.vertices)
+        for (unsigned int d = 0; d < dim; ++d)
           values.push_back(size * body_force.value(vertex, time)[d]);
       return Vector<double>(values.begin(), values.end());
     }
@@ -50,10 +70,11 @@ namespace ElastoPlastic
 
 
 
-  PlaneLoads
-  growing_loads(const SplitMesh             &mesh,
-                const BoundaryConditions<2> &conditions,
-                const BodyForce<2>          &body_force)
+  template <int dim, typename Mesh>
+  Loads<dim>
+  growing_loads(const Mesh                    &mesh,
+                const BoundaryConditions<dim> &conditions,
+                const BodyForce<dim>          &body_force)
   {
     constexpr double rounding = 1e-10;
 
@@ -85,11 +106,12 @@ namespace ElastoPlastic
 
 
 
+  template <int dim, typename Mesh>
   double
-  time_of_largest_load(const SplitMesh             &mesh,
-                       const BoundaryConditions<2> &conditions,
-                       const BodyForce<2>          &body_force,
-                       const std::vector<double>   &times)
+  time_of_largest_load(const Mesh                    &mesh,
+                       const BoundaryConditions<dim> &conditions,
+                       const BodyForce<dim>          &body_force,
+                       const std::vector<double>     &times)
   {
     const auto load_at = [&](const double time) {
       return all_loads(mesh, conditions, body_force, time).linfty_norm();
@@ -100,4 +122,25 @@ namespace ElastoPlastic
                                return load_at(a) < load_at(b);
                              });
   }
+
+
+
+  template Loads<2>
+  growing_loads(const SplitMesh &,
+                const BoundaryConditions<2> &,
+                const BodyForce<2> &);
+  template Loads<3>
+  growing_loads(const TetrahedralMesh &,
+                const BoundaryConditions<3> &,
+                const BodyForce<3> &);
+  template double
+  time_of_largest_load(const SplitMesh &,
+                       const BoundaryConditions<2> &,
+                       const BodyForce<2> &,
+                       const std::vector<double> &);
+  template double
+  time_of_largest_load(const TetrahedralMesh &,
+                       const BoundaryConditions<3> &,
+                       const BodyForce<3> &,
+                       const std::vector<double> &);
 } // namespace ElastoPlastic

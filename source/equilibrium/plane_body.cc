@@ -32,7 +32,7 @@ namespace ElastoPlastic
     public:
       Conditions(const BoundaryConditions<2>                   &conditions,
                  const std::function<double(const Point<2> &)> &gap,
-                 const PlaneLoads                              &loads,
+                 const Loads<2>                                &loads,
                  const SurfaceFinish indenter_surface)
         : contact(conditions.ids(BoundaryConditionType::contact))
         , fixed(conditions.ids(BoundaryConditionType::fixed))
@@ -168,38 +168,17 @@ namespace ElastoPlastic
       const Values                                  &displacements;
       const Values                                  &tractions;
       const std::function<double(const Point<2> &)> &gap;
-      const PlaneLoads                              &loads;
+      const Loads<2>                                &loads;
       const SurfaceFinish                            indenter_surface;
     };
 
 
 
-    /// The same at all vertices.
-    Tensor<1, 2>
-    constant_body_force(const PlaneLoads &loads,
-                        const SplitMesh  &mesh,
-                        const double      time)
-    {
-      constexpr double   rounding = 1e-12;
-      const Tensor<1, 2> first =
-        loads.body_force.value(mesh.vertices.front(), time);
-      for (const Point<2> &vertex : mesh.vertices)
-        if ((loads.body_force.value(vertex, time) - first).norm() >
-            rounding * first.norm())
-          throw InputError(
-            "The body force ('Body force') depends on the "
-            "position. The equilibrium method is for constant "
-            "ones. Write numbers, or expressions in t alone.");
-      return first;
-    }
-
-
-
     void
-    set_body_force(PlaneBody &body, const PlaneLoads &loads)
+    set_body_force(PlaneBody &body, const Loads<2> &loads)
     {
       const auto at = [&](const double time) {
-        return constant_body_force(loads, body.mesh, time);
+        return loads.constant_body_force(body.mesh.vertices, time);
       };
       body.body_force        = loads.constant_part(at);
       body.body_force_growth = loads.growing_part(at);
@@ -340,30 +319,13 @@ namespace ElastoPlastic
 
 
 
-  PlaneLoads::PlaneLoads(const double time, const BodyForce<2> &body_force)
-    : begin(time)
-    , body_force(body_force)
-  {}
-
-
-
-  PlaneLoads::PlaneLoads(const std::optional<double> begin,
-                         const double                end,
-                         const BodyForce<2>         &body_force)
-    : begin(begin)
-    , end(end)
-    , body_force(body_force)
-  {}
-
-
-
   PlaneBody
   make_plane_body(SplitMesh                                      mesh,
                   const BoundaryConditions<2>                   &conditions,
                   const std::vector<Material<double>>           &materials,
                   const Kinematics                               kinematics,
                   const std::function<double(const Point<2> &)> &gap,
-                  const PlaneLoads                              &loads,
+                  const Loads<2>                                &loads,
                   const SurfaceFinish indenter_surface)
   {
     PlaneBody body;

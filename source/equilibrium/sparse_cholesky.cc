@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/memory.h"
 #include "equilibrium/sparse_cholesky.h"
 
 #include <omp.h>
@@ -54,6 +55,10 @@ namespace ElastoPlastic
     factor.reset(cholmod_analyze(&matrix, &common));
     if (!factor)
       throw std::bad_alloc();
+    require_memory(factor->is_super ?
+                     sizeof(double) * static_cast<double>(factor->xsize) :
+                     (sizeof(double) + sizeof(int)) * common.lnz,
+                   "to factorise the equations of the equilibrium method");
   }
 
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/exceptions.h"
 #include "equilibrium/hencky_material.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/stress_check.h"
@@ -14,10 +13,6 @@ namespace ElastoPlastic
   namespace
   {
     using namespace JohnsonMercier;
-
-    constexpr double largest_stress_error = 1e-8;
-
-
 
     void
     enlarge(double &largest, const double error)
@@ -265,17 +260,4 @@ namespace ElastoPlastic
     return errors;
   }
 
-
-
-  double
-  require_admissible(const PlaneBody &body, const StressField &field)
-  {
-    const double error = check_stress(body, field).largest();
-    if (error > largest_stress_error)
-      throw ConvergenceError(
-        "The stresses of the equilibrium method violate equilibrium or yield "
-        "condition by " +
-        std::to_string(error) + " of the yield stress.");
-    return error;
-  }
 } // namespace ElastoPlastic

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "equilibrium/certificate.h"
+#include "equilibrium/evaluated_bounds.h"
 #include "equilibrium/stress_problem.h"
 #include "equilibrium/stress_program.h"
 
@@ -51,22 +51,8 @@ namespace ElastoPlastic
     StressField
     solve_bounded(const StressProgram &program)
     {
-      try
-        {
-          return program.solve(limit_tolerance);
-        }
-      catch (const UnboundedError &)
-        {
-          throw ConvergenceError(
-            "There is no limit load: the supports enclose the body, which bears "
-            "any load, or the indenter reaches a point that is held. Let "
-            "'Indenter/Reach' end before what is held.");
-        }
-      catch (const NoSolutionError &)
-        {
-          throw ConvergenceError(
-            "The body does not even bear the given tractions.");
-        }
+      return explain_missing_limit(
+        [&]() { return program.solve(limit_tolerance); });
     }
   } // namespace
 

@@ -83,6 +83,19 @@ namespace ElastoPlastic
 
 
 
+  double
+  largest_velocity(const PlaneBody                     &body,
+                   const std::vector<TriangleVelocity> &velocity)
+  {
+    double largest = 0;
+    for (unsigned int t = 0; t < velocity.size(); ++t)
+      for (const Tensor<1, 2> &v : values_at_vertices(body, velocity[t], t))
+        largest = std::max(largest, v.norm());
+    return largest;
+  }
+
+
+
   SymmetricTensor<2, 2>
   polynomial_rate(const std::array<Point<2>, 3> &corners,
                   const TriangleVelocity        &velocity,

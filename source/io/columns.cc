@@ -198,7 +198,7 @@ namespace ElastoPlastic
     static const Columns<R> columns = {
       {"cycle", "1", "number of the mesh, from 0", &R::cycle},
       {"cells", "1", "of the mesh", &R::cells},
-      {"triangles", "1", "that the cells are split into", &R::triangles},
+      {"triangles", "1", "that the cells are split into; in space, tetrahedra", &R::triangles},
       {"lower_bound", "force", "of the limit load (of the load factor, without unit, if tractions grow): that of stresses in equilibrium which satisfy the yield condition", &R::lower_bound},
       {"upper_bound", "force", "of the same: that of a mechanism of collapse", &R::upper_bound},
       {"relative_difference", "1", "of the bounds, over the lower one", &R::relative_difference},

@@ -4,6 +4,7 @@
 #include <deal.II/base/utilities.h>
 
 #include "equilibrium/johnson_mercier.h"
+#include "equilibrium/tetrahedron_stress.h"
 #include "io/checked_write.h"
 #include "io/equilibrium_output.h"
 
@@ -11,10 +12,7 @@ namespace ElastoPlastic
 {
   namespace
   {
-    using Patch = DataOutBase::Patch<2, 2>;
-
-    /// After the three components of the motion and of its discontinuous
-    /// relative.
+    /// After the vectors.
     const std::vector<std::string> names = {"stress",
                                             "stress",
                                             "stress",
@@ -31,16 +29,23 @@ namespace ElastoPlastic
 
 
 
-    /// Patches are triangles: deal.II writes them as such.
-    class Triangles : public DataOutInterface<2, 2>
+    /// Patches are triangles or tetrahedra: deal.II writes them as such.
+    template <int dim>
+    class Simplices : public DataOutInterface<dim, dim>
     {
     public:
-      explicit Triangles(const std::string &name_of_motion)
-        : name_of_motion(name_of_motion)
-        , name_of_multiplier("discontinuous_" + name_of_motion)
+      using Patch = DataOutBase::Patch<dim, dim>;
+
+      explicit Simplices(const std::vector<std::string> &names_of_vectors)
+        : names_of_vectors(names_of_vectors)
       {}
 
-      std::vector<Patch> patches;
+      void
+      add(Patch patch)
+      {
+        patch.patch_index = patches.size();
+        patches.push_back(patch);
+      }
 
     private:
       const std::vector<Patch> &
@@ -52,8 +57,9 @@ namespace ElastoPlastic
       std::vector<std::string>
       get_dataset_names() const override
       {
-        std::vector<std::string> result(3, name_of_motion);
-        result.insert(result.end(), 3, name_of_multiplier);
+        std::vector<std::string> result;
+        for (const std::string &name : names_of_vectors)
+          result.insert(result.end(), 3, name);
         result.insert(result.end(), names.begin(), names.end());
         return result;
       }
@@ -66,17 +72,50 @@ namespace ElastoPlastic
       get_nonscalar_data_ranges() const override
       {
         using namespace DataComponentInterpretation;
-        return {{0, 2, name_of_motion, component_is_part_of_vector},
-                {3, 5, name_of_multiplier, component_is_part_of_vector},
-                {6, 14, "stress", component_is_part_of_tensor}};
+        decltype(this->get_nonscalar_data_ranges()) ranges;
+        unsigned int                                first = 0;
+        for (const std::string &name : names_of_vectors)
+          {
+            ranges.emplace_back(first,
+                                first + 2,
+                                name,
+                                component_is_part_of_vector);
+            first += 3;
+          }
+        ranges.emplace_back(first,
+                            first + 8,
+                            "stress",
+                            component_is_part_of_tensor);
+        return ranges;
       }
 
-      const std::string name_of_motion, name_of_multiplier;
+      const std::vector<std::string> names_of_vectors;
+      std::vector<Patch>             patches;
     };
 
 
 
-    Patch
+    /// What is not a vector, at vertex @p i of a @p patch: the components from
+    /// @p first on.
+    template <typename Patch>
+    void
+    set_stress(Patch                       &patch,
+               const unsigned int           first,
+               const unsigned int           i,
+               const SymmetricTensor<2, 3> &stress,
+               const double                 yield_radius)
+    {
+      const double deviator_norm = deviator(stress).norm();
+      for (unsigned int a = 0; a < 3; ++a)
+        for (unsigned int b = 0; b < 3; ++b)
+          patch.data(first + 3 * a + b, i) = stress[a][b];
+      patch.data(first + 9, i)  = std::sqrt(1.5) * deviator_norm;
+      patch.data(first + 10, i) = deviator_norm / yield_radius;
+    }
+
+
+
+    DataOutBase::Patch<2, 2>
     make_patch(const EquilibriumFields &fields,
                const unsigned int       t,
                const unsigned int       subtriangle)
@@ -95,28 +134,63 @@ namespace ElastoPlastic
         JohnsonMercier::on_subtriangle(stress_field.displacement[t],
                                        subtriangle);
 
-      Patch patch;
+      DataOutBase::Patch<2, 2> patch;
       patch.reference_cell = ReferenceCells::Triangle;
       patch.n_subdivisions = 1;
       patch.data.reinit(6 + names.size(), 3);
       for (unsigned int i = 0; i < 3; ++i)
         {
           patch.vertices[i] = corners[i];
-          const auto stress =
-            stress_field.without_weight(body, t, subtriangle, i);
-          const double deviator_norm = deviator(stress).norm();
           for (unsigned int d = 0; d < 2; ++d)
             {
               patch.data(d, i)     = motions[i][d];
               patch.data(3 + d, i) = multipliers[i][d];
             }
-          for (unsigned int a = 0; a < 3; ++a)
-            for (unsigned int b = 0; b < 3; ++b)
-              patch.data(6 + 3 * a + b, i) = stress[a][b];
-          patch.data(15, i) = std::sqrt(1.5) * deviator_norm;
-          patch.data(16, i) = deviator_norm / body.materials[t].yield_radius;
+          set_stress(patch,
+                     6,
+                     i,
+                     stress_field.without_weight(body, t, subtriangle, i),
+                     body.materials[t].yield_radius);
           patch.data(17, i) = errors[t];
           patch.data(18, i) = body.mesh.cells[triangle.cell].material_id;
+        }
+      return patch;
+    }
+
+
+
+    DataOutBase::Patch<3, 3>
+    make_patch(const SpaceFields &fields,
+               const unsigned int t,
+               const unsigned int part)
+    {
+      const auto &[body, bounds] = fields;
+      const auto &tetrahedron    = body.mesh.tetrahedra[t];
+      const auto  corners =
+        TetrahedronStress::part_of(body.mesh.corners(tetrahedron), part);
+      CornerVelocities velocity = bounds.velocity.velocity[t];
+      velocity[part] =
+        0.25 * (velocity[0] + velocity[1] + velocity[2] + velocity[3]);
+
+      DataOutBase::Patch<3, 3> patch;
+      patch.reference_cell = ReferenceCells::Tetrahedron;
+      patch.n_subdivisions = 1;
+      patch.data.reinit(3 + names.size(), 4);
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          patch.vertices[i] = corners[i];
+          for (unsigned int d = 0; d < 3; ++d)
+            patch.data(d, i) = velocity[i][d];
+          set_stress(patch,
+                     3,
+                     i,
+                     bounds.stress.at(t, part, i) -
+                       body.pressure_of_body_force(corners[i],
+                                                   bounds.stress.load_factor) *
+                         unit_symmetric_tensor<3>(),
+                     body.materials[t].yield_radius);
+          patch.data(14, i) = bounds.gaps[t];
+          patch.data(15, i) = body.mesh.cells[tetrahedron.cell].material_id;
         }
       return patch;
     }
@@ -139,24 +213,42 @@ namespace ElastoPlastic
   EquilibriumOutput::write(const EquilibriumFields &fields,
                            const unsigned int       cycle)
   {
-    Triangles             triangles(name_of_motion);
+    Simplices<2> triangles({name_of_motion, "discontinuous_" + name_of_motion});
+    for (unsigned int t = 0; t < fields.body.mesh.triangles.size(); ++t)
+      for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
+        triangles.add(make_patch(fields, t, subtriangle));
+    write_file(triangles, cycle);
+  }
+
+
+
+  void
+  EquilibriumOutput::write(const SpaceFields &fields, const unsigned int cycle)
+  {
+    Simplices<3> tetrahedra({name_of_motion});
+    for (unsigned int t = 0; t < fields.body.mesh.tetrahedra.size(); ++t)
+      for (unsigned int k = 0; k < TetrahedronStress::n_parts; ++k)
+        tetrahedra.add(make_patch(fields, t, k));
+    write_file(tetrahedra, cycle);
+  }
+
+
+
+  template <typename Simplices>
+  void
+  EquilibriumOutput::write_file(Simplices &simplices, const unsigned int cycle)
+  {
     DataOutBase::VtkFlags flags;
     if (units.are_named())
       for (const std::string field : {"stress", "von_mises_stress"})
         flags.physical_units[field] = units.of("stress");
-    triangles.set_flags(flags);
-    for (unsigned int t = 0; t < fields.body.mesh.triangles.size(); ++t)
-      for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
-        {
-          triangles.patches.push_back(make_patch(fields, t, subtriangle));
-          triangles.patches.back().patch_index = triangles.patches.size() - 1;
-        }
+    simplices.set_flags(flags);
 
     const std::string file_name =
       name + "-" + Utilities::int_to_string(cycle, 3) + ".vtu";
     checked_write(MPI_COMM_SELF,
                   directory + "/" + file_name,
-                  [&](std::ostream &file) { triangles.write_vtu(file); });
+                  [&](std::ostream &file) { simplices.write_vtu(file); });
     records.emplace_back(cycle, file_name);
     checked_write(MPI_COMM_SELF,
                   directory + "/" + name + ".pvd",

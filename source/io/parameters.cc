@@ -60,10 +60,9 @@ namespace ElastoPlastic
                       "contact: an indenter pressed into an elasto-plastic "
                       "body, or a body loaded by its boundary conditions. "
                       "limit load: the largest force that the indenter can "
-                      "exert on a perfectly plastic body in two dimensions, "
-                      "or the largest factor of its tractions and body forces, "
-                      "between two rigorous bounds, see the section 'Limit "
-                      "load'. "
+                      "exert on a perfectly plastic body, or the largest "
+                      "factor of its tractions and body forces, between two "
+                      "rigorous bounds, see the section 'Limit load'. "
                       "contact with error bound: contact in one load step, in "
                       "plane strain or plane stress, with stresses in exact "
                       "equilibrium beside the displacement, and a guaranteed "
@@ -233,7 +232,7 @@ namespace ElastoPlastic
   {
     const std::string entry =
       "'Analysis = " + Patterns::Tools::to_string(analysis) + "'";
-    if (dimension == 3)
+    if (dimension == 3 && analysis != Analysis::limit_load)
       throw InputError("Dimension", "3", entry + " is for two dimensions.");
     if (discretization.kinematics == Kinematics::axisymmetric &&
         analysis != Analysis::limit_load)

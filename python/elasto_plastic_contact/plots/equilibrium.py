@@ -26,7 +26,10 @@ def last_fields(directory):
     for kind in ("limit_load", "equilibrium"):
         if (pathlib.Path(directory) / f"{kind}.pvd").exists():
             fields = list(read_fields(directory, kind))[-1]
-            return {name: numpy.array(values) for name, values in fields.items()}
+            fields = {name: numpy.array(values) for name, values in fields.items()}
+            if fields["cells"].shape[1] != 3:
+                raise UserError(f"{kind}.pvd in {directory} is of a body in space: ParaView shows it.")
+            return fields
     raise UserError(f"there is neither limit_load.pvd nor equilibrium.pvd in {directory}. "
                     "Run a case with 'Analysis = limit load' or 'contact with error bound'.")
 

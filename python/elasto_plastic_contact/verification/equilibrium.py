@@ -59,6 +59,34 @@ def limit_load_revolution(runner):
                        max(max(row["stress_error"], row["velocity_error"]) for row in rows), 0, 1e-9, absolute=True)
 
 
+def limit_load_space(runner):
+    """Limit loads in space: a square punch against bounds on a finer mesh, a slab between rollers against plane strain."""
+    case, limit = "limit_load/square_punch_3d.prm", (2.976, 3.088)  # 17,170 tetrahedra, another program
+    rows = runner.tables(case, "Refinement/Number of cycles=2")["limit_load"]
+    for row in rows:
+        runner.verify(f"{row['lower_bound']:.6g} <= limit load <= {row['upper_bound']:.6g}",
+                      row["lower_bound"] <= limit[1] and row["upper_bound"] >= limit[0])
+    runner.compare("difference of the bounds", rows[-1]["relative_difference"], 0, 0.12, absolute=True)
+    runner.compare("largest error of stresses and velocities",
+                   max(max(row["stress_error"], row["velocity_error"]) for row in rows), 0, 1e-9, absolute=True)
+
+    block = {"Geometry/Lower corner": "0{}, -4", "Geometry/Upper corner": "4{}, 0", "Geometry/Repetitions": "4{}, 4"}
+    entries = {dim: [f"{entry}={value.format(middle)}" for (entry, value), middle in zip(block.items(), thickness)]
+               for dim, thickness in {2: ("", "", ""), 3: (", 0", ", 1", ", 1")}.items()}
+    plane = runner.tables("limit_load/strip_punch.prm", "Refinement/Number of cycles=6", "Material/Yield stress=1",
+                          *entries[2])["limit_load"][-1]
+    slab = runner.tables(case, "Refinement/Number of cycles=3", "Refinement/Refinement fraction=0.15",
+                         "Indenter/Type=strip punch", "Indenter/Half width=1", "Boundary conditions/Free=right",
+                         "Boundary conditions/Roller=left, front, back", *entries[3])["limit_load"]
+    for row in slab:
+        runner.verify(f"slab: {row['lower_bound']:.6g} <= {plane['upper_bound']:.6g}, "
+                      f"{row['upper_bound']:.6g} >= {plane['lower_bound']:.6g}",
+                      row["lower_bound"] <= plane["upper_bound"] and row["upper_bound"] >= plane["lower_bound"])
+    for earlier, later in zip(slab, slab[1:]):
+        runner.verify("slab: a finer mesh is closer", later["relative_difference"] < earlier["relative_difference"])
+    runner.compare("slab: difference of the bounds", slab[-1]["relative_difference"], 0, 0.12, absolute=True)
+
+
 def openblas_kernels():
     """Names of some kernels of OpenBLAS that this processor can run; without OpenBLAS, they are ignored."""
     with open("/proc/cpuinfo", encoding="ascii") as file:

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/utilities.h>
+
+#include <iomanip>
+#include <sstream>
+
+#include "base/exceptions.h"
+#include "base/memory.h"
+
+#include <unistd.h>
+
+namespace ElastoPlastic
+{
+  void
+  require_memory(const double bytes, const std::string &purpose)
+  {
+    constexpr double gigabyte = 1e9;
+
+    dealii::Utilities::System::MemoryStats stats;
+    dealii::Utilities::System::get_memory_stats(stats);
+    const double used = 1024. * stats.VmRSS;
+    const double all  = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                       static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    if (bytes <= all - used)
+      return;
+    std::ostringstream message;
+    message << std::setprecision(2) << "there is not enough memory " << purpose
+            << ": that takes about " << bytes / gigabyte
+            << " GB, and of the machine's " << all / gigabyte
+            << " GB this process holds " << used / gigabyte
+            << " already. Choose a coarser mesh ('Geometry/Initial "
+               "refinements'), or fewer of them ('Refinement/Number of "
+               "cycles').";
+    throw FileError(message.str());
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Bounds of limit loads in space: exact where they can be, on either side of
+// the exact limit load else, admissible to rounding errors whatever the mesh,
+// and the same on any number of ranks.
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "equilibrium/evaluated_bounds.h"
+#include "equilibrium/space_limit_load.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  const double k = 1. / std::sqrt(3.); // the yield stress is 1
+
+  using Gap  = std::function<double(const Point<3> &)>;
+  using Mesh = parallel::distributed::Triangulation<3>;
+
+  const Gap everywhere = [](const Point<3> &) {
+    return 0.;
+  };
+
+  const BoundaryNames names = {{"left", 0},
+                               {"right", 1},
+                               {"front", 2},
+                               {"back", 3},
+                               {"bottom", 4},
+                               {"top", 5}};
+
+
+
+  Material<double>
+  material()
+  {
+    Material<double> material;
+    material.bulk_modulus      = 800.;
+    material.shear_modulus     = 400.;
+    material.yield_radius      = std::sqrt(2. / 3.);
+    material.isotropic_modulus = 0.;
+    return material;
+  }
+
+
+
+  void
+  refine(Mesh &mesh, const std::function<bool(const Point<3> &)> &is_flagged)
+  {
+    for (const auto &cell : mesh.active_cell_iterators())
+      if (cell->is_locally_owned() && is_flagged(cell->center()))
+        cell->set_refine_flag();
+    mesh.execute_coarsening_and_refinement();
+  }
+
+
+
+  BoundaryConditionParameters
+  on_rollers(const std::vector<std::string> &rollers)
+  {
+    BoundaryConditionParameters parameters;
+    parameters.roller = rollers;
+    for (const std::string name : {"left", "right", "front", "back", "bottom"})
+      if (std::find(rollers.begin(), rollers.end(), name) == rollers.end())
+        parameters.free.push_back(name);
+    parameters.contact = {"top"};
+    return parameters;
+  }
+
+
+
+  /// Three faces of each tetrahedron inside, two tetrahedra at each of them.
+  void
+  verify_mesh(const TetrahedralMesh &mesh, const double exact_volume)
+  {
+    double sum = 0, flat = 0;
+    for (const auto &tetrahedron : mesh.tetrahedra)
+      sum += volume(mesh.corners(tetrahedron));
+    unsigned int n_outside = 0;
+    for (const auto &face : mesh.faces)
+      if (!face.is_inside())
+        {
+          ++n_outside;
+          flat += area(mesh.corners(face));
+        }
+    output() << mesh.tetrahedra.size() << " tetrahedra" << std::endl;
+    verify("volume", std::abs(sum / exact_volume - 1.), 1e-12);
+    verify("surface of a cube",
+           std::abs(flat / (6. * std::pow(exact_volume, 2. / 3.)) - 1.),
+           1e-12);
+    verify("conforming",
+           4 * mesh.tetrahedra.size() == 2 * mesh.faces.size() - n_outside);
+  }
+
+
+
+  /// A limit load, or strict bounds of it that a finer mesh has found.
+  struct Limit
+  {
+    double lower, upper;
+  };
+
+
+
+  /// The bounds, relative to those of the @p limit, are between @p least and 1,
+  /// and between 1 and @p most.
+  void
+  verify_bounds(const std::string    &title,
+                const SpaceBody      &body,
+                const SpaceLimitLoad &bounds,
+                const Limit          &limit,
+                const double          least,
+                const double          most)
+  {
+    const double lower = bounds.stress.force / limit.upper,
+                 upper = bounds.velocity.force / limit.lower;
+    output() << title << std::endl;
+    verify("lower bound", lower >= least && lower <= 1. + 1e-10);
+    verify("upper bound", upper <= most && upper >= 1. - 1e-10);
+    verify("admissible stress", require_admissible(body, bounds.stress), 1e-9);
+    verify("admissible velocity", bounds.velocity.error, 1e-9);
+    verify("gaps",
+           *std::min_element(bounds.gaps.begin(), bounds.gaps.end()) > -1e-9);
+    verify("sum of the gaps",
+           std::accumulate(bounds.gaps.begin(), bounds.gaps.end(), 0.) <=
+             bounds.velocity.force - bounds.stress.force + 1e-6);
+  }
+
+
+
+  // The stress is uniform, and so is the strain rate.
+  void
+  test_plates(const std::string                 &title,
+              const TetrahedralMesh             &mesh,
+              const BoundaryConditionParameters &parameters,
+              const double                       exact)
+  {
+    constexpr double            error = 1e-8;
+    const BoundaryConditions<3> conditions(parameters, names);
+    const SpaceBody             body =
+      make_space_body(mesh, conditions, {material()}, everywhere, 0.);
+    verify_bounds(title,
+                  body,
+                  bound_limit_load(body, 0.1 * error),
+                  {exact, exact},
+                  1. - error,
+                  1. + error);
+  }
+
+
+
+  void
+  test_plates(const TetrahedralMesh &mesh)
+  {
+    const auto uniaxial = on_rollers({"left", "front", "bottom"});
+    test_plates("Smooth plates", mesh, uniaxial, 1.);
+    test_plates("Smooth plates, plane strain",
+                mesh,
+                on_rollers({"left", "front", "back", "bottom"}),
+                2. * k);
+    auto pressed     = uniaxial;
+    pressed.free     = {};
+    pressed.traction = "right: -0.7; 0; 0 | back: 0; -0.7; 0";
+    test_plates("Smooth plates, and a pressure on the sides",
+                mesh,
+                pressed,
+                1.7);
+  }
+
+
+
+  // The limits are those on a mesh that is refined where needed; without the
+  // small cells, bounds are 0.89 and 1.131 of them.
+  void
+  test_square_punch(const TetrahedralMesh &mesh,
+                    const SurfaceFinish    surface,
+                    const Limit           &limit)
+  {
+    auto parameters  = on_rollers({"left", "front"});
+    parameters.free  = {"right", "back"};
+    parameters.fixed = {"bottom"};
+    const BoundaryConditions<3> conditions(parameters, names);
+    const Gap                   punch = [](const Point<3> &x) {
+      return std::max(x[0], x[1]) <= 1. ?
+                                 0. :
+                                 std::numeric_limits<double>::infinity();
+    };
+    const SpaceBody body =
+      make_space_body(mesh, conditions, {material()}, punch, 0., surface);
+    verify_bounds(surface == SurfaceFinish::rough ? "Rough square punch" :
+                                                    "Smooth square punch",
+                  body,
+                  bound_limit_load(body),
+                  limit,
+                  0.9,
+                  1.13);
+  }
+
+
+
+  void
+  test_messages(const TetrahedralMesh &mesh)
+  {
+    print_error("Tractions that are not linear", [&]() {
+      auto parameters     = on_rollers({"left", "front", "bottom", "back"});
+      parameters.free     = {};
+      parameters.traction = "right: x*y^2; 0; 0";
+      make_space_body(mesh,
+                      BoundaryConditions<3>(parameters, names),
+                      {material()},
+                      everywhere,
+                      0.);
+    });
+
+    const BoundaryConditions<3> closed(
+      on_rollers({"left", "front", "back", "right", "bottom"}), names);
+    const SpaceBody body =
+      make_space_body(mesh, closed, {material()}, everywhere, 0.);
+    TetrahedralMesh distorted = mesh;
+    distorted.vertices[mesh.tetrahedra[0].vertices[3]] += Point<3>(2, 2, 2);
+    print_error("A centre outside of its cell", [&]() {
+      make_space_body(distorted, closed, {material()}, everywhere, 0.);
+    });
+    print_error("Enclosed", [&]() { minimize_plastic_work(body); });
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  Mesh cube(MPI_COMM_WORLD);
+  GridGenerator::subdivided_hyper_rectangle(
+    cube, {2, 2, 2}, Point<3>(0, 0, -1), Point<3>(1, 1, 0), true);
+  GridTools::distort_random(0.2, cube, /* keep_boundary = */ true);
+  refine(cube, [](const Point<3> &x) { return x.distance({1, 1, 0}) < 0.6; });
+
+  Mesh block(MPI_COMM_WORLD);
+  GridGenerator::subdivided_hyper_rectangle(
+    block, {2, 2, 2}, Point<3>(0, 0, -2), Point<3>(2, 2, 0), true);
+  refine(block, [](const Point<3> &x) { return x.norm() < 1.; });
+
+  const TetrahedralMesh mesh_of_cube  = make_split_mesh(cube),
+                        mesh_of_block = make_split_mesh(block);
+  if (mesh_of_cube.tetrahedra.empty())
+    return 0; // not the first rank
+  verify_mesh(mesh_of_cube, 1.);
+  verify_mesh(mesh_of_block, 8.);
+  test_plates(mesh_of_cube);
+  // (with 9,126 and 8,326 tetrahedra)
+  test_square_punch(mesh_of_block, SurfaceFinish::smooth, {2.3354, 2.4395});
+  test_square_punch(mesh_of_block, SurfaceFinish::rough, {2.3487, 2.4653});
+  test_messages(mesh_of_cube);
+}

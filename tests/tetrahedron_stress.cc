@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The Johnson-Mercier element on a tetrahedron: how many stresses there are,
+// what determines them, and that Piola's transformation keeps what they
+// promise.
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+#include "equilibrium/local_algebra.h"
+#include "equilibrium/tetrahedron_stress.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+using namespace ElastoPlastic::TetrahedronStress;
+
+namespace
+{
+  const Tetrahedron tetrahedron = {{Point<3>(0.3, -0.2, 0.1),
+                                    Point<3>(2.1, 0.4, -0.3),
+                                    Point<3>(1.2, 1.7, 0.2),
+                                    Point<3>(0.8, 0.5, 1.9)}};
+
+
+
+  /// So many rows of conditions, one matrix below the other.
+  FullMatrix<double>
+  joined(const FullMatrix<double> &a, const FullMatrix<double> &b)
+  {
+    FullMatrix<double> result(a.m() + b.m(), n_values);
+    result.fill(a);
+    result.fill(b, a.m());
+    return result;
+  }
+
+
+
+  /// The tractions at the corners of the faces (36 x 96).
+  FullMatrix<double>
+  tractions_on_faces()
+  {
+    FullMatrix<double> result(36, n_values);
+    unsigned int       row = 0;
+    for (unsigned int k = 0; k < n_parts; ++k)
+      for (unsigned int i = 0; i < 3; ++i, row += 3)
+        result.fill(traction_matrix(outward_normal(tetrahedron, k)),
+                    row,
+                    value_index(k, corner_of_face(k, i)));
+    return result;
+  }
+
+
+
+  double
+  largest_entry(const FullMatrix<double> &a, const FullMatrix<double> &b)
+  {
+    FullMatrix<double> product(a.m(), b.n());
+    a.mmult(product, b);
+    return product.linfty_norm();
+  }
+
+
+
+  /// The values of a stress given as a function of the position.
+  template <typename Stress>
+  Vector<double>
+  values_of(const Stress &stress)
+  {
+    Vector<double> values(n_values);
+    for (unsigned int k = 0; k < n_parts; ++k)
+      for (unsigned int i = 0; i < 4; ++i)
+        for (unsigned int c = 0; c < n_components; ++c)
+          values[value_index(k, i, c)] =
+            stress(part_of(tetrahedron, k)[i]).access_raw_entry(c);
+    return values;
+  }
+
+
+
+  /// What is left of @p values by the best combination of a @p basis.
+  double
+  distance_from(const FullMatrix<double> &basis, const Vector<double> &values)
+  {
+    FullMatrix<double> square(basis.n(), basis.n());
+    basis.Tmmult(square, basis);
+    square.gauss_jordan();
+    Vector<double> right(basis.n()), coefficients(basis.n()), rest = values;
+    basis.Tvmult(right, values);
+    square.vmult(coefficients, right);
+    coefficients *= -1.;
+    basis.vmult_add(rest, coefficients);
+    return rest.linfty_norm();
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const auto jumps       = jump_matrix(tetrahedron),
+             divergences = divergence_matrix(tetrahedron);
+  output() << "Stresses: " << LocalAlgebra::kernel(jumps).m()
+           << ", without divergence: "
+           << LocalAlgebra::kernel(joined(jumps, divergences)).m()
+           << ", without tractions: "
+           << LocalAlgebra::kernel(joined(jumps, tractions_on_faces())).m()
+           << std::endl;
+
+  const FullMatrix<double> basis = equilibrated_basis(tetrahedron);
+  output() << "Basis: " << basis.n() << std::endl;
+  FullMatrix<double> transposed(basis.n(), basis.m());
+  transposed.copy_transposed(basis);
+  verify("independent",
+         LocalAlgebra::kernel(transposed).m() == n_values - basis.n());
+  verify("continuous tractions", largest_entry(jumps, basis), 1e-13);
+  verify("no divergence", largest_entry(divergences, basis), 1e-13);
+
+  verify("contains a linear stress without divergence",
+         distance_from(basis, values_of([](const Point<3> &x) {
+                         SymmetricTensor<2, 3> stress;
+                         stress[0][0] = 1. + x[0] + x[1];
+                         stress[0][1] = 0.5 - x[1] + 2. * x[2];
+                         stress[1][2] = x[0] - 3. * x[1];
+                         stress[2][2] = 3. * x[2] - x[1];
+                         stress[1][1] = x[2];
+                         return stress;
+                       })) < 1e-12);
+  verify("but no other", distance_from(basis, values_of([](const Point<3> &x) {
+                                         SymmetricTensor<2, 3> stress;
+                                         stress[0][0] = x[0];
+                                         return stress;
+                                       })) > 0.1);
+
+  SymmetricTensor<2, 3> stress;
+  Vector<double>        components(n_components);
+  for (unsigned int c = 0; c < n_components; ++c)
+    stress.access_raw_entry(c) = components[c] = std::cos(1. + c * c);
+  Vector<double> of_deviator(5);
+  deviator_matrix().vmult(of_deviator, components);
+  verify("norm of the deviator",
+         std::abs(of_deviator.l2_norm() - deviator(stress).norm()),
+         1e-14);
+}
