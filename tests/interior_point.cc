@@ -66,6 +66,8 @@ namespace
     program.blocks = {ball(2, 1.), ConicBlock(2)};
     Vector<double> row(2);
     for (ConicBlock &block : program.blocks)
+      block.quadratic_cost.reinit(2, 2);
+    for (ConicBlock &block : program.blocks)
       for (unsigned int i = 0; i < 2; ++i)
         {
           block.quadratic_cost(i, i) = 1.;

@@ -33,10 +33,11 @@ namespace ElastoPlastic
   /// and what they contribute, A x, to the equations that couple the blocks.
   struct ConicBlock
   {
-    FullMatrix<double> quadratic_cost; ///< P: n x n, symmetric, not negative
-    Vector<double>     linear_cost;    ///< c: n
-    FullMatrix<double> cone_matrix;    ///< G: m x n
-    Vector<double>     cone_offset;    ///< h: m
+    /// P: n x n, symmetric, not negative; empty if there is none
+    FullMatrix<double> quadratic_cost;
+    Vector<double>     linear_cost; ///< c: n
+    FullMatrix<double> cone_matrix; ///< G: m x n
+    Vector<double>     cone_offset; ///< h: m
     /// K: sizes of cones, from 1 to SecondOrderCone::max_size, with the sum m
     std::vector<unsigned int> cone_sizes;
     std::vector<ConeScale>    cone_scales; ///< one for each cone
@@ -84,11 +85,14 @@ namespace ElastoPlastic
   {
     explicit ConicLayout(const ConicProgram &program);
 
-    /// A cone: its first entry, and how many there are.
+    /// A cone: its first entry, how many there are, and which unknowns of its
+    /// block it sees: all entries of G are in these columns.
     struct Cone
     {
       unsigned int begin;
       unsigned int size;
+      unsigned int first_column;
+      unsigned int end_column;
     };
 
     /// Of each block: its first unknown, its first row of cones, its first

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "equilibrium/conic_program.h"
+#include "equilibrium/local_algebra.h"
 #include "equilibrium/second_order_cone.h"
 #include "equilibrium/sparse_cholesky.h"
 
@@ -72,12 +73,20 @@ namespace ElastoPlastic
     void
     find_kernels();
 
+    /// Finds where the cones' matrices G have entries, and which unknowns of a
+    /// block are coupled neither by these nor by the cost.
+    void
+    find_strips();
+    void
+    find_parts();
+
     bool
     eliminate(const unsigned int block);
 
     bool
     factorize_sum();
 
+    /// Of the @p contribution, only the lower half is used.
     void
     add_to_matrix(const std::vector<unsigned int> &rows,
                   const FullMatrix<double>        &contribution);
@@ -97,6 +106,20 @@ namespace ElastoPlastic
     void
     divide_by_square(Vector<double> &z, const unsigned int block) const;
 
+    /// z += factor G x for a block, with pointers to its own entries.
+    void
+    add_cone_product(double            *z,
+                     const unsigned int block,
+                     const double      *x,
+                     const double       factor) const;
+
+    /// x += factor G^T z
+    void
+    add_transposed_cone_product(double            *x,
+                                const unsigned int block,
+                                const double      *z,
+                                const double       factor) const;
+
     const ConicProgram &program;
     const ConicLayout  &layout;
     const unsigned int  n_sparse_rows;
@@ -109,6 +132,18 @@ namespace ElastoPlastic
     /// Of each block without quadratic cost: an orthonormal basis of the
     /// directions that no cone sees, one per row.
     std::vector<FullMatrix<double>> kernels;
+
+    /// Rows of G, and the columns outside which they are zero.
+    struct Strip
+    {
+      LocalAlgebra::Part rows;
+      LocalAlgebra::Part columns;
+    };
+
+    /// Of each block: all strips; and the parts that H consists of, as it is
+    /// block-diagonal.
+    std::vector<std::vector<Strip>>              strips;
+    std::vector<std::vector<LocalAlgebra::Part>> parts;
 
     SparsityPattern                 sparsity_pattern;
     SparseMatrix<double>            matrix;

@@ -16,6 +16,37 @@ namespace ElastoPlastic::LocalAlgebra
 {
   using namespace dealii;
 
+  /// Consecutive numbers.
+  struct Part
+  {
+    std::size_t begin;
+    std::size_t end;
+  };
+
+
+
+  /// y += factor A^T x for a part of the rows and columns of A: x and y begin
+  /// with these.
+  inline void
+  add_transposed_product(double                   *y,
+                         const FullMatrix<double> &a,
+                         const Part               &rows,
+                         const Part               &columns,
+                         const double             *x,
+                         const double              factor)
+  {
+    const unsigned int n = columns.end - columns.begin;
+    for (unsigned int i = rows.begin; i < rows.end; ++i)
+      {
+        const double *const row  = &a(i, columns.begin);
+        const double        part = factor * x[i - rows.begin];
+        for (unsigned int j = 0; j < n; ++j)
+          y[j] += row[j] * part;
+      }
+  }
+
+
+
   /// y += factor A^T x
   inline void
   add_transposed_product(double                   *y,
@@ -23,13 +54,42 @@ namespace ElastoPlastic::LocalAlgebra
                          const double             *x,
                          const double              factor = 1.)
   {
-    const unsigned int m = a.m(), n = a.n();
-    for (unsigned int i = 0; i < m; ++i)
-      {
-        const double *const row  = &a(i, 0);
-        const double        part = factor * x[i];
+    add_transposed_product(y, a, {0, a.m()}, {0, a.n()}, x, factor);
+  }
+
+
+
+  /// y += factor A x for a part of the rows and columns of A: x and y begin
+  /// with these.
+  inline void
+  add_product(double                   *y,
+              const FullMatrix<double> &a,
+              const Part               &rows,
+              const Part               &columns,
+              const double             *x,
+              const double              factor)
+  {
+    const unsigned int m = rows.end - rows.begin, stride = a.n(),
+                       n = columns.end - columns.begin;
+    if (m == 0 || n == 0)
+      return;
+    const double *row = &a(rows.begin, columns.begin);
+    unsigned int  i   = 0;
+    for (; i + 4 <= m; i += 4, row += 4 * stride)
+      { // four sums that do not wait for each other
+        double sum[4] = {};
         for (unsigned int j = 0; j < n; ++j)
-          y[j] += row[j] * part;
+          for (unsigned int k = 0; k < 4; ++k)
+            sum[k] += row[k * stride + j] * x[j];
+        for (unsigned int k = 0; k < 4; ++k)
+          y[i + k] += factor * sum[k];
+      }
+    for (; i < m; ++i, row += stride)
+      {
+        double sum = 0;
+        for (unsigned int j = 0; j < n; ++j)
+          sum += row[j] * x[j];
+        y[i] += factor * sum;
       }
   }
 
@@ -42,62 +102,64 @@ namespace ElastoPlastic::LocalAlgebra
               const double             *x,
               const double              factor = 1.)
   {
-    const unsigned int m = a.m(), n = a.n();
-    unsigned int       i = 0;
-    for (; i + 4 <= m; i += 4) // four sums that do not wait for each other
-      {
-        const double *const row    = &a(i, 0);
-        double              sum[4] = {};
-        for (unsigned int j = 0; j < n; ++j)
-          for (unsigned int k = 0; k < 4; ++k)
-            sum[k] += row[k * n + j] * x[j];
-        for (unsigned int k = 0; k < 4; ++k)
-          y[i + k] += factor * sum[k];
-      }
-    for (; i < m; ++i)
-      {
-        double sum = 0;
-        for (unsigned int j = 0; j < n; ++j)
-          sum += a(i, j) * x[j];
-        y[i] += factor * sum;
-      }
+    add_product(y, a, {0, a.m()}, {0, a.n()}, x, factor);
   }
 
 
 
-  /// H := L with H = L L^T; the upper half is not used. @return false if H is
-  /// not positive definite.
+  /// H := L with H = L L^T, for unknowns that H does not couple to others; the
+  /// upper half is not used. @return false if H is not positive definite.
   inline bool
-  factorize(FullMatrix<double> &h)
+  factorize(FullMatrix<double> &h, const Part &part)
   {
-    const types::blas_int n    = h.m();
+    const types::blas_int n = h.m(), size = part.end - part.begin;
     types::blas_int       info = 0;
-    potrf("U", &n, &h(0, 0), &n, &info); // LAPACK sees L^T
+    potrf("U", &size, &h(part.begin, part.begin), &n, &info); // it sees L^T
     return info == 0;
   }
 
 
 
-  /// x := L^-1 x, for @p n_vectors one after the other.
+  /// x := L^-1 x for a part of the unknowns, for @p n_vectors one after the
+  /// other.
   inline void
   solve_lower(const FullMatrix<double> &factor,
+              const Part               &part,
               double                   *x,
               const types::blas_int     n_vectors = 1)
   {
-    const types::blas_int n    = factor.m();
+    const types::blas_int n = factor.m(), size = part.end - part.begin;
     types::blas_int       info = 0;
-    trtrs("U", "T", "N", &n, &n_vectors, &factor(0, 0), &n, x, &n, &info);
+    trtrs("U",
+          "T",
+          "N",
+          &size,
+          &n_vectors,
+          &factor(part.begin, part.begin),
+          &n,
+          x + part.begin,
+          &n,
+          &info);
   }
 
 
 
-  /// x := L^-T x
+  /// x := L^-T x for a part of the unknowns.
   inline void
-  solve_upper(const FullMatrix<double> &factor, double *x)
+  solve_upper(const FullMatrix<double> &factor, const Part &part, double *x)
   {
-    const types::blas_int n = factor.m(), one = 1;
+    const types::blas_int n = factor.m(), size = part.end - part.begin, one = 1;
     types::blas_int       info = 0;
-    trtrs("U", "N", "N", &n, &one, &factor(0, 0), &n, x, &n, &info);
+    trtrs("U",
+          "N",
+          "N",
+          &size,
+          &one,
+          &factor(part.begin, part.begin),
+          &n,
+          x + part.begin,
+          &n,
+          &info);
   }
 
 

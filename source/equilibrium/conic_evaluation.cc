@@ -75,10 +75,12 @@ namespace ElastoPlastic
       double         inverse = 1.;
       Vector<double> way     = s;
       way -= inside;
-      for (const auto [begin, size] : layout.cones)
+      for (const ConicLayout::Cone &cone : layout.cones)
         {
-          const SecondOrderCone::ConstView of_s(s.begin() + begin, size),
-            from(inside.begin() + begin, size), to(way.begin() + begin, size);
+          const SecondOrderCone::ConstView of_s(s.begin() + cone.begin,
+                                                cone.size),
+            from(inside.begin() + cone.begin, cone.size),
+            to(way.begin() + cone.begin, cone.size);
           if (of_s[0] >= SecondOrderCone::norm_of_tail(of_s))
             continue;
           if (!(from[0] > SecondOrderCone::norm_of_tail(from)))

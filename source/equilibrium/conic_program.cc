@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+
 #include "equilibrium/conic_program.h"
 
 namespace ElastoPlastic
@@ -18,13 +20,31 @@ namespace ElastoPlastic
         longer(matrix.m(), j) = row[j];
       matrix = longer;
     }
+
+
+
+    /// From the first to behind the last column with entries in some rows.
+    std::pair<unsigned int, unsigned int>
+    columns_of(const FullMatrix<double> &matrix,
+               const unsigned int        first_row,
+               const unsigned int        n_rows)
+    {
+      unsigned int first = matrix.n(), end = 0;
+      for (unsigned int i = first_row; i < first_row + n_rows; ++i)
+        for (unsigned int j = 0; j < matrix.n(); ++j)
+          if (matrix(i, j) != 0)
+            {
+              first = std::min(first, j);
+              end   = std::max(end, j + 1);
+            }
+      return {std::min(first, end), end};
+    }
   } // namespace
 
 
 
   ConicBlock::ConicBlock(const unsigned int n)
-    : quadratic_cost(n, n)
-    , linear_cost(n)
+    : linear_cost(n)
     , cone_matrix(0, n)
     , coupling(0, n)
   {}
@@ -62,7 +82,9 @@ namespace ElastoPlastic
         unsigned int begin = rows.back();
         for (const unsigned int size : block.cone_sizes)
           {
-            cones.push_back({begin, size});
+            const auto [first, end] =
+              columns_of(block.cone_matrix, begin - rows.back(), size);
+            cones.push_back({begin, size, first, end});
             begin += size;
           }
         AssertDimension(block.cone_scales.size(), block.cone_sizes.size());

@@ -18,17 +18,6 @@ namespace ElastoPlastic
 
   namespace
   {
-    /// The compliance of a block in the directions that no cone sees, relative
-    /// to the largest eigenvalue of its W^-2 across the directions of s and z;
-    /// those along them tend to zero and infinity in the course of the
-    /// iteration. With 1e-4, repeated solving leaves a divergence of 1e-8 of
-    /// the rate of strain.
-    constexpr double kernel_compliance = 1e-7;
-
-    /// What is added to the diagonals of a block, relative to each entry: more
-    /// than the rounding errors of its Cholesky factorisation.
-    constexpr double relative_rounding = 1e-14;
-
     /// What is added to the diagonal of the sum of all blocks, relative to each
     /// entry, one after the other until it can be factorised.
     constexpr std::array<double, 4> sum_roundings = {{0., 1e-14, 1e-12, 1e-10}};
@@ -74,36 +63,6 @@ namespace ElastoPlastic
 
 
 
-    /// H += G^T W^-2 G for one cone: the @p size rows of G from @p begin on.
-    /// Only the lower half of H is needed.
-    void
-    add_cone(FullMatrix<double>             &h,
-             const FullMatrix<double>       &cone_matrix,
-             const unsigned int              begin,
-             const unsigned int              size,
-             const SecondOrderCone::Scaling &scaling)
-    {
-      const unsigned int n = h.n();
-      LocalVector        scaled(n);
-      for (unsigned int i = 0; i < size; ++i)
-        {
-          std::fill(scaled.begin(), scaled.end(), 0.);
-          for (unsigned int k = 0; k < size; ++k)
-            {
-              const double        entry = scaling.inverse_square(i, k);
-              const double *const row   = &cone_matrix(begin + k, 0);
-              for (unsigned int j = 0; j < n; ++j)
-                scaled[j] += entry * row[j];
-            }
-          for (unsigned int row = 0; row < n; ++row)
-            if (const double factor = cone_matrix(begin + i, row); factor != 0)
-              for (unsigned int column = 0; column <= row; ++column)
-                h(row, column) += factor * scaled[column];
-        }
-    }
-
-
-
     double
     square(const KktVector &v)
     {
@@ -134,17 +93,8 @@ namespace ElastoPlastic
     matrix.reinit(sparsity_pattern);
     sparse_factor = std::make_unique<SparseCholesky>(sparsity_pattern);
     find_kernels();
-  }
-
-
-
-  void
-  KktSystem::find_kernels()
-  {
-    kernels.resize(program.blocks.size());
-    for (unsigned int b = 0; b < program.blocks.size(); ++b)
-      if (program.blocks[b].quadratic_cost.linfty_norm() == 0)
-        kernels[b] = kernel(program.blocks[b].cone_matrix);
+    find_strips();
+    find_parts();
   }
 
 
@@ -197,67 +147,6 @@ namespace ElastoPlastic
 
 
 
-  bool
-  KktSystem::eliminate(const unsigned int b)
-  {
-    const ConicBlock   &block = program.blocks[b];
-    FullMatrix<double> &h     = local_factors[b];
-    h                         = block.quadratic_cost;
-
-    double across = 0;
-    for (unsigned int c = layout.first_cones[b]; c < layout.first_cones[b + 1];
-         ++c)
-      {
-        const auto [begin, size] = layout.cones[c];
-        const auto &scaling      = (*scalings)[c];
-        add_cone(h, block.cone_matrix, begin - layout.rows[b], size, scaling);
-        if (size > 1)
-          across = std::max(across, scaling.inverse_square_across());
-      }
-    for (unsigned int i = 0; i < h.m(); ++i)
-      h(i, i) *= 1. + relative_rounding;
-    const FullMatrix<double> &directions = kernels[b];
-    for (unsigned int k = 0; k < directions.m(); ++k)
-      for (unsigned int i = 0; i < h.m(); ++i)
-        for (unsigned int j = 0; j <= i; ++j)
-          h(i, j) +=
-            kernel_compliance * across * directions(k, i) * directions(k, j);
-    if (!LocalAlgebra::factorize(h))
-      return false;
-
-    // A H^-1 A^T
-    FullMatrix<double> &coupling = local_couplings[b];
-    coupling                     = block.coupling;
-    solve_lower(h, &coupling(0, 0), coupling.m());
-    FullMatrix<double> contribution(coupling.m(), coupling.m());
-    for (unsigned int i = 0; i < coupling.m(); ++i)
-      add_product(&contribution(i, 0), coupling, &coupling(i, 0));
-    add_to_matrix(block.rows, contribution);
-    return true;
-  }
-
-
-
-  void
-  KktSystem::add_to_matrix(const std::vector<unsigned int> &rows,
-                           const FullMatrix<double>        &contribution)
-  {
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      for (unsigned int j = 0; j < rows.size(); ++j)
-        if (rows[i] < n_sparse_rows)
-          {
-            if (rows[j] <= rows[i])
-              matrix.add(rows[i], rows[j], contribution(i, j));
-          }
-        else if (rows[j] < n_sparse_rows)
-          dense_rows[rows[i] - n_sparse_rows][rows[j]] += contribution(i, j);
-        else
-          dense_inverse(rows[i] - n_sparse_rows, rows[j] - n_sparse_rows) +=
-            contribution(i, j);
-  }
-
-
-
   void
   KktSystem::solve(KktVector &solution, const KktVector &right_hand_side) const
   {
@@ -273,10 +162,10 @@ namespace ElastoPlastic
         subtract_product(residual, solution);
         for (unsigned int c = 0; c < layout.cones.size(); ++c)
           {
-            const auto [begin, size] = layout.cones[c];
+            const ConicLayout::Cone &cone = layout.cones[c];
             (*scalings)[c].add_square(
-              SecondOrderCone::View(&residual.z[begin], size),
-              SecondOrderCone::ConstView(&solution.z[begin], size));
+              SecondOrderCone::View(&residual.z[cone.begin], cone.size),
+              SecondOrderCone::ConstView(&solution.z[cone.begin], cone.size));
           }
         const double remainder = square(residual);
         if (remainder > 0.25 * last || remainder < small)
@@ -303,10 +192,12 @@ namespace ElastoPlastic
         const ConicBlock &block = program.blocks[b];
         double *const     x     = solution.x.begin() + layout.unknowns[b];
         divide_by_square(solution.z, b);
-        add_transposed_product(x,
-                               block.cone_matrix,
-                               solution.z.begin() + layout.rows[b]);
-        solve_lower(local_factors[b], x);
+        add_transposed_cone_product(x,
+                                    b,
+                                    solution.z.begin() + layout.rows[b],
+                                    1.);
+        for (const Part &part : parts[b])
+          solve_lower(local_factors[b], part, x);
         add_to_equations(solution.y, block.rows, local_couplings[b], x, -1.);
       }
     solution.y *= -1.;
@@ -319,8 +210,9 @@ namespace ElastoPlastic
         const ConicBlock &block = program.blocks[b];
         double *const     x     = solution.x.begin() + layout.unknowns[b];
         add_from_equations(x, block.rows, local_couplings[b], solution.y, -1.);
-        solve_upper(local_factors[b], x);
-        add_product(solution.z.begin() + layout.rows[b], block.cone_matrix, x);
+        for (const Part &part : parts[b])
+          solve_upper(local_factors[b], part, x);
+        add_cone_product(solution.z.begin() + layout.rows[b], b, x, 1.);
         divide_by_square(solution.z, b);
       }
   }
@@ -333,8 +225,8 @@ namespace ElastoPlastic
     for (unsigned int c = layout.first_cones[b]; c < layout.first_cones[b + 1];
          ++c)
       {
-        const auto [begin, size] = layout.cones[c];
-        const SecondOrderCone::View view(&z[begin], size);
+        const SecondOrderCone::View view(&z[layout.cones[c].begin],
+                                         layout.cones[c].size);
         (*scalings)[c].divide(view);
         (*scalings)[c].divide(view);
       }
@@ -393,15 +285,12 @@ namespace ElastoPlastic
         double *const       r     = residual.x.begin() + layout.unknowns[b];
         add_product(r, block.quadratic_cost, x, -1.);
         add_from_equations(r, block.rows, block.coupling, solution.y, -1.);
-        add_transposed_product(r,
-                               block.cone_matrix,
-                               solution.z.begin() + layout.rows[b],
-                               -1.);
+        add_transposed_cone_product(r,
+                                    b,
+                                    solution.z.begin() + layout.rows[b],
+                                    -1.);
         add_to_equations(residual.y, block.rows, block.coupling, x, -1.);
-        add_product(residual.z.begin() + layout.rows[b],
-                    block.cone_matrix,
-                    x,
-                    -1.);
+        add_cone_product(residual.z.begin() + layout.rows[b], b, x, -1.);
       }
   }
 } // namespace ElastoPlastic

@@ -291,7 +291,8 @@ namespace ElastoPlastic
       {
         const Material<double> &material = body.materials[t];
         FullMatrix<double>     &cost     = program.blocks[t].quadratic_cost;
-        const unsigned int      n        = cost.n();
+        const unsigned int      n        = program.blocks[t].linear_cost.size();
+        cost.reinit(n, n);
         if (yields(material))
           program.blocks[t].cone_scales.assign(n_points, yield_scale(body, t));
 
