@@ -123,7 +123,7 @@ namespace
                 const double          most)
   {
     const double lower = bounds.stress.force / limit.upper,
-                 upper = bounds.velocity.force / limit.lower;
+                 upper = bounds.velocity.bound / limit.lower;
     output() << title << std::endl;
     verify("lower bound", lower >= least && lower <= 1. + 1e-10);
     verify("upper bound", upper <= most && upper >= 1. - 1e-10);
@@ -133,7 +133,7 @@ namespace
            *std::min_element(bounds.gaps.begin(), bounds.gaps.end()) > -1e-9);
     verify("sum of the gaps",
            std::accumulate(bounds.gaps.begin(), bounds.gaps.end(), 0.) <=
-             bounds.velocity.force - bounds.stress.force + 1e-6);
+             bounds.velocity.bound - bounds.stress.force + 1e-6);
   }
 
 

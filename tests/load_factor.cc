@@ -65,7 +65,7 @@ namespace
     const BoundaryConditions<2> conditions(parameters, names);
     const BodyForce<2>          body_force(problem.body_force);
     SplitMesh                   split_mesh = make_split_mesh(mesh);
-    const PlaneLoads loads = growing_loads(split_mesh, conditions, body_force);
+    const Loads<2> loads = growing_loads(split_mesh, conditions, body_force);
     return make_plane_body(std::move(split_mesh),
                            conditions,
                            {material()},

@@ -19,6 +19,7 @@ namespace ElastoPlastic
   {
     return {Geometry<dim>(GeometryParameters()),
             conditions,
+            BodyForce<dim>(),
             strain_model,
             /* degree = */ 1,
             MaterialParameters().materials(),
