@@ -22,15 +22,23 @@ namespace ElastoPlastic
   KktSystem::Scalings
   expected_scalings(const ConicLayout &layout);
 
+  /// Adds the same multiple of its expected size, a ConeScale's @p size, to all
+  /// cones, so that @p values are inside.
+  void
+  move_into_cones(const ConicLayout &layout,
+                  Vector<double>    &values,
+                  const double ConeScale::*size);
+
   /// Removes what rounding errors, and an iteration that they have ended, have
   /// left of the equations of a @p solution: A x = b and G x + s = h with s in
   /// the cones, and the first equation. Linear systems with the
   /// expected scalings do so with the least changes of the unknowns. If x is
   /// outside the cones then, it goes towards @p interior as far as necessary,
   /// provided that this iterate, whose equations are restored as well, is
-  /// inside; otherwise it stays outside by the change. z may leave the cones.
+  /// inside. z may leave the cones.
+  /// @return whether x is in the cones; if not, it is outside by the change.
   /// @throws ConvergenceError
-  void
+  bool
   make_admissible(const ConicProgram  &program,
                   const ConicLayout   &layout,
                   KktSystem           &system,

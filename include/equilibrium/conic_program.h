@@ -9,6 +9,8 @@
 
 #include <vector>
 
+#include "equilibrium/second_order_cone.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -102,6 +104,19 @@ namespace ElastoPlastic
     std::vector<unsigned int> first_cones;
     std::vector<Cone>         cones;
     std::vector<ConeScale>    scales; ///< of the cones
+
+    /// The entries of a cone.
+    SecondOrderCone::View
+    cone(Vector<double> &values, const unsigned int c) const
+    {
+      return {values.begin() + cones[c].begin, cones[c].size};
+    }
+
+    SecondOrderCone::ConstView
+    cone(const Vector<double> &values, const unsigned int c) const
+    {
+      return {values.begin() + cones[c].begin, cones[c].size};
+    }
   };
 
 

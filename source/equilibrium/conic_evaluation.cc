@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "base/exceptions.h"
 #include "equilibrium/conic_evaluation.h"
@@ -21,6 +23,9 @@ namespace ElastoPlastic
     constexpr double       primal_tolerance = 1e-13;
     constexpr double       dual_tolerance   = 1e-10;
     constexpr unsigned int max_restorations = 5;
+
+    /// Slacks outside their cones by less count as inside.
+    constexpr double cone_tolerance = 1e-10;
 
 
 
@@ -65,6 +70,21 @@ namespace ElastoPlastic
 
 
 
+    bool
+    is_in_cones(const ConicLayout &layout, const Vector<double> &s)
+    {
+      for (unsigned int c = 0; c < layout.cones.size(); ++c)
+        {
+          const auto of_s = layout.cone(s, c);
+          if (SecondOrderCone::norm_of_tail(of_s) - of_s[0] >
+              cone_tolerance * layout.scales[c].slack)
+            return false;
+        }
+      return true;
+    }
+
+
+
     /// How much of the way from the slacks @p inside the cones to @p s remains
     /// in them; zero if the former are not inside.
     double
@@ -75,12 +95,10 @@ namespace ElastoPlastic
       double         inverse = 1.;
       Vector<double> way     = s;
       way -= inside;
-      for (const ConicLayout::Cone &cone : layout.cones)
+      for (unsigned int c = 0; c < layout.cones.size(); ++c)
         {
-          const SecondOrderCone::ConstView of_s(s.begin() + cone.begin,
-                                                cone.size),
-            from(inside.begin() + cone.begin, cone.size),
-            to(way.begin() + cone.begin, cone.size);
+          const auto of_s = layout.cone(s, c), from = layout.cone(inside, c),
+                     to = layout.cone(std::as_const(way), c);
           if (of_s[0] >= SecondOrderCone::norm_of_tail(of_s))
             continue;
           if (!(from[0] > SecondOrderCone::norm_of_tail(from)))
@@ -168,6 +186,26 @@ namespace ElastoPlastic
 
 
   void
+  move_into_cones(const ConicLayout &layout,
+                  Vector<double>    &values,
+                  const double ConeScale::*size)
+  {
+    double outside = -std::numeric_limits<double>::max();
+    for (unsigned int c = 0; c < layout.cones.size(); ++c)
+      {
+        const auto v = layout.cone(std::as_const(values), c);
+        outside      = std::max(outside,
+                           (SecondOrderCone::norm_of_tail(v) - v[0]) /
+                             (layout.scales[c].*size));
+      }
+    if (outside >= 0)
+      for (unsigned int c = 0; c < layout.cones.size(); ++c)
+        layout.cone(values, c)[0] += (1. + outside) * (layout.scales[c].*size);
+  }
+
+
+
+  bool
   make_admissible(const ConicProgram  &program,
                   const ConicLayout   &layout,
                   KktSystem           &system,
@@ -195,5 +233,6 @@ namespace ElastoPlastic
           part * solution.load_factor + (1. - part) * inside.load_factor;
       }
     evaluate(program, layout, system, solution);
+    return part > 0 || is_in_cones(layout, solution.s);
   }
 } // namespace ElastoPlastic

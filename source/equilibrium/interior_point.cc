@@ -36,6 +36,11 @@ namespace ElastoPlastic
 
 
 
+    /// So well must the equations of an iterate be satisfied that is to be
+    /// strictly inside the cones, and so many steps may that take.
+    constexpr double       interior_tolerance = 1e-12;
+    constexpr unsigned int max_centerings     = 10;
+
     /// A growth of the right-hand side is of order 1, or rounding errors.
     constexpr double smallest_growth = 1e-10;
 
@@ -63,9 +68,6 @@ namespace ElastoPlastic
     private:
       void
       begin();
-      void
-      move_into_cones(Vector<double> &values,
-                      const double ConeScale::*scale) const;
       bool
       converged() const;
       double
@@ -77,21 +79,17 @@ namespace ElastoPlastic
       bool
       step();
       void
+      advance();
+      void
+      center(const ConicSolution &iterate);
+      Vector<double>
+      square_of_scaled() const;
+      double
+      centre(const unsigned int c) const;
+      void
       find_direction(const Vector<double> &complementarity, const double part);
       double
       largest_step() const;
-
-      View
-      cone(Vector<double> &values, const unsigned int c) const
-      {
-        return {values.begin() + layout.cones[c].begin, layout.cones[c].size};
-      }
-
-      ConstView
-      cone(const Vector<double> &values, const unsigned int c) const
-      {
-        return {values.begin() + layout.cones[c].begin, layout.cones[c].size};
-      }
 
       const ConicProgram &program;
       const ConicLayout   layout;
@@ -153,7 +151,14 @@ namespace ElastoPlastic
       if (interior.x.size() == 0 ||
           current.relative_gap > std::max(tolerance, largest_gap))
         throw ConvergenceError("The interior point method has not converged.");
-      make_admissible(program, layout, system, interior, current);
+      const ConicSolution last = current;
+      if (!make_admissible(program, layout, system, interior, current))
+        {
+          center(interior);
+          interior = current;
+          current  = last;
+          make_admissible(program, layout, system, interior, current);
+        }
       return current;
     }
 
@@ -176,28 +181,9 @@ namespace ElastoPlastic
       current.z           = change.z;
       current.load_factor = change.load_factor;
       current.s           = evaluate(program, layout, system, current).z;
-      move_into_cones(current.s, &ConeScale::slack);
-      move_into_cones(current.z, &ConeScale::multiplier);
+      move_into_cones(layout, current.s, &ConeScale::slack);
+      move_into_cones(layout, current.z, &ConeScale::multiplier);
       look_at_iterate();
-    }
-
-
-
-    void
-    InteriorPoint::move_into_cones(Vector<double> &values,
-                                   const double ConeScale::*scale) const
-    {
-      double outside = -std::numeric_limits<double>::max();
-      for (unsigned int c = 0; c < n_cones; ++c)
-        {
-          const ConstView v = cone(values, c);
-          outside           = std::max(outside,
-                             (SecondOrderCone::norm_of_tail(v) - v[0]) /
-                               (layout.scales[c].*scale));
-        }
-      if (outside >= 0)
-        for (unsigned int c = 0; c < n_cones; ++c)
-          cone(values, c)[0] += (1. + outside) * (layout.scales[c].*scale);
     }
 
 
@@ -242,13 +228,13 @@ namespace ElastoPlastic
       scalings.clear();
       for (unsigned int c = 0; c < n_cones; ++c)
         {
-          const ConstView s = cone(std::as_const(current.s), c),
-                          z = cone(std::as_const(current.z), c);
+          const ConstView s = layout.cone(std::as_const(current.s), c),
+                          z = layout.cone(std::as_const(current.z), c);
           if (!(SecondOrderCone::determinant(s) > 0 &&
                 SecondOrderCone::determinant(z) > 0))
             return false;
           scalings.emplace_back(s, z);
-          const View lambda = cone(scaled, c);
+          const View lambda = layout.cone(scaled, c);
           std::copy_n(z.begin(), lambda.size(), lambda.begin());
           scalings[c].multiply(lambda);
         }
@@ -265,35 +251,88 @@ namespace ElastoPlastic
         return false;
 
       // The predictor tells how much smaller the gap can become in one step,
-      Vector<double> complementarity(scaled.size());
-      for (unsigned int c = 0; c < n_cones; ++c)
-        SecondOrderCone::multiply(cone(complementarity, c),
-                                  cone(std::as_const(scaled), c),
-                                  cone(std::as_const(scaled), c));
+      Vector<double> complementarity = square_of_scaled();
       find_direction(complementarity, 1.);
-      const double gap       = current.s * current.z;
       const double centering = std::pow(1. - std::min(1., largest_step()), 3);
 
       // the corrector adds its second-order terms, and goes to the central
       // path.
       for (unsigned int c = 0; c < n_cones; ++c)
         {
-          const View v = cone(scaled_s, c);
-          SecondOrderCone::multiply(v, v, cone(std::as_const(scaled_z), c));
-          v[0] -= centering * gap * weight(layout.scales[c]) / total_weight;
+          const View v = layout.cone(scaled_s, c);
+          SecondOrderCone::multiply(v,
+                                    v,
+                                    layout.cone(std::as_const(scaled_z), c));
+          v[0] -= centering * centre(c);
         }
       complementarity += scaled_s;
       find_direction(complementarity, 1. - centering);
+      advance();
+      return true;
+    }
 
+
+
+    /// As far as the cones allow.
+    void
+    InteriorPoint::advance()
+    {
       const double length = std::min(1., largest_part * largest_step());
       current.x.add(length, change.x);
       current.y.add(length, change.y);
       current.z.add(length, change.z);
       current.load_factor += length * change.load_factor;
       for (unsigned int c = 0; c < n_cones; ++c)
-        scalings[c].multiply(cone(scaled_s, c));
+        scalings[c].multiply(layout.cone(scaled_s, c));
       current.s.add(length, scaled_s);
-      return true;
+    }
+
+
+
+    // An @p iterate on which the rounding errors of its equations are not small
+    // when compared with its slacks goes to the central path, where they are
+    // largest, without making the gap smaller.
+    void
+    InteriorPoint::center(const ConicSolution &iterate)
+    {
+      current  = iterate;
+      residual = evaluate(program, layout, system, current);
+      for (unsigned int k = 0;
+           k < max_centerings && current.primal_error > interior_tolerance &&
+           scale();
+           ++k)
+        {
+          Vector<double> complementarity = square_of_scaled();
+          for (unsigned int c = 0; c < n_cones; ++c)
+            layout.cone(complementarity, c)[0] -= centre(c);
+          find_direction(complementarity, 1.);
+          advance();
+          residual = evaluate(program, layout, system, current);
+        }
+    }
+
+
+
+    /// lambda o lambda
+    Vector<double>
+    InteriorPoint::square_of_scaled() const
+    {
+      Vector<double> square(scaled.size());
+      for (unsigned int c = 0; c < n_cones; ++c)
+        SecondOrderCone::multiply(layout.cone(square, c),
+                                  layout.cone(scaled, c),
+                                  layout.cone(scaled, c));
+      return square;
+    }
+
+
+
+    /// What lambda o lambda is, in the first entry of a cone, on the central
+    /// path with the present gap.
+    double
+    InteriorPoint::centre(const unsigned int c) const
+    {
+      return (current.s * current.z) * weight(layout.scales[c]) / total_weight;
     }
 
 
@@ -314,21 +353,21 @@ namespace ElastoPlastic
       Vector<double> slack = scaled_s;
       for (unsigned int c = 0; c < n_cones; ++c)
         {
-          const View quotient = cone(scaled_s, c);
+          const View quotient = layout.cone(scaled_s, c);
           SecondOrderCone::divide(quotient,
                                   quotient,
-                                  cone(std::as_const(scaled), c));
+                                  layout.cone(std::as_const(scaled), c));
           std::copy_n(quotient.begin(),
                       quotient.size(),
-                      cone(slack, c).begin());
-          scalings[c].multiply(cone(slack, c));
+                      layout.cone(slack, c).begin());
+          scalings[c].multiply(layout.cone(slack, c));
         }
       right_hand_side.z -= slack;
       system.solve(change, right_hand_side);
 
       scaled_z = change.z;
       for (unsigned int c = 0; c < n_cones; ++c)
-        scalings[c].multiply(cone(scaled_z, c));
+        scalings[c].multiply(layout.cone(scaled_z, c));
       scaled_s -= scaled_z;
     }
 
@@ -339,10 +378,12 @@ namespace ElastoPlastic
     {
       double inverse = std::numeric_limits<double>::min();
       for (unsigned int c = 0; c < n_cones; ++c)
-        inverse = std::max(
-          {inverse,
-           SecondOrderCone::inverse_step(cone(scaled, c), cone(scaled_s, c)),
-           SecondOrderCone::inverse_step(cone(scaled, c), cone(scaled_z, c))});
+        inverse =
+          std::max({inverse,
+                    SecondOrderCone::inverse_step(layout.cone(scaled, c),
+                                                  layout.cone(scaled_s, c)),
+                    SecondOrderCone::inverse_step(layout.cone(scaled, c),
+                                                  layout.cone(scaled_z, c))});
       return 1. / inverse;
     }
   } // namespace
