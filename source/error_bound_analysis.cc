@@ -139,7 +139,7 @@ namespace ElastoPlastic
                 stress.depth,
                 stress.force,
                 stress.max_pressure(),
-                stress.contact_area(body.mesh),
+                stress.contact_area(body),
                 stress.cost,
                 bound.of_body(),
                 bound.of_contact(),

@@ -42,8 +42,13 @@ namespace ElastoPlastic::HenckyMaterial
     SymmetricTensor<2, 3> plastic;
   };
 
-  /// The parts of a strain, by the minimum in W. Out of plane, the strain is
-  /// zero, or that of a sheet.
+  /// The parts of a strain, by the minimum in W.
+  Strain
+  split_strain(const Material<double>      &material,
+               const SymmetricTensor<2, 3> &strain);
+
+  /// The same for a strain in the plane. Out of plane, it is zero, or that of a
+  /// sheet.
   Strain
   split_strain(const Material<double>      &material,
                const SymmetricTensor<2, 2> &in_plane_strain,

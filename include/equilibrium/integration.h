@@ -6,6 +6,9 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <array>
+#include <vector>
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -28,29 +31,33 @@ namespace ElastoPlastic
 
 
 
-  /// The integral of the product of the linear functions that are 1 at the
-  /// corners @p i and @p j of a triangle, relative to its area.
-  constexpr double
-  mass_of_corners(const unsigned int i, const unsigned int j)
+  /// A point of a triangle and its weight in a quadrature.
+  struct WeightedPoint
   {
-    return i == j ? 1. / 6. : 1. / 12.;
-  }
+    std::array<double, 3> position; ///< in barycentric coordinates
+    double                weight;   ///< relative to the area
+
+    /// The value of the linear function with these @p values at the corners.
+    template <typename Value>
+    Value
+    interpolate(const std::array<Value, 3> &values) const
+    {
+      return position[0] * values[0] + position[1] * values[1] +
+             position[2] * values[2];
+    }
+  };
 
 
 
-  /// The integral of the product of two linear functions over a triangle,
-  /// relative to its area. @p product(i, j) is that of the value of the first
-  /// at corner i and of the second at corner j.
-  template <typename Product>
-  double
-  integrate_product(const Product &product)
-  {
-    double sum = 0;
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        sum += mass_of_corners(i, j) * product(i, j);
-    return sum;
-  }
+  /// A quadrature of int f(x) / r(x) dx over a triangle, r being linear with
+  /// the values @p r at the corners, positive but for corners on an axis, where
+  /// it is zero. It is exact if f is r times a polynomial of degree 3, and
+  /// if r is constant, for polynomials f of degree 3. And it is
+  /// never too small, and little too large, for the square f of a polynomial of
+  /// degree 2 or less that is zero on the axis, or a positive quadratic form of
+  /// such polynomials (doc/theory.md, "Guaranteed error").
+  std::vector<WeightedPoint>
+  quadrature_over(const std::array<double, 3> &r);
 } // namespace ElastoPlastic
 
 #endif

@@ -7,6 +7,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
+#include <vector>
 
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/plane_body.h"
@@ -29,6 +30,10 @@ namespace ElastoPlastic::LocalStresses
   /// At the corners of the subtriangles.
   std::array<double, JohnsonMercier::n_points>
   weights(const PlaneBody &body, const unsigned int triangle);
+
+  /// The corners of the subtriangles off the axis.
+  std::vector<unsigned int>
+  points_off_axis(const PlaneBody &body, const unsigned int triangle);
 
   /// All weighted stresses, by values (27 x n): see
   /// JohnsonMercier::shape_functions(). n is 15, less where the triangle

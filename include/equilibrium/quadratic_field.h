@@ -40,6 +40,12 @@ namespace ElastoPlastic
           const QuadraticField &field,
           const unsigned int    triangle);
 
+  /// The value at a point of a triangle, given by barycentric coordinates.
+  Tensor<1, 2>
+  value(const QuadraticField        &field,
+        const SplitMesh::Triangle   &triangle,
+        const std::array<double, 3> &position);
+
   /// Its values at the corners and at the centre of gravity of a triangle.
   std::array<Tensor<1, 2>, 4>
   values_at_vertices(const QuadraticField      &field,

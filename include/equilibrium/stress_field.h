@@ -73,9 +73,9 @@ namespace ElastoPlastic
     double
     max_pressure() const;
 
-    /// The length of what the indenter presses on, of the sides of @p mesh.
+    /// The area of what the indenter presses on: of a section, its length.
     double
-    contact_area(const SplitMesh &mesh) const;
+    contact_area(const PlaneBody &body) const;
   };
 } // namespace ElastoPlastic
 

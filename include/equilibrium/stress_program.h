@@ -21,16 +21,16 @@ namespace ElastoPlastic
   ///
   /// Each triangle is a block. Its unknowns are the coefficients of the
   /// equilibrated basis (see LocalStresses); sigma_33 at the corners of the
-  /// subtriangles, in plane strain; and zeta there, the growth of the yield
-  /// surface, if the material hardens. Each end of a side under the indenter is
-  /// a block, too; its unknown is the force q >= 0 that the linear pressure
-  /// stands for there. The equations, two at each end of the sides, say that
-  /// the tractions of the two triangles, or of triangle and indenter, add up to
-  /// zero, or to what is prescribed. There are none on the axis of a body of
-  /// revolution, where nothing acts.
-  /// Between the corners, the yield condition holds because stresses are linear
-  /// and the set of admissible ones is convex; for a body of revolution, both
-  /// sides of it are linear when multiplied by r.
+  /// subtriangles, in plane strain; and zeta there, off the axis, the growth of
+  /// the yield surface, if the material hardens. Each end of a side under the
+  /// indenter is a block, too; its unknown is the force q >= 0 that the linear
+  /// pressure stands for there. The equations, two at each end of the sides,
+  /// say that the tractions of the two triangles, or of triangle and indenter,
+  /// add up to zero, or to what is prescribed. There are none on the axis of a
+  /// body of revolution, where nothing acts. Between the corners, the yield
+  /// condition holds because stresses are linear and the set of admissible ones
+  /// is convex; for a body of revolution, both sides of it are linear when
+  /// multiplied by r.
   class StressProgram
   {
   public:
@@ -52,7 +52,8 @@ namespace ElastoPlastic
     /// Add the energy int W*(tau) dx, with
     ///   W* = 1/2 tau : C^-1 tau + zeta^2 / (2 h),
     /// C being the elasticity and h = 2/3 (H + H_k), less the work
-    /// of the prescribed displacements.
+    /// of the prescribed displacements. In a body of revolution, it is computed
+    /// by quadrature_over() and a little too large.
     void
     add_energy();
 
@@ -120,10 +121,20 @@ namespace ElastoPlastic
     void
     set_pressure(StressField &field, const double *forces) const;
 
-    /// What int C^-1 sigma : tau is as a bilinear form of the stresses at the
-    /// corners of the subtriangles (36 x 36).
+    /// What int u v / r dx is as a bilinear form of functions u, v that are
+    /// linear on the subtriangles, by their values at the corners (9 x 9); with
+    /// r = 1 in the plane.
+    FullMatrix<double>
+    weighted_mass(const unsigned int triangle) const;
+
+    /// What int C^-1 sigma : tau is as a bilinear form of the weighted stresses
+    /// at the corners of the subtriangles (36 x 36).
     FullMatrix<double>
     elastic_energy(const unsigned int triangle) const;
+
+    /// Adds int zeta^2 / (2 h) to the cost of a triangle.
+    void
+    add_hardening_energy(const unsigned int triangle);
 
     /// The derivative of cost and yield conditions with respect to the
     /// components 11, 22, 12 at the corners of the subtriangles: moments of the

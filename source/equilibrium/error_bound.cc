@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/tensors.h"
 #include "equilibrium/error_bound.h"
 #include "equilibrium/hencky_material.h"
 #include "equilibrium/integration.h"
@@ -93,70 +94,128 @@ namespace ElastoPlastic
 
 
 
-    /// A triangle's subtriangle, on which strain and stress are linear.
+    /// A triangle's subtriangle. Fields are weighted, see LocalStresses:
+    /// stress, plastic strain and growth of the yield surface are linear then.
     class Subtriangle
     {
     public:
-      Subtriangle(const PlaneBody                            &body,
-                  const unsigned int                          t,
-                  const std::array<SymmetricTensor<2, 2>, 3> &strain,
-                  const std::array<SymmetricTensor<2, 3>, 3> &stress)
-        : material(body.materials[t])
-        , stress(stress)
+      Subtriangle(const PlaneBody      &body,
+                  const QuadraticField &displacement,
+                  const StressField    &stress,
+                  const unsigned int    t,
+                  const unsigned int    k)
+        : body(body)
+        , material(body.materials[t])
+        , displacement(displacement)
+        , triangle(body.mesh.triangles[t])
+        , k(k)
+        , strain(
+            JohnsonMercier::on_subtriangle(strains(body.mesh, displacement, t),
+                                           k))
+        , stress({{stress.at(t, k, 0), stress.at(t, k, 1), stress.at(t, k, 2)}})
       {
+        const auto corners =
+          JohnsonMercier::subtriangle_of(body.mesh.corners(triangle), k);
         for (unsigned int i = 0; i < 3; ++i)
+          {
+            r[i] = body.is_on_axis(corners[i]) ? 0. : body.weight(corners[i]);
+            split(i);
+          }
+      }
+
+      // With d = eps - e_p - C^-1 tau,
+      //   1/2 d : C d + R |e_p| + h/2 |e_p|^2 + zeta^2 / (2 h) - tau : e_p.
+      // The second term is convex: the mean of its values at the corners bounds
+      // it from above.
+      double
+      bound() const
+      {
+        const double hardening = HenckyMaterial::hardening(material);
+        const bool   yields    = HenckyMaterial::yields(material);
+        double       result    = 0;
+        if (yields)
+          for (const auto &plastic : plastic_strain)
+            result += material.yield_radius * plastic.norm() / 3.;
+        for (const WeightedPoint &point : quadrature_over(r))
+          {
+            const auto tau     = point.interpolate(stress);
+            const auto plastic = point.interpolate(plastic_strain);
+            const auto d       = strain_at(point) - plastic -
+                           HenckyMaterial::compliance(material, tau);
+            double density =
+              0.5 * material.bulk_modulus * trace(d) * trace(d) +
+              material.shear_modulus * (deviator(d) * deviator(d));
+            if (yields)
+              density += (0.5 * hardening * plastic - tau) * plastic;
+            if (hardening > 0)
+              density += 0.5 * point.interpolate(zeta) *
+                         point.interpolate(zeta) / hardening;
+            result += point.weight * density;
+          }
+        return result;
+      }
+
+    private:
+      /// Sets what follows from strain and stress at a corner. Next to the
+      /// axis, where the strain may depend on the direction, plastic strains go
+      /// to zero when weighted.
+      void
+      split(const unsigned int i)
+      {
+        const double radius = material.yield_radius;
+        zeta[i] = std::max(0., deviator(stress[i]).norm() - r[i] * radius);
+        if (!body.is_axisymmetric())
           {
             const auto [elastic, plastic] =
               HenckyMaterial::split_strain(material,
                                            strain[i],
                                            body.kinematics);
-            elastic_difference[i] =
-              elastic - HenckyMaterial::compliance(material, stress[i]);
             plastic_strain[i] = plastic;
+            out_of_plane[i]   = elastic[2][2] + plastic[2][2];
           }
-      }
-
-      // 1/2 d : C d with the difference d of the elastic strains
-      double
-      elastic_part() const
-      {
-        return integrate_product(
-          [this](const unsigned int i, const unsigned int j) {
-            const auto &a = elastic_difference[i], &b = elastic_difference[j];
-            return 0.5 * material.bulk_modulus * trace(a) * trace(b) +
-                   material.shear_modulus * (deviator(a) * deviator(b));
-          });
-      }
-
-      // R |e_p| + h/2 |e_p|^2 + zeta^2 / (2 h) - tau : e_p. The first term is
-      // convex: the mean of its values at the corners bounds it from above.
-      double
-      plastic_part() const
-      {
-        const double          hardening = HenckyMaterial::hardening(material);
-        double                result    = 0;
-        std::array<double, 3> zeta;
-        for (unsigned int i = 0; i < 3; ++i)
+        else if (r[i] > 0)
           {
-            result += material.yield_radius * plastic_strain[i].norm() / 3.;
-            zeta[i] =
-              std::max(0., deviator(stress[i]).norm() - material.yield_radius);
+            std::array<double, 3> corner = {};
+            corner[i]                    = 1.;
+            const auto [elastic, plastic] =
+              HenckyMaterial::split_strain(material,
+                                           strain_at({corner, 0.}) / r[i]);
+            plastic_strain[i] = r[i] * plastic;
           }
-        return result + integrate_product([&](const unsigned int i,
-                                              const unsigned int j) {
-                 double density =
-                   0.5 * hardening * (plastic_strain[i] * plastic_strain[j]) -
-                   stress[i] * plastic_strain[j];
-                 if (hardening > 0)
-                   density += 0.5 * zeta[i] * zeta[j] / hardening;
-                 return density;
-               });
       }
 
-    private:
+      /// The weighted strain, whose circumferential component is the radial
+      /// displacement.
+      SymmetricTensor<2, 3>
+      strain_at(const WeightedPoint &point) const
+      {
+        const double weight = point.interpolate(r);
+        return in_space<2>(weight * point.interpolate(strain),
+                           body.is_axisymmetric() ?
+                             radial_displacement(point) :
+                             weight * point.interpolate(out_of_plane));
+      }
+
+      double
+      radial_displacement(const WeightedPoint &point) const
+      {
+        std::array<double, 3> position;
+        position.fill(point.position[2] / 3.);
+        position[k] += point.position[0];
+        position[(k + 1) % 3] += point.position[1];
+        return value(displacement, triangle, position)[0];
+      }
+
+      const PlaneBody                           &body;
       const Material<double>                    &material;
+      const QuadraticField                      &displacement;
+      const SplitMesh::Triangle                 &triangle;
+      const unsigned int                         k;
+      const std::array<SymmetricTensor<2, 2>, 3> strain; ///< not weighted
       const std::array<SymmetricTensor<2, 3>, 3> stress;
-      std::array<SymmetricTensor<2, 3>, 3>       elastic_difference;
+      std::array<double, 3>                      r            = {};
+      std::array<double, 3>                      out_of_plane = {};
+      std::array<double, 3>                      zeta         = {};
       std::array<SymmetricTensor<2, 3>, 3>       plastic_strain;
     };
 
@@ -168,26 +227,18 @@ namespace ElastoPlastic
                       const StressField    &stress,
                       const unsigned int    t)
     {
-      const auto strain = strains(body.mesh, displacement, t);
-      double     result = 0;
+      double result = 0;
       for (unsigned int k = 0; k < 3; ++k)
-        {
-          const Subtriangle subtriangle(
-            body,
-            t,
-            JohnsonMercier::on_subtriangle(strain, k),
-            {{stress.at(t, k, 0), stress.at(t, k, 1), stress.at(t, k, 2)}});
-          result += subtriangle.elastic_part();
-          if (HenckyMaterial::yields(body.materials[t]))
-            result += subtriangle.plastic_part();
-        }
-      return area(body.mesh.corners(body.mesh.triangles[t])) / 3. * result;
+        result += Subtriangle(body, displacement, stress, t, k).bound();
+      return body.angle() * area(body.mesh.corners(body.mesh.triangles[t])) /
+             3. * result;
     }
 
 
 
-    /// int p (g - V - v_2) ds, p being linear. With the upper bound of g, this
-    /// is a cubic function on each interval, which Simpson's rule integrates.
+    /// int p (g - V - v_2) ds, the weighted p being linear. With the upper
+    /// bound of g, this is a cubic function on each interval, which Simpson's
+    /// rule integrates.
     double
     bound_on_side(const PlaneBody             &body,
                   const QuadraticField        &displacement,
@@ -198,8 +249,11 @@ namespace ElastoPlastic
       const SplitMesh::Side &side = body.mesh.sides[s];
       const SideGap          gap  = gap_of(body, side);
       const OnSide           v    = vertical(displacement, side, s);
-      const auto density          = [&](const double t, const double gap_at_t) {
-        return ((1. - t) * pressure[0] + t * pressure[1]) *
+      const auto             end  = [&](const unsigned int e) {
+        return body.weight(body.mesh.vertices[side.vertices[e]]) * pressure[e];
+      };
+      const auto density = [&](const double t, const double gap_at_t) {
+        return ((1. - t) * end(0) + t * end(1)) *
                (gap_at_t + gap.above - depth - v(t));
       };
       double sum = 0;
@@ -212,7 +266,7 @@ namespace ElastoPlastic
             (density(t0, g0) + 4. * density(0.5 * (t0 + t1), 0.5 * (g0 + g1)) +
              density(t1, g1));
         }
-      return body.mesh.length(side) * sum;
+      return body.angle() * body.mesh.length(side) * sum;
     }
   } // namespace
 

@@ -50,18 +50,27 @@ namespace ElastoPlastic
 
   HenckyMaterial::Strain
   HenckyMaterial::split_strain(const Material<double>      &material,
-                               const SymmetricTensor<2, 2> &in_plane_strain,
-                               const Kinematics             kinematics)
+                               const SymmetricTensor<2, 3> &strain)
   {
     const MaterialState<double> virgin(material.back_stresses.size());
-    SymmetricTensor<2, 3>       strain = in_space<2>(in_plane_strain, 0.);
-    if (kinematics == Kinematics::plane_stress)
-      strain[2][2] = out_of_plane_strain(material, strain, virgin);
-
     const RadialReturn<double>  step(material, strain_deviator(strain), virgin);
     const SymmetricTensor<2, 3> plastic =
       strain_deviator(strain) -
       step.deviatoric_stress() / (2. * material.shear_modulus);
     return {strain - plastic, plastic};
+  }
+
+
+
+  HenckyMaterial::Strain
+  HenckyMaterial::split_strain(const Material<double>      &material,
+                               const SymmetricTensor<2, 2> &in_plane_strain,
+                               const Kinematics             kinematics)
+  {
+    SymmetricTensor<2, 3> strain = in_space<2>(in_plane_strain, 0.);
+    if (kinematics == Kinematics::plane_stress)
+      strain[2][2] = out_of_plane_strain(
+        material, strain, MaterialState<double>(material.back_stresses.size()));
+    return split_strain(material, strain);
   }
 } // namespace ElastoPlastic

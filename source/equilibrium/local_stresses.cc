@@ -74,6 +74,19 @@ namespace ElastoPlastic::LocalStresses
 
 
 
+  std::vector<unsigned int>
+  points_off_axis(const PlaneBody &body, const unsigned int t)
+  {
+    const auto                of_points = weights(body, t);
+    std::vector<unsigned int> points;
+    for (unsigned int p = 0; p < n_points; ++p)
+      if (of_points[p] > 0)
+        points.push_back(p);
+    return points;
+  }
+
+
+
   FullMatrix<double>
   shape_functions(const PlaneBody &body, const unsigned int t)
   {
@@ -115,11 +128,8 @@ namespace ElastoPlastic::LocalStresses
   FullMatrix<double>
   yield_points(const PlaneBody &body, const unsigned int t)
   {
-    const auto                of_points = weights(body, t);
-    std::vector<unsigned int> points;
-    for (unsigned int p = 0; p < n_points; ++p)
-      if (of_points[p] > 0)
-        points.push_back(p);
+    const auto         of_points = weights(body, t);
+    const auto         points    = points_off_axis(body, t);
     FullMatrix<double> result(n_stress_components * points.size(),
                               n_stress_components * n_points);
     for (unsigned int i = 0; i < points.size(); ++i)

@@ -106,17 +106,30 @@ namespace ElastoPlastic
 
 
 
+  Tensor<1, 2>
+  value(const QuadraticField        &field,
+        const SplitMesh::Triangle   &triangle,
+        const std::array<double, 3> &position)
+  {
+    Tensor<1, 2> result;
+    for (unsigned int i = 0; i < 3; ++i)
+      result += position[i] * (2. * position[i] - 1.) *
+                  field.at_vertices[triangle.vertices[i]] +
+                4. * position[i] * position[(i + 1) % 3] *
+                  field.at_sides[triangle.sides[i]];
+    return result;
+  }
+
+
+
   std::array<Tensor<1, 2>, 4>
   values_at_vertices(const QuadraticField      &field,
                      const SplitMesh::Triangle &triangle)
   {
-    std::array<Tensor<1, 2>, 4> values;
-    for (unsigned int i = 0; i < 3; ++i)
-      {
-        values[i] = field.at_vertices[triangle.vertices[i]];
-        values[3] += (4. * field.at_sides[triangle.sides[i]] - values[i]) / 9.;
-      }
-    return values;
+    return {{value(field, triangle, {{1., 0., 0.}}),
+             value(field, triangle, {{0., 1., 0.}}),
+             value(field, triangle, {{0., 0., 1.}}),
+             value(field, triangle, {{1. / 3., 1. / 3., 1. / 3.}})}};
   }
 
 

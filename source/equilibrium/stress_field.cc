@@ -59,14 +59,21 @@ namespace ElastoPlastic
   // pressed to one that is not, the pressure is linear; so half of such a side
   // counts.
   double
-  StressField::contact_area(const SplitMesh &mesh) const
+  StressField::contact_area(const PlaneBody &body) const
   {
     const double threshold = 1e-4 * max_pressure();
     double       area      = 0;
     for (unsigned int s = 0; s < pressure.size(); ++s)
-      for (const double at_end : pressure[s])
-        if (at_end > threshold)
-          area += 0.5 * mesh.length(mesh.sides[s]);
+      for (unsigned int end = 0; end < 2; ++end)
+        if (pressure[s][end] > threshold)
+          {
+            const SplitMesh::Side &side = body.mesh.sides[s];
+            const Point<2> here  = body.mesh.vertices[side.vertices[end]],
+                           there = body.mesh.vertices[side.vertices[1 - end]];
+            area += body.angle() *
+                    body.weight(Point<2>(0.75 * here + 0.25 * there)) * 0.5 *
+                    body.mesh.length(side);
+          }
     return area;
   }
 } // namespace ElastoPlastic

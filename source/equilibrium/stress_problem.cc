@@ -18,8 +18,10 @@ namespace ElastoPlastic
 
 
 
+    /// @p in_plane_strain says what is known of it in plane strain.
     OutOfPlaneStress
-    least_restrictive(const Kinematics kinematics)
+    out_of_plane_stress(const Kinematics       kinematics,
+                        const OutOfPlaneStress in_plane_strain)
     {
       switch (kinematics)
         {
@@ -28,7 +30,7 @@ namespace ElastoPlastic
           case Kinematics::axisymmetric:
             return OutOfPlaneStress::circumferential;
           default:
-            return OutOfPlaneStress::mean;
+            return in_plane_strain;
         }
     }
 
@@ -38,9 +40,8 @@ namespace ElastoPlastic
     complementary_energy(const PlaneBody &body)
     {
       StressProgram program(body,
-                            body.kinematics == Kinematics::plane_stress ?
-                              OutOfPlaneStress::zero :
-                              OutOfPlaneStress::unknown);
+                            out_of_plane_stress(body.kinematics,
+                                                OutOfPlaneStress::unknown));
       program.add_energy();
       program.add_gap();
       return program;
@@ -83,7 +84,9 @@ namespace ElastoPlastic
   StressField
   maximize_load(const PlaneBody &body)
   {
-    StressProgram program(body, least_restrictive(body.kinematics));
+    StressProgram program(body,
+                          out_of_plane_stress(body.kinematics,
+                                              OutOfPlaneStress::mean));
     const double  unit = body.strain_unit * body.length_unit;
     if (body.load_factor_unit == 0)
       program.add_force(-unit);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
 #include <cmath>
 
 #include "equilibrium/hencky_material.h"
@@ -62,7 +63,8 @@ namespace ElastoPlastic
     ConeScale
     yield_scale(const PlaneBody &body, const unsigned int t)
     {
-      const double part = area(body.mesh.corners(body.mesh.triangles[t])) /
+      const double part = area(body.mesh.corners(body.mesh.triangles[t])) *
+                          LocalStresses::weights(body, t)[2] /
                           (n_points * body.length_unit * body.length_unit);
       return {body.materials[t].yield_radius / body.stress_unit,
               std::pow(part, 0.75)};
@@ -148,7 +150,9 @@ namespace ElastoPlastic
     const bool own_unknown         = out_of_plane == OutOfPlaneStress::unknown;
     const FullMatrix<double> basis = LocalStresses::equilibrated_basis(body, t);
     const unsigned int       n     = basis.n() + (own_unknown ? n_points : 0) +
-                           (hardens(body.materials[t]) ? n_points : 0);
+                           (hardens(body.materials[t]) ?
+                              LocalStresses::points_off_axis(body, t).size() :
+                              0);
 
     FullMatrix<double> &stress =
       point_stresses.emplace_back(n_components * n_points, n);
@@ -204,8 +208,8 @@ namespace ElastoPlastic
     ElastoPlastic::add_yield_conditions(
       block, stress, material.yield_radius / body.stress_unit);
     if (hardens(material))
-      for (unsigned int p = 0; p < n_points; ++p)
-        block.cone_matrix(4 * p, block.cone_matrix.n() - n_points + p) = -1.;
+      for (unsigned int i = 0, n = block.cone_sizes.size(); i < n; ++i)
+        block.cone_matrix(4 * i, block.cone_matrix.n() - n + i) = -1.;
   }
 
 
@@ -268,17 +272,53 @@ namespace ElastoPlastic
 
 
   FullMatrix<double>
+  StressProgram::weighted_mass(const unsigned int t) const
+  {
+    const auto         weights = LocalStresses::weights(body, t);
+    FullMatrix<double> mass(n_points, n_points);
+    for (unsigned int k = 0; k < n_points; k += 3)
+      for (const WeightedPoint &point :
+           quadrature_over({{weights[k], weights[k + 1], weights[k + 2]}}))
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            mass(k + i, k + j) += energy_weight(body, t) * point.weight *
+                                  point.position[i] * point.position[j];
+    return mass;
+  }
+
+
+
+  FullMatrix<double>
   StressProgram::elastic_energy(const unsigned int t) const
   {
-    const FullMatrix<double> c = compliance_matrix(body.materials[t]);
+    const FullMatrix<double> c    = compliance_matrix(body.materials[t]);
+    const FullMatrix<double> mass = weighted_mass(t);
     FullMatrix<double> energy(n_components * n_points, n_components * n_points);
     for (unsigned int p = 0; p < n_points; ++p)
       for (unsigned int q = 3 * (p / 3); q < 3 * (p / 3) + 3; ++q)
         for (unsigned int i = 0; i < n_components; ++i)
           for (unsigned int k = 0; k < n_components; ++k)
             energy(n_components * p + i, n_components * q + k) =
-              energy_weight(body, t) * mass_of_corners(p % 3, q % 3) * c(i, k);
+              mass(p, q) * c(i, k);
     return energy;
+  }
+
+
+
+  // zeta is weighted like the stresses, which makes it linear.
+  void
+  StressProgram::add_hardening_energy(const unsigned int t)
+  {
+    const auto               weights = LocalStresses::weights(body, t);
+    const auto               points  = LocalStresses::points_off_axis(body, t);
+    const FullMatrix<double> mass    = weighted_mass(t);
+    FullMatrix<double>      &cost    = program.blocks[t].quadratic_cost;
+    const unsigned int       first   = cost.n() - points.size();
+    for (unsigned int i = 0; i < points.size(); ++i)
+      for (unsigned int j = 0; j < points.size(); ++j)
+        cost(first + i, first + j) += weights[points[i]] * weights[points[j]] *
+                                      mass(points[i], points[j]) /
+                                      hardening(body.materials[t]);
   }
 
 
@@ -289,22 +329,18 @@ namespace ElastoPlastic
     has_energy = true;
     for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
       {
-        const Material<double> &material = body.materials[t];
-        FullMatrix<double>     &cost     = program.blocks[t].quadratic_cost;
-        const unsigned int      n        = program.blocks[t].linear_cost.size();
-        cost.reinit(n, n);
-        if (yields(material))
-          program.blocks[t].cone_scales.assign(n_points, yield_scale(body, t));
-
+        ConicBlock        &block = program.blocks[t];
+        const unsigned int n     = block.linear_cost.size();
+        block.quadratic_cost.reinit(n, n);
         FullMatrix<double> strain(n_components * n_points, n);
         elastic_energy(t).mmult(strain, point_stresses[t]);
-        point_stresses[t].Tmmult(cost, strain);
-        if (hardens(material))
-          for (unsigned int p = 0; p < n_points; ++p)
-            for (unsigned int q = 3 * (p / 3); q < 3 * (p / 3) + 3; ++q)
-              cost(n - n_points + p, n - n_points + q) +=
-                energy_weight(body, t) * mass_of_corners(p % 3, q % 3) /
-                hardening(material);
+        point_stresses[t].Tmmult(block.quadratic_cost, strain);
+        if (yields(body.materials[t]))
+          std::fill(block.cone_scales.begin(),
+                    block.cone_scales.end(),
+                    yield_scale(body, t));
+        if (hardens(body.materials[t]))
+          add_hardening_energy(t);
 
         for (const SideOfTriangle &side : sides[t])
           for (unsigned int i = 0; i < 2; ++i)
@@ -313,8 +349,8 @@ namespace ElastoPlastic
                   SideConditionType::displacement)
                 continue;
               for (unsigned int end = 0; end < 2; ++end)
-                program.blocks[t].linear_cost.add(
-                  given_multiplier(side.side, end, i), side.forces[end][i]);
+                block.linear_cost.add(given_multiplier(side.side, end, i),
+                                      side.forces[end][i]);
             }
       }
   }

@@ -64,7 +64,7 @@ namespace ElastoPlastic
                       "factor of its tractions and body forces, between two "
                       "rigorous bounds, see the section 'Limit load'. "
                       "contact with error bound: contact in one load step, in "
-                      "plane strain or plane stress, with stresses in exact "
+                      "two dimensions, with stresses in exact "
                       "equilibrium beside the displacement, and a guaranteed "
                       "bound of the error that follows from both.");
     body_force.add_parameters(prm);
@@ -234,11 +234,6 @@ namespace ElastoPlastic
       "'Analysis = " + Patterns::Tools::to_string(analysis) + "'";
     if (dimension == 3 && analysis != Analysis::limit_load)
       throw InputError("Dimension", "3", entry + " is for two dimensions.");
-    if (discretization.kinematics == Kinematics::axisymmetric &&
-        analysis != Analysis::limit_load)
-      throw InputError("Kinematics",
-                       Patterns::Tools::to_string(discretization.kinematics),
-                       entry + " is for plane strain and plane stress.");
     if (discretization.strain != Strain::small)
       throw InputError("Strain",
                        Patterns::Tools::to_string(discretization.strain),
