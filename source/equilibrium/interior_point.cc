@@ -84,8 +84,8 @@ namespace ElastoPlastic
       center(const ConicSolution &iterate);
       Vector<double>
       square_of_scaled() const;
-      double
-      centre(const unsigned int c) const;
+      void
+      subtract_centre(Vector<double> &values, const double gap) const;
       void
       find_direction(const Vector<double> &complementarity, const double part);
       double
@@ -263,8 +263,8 @@ namespace ElastoPlastic
           SecondOrderCone::multiply(v,
                                     v,
                                     layout.cone(std::as_const(scaled_z), c));
-          v[0] -= centering * centre(c);
         }
+      subtract_centre(scaled_s, centering * (current.s * current.z));
       complementarity += scaled_s;
       find_direction(complementarity, 1. - centering);
       advance();
@@ -303,8 +303,7 @@ namespace ElastoPlastic
            ++k)
         {
           Vector<double> complementarity = square_of_scaled();
-          for (unsigned int c = 0; c < n_cones; ++c)
-            layout.cone(complementarity, c)[0] -= centre(c);
+          subtract_centre(complementarity, current.s * current.z);
           find_direction(complementarity, 1.);
           advance();
           residual = evaluate(program, layout, system, current);
@@ -327,12 +326,15 @@ namespace ElastoPlastic
 
 
 
-    /// What lambda o lambda is, in the first entry of a cone, on the central
-    /// path with the present gap.
-    double
-    InteriorPoint::centre(const unsigned int c) const
+    /// Subtracts what lambda o lambda is on the central path with this @p gap:
+    /// a multiple of the unit of each cone.
+    void
+    InteriorPoint::subtract_centre(Vector<double> &values,
+                                   const double    gap) const
     {
-      return (current.s * current.z) * weight(layout.scales[c]) / total_weight;
+      for (unsigned int c = 0; c < n_cones; ++c)
+        layout.cone(values, c)[0] -=
+          gap * weight(layout.scales[c]) / total_weight;
     }
 
 
