@@ -51,11 +51,10 @@ namespace ElastoPlastic
 
   /// A quadrature of int f(x) / r(x) dx over a triangle, r being linear with
   /// the values @p r at the corners, positive but for corners on an axis, where
-  /// it is zero. It is exact if f is r times a polynomial of degree 3, and
-  /// if r is constant, for polynomials f of degree 3. And it is
-  /// never too small, and little too large, for the square f of a polynomial of
-  /// degree 2 or less that is zero on the axis, or a positive quadratic form of
-  /// such polynomials (doc/theory.md, "Guaranteed error").
+  /// it is zero. It is exact if f / r is a polynomial of degree 4 or less. It
+  /// is never too small, and little too large, if f is the square of a
+  /// polynomial of degree 2 or less that is zero on the axis, or a positive
+  /// quadratic form of such polynomials (doc/theory.md, "Guaranteed error").
   std::vector<WeightedPoint>
   quadrature_over(const std::array<double, 3> &r);
 } // namespace ElastoPlastic

@@ -17,8 +17,8 @@ namespace ElastoPlastic
   std::vector<WeightedPoint>
   quadrature_over(const std::array<double, 3> &r)
   {
-    static const QGauss<1>        along_lines(3);
-    static const QGaussLobatto<1> across(3);
+    static const QGauss<1>        along_lines(4);
+    static const QGaussLobatto<1> across(4);
 
     const unsigned int tip = std::min_element(r.begin(), r.end()) - r.begin();
     std::vector<WeightedPoint> points;
