@@ -19,9 +19,8 @@
 #include "equilibrium/stress_check.h"
 #include "equilibrium/stress_problem.h"
 #include "sample_mesh.h"
+#include "section_body.h"
 #include "verdict.h"
-
-using namespace ElastoPlastic;
 
 namespace
 {
@@ -278,6 +277,61 @@ namespace
 
 
 
+  /// The radial displacement of a hollow elastic sphere between the radii 1 and
+  /// 2 under the pressure 1 inside (Lame).
+  double
+  expansion(const Material<double> &steel, const double r)
+  {
+    return (1. / (3. * steel.bulk_modulus) * r +
+            8. / (4. * steel.shear_modulus) / (r * r)) /
+           7.;
+  }
+
+
+
+  // The displacement is interpolated, the mesh a polygon inside the sphere.
+  void
+  test_hollow_sphere()
+  {
+    BoundaryConditionParameters parameters;
+    parameters.roller = {"bottom", "top"};
+    parameters.free   = {"left", "right"};
+    const BoundaryConditions<2> symmetric(parameters, names);
+    const Material<double>      steel =
+      material(std::numeric_limits<double>::infinity(), 0.);
+    const double exact = numbers::PI * expansion(steel, 1.);
+
+    std::vector<double> errors, bounds;
+    for (const unsigned int n : {6, 12})
+      {
+        Triangulation<2> mesh;
+        make_shell(mesh, n);
+        PlaneBody body = make_plane_body(make_split_mesh(mesh),
+                                         symmetric,
+                                         {steel},
+                                         Kinematics::axisymmetric,
+                                         everywhere,
+                                         0.);
+        press(body, 0, 1.);
+        const StressField    stress = equilibrate_with_depth(body, 0.);
+        const QuadraticField displacement =
+          interpolate(body.mesh, [&](const Point<2> &x) {
+            return x / x.norm() * expansion(steel, x.norm());
+          });
+        errors.push_back(std::abs(stress.cost / exact - 1.));
+        bounds.push_back(bound_error(body, displacement, 0., stress).total() /
+                         exact);
+      }
+    output() << "Hollow sphere" << std::endl;
+    verify("energy", errors.back(), 0.02);
+    verify("order of the energy", std::log2(errors[0] / errors[1]) > 1.9);
+              << bounds[1] << std::endl;
+    verify("bound", bounds.back() > 0. && bounds.back() < 0.01);
+    verify("order of the bound", std::log2(bounds[0] / bounds[1]) > 1.9);
+  }
+
+
+
   // Without displacement, the sum of both energies is the complementary one.
   void
   test_sum(const PlaneBody &body)
@@ -322,6 +376,7 @@ main(int argc, char *argv[])
   test_conjugate(elastic, "Elastic");
   test_conjugate(make_body(mesh, material(1.4, 0.)), "Perfectly plastic");
   test_conjugate(make_body(mesh, material(1.4, 20.)), "Hardening");
+  test_hollow_sphere();
   for (const double hardening : {0., 20.})
     {
       test_compression(mesh, hardening);

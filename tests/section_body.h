@@ -115,4 +115,44 @@ make_body(const Triangulation<2>      &mesh,
                          surface);
 }
 
+
+
+/// Puts a @p pressure on a boundary, normal to its sides.
+inline void
+press(PlaneBody &body, const types::boundary_id boundary, const double pressure)
+{
+  for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+    if (body.mesh.sides[s].boundary_id == boundary)
+      {
+        const Tensor<1, 2> load =
+          -pressure * body.mesh.normal(body.mesh.sides[s]);
+        for (unsigned int d = 0; d < 2; ++d)
+          body.conditions[s].components[d] = {Point<2>::unit_vector(d),
+                                              SideConditionType::traction,
+                                              [load_d =
+                                                 load[d]](const Point<2> &) {
+                                                return load_d;
+                                              }};
+      }
+}
+
+
+
+/// A quarter of a ring inside the shell between the radii 1 and 2, whose
+/// sides are chords outside and tangents inside, below the plane z = 0.
+inline void
+make_shell(Triangulation<2> &mesh, const unsigned int n)
+{
+  GridGenerator::subdivided_hyper_cube(mesh, n, 0., 1., /* colorize = */ true);
+  const double step = 0.5 * numbers::PI / n;
+  GridTools::transform(
+    [step](const Point<2> &x) {
+      const double inner  = 1. / std::cos(0.5 * step);
+      const double radius = inner * std::pow(2. / inner, x[0]);
+      const double angle  = 0.5 * numbers::PI * (x[1] - 1.);
+      return Point<2>(radius * std::cos(angle), radius * std::sin(angle));
+    },
+    mesh);
+}
+
 #endif

@@ -61,7 +61,10 @@ namespace ElastoPlastic
       throw ConvergenceError(
         "The stresses of the equilibrium method violate equilibrium or yield "
         "condition by " +
-        Patterns::Tools::to_string(error) + " of the yield stress.");
+        Patterns::Tools::to_string(error) +
+        " of the yield stress. If this is more than rounding, look at the "
+        "tractions: they must be linear on each side of a triangle, in a body "
+        "of revolution when multiplied by r.");
     return error;
   }
 

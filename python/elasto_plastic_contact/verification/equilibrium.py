@@ -139,43 +139,81 @@ def safe_load(runner):
     runner.compare("force after a depth", row["force"], 1, 1e-9)
 
 
+def coarse_and_fine(runner, case, n_meshes, *entries):
+    """Tables and fields of stresses in equilibrium on uniform meshes of linear elements, and those of finer meshes."""
+    coarse = runner.tables_with_fields(case, "equilibrium", BOUND, *entries, "Refinement/Strategy=global",
+                                       "Discretization/Polynomial degree=1", f"Refinement/Number of cycles={n_meshes}")
+    fine = runner.tables_with_fields(case, "equilibrium", BOUND, *entries, "Refinement/Strategy=adaptive",
+                                     f"Refinement/Number of cycles={n_meshes + 1}")
+    return coarse, fine
+
+
 def uniform_meshes(runner, law, n_meshes):
     """Rows of error_bound.csv, and that of a finer mesh.
 
     'distance' is that of the stresses from those on the finer mesh, in the norm of the energy.
     """
-    entries = (BOUND, f"Material/Law={law}", "Geometry/Initial refinements=3")
-    tables, fields = runner.tables_with_fields(
-        "cylinder_2d.prm", "equilibrium", *entries, "Refinement/Strategy=global",
-        "Discretization/Polynomial degree=1", f"Refinement/Number of cycles={n_meshes}")
-    fine_tables, fine_fields = runner.tables_with_fields(
-        "cylinder_2d.prm", "equilibrium", *entries, "Refinement/Strategy=adaptive",
-        f"Refinement/Number of cycles={n_meshes + 1}")
+    (tables, fields), (fine_tables, fine_fields) = coarse_and_fine(
+        runner, "cylinder_2d.prm", n_meshes, f"Material/Law={law}", "Geometry/Initial refinements=3")
     for row, field in zip(tables["error_bound"], fields):
         row["distance"] = stress_distance(field, fine_fields[-1], E, NU)
     return tables["error_bound"], fine_tables["error_bound"][-1]
+
+
+def verify_energies(runner, law, rows, fine):
+    """The bound is positive and above the errors of both energies.
+
+    The least of the energy is between minus the complementary energy and the energy of any mesh.
+    """
+    runner.verify(f"{law}: positive", all(row["bound"] > 0 for row in rows))
+    for row in rows:
+        of_displacement = row["energy"] - fine["energy"]
+        of_stress = row["complementary_energy"] - fine["complementary_energy"]
+        larger = max(of_displacement, of_stress)
+        runner.verify(f"errors {of_displacement:.3g} and {of_stress:.3g}, "
+                      f"bound {row['bound']:.3g}, efficiency index {math.sqrt(row['bound'] / larger):.3f}",
+                      0 < larger and min(of_displacement, of_stress) > -fine["bound"] and larger < row["bound"])
 
 
 def error_bound(runner):
     """Uniform meshes: the bound is positive, above all errors, and of order h^2."""
     for law in LAWS:
         rows, fine = uniform_meshes(runner, law, 3)
-        runner.verify(f"{law}: positive", all(row["bound"] > 0 for row in rows))
-        # The least of the energy is between minus the complementary energy and the energy of any mesh.
+        verify_energies(runner, law, rows, fine)
         for row in rows:
-            of_displacement = row["energy"] - fine["energy"]
-            of_stress = row["complementary_energy"] - fine["complementary_energy"]
-            larger = max(of_displacement, of_stress)
-            runner.verify(f"errors {of_displacement:.3g} and {of_stress:.3g}, "
-                          f"bound {row['bound']:.3g}, efficiency index {math.sqrt(row['bound'] / larger):.3f}",
-                          0 < larger and min(of_displacement, of_stress) > -fine["bound"] and
-                          larger < row["bound"])
             largest = math.sqrt(2 * row["bound"])
             runner.verify(f"distance from finer stresses {row['distance']:.3g}, bound {largest:.3g}",
                           row["distance"] < largest)
         runner.compare("order of the bound", order(rows, "bound"), 2, 0.15)
         stress_order = order(rows, "distance")
         runner.verify(f"order of the stresses {stress_order:.2f}", stress_order > 0.5)
+
+
+def error_bound_revolution(runner):
+    """Bodies of revolution: the bound is above the errors and converges, the force is between its bounds; Hertz."""
+    case = "error_bound/sphere.prm"
+    plastic = ("Loading/Control=depth", "Loading/Depth=0.1", "Material/Yield stress=2000",
+               "Material/Isotropic hardening modulus=10000", "Geometry/Local refinements=3")
+    for law in LAWS:
+        entries = (f"Material/Law={law}", *plastic)
+        (tables, _), (fine, _) = coarse_and_fine(runner, case, 3, *entries)
+        rows = tables["error_bound"]
+        verify_energies(runner, law, rows, fine["error_bound"][-1])
+        runner.compare("order of the bound", order(rows, "bound"), 2, 0.15)
+        exact = runner.run(case, "Analysis=contact", *entries, "Refinement/Strategy=Kelly",
+                           "Refinement/Number of cycles=7")[-1]["force"]
+        rows = runner.tables(case, BOUND, *entries, "Refinement/Goal=force")["error_bound"]
+        for row in rows:
+            lower, upper = row["force_lower_bound"], row["force_upper_bound"]
+            runner.verify(f"{law}: {lower:.6g} <= force {exact:.6g} <= {upper:.6g}", lower <= exact <= upper)
+        runner.verify("within 6 %", upper - lower < 0.06 * exact)
+        runner.compare("largest error of the stresses", max(row["stress_error"] for row in rows), 0, 1e-9,
+                       absolute=True)
+    row = runner.tables(case)["error_bound"][-1]
+    radius, reach = 10, 0.2
+    runner.compare("Hertz, largest pressure", row["equilibrium_max_pressure"], 2 * E_STAR * reach / (math.pi * radius),
+                   0.005)
+    runner.compare("Hertz, contact area", row["equilibrium_contact_area"], math.pi * reach**2, 0.01)
 
 
 def force_bounds(runner):
