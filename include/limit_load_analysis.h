@@ -18,6 +18,7 @@
 #include "io/equilibrium_output.h"
 #include "io/log.h"
 #include "io/parameters.h"
+#include "io/slip_output.h"
 #include "model/model.h"
 
 namespace ElastoPlastic
@@ -112,6 +113,7 @@ namespace ElastoPlastic
 
     Log               log;
     EquilibriumOutput output;
+    SlipOutput        slip_output;
     unsigned int      cycle = 0;
 
     parallel::distributed::Triangulation<dim> triangulation;

@@ -137,6 +137,7 @@ namespace ElastoPlastic
     , first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
     , log(communicator, parameters.output.screen)
     , output(parameters.output, "limit_load", "velocity")
+    , slip_output(parameters.output)
     , triangulation(communicator)
     , gap_function(make_mesh_and_place_indenter(model, triangulation))
   {
@@ -355,6 +356,7 @@ namespace ElastoPlastic
         if (!first_rank)
           return;
         output.write(fields_of(body, bounds), cycle);
+        slip_output.write(body, bounds.velocity.velocity, cycle);
       });
   }
 

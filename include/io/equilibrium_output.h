@@ -4,17 +4,14 @@
 #ifndef io_equilibrium_output_h
 #define io_equilibrium_output_h
 
-#include <deal.II/base/data_out_base.h>
-
 #include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "equilibrium/plane_body.h"
 #include "equilibrium/space_limit_load.h"
 #include "equilibrium/stress_field.h"
-#include "io/output_parameters.h"
+#include "io/vtu_series.h"
 
 namespace ElastoPlastic
 {
@@ -61,15 +58,8 @@ namespace ElastoPlastic
     write(const SpaceFields &fields, const unsigned int cycle);
 
   private:
-    template <typename Simplices>
-    void
-    write_file(Simplices &simplices, const unsigned int cycle);
-
-    const std::string                           directory;
-    const Units                                 units;
-    const std::string                           name;
-    const std::string                           name_of_motion;
-    std::vector<std::pair<double, std::string>> records;
+    VtuSeries         series;
+    const std::string name_of_motion;
   };
 } // namespace ElastoPlastic
 

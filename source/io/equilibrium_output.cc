@@ -1,97 +1,36 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/utilities.h>
-
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/tetrahedron_stress.h"
-#include "io/checked_write.h"
 #include "io/equilibrium_output.h"
+#include "io/patches.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// After the vectors.
-    const std::vector<std::string> names = {"stress",
-                                            "stress",
-                                            "stress",
-                                            "stress",
-                                            "stress",
-                                            "stress",
-                                            "stress",
-                                            "stress",
-                                            "stress",
-                                            "von_mises_stress",
-                                            "yield_ratio",
-                                            "error_indicator",
-                                            "material_id"};
+    /// After the motions: stress, von Mises stress, yield ratio, error
+    /// indicator, material.
+    constexpr unsigned int n_other_components = 13;
 
 
 
-    /// Patches are triangles or tetrahedra: deal.II writes them as such.
     template <int dim>
-    class Simplices : public DataOutInterface<dim, dim>
+    Patches<dim>
+    make_patches(const std::vector<std::string> &names_of_motions)
     {
-    public:
-      using Patch = DataOutBase::Patch<dim, dim>;
-
-      explicit Simplices(const std::vector<std::string> &names_of_vectors)
-        : names_of_vectors(names_of_vectors)
-      {}
-
-      void
-      add(Patch patch)
-      {
-        patch.patch_index = patches.size();
-        patches.push_back(patch);
-      }
-
-    private:
-      const std::vector<Patch> &
-      get_patches() const override
-      {
-        return patches;
-      }
-
-      std::vector<std::string>
-      get_dataset_names() const override
-      {
-        std::vector<std::string> result;
-        for (const std::string &name : names_of_vectors)
-          result.insert(result.end(), 3, name);
-        result.insert(result.end(), names.begin(), names.end());
-        return result;
-      }
-
-      std::vector<
-        std::tuple<unsigned int,
-                   unsigned int,
-                   std::string,
-                   DataComponentInterpretation::DataComponentInterpretation>>
-      get_nonscalar_data_ranges() const override
-      {
-        using namespace DataComponentInterpretation;
-        decltype(this->get_nonscalar_data_ranges()) ranges;
-        unsigned int                                first = 0;
-        for (const std::string &name : names_of_vectors)
-          {
-            ranges.emplace_back(first,
-                                first + 2,
-                                name,
-                                component_is_part_of_vector);
-            first += 3;
-          }
-        ranges.emplace_back(first,
-                            first + 8,
-                            "stress",
-                            component_is_part_of_tensor);
-        return ranges;
-      }
-
-      const std::vector<std::string> names_of_vectors;
-      std::vector<Patch>             patches;
-    };
+      std::vector<typename Patches<dim>::Field> fields;
+      for (const std::string &name : names_of_motions)
+        fields.push_back({name, 3});
+      fields.push_back({"stress", 9});
+      for (const std::string name : {"von_mises_stress",
+                                     "yield_ratio",
+                                     "error_indicator",
+                                     "material_id"})
+        fields.push_back({name, 1});
+      return Patches<dim>(fields);
+    }
 
 
 
@@ -137,7 +76,7 @@ namespace ElastoPlastic
       DataOutBase::Patch<2, 2> patch;
       patch.reference_cell = ReferenceCells::Triangle;
       patch.n_subdivisions = 1;
-      patch.data.reinit(6 + names.size(), 3);
+      patch.data.reinit(6 + n_other_components, 3);
       for (unsigned int i = 0; i < 3; ++i)
         {
           patch.vertices[i] = corners[i];
@@ -175,7 +114,7 @@ namespace ElastoPlastic
       DataOutBase::Patch<3, 3> patch;
       patch.reference_cell = ReferenceCells::Tetrahedron;
       patch.n_subdivisions = 1;
-      patch.data.reinit(3 + names.size(), 4);
+      patch.data.reinit(3 + n_other_components, 4);
       for (unsigned int i = 0; i < 4; ++i)
         {
           patch.vertices[i] = corners[i];
@@ -201,9 +140,7 @@ namespace ElastoPlastic
   EquilibriumOutput::EquilibriumOutput(const OutputParameters &parameters,
                                        const std::string      &name,
                                        const std::string      &name_of_motion)
-    : directory(parameters.directory)
-    , units(parameters.units)
-    , name(name)
+    : series(parameters, name)
     , name_of_motion(name_of_motion)
   {}
 
@@ -213,11 +150,12 @@ namespace ElastoPlastic
   EquilibriumOutput::write(const EquilibriumFields &fields,
                            const unsigned int       cycle)
   {
-    Simplices<2> triangles({name_of_motion, "discontinuous_" + name_of_motion});
+    auto triangles =
+      make_patches<2>({name_of_motion, "discontinuous_" + name_of_motion});
     for (unsigned int t = 0; t < fields.body.mesh.triangles.size(); ++t)
       for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
         triangles.add(make_patch(fields, t, subtriangle));
-    write_file(triangles, cycle);
+    series.write(triangles, cycle);
   }
 
 
@@ -225,35 +163,10 @@ namespace ElastoPlastic
   void
   EquilibriumOutput::write(const SpaceFields &fields, const unsigned int cycle)
   {
-    Simplices<3> tetrahedra({name_of_motion});
+    auto tetrahedra = make_patches<3>({name_of_motion});
     for (unsigned int t = 0; t < fields.body.mesh.tetrahedra.size(); ++t)
       for (unsigned int k = 0; k < TetrahedronStress::n_parts; ++k)
         tetrahedra.add(make_patch(fields, t, k));
-    write_file(tetrahedra, cycle);
-  }
-
-
-
-  template <typename Simplices>
-  void
-  EquilibriumOutput::write_file(Simplices &simplices, const unsigned int cycle)
-  {
-    DataOutBase::VtkFlags flags;
-    if (units.are_named())
-      for (const std::string field : {"stress", "von_mises_stress"})
-        flags.physical_units[field] = units.of("stress");
-    simplices.set_flags(flags);
-
-    const std::string file_name =
-      name + "-" + Utilities::int_to_string(cycle, 3) + ".vtu";
-    checked_write(MPI_COMM_SELF,
-                  directory + "/" + file_name,
-                  [&](std::ostream &file) { simplices.write_vtu(file); });
-    records.emplace_back(cycle, file_name);
-    checked_write(MPI_COMM_SELF,
-                  directory + "/" + name + ".pvd",
-                  [&](std::ostream &file) {
-                    DataOutBase::write_pvd_record(file, records);
-                  });
+    series.write(tetrahedra, cycle);
   }
 } // namespace ElastoPlastic

@@ -39,9 +39,9 @@ namespace ElastoPlastic
         "parameters\\.prm|tables\\.md|"
         "(history|statistics|reactions|probes|surface_profile|mesh_changes|indentation|limit_load|error_bound)"
         "\\.csv(\\.new)?|"
-        "(solution|surface|limit_load|equilibrium)\\.pvd|"
+        "(solution|surface|limit_load|slip_lines|equilibrium)\\.pvd|"
         "(solution|surface)-([0-9]{3,}|last)(\\.pvtu|\\.[0-9]{4,}\\.vtu)|"
-        "(limit_load|equilibrium)-[0-9]{3,}\\.vtu");
+        "(limit_load|slip_lines|equilibrium)-[0-9]{3,}\\.vtu");
       return std::regex_match(name, names);
     }
 
