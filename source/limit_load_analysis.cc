@@ -104,7 +104,10 @@ namespace ElastoPlastic
       for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
         velocities.push_back(
           values_at_vertices(body, bounds.velocity.velocity[t], t));
-      return {body, bounds.stress, velocities, bounds.gaps};
+      std::vector<double> work = bounds.velocity.dissipation;
+      for (unsigned int t = 0; t < work.size(); ++t)
+        work[t] /= body.volume(t);
+      return {body, bounds.stress, velocities, bounds.gaps, work};
     }
 
 

@@ -2,18 +2,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Velocities given by hand: their plastic work, exact or slightly more, and
-// what the check finds wrong with those that are not admissible.
+// what the check finds wrong with those that are not admissible; where they
+// slip.
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/tria.h>
 
 #include <cmath>
+#include <fstream>
 #include <numeric>
+#include <sstream>
 
 #include "equilibrium/inverse_square.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/stream_element.h"
 #include "equilibrium/velocity_check.h"
+#include "io/slip_output.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -98,6 +102,21 @@ namespace
 
 
 
+  /// How many lines the output of the places has where a mechanism slips.
+  unsigned int
+  n_slip_lines(const PlaneBody &body, const Velocities &velocities)
+  {
+    OutputParameters parameters;
+    parameters.directory = ".";
+    SlipOutput(parameters).write(body, velocities, 0);
+    std::ostringstream text;
+    text << std::ifstream("slip_lines-000.vtu").rdbuf();
+    const std::string key = "NumberOfCells=\"";
+    return std::stoi(text.str().substr(text.str().find(key) + key.size()));
+  }
+
+
+
   // The upper half slides along the lower one, which does not move: the weaker
   // of them yields.
   void
@@ -114,6 +133,8 @@ namespace
     verify("nothing separates",
            check_velocity(body, velocity).separation,
            1e-14);
+    // (two sides of four parts)
+    verify("slip lines", n_slip_lines(body, velocity) == 8);
   }
 
 
@@ -135,6 +156,7 @@ namespace
     verify("work", std::abs(total_work(body, velocity) / exact - 1.), 1e-14);
     verify("volume", errors.divergence, 1e-14);
     verify("supports", errors.separation, 1e-14);
+    verify("slip lines along the base", n_slip_lines(body, velocity) == 8);
   }
 
 

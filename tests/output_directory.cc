@@ -95,6 +95,7 @@ namespace
                                    "equilibrium.pvd",
                                    "equilibrium-000.vtu",
                                    "limit_load-012.vtu",
+                                   "slip_lines-012.vtu",
                                    "surface-last.pvtu",
                                    "solution-last.0001.vtu",
                                    "solution-1000.0000.vtu"})

@@ -110,6 +110,11 @@ namespace ElastoPlastic
     double
     angle() const;
 
+    /// Of the ring whose section is a triangle, or of the triangle by unit of
+    /// thickness.
+    double
+    volume(const unsigned int triangle) const;
+
     /// The body force f is that of a pressure f . (x - x_0) in the body, which
     /// is taken out of all stresses: so they have no divergence. The load that
     /// then acts on a side with this outward @p normal, and what a load factor

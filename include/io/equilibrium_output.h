@@ -24,6 +24,9 @@ namespace ElastoPlastic
     /// their centres of gravity.
     const std::vector<std::array<Tensor<1, 2>, 4>> motion;
     const std::vector<double>                     &errors; ///< by triangles
+    /// Of a mechanism of collapse: the plastic work per unit of volume, by
+    /// triangles. Else it is empty.
+    const std::vector<double> plastic_work = {};
   };
 
 

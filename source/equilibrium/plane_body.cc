@@ -287,6 +287,16 @@ namespace ElastoPlastic
 
 
   double
+  PlaneBody::volume(const unsigned int triangle) const
+  {
+    const auto corners = mesh.corners(mesh.triangles[triangle]);
+    return angle() * area(corners) *
+           (weight(corners[0]) + weight(corners[1]) + weight(corners[2])) / 3.;
+  }
+
+
+
+  double
   PlaneBody::load(const SideCondition::Component &component,
                   const Tensor<1, 2>             &normal,
                   const Point<2>                 &x) const

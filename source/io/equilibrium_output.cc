@@ -16,19 +16,23 @@ namespace ElastoPlastic
 
 
 
+    /// With the plastic work, if there is a mechanism, as the last field.
     template <int dim>
     Patches<dim>
-    make_patches(const std::vector<std::string> &names_of_motions)
+    make_patches(const std::vector<std::string> &motions,
+                 const std::vector<std::string> &work)
     {
       std::vector<typename Patches<dim>::Field> fields;
-      for (const std::string &name : names_of_motions)
-        fields.push_back({name, 3});
-      fields.push_back({"stress", 9});
-      for (const std::string name : {"von_mises_stress",
-                                     "yield_ratio",
-                                     "error_indicator",
-                                     "material_id"})
-        fields.push_back({name, 1});
+      const auto add = [&](const std::vector<std::string> &names,
+                           const unsigned int              n_components) {
+        for (const std::string &name : names)
+          fields.push_back({name, n_components});
+      };
+      add(motions, 3);
+      add({"stress"}, 9);
+      add({"von_mises_stress", "yield_ratio", "error_indicator", "material_id"},
+          1);
+      add(work, 1);
       return Patches<dim>(fields);
     }
 
@@ -59,8 +63,8 @@ namespace ElastoPlastic
                const unsigned int       t,
                const unsigned int       subtriangle)
     {
-      const auto &[body, stress_field, motion, errors] = fields;
-      const auto &triangle                             = body.mesh.triangles[t];
+      const auto &[body, stress_field, motion, errors, work] = fields;
+      const auto &triangle = body.mesh.triangles[t];
       const auto  corners =
         JohnsonMercier::subtriangle_of(body.mesh.corners(triangle),
                                        subtriangle);
@@ -76,7 +80,7 @@ namespace ElastoPlastic
       DataOutBase::Patch<2, 2> patch;
       patch.reference_cell = ReferenceCells::Triangle;
       patch.n_subdivisions = 1;
-      patch.data.reinit(6 + n_other_components, 3);
+      patch.data.reinit(6 + n_other_components + (work.empty() ? 0 : 1), 3);
       for (unsigned int i = 0; i < 3; ++i)
         {
           patch.vertices[i] = corners[i];
@@ -92,6 +96,8 @@ namespace ElastoPlastic
                      body.materials[t].yield_radius);
           patch.data(17, i) = errors[t];
           patch.data(18, i) = body.mesh.cells[triangle.cell].material_id;
+          if (!work.empty())
+            patch.data(19, i) = work[t];
         }
       return patch;
     }
@@ -114,7 +120,7 @@ namespace ElastoPlastic
       DataOutBase::Patch<3, 3> patch;
       patch.reference_cell = ReferenceCells::Tetrahedron;
       patch.n_subdivisions = 1;
-      patch.data.reinit(3 + n_other_components, 4);
+      patch.data.reinit(3 + n_other_components + 1, 4);
       for (unsigned int i = 0; i < 4; ++i)
         {
           patch.vertices[i] = corners[i];
@@ -130,6 +136,8 @@ namespace ElastoPlastic
                      body.materials[t].yield_radius);
           patch.data(14, i) = bounds.gaps[t];
           patch.data(15, i) = body.mesh.cells[tetrahedron.cell].material_id;
+          patch.data(16, i) = bounds.velocity.dissipation[t] /
+                              volume(body.mesh.corners(tetrahedron));
         }
       return patch;
     }
@@ -151,7 +159,10 @@ namespace ElastoPlastic
                            const unsigned int       cycle)
   {
     auto triangles =
-      make_patches<2>({name_of_motion, "discontinuous_" + name_of_motion});
+      make_patches<2>({name_of_motion, "discontinuous_" + name_of_motion},
+                      fields.plastic_work.empty() ?
+                        std::vector<std::string>() :
+                        std::vector<std::string>{"plastic_work"});
     for (unsigned int t = 0; t < fields.body.mesh.triangles.size(); ++t)
       for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
         triangles.add(make_patch(fields, t, subtriangle));
@@ -163,7 +174,7 @@ namespace ElastoPlastic
   void
   EquilibriumOutput::write(const SpaceFields &fields, const unsigned int cycle)
   {
-    auto tetrahedra = make_patches<3>({name_of_motion});
+    auto tetrahedra = make_patches<3>({name_of_motion}, {"plastic_work"});
     for (unsigned int t = 0; t < fields.body.mesh.tetrahedra.size(); ++t)
       for (unsigned int k = 0; k < TetrahedronStress::n_parts; ++k)
         tetrahedra.add(make_patch(fields, t, k));

@@ -60,6 +60,7 @@ namespace ElastoPlastic
           continue;
         const auto              &ends = body.mesh.sides[view.side].vertices;
         DataOutBase::Patch<1, 2> patch;
+        patch.reference_cell = ReferenceCells::Line;
         patch.n_subdivisions = n_side_parts;
         for (unsigned int end = 0; end < 2; ++end)
           patch.vertices[end] = body.mesh.vertices[ends[end]];

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draw what the equilibrium method has found: the last mesh of limit_load.pvd (yield
-ratio of the stresses, mechanism of collapse with the lines along which it flows, multipliers u_h of
-equilibrium) or of equilibrium.pvd (yield ratio, displacement u_h, parts of the error bound), thirds of
+ratio of the stresses, plastic work of the mechanism of collapse with the lines along which it flows and, green,
+those on which it slips, multipliers u_h of equilibrium) or of equilibrium.pvd (yield ratio, displacement u_h, parts of the error bound), thirds of
 triangles as they are.
 
     scripts/plot.py equilibrium output/limit_load_strip_punch --window 3 --output prandtl.png
@@ -22,11 +22,21 @@ from ..pictures.joined import same_points
 PANEL = 4.8  # inches
 
 
+def arrays(fields):
+    return {name: numpy.array(values) for name, values in fields.items()}
+
+
+def last_slip_lines(directory):
+    """Where the mechanism of the last mesh slips, if there is one."""
+    if not (pathlib.Path(directory) / "slip_lines.pvd").exists():
+        return None
+    return arrays(list(read_fields(directory, "slip_lines"))[-1])
+
+
 def last_fields(directory):
     for kind in ("limit_load", "equilibrium"):
         if (pathlib.Path(directory) / f"{kind}.pvd").exists():
-            fields = list(read_fields(directory, kind))[-1]
-            fields = {name: numpy.array(values) for name, values in fields.items()}
+            fields = arrays(list(read_fields(directory, kind))[-1])
             if fields["cells"].shape[1] != 3:
                 raise UserError(f"{kind}.pvd in {directory} is of a body in space: ParaView shows it.")
             return fields
@@ -93,8 +103,16 @@ class Picture:
             part[speed < 0.03 * numpy.nanquantile(speed.filled(0.), 0.99)] = numpy.ma.masked
         axes.streamplot(x, y, *velocity, color="#3fb8d4", linewidth=0.9, arrowsize=0.8, density=1.4)
 
+    def draw_slip_lines(self, axes, slip_lines):
+        """Lines on which the mechanism slips, as wide as it does."""
+        if not len(slip_lines["cells"]):
+            return
+        lines = slip_lines["points"][slip_lines["cells"]][:, :, :2]
+        slip = numpy.linalg.norm(slip_lines["slip"], axis=1)[slip_lines["cells"]].mean(axis=1)
+        axes.add_collection(LineCollection(lines, colors="#7dff5c", linewidths=3. * numpy.sqrt(slip / slip.max()), rasterized=True))
 
-def plot(fields, window):
+
+def plot(fields, slip_lines, window):
     picture = Picture(fields, window)
     if fields["yield_ratio"].max() > 0:
         axes = picture.draw(0, "stress over yield stress", fields["yield_ratio"], shading="gouraud", vmin=0, vmax=1)
@@ -102,7 +120,14 @@ def plot(fields, window):
         axes = picture.draw(0, "von Mises stress", fields["von_mises_stress"], shading="gouraud")
     picture.draw_mesh(axes)
     if "velocity" in fields:
-        picture.draw_flow(picture.draw_magnitude(1, "velocity", "speed of the mechanism"))
+        # (the same at all corners)
+        work = numpy.log10(fields["plastic_work"][fields["cells"][:, 0]].clip(min=1e-30))
+        largest = numpy.quantile(work, 0.99)
+        axes = picture.draw(1, "plastic work per volume (power of 10), slip", work, cmap="magma", vmin=largest - 3,
+                            vmax=largest)
+        picture.draw_flow(axes)
+        if slip_lines:
+            picture.draw_slip_lines(axes, slip_lines)
         picture.draw_magnitude(2, "discontinuous_velocity", "speed $u_h$ of the multipliers")
     else:
         picture.draw_magnitude(1, "discontinuous_displacement", "displacement $u_h$")
@@ -117,4 +142,4 @@ def main(arguments):
     parser.add_argument("directory", help="output directory of a run")
     parser.add_argument("--window", type=float, help="show only so much to both sides of the axis, and below")
     chosen = parser.parse_args(arguments)
-    save(plot(last_fields(chosen.directory), chosen.window), chosen.output)
+    save(plot(last_fields(chosen.directory), last_slip_lines(chosen.directory), chosen.window), chosen.output)
