@@ -74,7 +74,11 @@ namespace ElastoPlastic
         model.strain_model.kinematics,
         [&](const Point<2> &x) { return gap_function.value(x); },
         loads,
-        parameters.indenter.surface);
+        parameters.indenter.surface,
+        parameters.discretization.kinematics == Kinematics::plane_stress ||
+            model.contact.geometry == ContactGeometry::vertical ?
+          ContactGeometry::vertical :
+          ContactGeometry::normal);
     }
 
 

@@ -8,13 +8,13 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// The equilibrium method knows the vertical gap only. The edge of a
-    /// contact that moves sideways is not followed.
+    /// Bounds of errors are those with the vertical gap. The edge of a contact
+    /// that moves sideways is not followed.
     ContactParameters
     contact_of(const Parameters &parameters)
     {
       ContactParameters result = parameters.contact;
-      if (parameters.analysis != Analysis::contact &&
+      if (parameters.analysis == Analysis::contact_with_error_bound &&
           result.geometry == ContactGeometry::automatic)
         result.geometry = ContactGeometry::vertical;
       if (!parameters.loading.path.empty())

@@ -68,7 +68,8 @@ add_entry_test(body_force_of_sheet "entry 'Body force' is '0. 1', but 'Analysis 
 
 # Finite strains
 add_entry_test(limit_load_finite "entry 'Strain' is 'logarithmic', but 'Analysis = limit load' is for small strains" "Analysis=limit load" Strain=logarithmic)
-add_entry_test(limit_load_normal "entry 'Contact/Geometry' is 'normal', but 'Analysis = limit load' knows the vertical gap only" "Analysis=limit load" Contact/Geometry=normal)
+add_entry_test(error_bound_normal "entry 'Contact/Geometry' is 'normal', but 'Analysis = contact with error bound' knows the vertical gap only" "Analysis=contact with error bound" Contact/Geometry=normal)
+add_entry_test(limit_load_normal_3d "entry 'Contact/Geometry' is 'normal', but 'Analysis = limit load' knows the vertical gap only, but for limit loads in plane strain and of bodies of revolution" "Analysis=limit load" Dimension=3 Contact/Geometry=normal)
 add_entry_test(finite_vertical "entry 'Contact/Geometry' is 'vertical', but 'Strain = logarithmic' needs the indenter where the surface is now" Strain=logarithmic Contact/Geometry=vertical)
 add_entry_test(finite_normal "entry 'Contact/Geometry' is 'normal', but 'Strain = logarithmic' needs the indenter where the surface is now" Strain=logarithmic Contact/Geometry=normal)
 add_entry_test(small_present "entry 'Contact/Geometry' is 'present', but with 'Strain = small' the force would be less than half" Contact/Geometry=present)

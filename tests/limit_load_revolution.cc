@@ -212,20 +212,15 @@ namespace
     make_rectangle(mesh, MeshKind::refined, 2, 0., 1., 1.);
     GridTools::rotate(angle, mesh);
     const auto conditions = on_rollers({"bottom"}, {"left", "right"});
-    PlaneBody  body       = make_body(mesh,
-                               conditions,
-                               everywhere,
-                               SurfaceFinish::smooth,
-                               Kinematics::cartesian);
-    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-      if (body.conditions[s].components[1].type == SideConditionType::contact)
-        {
-          const Tensor<1, 2> normal = body.mesh.normal(body.mesh.sides[s]);
-          body.conditions[s].components[0].direction = cross_product_2d(normal);
-          body.conditions[s].components[1].direction = normal;
-        }
     verify_bounds("Block between inclined plates",
-                  body,
+                  make_plane_body(make_split_mesh(mesh),
+                                  conditions,
+                                  {material()},
+                                  Kinematics::cartesian,
+                                  everywhere,
+                                  /* time = */ 0.,
+                                  SurfaceFinish::smooth,
+                                  ContactGeometry::normal),
                   exactly(2. * k * std::cos(angle)),
                   1. - 1e-6,
                   1. + 1e-6);

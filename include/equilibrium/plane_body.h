@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/kinematics.h"
+#include "contact/contact_geometry.h"
 #include "contact/surface_finish.h"
 #include "equilibrium/loads.h"
 #include "equilibrium/split_mesh.h"
@@ -137,9 +138,10 @@ namespace ElastoPlastic
 
   /// Puts a PlaneBody together. Prescribed displacements are those at the time
   /// at which the loads begin. The indenter can touch a side of the contact
-  /// boundary where @p gap is finite in all of it. If there is one material
-  /// only, all cells are of it. @throws InputError for a body force that
-  /// depends on the position.
+  /// boundary where @p gap is finite in all of it. It presses downwards, or
+  /// with the @p geometry normal, for indenters that fit the surface, across
+  /// the side. If there is one material only, all cells are of it. @throws
+  /// InputError for a body force that depends on the position.
   PlaneBody
   make_plane_body(SplitMesh                                      mesh,
                   const BoundaryConditions<2>                   &conditions,
@@ -147,7 +149,8 @@ namespace ElastoPlastic
                   const Kinematics                               kinematics,
                   const std::function<double(const Point<2> &)> &gap,
                   const Loads<2>                                &loads,
-                  const SurfaceFinish indenter_surface = SurfaceFinish::smooth);
+                  const SurfaceFinish   surface  = SurfaceFinish::smooth,
+                  const ContactGeometry geometry = ContactGeometry::vertical);
 } // namespace ElastoPlastic
 
 #endif

@@ -30,7 +30,9 @@ namespace ElastoPlastic
       "normal: above that place, too, but on the tangent plane of the indenter; "
       "the force is along its normal. present: above its present place. "
       "automatic: present with 'Strain = logarithmic'; else vertical if the "
-      "contact surface is flat, and normal if it is curved.");
+      "contact surface is flat, and normal if it is curved. For limit loads in "
+      "plane strain and of bodies of revolution, normal is across the surface of "
+      "the body, which the indenter is taken to fit, and automatic is normal.");
     prm.add_parameter(
       "Friction coefficient",
       friction,

@@ -33,7 +33,8 @@ namespace ElastoPlastic
       Conditions(const BoundaryConditions<2>                   &conditions,
                  const std::function<double(const Point<2> &)> &gap,
                  const Loads<2>                                &loads,
-                 const SurfaceFinish indenter_surface)
+                 const SurfaceFinish   indenter_surface,
+                 const ContactGeometry geometry)
         : contact(conditions.ids(BoundaryConditionType::contact))
         , fixed(conditions.ids(BoundaryConditionType::fixed))
         , rollers(conditions.ids(BoundaryConditionType::roller))
@@ -42,6 +43,7 @@ namespace ElastoPlastic
         , gap(gap)
         , loads(loads)
         , indenter_surface(indenter_surface)
+        , geometry(geometry)
       {}
 
       SideCondition
@@ -68,6 +70,12 @@ namespace ElastoPlastic
                                     along_axes(SideConditionType::traction,
                                                SideConditionType::traction);
         condition.is_reached    = reach != Reach::none;
+        if (condition.is_reached && geometry == ContactGeometry::normal)
+          {
+            const Tensor<1, 2> normal         = mesh.normal(side);
+            condition.components[0].direction = cross_product_2d(normal);
+            condition.components[1].direction = normal;
+          }
         if (rollers.count(id) > 0)
           {
             const Tensor<1, 2> normal = mesh.normal(side);
@@ -170,6 +178,7 @@ namespace ElastoPlastic
       const std::function<double(const Point<2> &)> &gap;
       const Loads<2>                                &loads;
       const SurfaceFinish                            indenter_surface;
+      const ContactGeometry                          geometry;
     };
 
 
@@ -336,17 +345,18 @@ namespace ElastoPlastic
                   const Kinematics                               kinematics,
                   const std::function<double(const Point<2> &)> &gap,
                   const Loads<2>                                &loads,
-                  const SurfaceFinish indenter_surface)
+                  const SurfaceFinish                            surface,
+                  const ContactGeometry                          geometry)
   {
     PlaneBody body;
     body.mesh             = std::move(mesh);
     body.kinematics       = kinematics;
-    body.indenter_surface = indenter_surface;
+    body.indenter_surface = surface;
     body.gap              = gap;
 
     set_body_force(body, loads);
 
-    const Conditions condition_of(conditions, gap, loads, indenter_surface);
+    const Conditions condition_of(conditions, gap, loads, surface, geometry);
     for (const SplitMesh::Side &side : body.mesh.sides)
       body.conditions.push_back(condition_of(body.mesh, side));
     for (const SplitMesh::Triangle &triangle : body.mesh.triangles)

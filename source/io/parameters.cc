@@ -240,11 +240,14 @@ namespace ElastoPlastic
                        entry +
                          " is for small strains: its bounds do not hold "
                          "for others. Set 'Strain = small'.");
-    if (contact.geometry == ContactGeometry::normal)
+    if (contact.geometry == ContactGeometry::normal &&
+        (analysis != Analysis::limit_load || dimension == 3 ||
+         discretization.kinematics == Kinematics::plane_stress))
       throw InputError("Contact/Geometry",
                        Patterns::Tools::to_string(contact.geometry),
                        entry +
-                         " knows the vertical gap only. Choose "
+                         " knows the vertical gap only, but for limit loads in "
+                         "plane strain and of bodies of revolution. Choose "
                          "'vertical'.");
     if (analysis == Analysis::limit_load && !indenter.is_present() &&
         limit_load.load == GrowingLoad::indenter)
