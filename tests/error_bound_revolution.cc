@@ -325,7 +325,6 @@ namespace
     output() << "Hollow sphere" << std::endl;
     verify("energy", errors.back(), 0.02);
     verify("order of the energy", std::log2(errors[0] / errors[1]) > 1.9);
-    << bounds[1] << std::endl;
     verify("bound", bounds.back() > 0. && bounds.back() < 0.01);
     verify("order of the bound", std::log2(bounds[0] / bounds[1]) > 1.9);
   }
