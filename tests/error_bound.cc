@@ -17,26 +17,12 @@
 #include "equilibrium/hencky_material.h"
 #include "equilibrium/stress_problem.h"
 #include "sample_mesh.h"
+#include "section_body.h"
 #include "verdict.h"
-
-using namespace ElastoPlastic;
 
 namespace
 {
   const double radius = 3., depth = 0.02;
-
-
-
-  Material<double>
-  material(const double yield_radius, const double hardening)
-  {
-    Material<double> material;
-    material.bulk_modulus      = 800.;
-    material.shear_modulus     = 400.;
-    material.yield_radius      = yield_radius;
-    material.isotropic_modulus = hardening;
-    return material;
-  }
 
 
 

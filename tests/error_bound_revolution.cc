@@ -28,19 +28,6 @@ namespace
 
 
 
-  Material<double>
-  material(const double yield_radius, const double hardening)
-  {
-    Material<double> material;
-    material.bulk_modulus      = 800.;
-    material.shear_modulus     = 400.;
-    material.yield_radius      = yield_radius;
-    material.isotropic_modulus = hardening;
-    return material;
-  }
-
-
-
   /// int (a_0 l_0^2 + a_1 l_1^2 + ... + a_5 l_2 l_0)^2 / r, relative to the
   /// area, l being barycentric coordinates, by Gauss' formula on lines from
   /// corner 0, where r is smallest.
@@ -297,9 +284,9 @@ namespace
     parameters.roller = {"bottom", "top"};
     parameters.free   = {"left", "right"};
     const BoundaryConditions<2> symmetric(parameters, names);
-    const Material<double>      steel =
-      material(std::numeric_limits<double>::infinity(), 0.);
-    const double exact = numbers::PI * expansion(steel, 1.);
+    // (which does not yield)
+    const Material<double> steel = material(100., 0.);
+    const double           exact = numbers::PI * expansion(steel, 1.);
 
     std::vector<double> errors, bounds;
     for (const unsigned int n : {6, 12})

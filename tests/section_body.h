@@ -16,7 +16,7 @@
 
 #include "equilibrium/plane_body.h"
 
-// Small bodies for tests of the equilibrium method. The yield stress is 1.
+// Small bodies for tests of the equilibrium method.
 
 using namespace ElastoPlastic;
 
@@ -29,14 +29,21 @@ inline const Gap everywhere = [](const Point<2> &) {
 
 
 inline Material<double>
-material()
+material(const double yield_radius, const double hardening)
 {
   Material<double> material;
   material.bulk_modulus      = 800.;
   material.shear_modulus     = 400.;
-  material.yield_radius      = std::sqrt(2. / 3.);
-  material.isotropic_modulus = 0.;
+  material.yield_radius      = yield_radius;
+  material.isotropic_modulus = hardening;
   return material;
+}
+
+/// Its yield stress is 1.
+inline Material<double>
+material()
+{
+  return material(std::sqrt(2. / 3.), 0.);
 }
 
 

@@ -29,6 +29,10 @@ namespace ElastoPlastic
                   Vector<double>    &values,
                   const double ConeScale::*size);
 
+  /// v o v in all cones.
+  Vector<double>
+  square(const ConicLayout &layout, const Vector<double> &v);
+
   /// Removes what rounding errors, and an iteration that they have ended, have
   /// left of the equations of a @p solution: A x = b and G x + s = h with s in
   /// the cones, and the first equation. Linear systems with the

@@ -205,6 +205,19 @@ namespace ElastoPlastic
 
 
 
+  Vector<double>
+  square(const ConicLayout &layout, const Vector<double> &v)
+  {
+    Vector<double> result(v.size());
+    for (unsigned int c = 0; c < layout.cones.size(); ++c)
+      SecondOrderCone::multiply(layout.cone(result, c),
+                                layout.cone(v, c),
+                                layout.cone(v, c));
+    return result;
+  }
+
+
+
   bool
   make_admissible(const ConicProgram  &program,
                   const ConicLayout   &layout,

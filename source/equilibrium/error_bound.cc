@@ -162,8 +162,10 @@ namespace ElastoPlastic
       void
       split(const unsigned int i)
       {
-        const double radius = material.yield_radius;
-        zeta[i] = std::max(0., deviator(stress[i]).norm() - r[i] * radius);
+        if (HenckyMaterial::yields(material))
+          zeta[i] =
+            std::max(0.,
+                     deviator(stress[i]).norm() - r[i] * material.yield_radius);
         if (!body.is_axisymmetric())
           {
             const auto [elastic, plastic] =

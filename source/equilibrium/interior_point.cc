@@ -82,8 +82,6 @@ namespace ElastoPlastic
       advance();
       void
       center(const ConicSolution &iterate);
-      Vector<double>
-      square_of_scaled() const;
       void
       subtract_centre(Vector<double> &values, const double gap) const;
       void
@@ -251,7 +249,7 @@ namespace ElastoPlastic
         return false;
 
       // The predictor tells how much smaller the gap can become in one step,
-      Vector<double> complementarity = square_of_scaled();
+      Vector<double> complementarity = square(layout, scaled);
       find_direction(complementarity, 1.);
       const double centering = std::pow(1. - std::min(1., largest_step()), 3);
 
@@ -302,26 +300,12 @@ namespace ElastoPlastic
            scale();
            ++k)
         {
-          Vector<double> complementarity = square_of_scaled();
+          Vector<double> complementarity = square(layout, scaled);
           subtract_centre(complementarity, current.s * current.z);
           find_direction(complementarity, 1.);
           advance();
           residual = evaluate(program, layout, system, current);
         }
-    }
-
-
-
-    /// lambda o lambda
-    Vector<double>
-    InteriorPoint::square_of_scaled() const
-    {
-      Vector<double> square(scaled.size());
-      for (unsigned int c = 0; c < n_cones; ++c)
-        SecondOrderCone::multiply(layout.cone(square, c),
-                                  layout.cone(scaled, c),
-                                  layout.cone(scaled, c));
-      return square;
     }
 
 
