@@ -60,6 +60,22 @@ namespace ElastoPlastic
 
 
 
+    /// What is normal to the indenter, in a job that asks for its limit load,
+    /// is normal to the sides that it fits.
+    ContactGeometry
+    contact_geometry(const Model<2> &model, const Parameters &parameters)
+    {
+      const ContactGeometry geometry = model.contact.geometry;
+      if (geometry == ContactGeometry::vertical ||
+          model.strain_model.kinematics == Kinematics::plane_stress)
+        return ContactGeometry::vertical;
+      return parameters.analysis == Analysis::limit_load ?
+               geometry :
+               ContactGeometry::automatic;
+    }
+
+
+
     PlaneBody
     make_body(SplitMesh             mesh,
               const Loads<2>       &loads,
@@ -75,10 +91,7 @@ namespace ElastoPlastic
         [&](const Point<2> &x) { return gap_function.value(x); },
         loads,
         parameters.indenter.surface,
-        parameters.discretization.kinematics == Kinematics::plane_stress ||
-            model.contact.geometry == ContactGeometry::vertical ?
-          ContactGeometry::vertical :
-          ContactGeometry::normal);
+        contact_geometry(model, parameters));
     }
 
 

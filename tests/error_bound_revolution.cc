@@ -310,9 +310,9 @@ namespace
                          exact);
       }
     output() << "Hollow sphere" << std::endl;
-    verify("energy", errors.back(), 0.02);
+    verify("energy", errors.back(), 0.005);
     verify("order of the energy", std::log2(errors[0] / errors[1]) > 1.9);
-    verify("bound", bounds.back() > 0. && bounds.back() < 0.01);
+    verify("bound", bounds.back() > 0. && bounds.back() < 1e-3);
     verify("order of the bound", std::log2(bounds[0] / bounds[1]) > 1.9);
   }
 

@@ -212,18 +212,21 @@ namespace
     make_rectangle(mesh, MeshKind::refined, 2, 0., 1., 1.);
     GridTools::rotate(angle, mesh);
     const auto conditions = on_rollers({"bottom"}, {"left", "right"});
-    verify_bounds("Block between inclined plates",
-                  make_plane_body(make_split_mesh(mesh),
-                                  conditions,
-                                  {material()},
-                                  Kinematics::cartesian,
-                                  everywhere,
-                                  /* time = */ 0.,
-                                  SurfaceFinish::smooth,
-                                  ContactGeometry::normal),
-                  exactly(2. * k * std::cos(angle)),
-                  1. - 1e-6,
-                  1. + 1e-6);
+    for (const auto geometry :
+         {ContactGeometry::normal, ContactGeometry::automatic})
+      verify_bounds("Block between inclined plates, " +
+                      Patterns::Tools::to_string(geometry),
+                    make_plane_body(make_split_mesh(mesh),
+                                    conditions,
+                                    {material()},
+                                    Kinematics::cartesian,
+                                    everywhere,
+                                    /* time = */ 0.,
+                                    SurfaceFinish::smooth,
+                                    geometry),
+                    exactly(2. * k * std::cos(angle)),
+                    1. - 1e-6,
+                    1. + 1e-6);
   }
 } // namespace
 

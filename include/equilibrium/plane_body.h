@@ -139,8 +139,8 @@ namespace ElastoPlastic
   /// Puts a PlaneBody together. Prescribed displacements are those at the time
   /// at which the loads begin. The indenter can touch a side of the contact
   /// boundary where @p gap is finite in all of it. It presses downwards, or
-  /// with the @p geometry normal, for indenters that fit the surface, across
-  /// the side. If there is one material only, all cells are of it. @throws
+  /// with the @p geometry normal across the side, or automatic across the sides
+  /// that it fits. If there is one material only, all cells are of it. @throws
   /// InputError for a body force that depends on the position.
   PlaneBody
   make_plane_body(SplitMesh                                      mesh,

@@ -32,7 +32,7 @@ namespace ElastoPlastic
       "automatic: present with 'Strain = logarithmic'; else vertical if the "
       "contact surface is flat, and normal if it is curved. For limit loads in "
       "plane strain and of bodies of revolution, normal is across the surface of "
-      "the body, which the indenter is taken to fit, and automatic is normal.");
+      "the body, and automatic is normal where the indenter fits the surface.");
     prm.add_parameter(
       "Friction coefficient",
       friction,

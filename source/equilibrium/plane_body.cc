@@ -70,7 +70,7 @@ namespace ElastoPlastic
                                     along_axes(SideConditionType::traction,
                                                SideConditionType::traction);
         condition.is_reached    = reach != Reach::none;
-        if (condition.is_reached && geometry == ContactGeometry::normal)
+        if (condition.is_reached && presses_across(mesh, side))
           {
             const Tensor<1, 2> normal         = mesh.normal(side);
             condition.components[0].direction = cross_product_2d(normal);
@@ -149,25 +149,49 @@ namespace ElastoPlastic
         whole
       };
 
+      static constexpr unsigned int n_gaps = 9;
+
+      /// At equidistant points of a side, but where the indenter does not
+      /// reach.
+      std::vector<double>
+      gaps_of(const SplitMesh &mesh, const SplitMesh::Side &side) const
+      {
+        constexpr double inset = 1e-6;
+
+        const Point<2> a = mesh.vertices[side.vertices[0]],
+                       b = mesh.vertices[side.vertices[1]];
+        std::vector<double> gaps;
+        for (unsigned int i = 0; i < n_gaps; ++i)
+          {
+            const double t = inset + (1. - 2. * inset) * i / (n_gaps - 1.);
+            if (const double value = gap(Point<2>(a + t * (b - a)));
+                std::isfinite(value))
+              gaps.push_back(value);
+          }
+        return gaps;
+      }
+
       Reach
       reach_of(const SplitMesh &mesh, const SplitMesh::Side &side) const
       {
-        constexpr unsigned int n_intervals = 8;
-        constexpr double       inset       = 1e-6;
+        const auto n_finite = gaps_of(mesh, side).size();
+        return n_finite == 0     ? Reach::none :
+               n_finite < n_gaps ? Reach::part :
+                                   Reach::whole;
+      }
 
-        const Point<2> a      = mesh.vertices[side.vertices[0]],
-                       b      = mesh.vertices[side.vertices[1]];
-        unsigned int n_finite = 0;
-        for (unsigned int i = 0; i <= n_intervals; ++i)
-          {
-            const double t =
-              inset + (1. - 2. * inset) * i / static_cast<double>(n_intervals);
-            if (std::isfinite(gap(Point<2>(a + t * (b - a)))))
-              ++n_finite;
-          }
-        return n_finite == 0           ? Reach::none :
-               n_finite <= n_intervals ? Reach::part :
-                                         Reach::whole;
+      /// Whether the indenter presses across a side that it reaches. It fits
+      /// the side if the gap is the same at both ends.
+      bool
+      presses_across(const SplitMesh &mesh, const SplitMesh::Side &side) const
+      {
+        constexpr double rounding = 1e-6;
+
+        if (geometry != ContactGeometry::automatic)
+          return geometry == ContactGeometry::normal;
+        const auto gaps = gaps_of(mesh, side);
+        return std::abs(gaps.front() - gaps.back()) <=
+               rounding * mesh.length(side);
       }
 
       const std::set<types::boundary_id>             contact;

@@ -275,14 +275,15 @@ namespace ElastoPlastic
   StressProgram::weighted_mass(const unsigned int t) const
   {
     const auto         weights = LocalStresses::weights(body, t);
+    const double       unit    = energy_weight(body, t);
     FullMatrix<double> mass(n_points, n_points);
     for (unsigned int k = 0; k < n_points; k += 3)
       for (const WeightedPoint &point :
            quadrature_over({{weights[k], weights[k + 1], weights[k + 2]}}))
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int j = 0; j < 3; ++j)
-            mass(k + i, k + j) += energy_weight(body, t) * point.weight *
-                                  point.position[i] * point.position[j];
+            mass(k + i, k + j) +=
+              unit * point.weight * point.position[i] * point.position[j];
     return mass;
   }
 

@@ -101,7 +101,9 @@ def blas_kernels(runner):
     cases = {"two layers": ("limit_load/two_layer_block.prm", cycles),
              "two layers, edge of the punch inside a side":
                  ("limit_load/two_layer_block.prm", cycles, "Indenter/Half width=0.83"),
-             "parabola": ("error_bound/parabola.prm", cycles)}
+             "parabola": ("error_bound/parabola.prm", cycles),
+             "sphere": ("error_bound/sphere.prm", cycles, "Material/Law=perfectly plastic",
+                        "Material/Yield stress=1000")}
     for name, case in cases.items():
         rows = {}
         for kernel in openblas_kernels():
@@ -257,12 +259,14 @@ def error_bound_refinement(runner):
 
 def error_bound_ranks(runner):
     """Bounds and the meshes that they make are the same on 1, 2 and 3 ranks."""
-    one, two, three = (Runner(runner.program, ranks).tables("error_bound/parabola.prm", "Refinement/Number of cycles=3")
-                       ["error_bound"] for ranks in (1, 2, 3))
-    for alone, *others in zip(one, two, three):
-        for row in others:
-            runner.compare("triangles", row["triangles"], alone["triangles"], 0)
-            runner.compare("bound", row["bound"], alone["bound"], 1e-9)
+    for case in ("parabola", "sphere"):
+        one, two, three = (Runner(runner.program, ranks).tables(f"error_bound/{case}.prm",
+                                                                "Refinement/Number of cycles=3")["error_bound"]
+                           for ranks in (1, 2, 3))
+        for alone, *others in zip(one, two, three):
+            for row in others:
+                runner.compare(f"{case}, triangles", row["triangles"], alone["triangles"], 0)
+                runner.compare(f"{case}, bound", row["bound"], alone["bound"], 1e-9)
 
 
 def equilibrium_hertz(runner):
