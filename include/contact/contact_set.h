@@ -16,12 +16,11 @@
 #include <vector>
 
 #include "base/kinematics.h"
-#include "base/shared_rows.h"
 #include "base/sloped_bound.h"
-#include "contact/contact_edge.h"
 #include "contact/contact_geometry.h"
 #include "contact/contact_state.h"
 #include "contact/coulomb_friction.h"
+#include "contact/divided_edge.h"
 #include "loading/load.h"
 
 namespace ElastoPlastic
@@ -159,14 +158,14 @@ namespace ElastoPlastic
     EdgeMemory &
     edge_memory()
     {
-      return memory;
+      return edge.edge_memory();
     }
 
     /// Null if the contact ends at nodes.
     const std::shared_ptr<const SharedRows> &
     shared_rows() const
     {
-      return rows;
+      return edge.rows();
     }
 
     /// The primal-dual switching test with lambda = 0 off the active set:
@@ -346,7 +345,7 @@ namespace ElastoPlastic
     double
     share(const Node &node) const
     {
-      return rows ? 1. + shared_parts.local_element(node.index) : 1.;
+      return edge.rows() ? 1. + shared_parts.local_element(node.index) : 1.;
     }
 
     /// Whether a node that has come into contact sticks at first.
@@ -395,7 +394,7 @@ namespace ElastoPlastic
                                       0.;
     }
 
-    /// Which candidates touch, as ContactEdge wants it.
+    /// Which candidates touch, as DividedEdge wants it.
     Vector
     kinds() const;
 
@@ -403,18 +402,13 @@ namespace ElastoPlastic
     Vector
     distances(const Vector &u, const double depth) const;
 
-    /// The levels of the neighbours of the contact, with these distances of
-    /// the candidates.
+    /// Their lumped areas.
     Vector
-    levels(const Vector &distances) const;
-
-    /// Those expected at a depth, from the last ones noted.
-    Vector
-    expected_distances(const double depth) const;
+    areas() const;
 
     /// The shared rows of the present active set.
     void
-    make_shared_rows();
+    share_rows();
 
     /// The faces that areas and pressures refer to.
     ContactEdge<dim>
@@ -462,16 +456,10 @@ namespace ElastoPlastic
     std::vector<Node> candidates;
     std::vector<Node> hanging_nodes;
 
-    // If the contact ends within faces: those between the nodes, and where the
-    // edge has been.
-    ContactEdge<dim> edge;
-    EdgeMemory       memory;
-
-    // The weights of shared rows, null without; and the rows.
-    std::shared_ptr<const SharedRows::Matrix> weights;
-    std::shared_ptr<const Vector>             scale;
-    std::shared_ptr<const SharedRows>         rows;
-    Vector                                    shared_parts;
+    // Of a contact that ends within faces; and, with friction, the parts of
+    // their forces that the nodes share.
+    DividedEdge<dim> edge;
+    Vector           shared_parts;
   };
 } // namespace ElastoPlastic
 

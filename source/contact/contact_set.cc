@@ -64,9 +64,6 @@ namespace ElastoPlastic
       return;
     edge.reinit(
       dof_handler, constraints, contact_boundaries, kinematics, layout);
-    for (Vector *vector : memory.vectors())
-      vector->reinit(layout);
-    memory.n_steps = 0;
   }
 
 
@@ -211,7 +208,7 @@ namespace ElastoPlastic
       }
     changed = Utilities::MPI::logical_or(changed, communicator);
     if (changed)
-      make_shared_rows();
+      share_rows();
     return changed;
   }
 

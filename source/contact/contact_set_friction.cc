@@ -149,7 +149,7 @@ namespace ElastoPlastic
     const Vector forces  = vertical_forces_on_body(residual);
     const auto   collect = [&]() {
       for (const Node &node : candidates)
-        if (node.active || rows)
+        if (node.active || edge.rows())
           {
             result.push_back(sloped_bound(node, u));
             result.back().force = -forces.local_element(node.index);

@@ -13,7 +13,7 @@ namespace ElastoPlastic
   ContactEdge<dim>
   ContactSet<dim>::pressed_faces(const Vector &u) const
   {
-    return bounds.follow_deformation() ? edge.moved(u) : edge;
+    return bounds.follow_deformation() ? edge.faces().moved(u) : edge.faces();
   }
 
 
@@ -25,17 +25,18 @@ namespace ElastoPlastic
   {
     Vector areas(u.get_partitioner()), ones(u.get_partitioner());
     set_candidate_entries(ones, 1.);
-    const Vector sums = rows ? rows->sums(ones) : Vector(u.get_partitioner());
+    const Vector sums =
+      edge.rows() ? edge.rows()->sums(ones) : Vector(u.get_partitioner());
     const Vector moved =
-      bounds.follow_deformation() ? edge.moved(u).areas() : Vector();
+      bounds.follow_deformation() ? edge.faces().moved(u).areas() : Vector();
     for (const Node &node : candidates)
       {
         const unsigned int i    = node.index;
         double            &area = areas.local_element(i);
-        area =
-          sums.local_element(i) > 0. ? 1. / scale->local_element(i) : node.area;
+        area = edge.own_area(i, sums.local_element(i) > 0., node.area);
         if (bounds.follow_deformation())
-          area *= moved.local_element(i) / edge.areas().local_element(i);
+          area *=
+            moved.local_element(i) / edge.faces().areas().local_element(i);
       }
     return areas;
   }
@@ -80,9 +81,10 @@ namespace ElastoPlastic
 
     const auto   faces  = pressed_faces(u);
     const Vector kinds  = this->kinds();
-    const Vector inside = edge.inside(kinds);
+    const Vector inside = edge.faces().inside(kinds);
     const auto   part =
-      faces.touched_part(kinds, levels(distances(u, present_depth)));
+      faces.touched_part(kinds,
+                         edge.levels(kinds, distances(u, present_depth)));
     Vector ones(u.get_partitioner()), taken_over(u.get_partitioner());
     set_candidate_entries(ones, 1.);
     part.taken_over->vmult(taken_over, ones);
@@ -219,8 +221,8 @@ namespace ElastoPlastic
     for (const Node &node : candidates)
       if (node.active)
         forces.local_element(node.index) = -residual.local_element(node.index);
-    if (rows)
-      forces -= rows->shares(residual);
+    if (edge.rows())
+      forces -= edge.rows()->shares(residual);
     return forces;
   }
 
