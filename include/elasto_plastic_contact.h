@@ -5,38 +5,23 @@
 #define elasto_plastic_contact_h
 
 #include <deal.II/base/timer.h>
-#include <deal.II/distributed/tria.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_system.h>
-
-#include <memory>
-#include <optional>
 
 #include "base/exceptions.h"
-#include "contact/contact_set.h"
-#include "contact/contact_zone.h"
-#include "contact/gap_function.h"
-#include "contact_problem.h"
-#include "error_bound_analysis.h"
-#include "evaluation/boundary_displacements.h"
-#include "evaluation/imprint.h"
+#include "discrete_body.h"
+#include "error_estimate.h"
 #include "evaluation/last_step.h"
-#include "evaluation/probe_points.h"
-#include "evaluation/small_strain_guard.h"
 #include "io/checkpoint.h"
-#include "io/field_output.h"
 #include "io/log.h"
 #include "io/output_directory.h"
 #include "io/parameters.h"
 #include "io/statistics.h"
 #include "loading/load_program.h"
 #include "loading/time_steps.h"
-#include "mechanics/reactions.h"
-#include "mechanics/solid_operator.h"
-#include "mechanics/supports.h"
+#include "mesh_adaptation.h"
 #include "model/model.h"
-#include "solver/semismooth_newton.h"
-#include "solver/tangent_solver.h"
+#include "safe_load.h"
+#include "solution_output.h"
+#include "step_evaluation.h"
 
 namespace ElastoPlastic
 {
@@ -85,109 +70,42 @@ namespace ElastoPlastic
     resume();
 
   private:
-    // The outline, in the order of run() (core.cc):
+    // The load history (history.cc), in the order of run().
     void
     run_load_history(const Statistics::Progress &progress);
     void
     take_load_steps(Statistics &statistics);
     void
-    warn_of_large_strains(const SolveResult &result);
-    void
     finish_step(Statistics &statistics);
     void
     go_on_after_end(Statistics &statistics);
-    SolveResult
-    solve_on_mesh_sequence(Statistics &statistics);
-    void
-    output_results(const bool last_cycle);
-    void
-    output_initial_state();
-    void
-    write_fields(const std::string &name, const double time);
-    StepResult
-    evaluate_step(const SolveResult &result) const;
-    bool
-    writes_surface_profile(const double time) const;
-    bool
-    fields_are_due() const;
-    void
-    remark_on_holds();
 
     // A load step (load_step.cc): it ends with commit_step(), or it fails and
     // is taken back.
-    void
-    apply_load();
-    Tensor<1, dim - 1>
-    sideways_position(const double time) const;
-    void
-    move_indenter(const double time);
+    Load
+    load_at_end_of_step() const;
     void
     predict();
+    SolveResult
+    solve_on_mesh_sequence(Statistics &statistics);
+    SolveResult
+    solve();
     void
-    take_back_step();
+    find_equilibrium(SolveResult &result);
+    VectorType
+    displacement_at(const double depth);
     void
     commit_step(SolveResult &result);
     void
     commit_state();
     void
-    look_at_contact();
-    ContactZone<dim>
-    contact_zone() const;
-    VectorType
-    total_slip() const;
-    VectorType
-    forces_of_stresses() const;
+    take_back_step();
+    FailedStep<dim>
+    step_under_way() const;
     bool
     tractions_grow() const;
 
-    // One mesh (solve.cc): after any change of the mesh, setup_body() and
-    // setup_contact() prepare everything that depends on it.
-    void
-    setup_body();
-    void
-    setup_contact();
-    VectorType
-    external_forces_at(const double time) const;
-
-    // One solve: contact and plasticity in one Newton loop, and
-    // what its solution says.
-    SolveResult
-    solve();
-    void
-    find_equilibrium(SolveResult &result);
-    ContactProblem<dim>
-    problem_with(ContactSet<dim> &contact);
-    VectorType
-    displacement_at(const double depth);
-    void
-    check_force_balance(SolveResult &result);
-    void
-    estimate_error(SolveResult &result);
-    void
-    find_error_indicators();
-    void
-    bound_error(SolveResult &result);
-    void
-    measure_imprint(SolveResult &result);
-    void
-    measure_elements(SolveResult &result);
-    ContactSurface<dim>
-    contact_surface() const;
-
-    // The next mesh (refinement.cc), if there is to be one, in the first load
-    // step or after any other.
-    bool
-    mark_next_mesh();
-    bool
-    mark_adapted_mesh();
-    bool
-    mark_contact_zone();
-    bool
-    next_mesh_is_allowed() const;
-    bool
-    adaptation_is_due() const;
-    void
-    refine_mesh();
+    // The mesh of the next step (adaptation.cc).
     void
     adapt_mesh(Statistics &statistics);
     void
@@ -207,8 +125,6 @@ namespace ElastoPlastic
     template <typename Archive>
     void
     serialize_progress(Archive &archive, Statistics::Progress &progress);
-    std::vector<VectorType *>
-    fields_of_last_step(VectorType &response);
 
     // The problem, and how to solve it.
     const Model<dim> &model;
@@ -216,53 +132,22 @@ namespace ElastoPlastic
     const MPI_Comm    communicator;
 
     // The load over time, the step under way, and how many meshes there have
-    // been before the present one.
+    // been before the present one; the equilibrium that the step begins with.
     LoadProgram  load_program;
     TimeSteps    time_steps;
     unsigned int cycle = 0;
+    LastStep     last_step;
 
     // What tells the user about it.
-    mutable Log         log;
-    mutable TimerOutput timer;
-    FieldOutput<dim>    field_output;
+    Log         log;
+    TimerOutput timer;
 
-    // The body, and the indenter above it.
-    parallel::distributed::Triangulation<dim> triangulation;
-    GapFunction<dim>                          gap_function;
-    const int                                 finest_first_level;
-
-    // Whether they stay within the theory.
-    SmallStrainGuard<dim> small_strain_guard;
-
-    // The finite element space; which of its unknowns are constrained or
-    // fixed; the body's response; the nodes that may touch the indenter.
-    const FESystem<dim>                 fe;
-    DoFHandler<dim>                     dof_handler;
-    Supports<dim>                       supports;
-    std::unique_ptr<SolidOperator<dim>> solid;
-    const Reactions<dim>                reactions;
-    ContactSet<dim>                     contact;
-
-    // What the tables say beside loads and reactions.
-    const BoundaryDisplacements<dim> boundary_displacements;
-    const ProbePoints<dim>           probe_points;
-    Imprint<dim>                     imprint;
-
-    // Linear algebra. The residual is the force that the supports and the
-    // indenter take from the body; it vanishes at all other unknowns.
-    std::unique_ptr<TangentSolver>    tangent_solver;
-    VectorType                        external_forces;
-    VectorType                        displacement;
-    VectorType                        residual;
-    Vector<float>                     error_indicators;
-    std::optional<ErrorBoundAnalysis> error_bound;
-
-    // What the step under way begins with; the largest sum of the magnitudes
-    // of all nodal forces so far, which small ones are measured against; and
-    // the largest contact area.
-    LastStep last_step;
-    double   largest_forces       = 0;
-    double   largest_contact_area = 0;
+    // The body on its mesh, and what is said of it and done with it.
+    DiscreteBody<dim>   body;
+    MeshAdaptation<dim> adaptation;
+    StepEvaluation<dim> evaluation;
+    ErrorEstimate<dim>  error_estimate;
+    SolutionOutput<dim> output;
 
     // The folder of the results, and the last checkpoint in it; and whether a
     // step is under way that can be taken back when the user wants to stop.

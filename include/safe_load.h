@@ -43,24 +43,28 @@ namespace ElastoPlastic
 
 
 
-  /// What a load step asks for at its end: the force on the indenter, 0 if its
-  /// depth is given.
-  struct AskedFor
+  /// A load step that has failed, however short it was made.
+  template <int dim>
+  struct FailedStep
   {
+    const Model<dim> &model;
+    bool              is_single; ///< there are no others
+    unsigned int      number;
+    double            begin, end; ///< times
+    /// On the indenter at the end, 0 if its depth is given.
     double force;
-    double time;
+    /// Whether the tractions were to grow in the step.
+    bool tractions_grow;
   };
 
-  /// A step has failed with @p error, however short it was made. If the body's
-  /// materials stop hardening, it has a limit load; if also force or tractions
-  /// were to grow since the @p last equilibrium, then that has been reached.
-  /// @throws EquilibriumError then, @p error otherwise
+  /// @p step has failed with @p error, after the equilibrium @p last. If the
+  /// body's materials stop hardening, it has a limit load; if also force or
+  /// tractions were to grow, then that has been reached.
+  /// @throws EquilibriumError then, ConvergenceError otherwise
   template <int dim>
   [[noreturn]] void
   give_up_step(const ConvergenceError &error,
-               const Model<dim>       &model,
-               const AskedFor         &step,
-               const bool              tractions_grow,
+               const FailedStep<dim>  &step,
                const SolveResult      &last);
 } // namespace ElastoPlastic
 

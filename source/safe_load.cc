@@ -166,19 +166,40 @@ namespace ElastoPlastic
 
 
 
+  namespace
+  {
+    /// What to say if no limit load explains it.
+    template <int dim>
+    ConvergenceError
+    failure_of(const FailedStep<dim>  &step,
+               const ConvergenceError &error,
+               const SolveResult      &last)
+    {
+      if (step.is_single)
+        return error;
+      return ConvergenceError(
+        "Load step " + std::to_string(step.number) +
+        " from t = " + Patterns::Tools::to_string(step.begin) + " (depth " +
+        Patterns::Tools::to_string(last.depth) + ") fails even if it ends at " +
+        "t = " + Patterns::Tools::to_string(step.end) +
+        ", and 'Loading/Maximum number of cuts' allows for no shorter one. " +
+        error.what());
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   give_up_step(const ConvergenceError &error,
-               const Model<dim>       &model,
-               const AskedFor         &step,
-               const bool              tractions_grow,
+               const FailedStep<dim>  &step,
                const SolveResult      &last)
   {
     const bool  force_grows = step.force > last.force;
-    const auto &materials   = model.materials;
+    const auto &materials   = step.model.materials;
     if (std::none_of(materials.begin(), materials.end(), has_limit) ||
-        !(force_grows || tractions_grow))
-      throw error;
+        !(force_grows || step.tractions_grow))
+      throw failure_of(step, error, last);
 
     const std::string where =
       "to be beyond the limit load of the body, whose material stops "
@@ -187,12 +208,12 @@ namespace ElastoPlastic
     message.precision(10);
     message << "No equilibrium has been found ";
     if (force_grows)
-      message << "for the force " << step.force << " (t = " << step.time
+      message << "for the force " << step.force << " (t = " << step.end
               << "): it seems " << where << "The largest force reached is "
               << last.force << ", at the depth " << last.depth
               << ". Prescribe the depth, or a smaller force";
     else
-      message << "under the tractions at t = " << step.time << ": they seem "
+      message << "under the tractions at t = " << step.end << ": they seem "
               << where << "The last equilibrium is that at t = " << last.time
               << ". Prescribe smaller tractions ('Boundary "
                  "conditions/Traction'), or displacements instead";
@@ -204,14 +225,10 @@ namespace ElastoPlastic
 
   template void
   give_up_step(const ConvergenceError &,
-               const Model<2> &,
-               const AskedFor &,
-               const bool,
+               const FailedStep<2> &,
                const SolveResult &);
   template void
   give_up_step(const ConvergenceError &,
-               const Model<3> &,
-               const AskedFor &,
-               const bool,
+               const FailedStep<3> &,
                const SolveResult &);
 } // namespace ElastoPlastic

@@ -9,8 +9,8 @@
 namespace ElastoPlastic
 {
   /// The equilibrium at the end of the last load step, which the next one
-  /// begins with, and how fast things have changed on the way there. Vectors
-  /// are empty in the virgin state.
+  /// begins with, how fast things have changed on the way there, and how large
+  /// they have been until now. Vectors are empty in the virgin state.
   struct LastStep
   {
     SolveResult result;
@@ -21,6 +21,12 @@ namespace ElastoPlastic
     /// How far the surface has slipped along the indenter.
     VectorType slip;
     double     depth_rate = 0;
+
+    /// Of the whole history: the largest sum of the magnitudes of all nodal
+    /// forces, which small ones are measured against; and the largest contact
+    /// area.
+    double largest_forces       = 0;
+    double largest_contact_area = 0;
 
     bool
     is_virgin() const
@@ -68,7 +74,7 @@ namespace ElastoPlastic
     void
     serialize(Archive &archive, const unsigned int /* version */)
     {
-      archive &result &depth_rate;
+      archive &result &depth_rate &largest_forces &largest_contact_area;
     }
   };
 } // namespace ElastoPlastic

@@ -8,6 +8,8 @@
 #include <map>
 #include <string>
 
+#include "loading/loading_parameters.h"
+
 #include <mpi.h>
 
 namespace ElastoPlastic
@@ -42,6 +44,10 @@ namespace ElastoPlastic
       std::string state;
       std::string mesh_file;
       Entries     entries;
+
+      /// The section "Loading" of these entries.
+      LoadingParameters
+      loading() const;
     };
 
     /// @p entries are those of the present run.

@@ -12,56 +12,19 @@
 
 #include "base/termination.h"
 #include "elasto_plastic_contact.h"
-#include "io/parameter_input.h"
 #include "io/saved_mesh.h"
 #include "loading/same_past.h"
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    LoadingParameters
-    loading_parameters(const Checkpoint::Entries &entries)
-    {
-      LoadingParameters parameters;
-      ParameterHandler  prm;
-      parameters.add_parameters(prm);
-      for (const auto &[path, value] : entries)
-        if (path.rfind("Loading/", 0) == 0)
-          set_entry(prm, path, value);
-      return parameters;
-    }
-  } // namespace
-
-
-
   template <int dim>
   template <typename Archive>
   void
   ElastoPlasticContact<dim>::serialize_progress(Archive              &archive,
                                                 Statistics::Progress &progress)
   {
-    archive &time_steps &load_program &field_output &cycle &last_step &imprint
-      &largest_forces &largest_contact_area &progress;
-  }
-
-
-
-  // With the last solution of the linear solver, which helps the next one.
-  template <int dim>
-  std::vector<VectorType *>
-  ElastoPlasticContact<dim>::fields_of_last_step(VectorType &response)
-  {
-    std::vector<VectorType *> fields;
-    if (model.contact.edge == EdgeRule::within_faces)
-      fields = contact.edge_memory().vectors();
-    for (VectorType *field : {&last_step.displacement,
-                              &last_step.displacement_rate,
-                              &last_step.slip,
-                              &last_step.forces,
-                              &response})
-      fields.push_back(field);
-    return fields;
+    archive &time_steps &load_program &output &cycle &last_step &evaluation
+      &progress;
   }
 
 
@@ -79,15 +42,11 @@ namespace ElastoPlastic
     boost::archive::text_oarchive archive(state);
     Statistics::Progress          progress = statistics.progress();
     serialize_progress(archive, progress);
-    archive &contact.edge_memory();
+    archive &body.contact.edge_memory();
 
-    VectorType response = tangent_solver->known_response();
-    if (response.size() == 0)
-      solid->initialize_vector(response);
-    CellValues values = solid->states();
-    append_fields(values, fields_of_last_step(response), dof_handler);
+    const CellValues values = body.states_and_fields(last_step);
     checkpoint.save(state.str(), [&](const std::string &mesh_file) {
-      save_mesh(triangulation, values, mesh_file);
+      save_mesh(body.triangulation, values, mesh_file);
     });
     time_since_checkpoint.restart();
   }
@@ -118,28 +77,20 @@ namespace ElastoPlastic
     boost::archive::text_iarchive archive(state);
     Statistics::Progress          progress;
     serialize_progress(archive, progress);
-    check_same_past(loading_parameters(contents.entries),
+    check_same_past(contents.loading(),
                     parameters.loading,
                     last_step.result.time);
     if (last_step.result.step == time_steps.number())
       time_steps.end_step_at(last_step.result.time);
 
-    coarsen_to_coarse_mesh(triangulation);
-    CellValues values = load_mesh(triangulation, contents.mesh_file);
-    setup_body();
-    setup_contact();
-    archive   &contact.edge_memory();
-    VectorType response;
-    const auto fields = fields_of_last_step(response);
-    for (VectorType *field : fields)
-      solid->initialize_vector(*field);
-    take_fields(values, fields, dof_handler);
-    solid->set_states(values);
-    if (response.l2_norm() > 0)
-      tangent_solver->set_response(response);
+    coarsen_to_coarse_mesh(body.triangulation);
+    const CellValues values = load_mesh(body.triangulation, contents.mesh_file);
+    body.reinit(time_steps.next_time(), load_at_end_of_step());
+    archive &body.contact.edge_memory();
+    body.set_states_and_fields(values, last_step);
     take_back_step();
-    contact.restore_edge();
-    small_strain_guard.warning(last_step.result); // has been said
+    body.contact.restore_edge();
+    evaluation.do_not_repeat(last_step.result);
     log.remark(
       "Resumed at t = " + Patterns::Tools::to_string(last_step.result.time) +
       ", after step " + std::to_string(last_step.result.step) + ".");

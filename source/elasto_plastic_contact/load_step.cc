@@ -5,6 +5,16 @@
 
 namespace ElastoPlastic
 {
+  // What the load step under way asks for.
+  template <int dim>
+  Load
+  ElastoPlasticContact<dim>::load_at_end_of_step() const
+  {
+    return load_program.load(time_steps.next_time()).value();
+  }
+
+
+
   // The starting guess for a step that continues the last one: things go on at
   // the same rate. (Finite strains need a guess as soon as there is one: a
   // surface that moves alone would crush the elements below.)
@@ -19,43 +29,143 @@ namespace ElastoPlastic
       {
         const double duration = time_steps.next_time() - begin;
         depth += duration * last_step.depth_rate;
-        displacement.add(duration, last_step.displacement_rate);
-        if (contact.is_force_driven())
-          contact.place(depth);
+        body.displacement.add(duration, last_step.displacement_rate);
+        if (body.contact.is_force_driven())
+          body.contact.place(depth);
       }
-    contact.divide_edge(depth);
+    body.contact.divide_edge(depth);
   }
 
 
 
-  // Back to the end of the last step. (The material points have not forgotten
-  // it.)
+  // The mesh is adapted in the first load step, in a number of cycles. Each
+  // solution, interpolated to the next mesh, is the starting guess there, so
+  // that the fine meshes need only a few Newton steps.
+  template <int dim>
+  SolveResult
+  ElastoPlasticContact<dim>::solve_on_mesh_sequence(Statistics &statistics)
+  {
+    while (true)
+      {
+        const SolveResult result = solve();
+        const bool        is_last =
+          time_steps.number() > 1 || !adaptation.mark_in_first_step(cycle);
+        statistics.add_solve(result);
+        output.write(time_steps, cycle, is_last, last_step);
+        output_directory.accept_results();
+        if (is_last)
+          return result;
+        if (const std::string reason = error_estimate.why_bound_is_missing();
+            !reason.empty())
+          log.warn(
+            "The contact problem has been solved, but there is no "
+            "error bound on this mesh. " +
+            reason);
+        ++cycle;
+        body.refine(time_steps.next_time(), load_at_end_of_step(), last_step);
+      }
+  }
+
+
+
+  // One solve on one mesh, and what its solution says.
+  template <int dim>
+  SolveResult
+  ElastoPlasticContact<dim>::solve()
+  {
+    Timer       wall_clock(communicator, /* sync_lap_times = */ true);
+    SolveResult result;
+    result.step  = time_steps.number();
+    result.time  = time_steps.next_time();
+    result.cycle = cycle;
+    result.cells = body.triangulation.n_global_active_cells();
+    result.dofs  = body.dof_handler.n_dofs();
+    log.begin_solve(result);
+
+    find_equilibrium(result);
+    evaluation.measure(result, last_step);
+    // in a history, only where the user sees it or the mesh depends on it
+    if (time_steps.number() == 1 || adaptation.is_due(result.step) ||
+        output.are_due(time_steps))
+      error_estimate.evaluate(result,
+                              load_at_end_of_step(),
+                              [this](const double depth) {
+                                return displacement_at(depth);
+                              });
+
+    wall_clock.stop();
+    result.wall_seconds = wall_clock.wall_time();
+    log.end_solve(result);
+    return result;
+  }
+
+
+
+  // The heart of the program: the primal-dual active set loop. It lives in
+  // SemismoothNewton, which treats contact and plasticity as one nonlinear
+  // problem; ContactProblem tells it about energy, forces, tangent and active
+  // set. What remains to be done here is a good first guess of the active set:
+  // all nodes that the starting displacement brings to the indenter.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::take_back_step()
+  ElastoPlasticContact<dim>::find_equilibrium(SolveResult &result)
   {
-    if (last_step.is_virgin())
-      displacement = 0.;
-    else
-      displacement = last_step.displacement;
-    solid->predict_flow(displacement, displacement);
-    contact.deactivate_all();
-    move_indenter(last_step.result.time);
-    contact.begin_step(displacement, {});
-    contact.place(last_step.result.depth);
-    contact.activate_touching(displacement);
+    TimerOutput::Scope     scope(timer, "Nonlinear solver");
+    const SemismoothNewton newton(parameters.newton,
+                                  [this](const NewtonStep &step) {
+                                    log.newton_step(step);
+                                    stop_if_requested();
+                                  });
+
+    body.contact.begin_step(last_step.is_virgin() ?
+                              VectorType(body.displacement.get_partitioner()) :
+                              last_step.displacement,
+                            body.sideways_position(time_steps.next_time()) -
+                              body.sideways_position(last_step.result.time));
+    if (body.contact.force() > 0. && body.contact.n_candidates() == 0)
+      throw ConvergenceError(
+        "The indenter has left the contact boundary: there is nothing below it "
+        "that could bear 'Loading/Force'. Check 'Loading/Path', or model more of "
+        "the body.");
+    body.contact.activate_touching(body.displacement);
+    ContactProblem<dim> problem =
+      body.problem_with(body.contact, last_step.largest_forces);
+    const NewtonReport report = newton.solve(problem, body.displacement);
+    problem.compute_residual(body.residual, body.displacement);
+    body.contact.settle(body.displacement);
+
+    result.newton_iterations = report.n_iterations();
+    result.linear_iterations = report.n_linear_iterations();
+    result.residual          = report.steps.back().residual;
+    result.energy            = report.steps.back().energy;
+    if (result.residual > parameters.newton.tolerance)
+      log.warn(
+        "The forces on the free unknowns are " +
+        Patterns::Tools::to_string(result.residual) +
+        " of all forces, above 'Nonlinear solver/Tolerance': parts of the "
+        "body are so stiff, or so nearly incompressible, that the rounding "
+        "of the displacements does not allow for less.");
   }
 
 
 
-  // The nodal forces that are in equilibrium with the stresses.
+  // What would be if the indenter were at that depth; all stays as it is.
   template <int dim>
   VectorType
-  ElastoPlasticContact<dim>::forces_of_stresses() const
+  ElastoPlasticContact<dim>::displacement_at(const double depth)
   {
-    VectorType forces = external_forces;
-    forces -= residual;
-    return forces;
+    const SemismoothNewton newton(parameters.newton,
+                                  [this](const NewtonStep &) {
+                                    stop_if_requested();
+                                  });
+    ContactSet<dim>        contact_there(body.contact);
+    VectorType             result = body.displacement;
+    contact_there.set_load({Control::depth, depth});
+    contact_there.activate_touching(result);
+    ContactProblem<dim> problem =
+      body.problem_with(contact_there, last_step.largest_forces);
+    newton.solve(problem, result);
+    return result;
   }
 
 
@@ -67,60 +177,16 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::commit_step(SolveResult &result)
   {
     result.external_work =
-      last_step.work_to(displacement, forces_of_stresses());
+      last_step.work_to(body.displacement, body.forces_of_stresses());
     last_step.add_to(result);
-    last_step.find_rates(result, displacement);
+    last_step.find_rates(result, body.displacement);
+    evaluation.note(result, last_step);
     last_step.result = result;
-    if (result.contact_area > 0. &&
-        result.contact_area >= largest_contact_area &&
-        load_program.is_segment_end(result.time))
-      look_at_contact();
-    largest_contact_area = std::max(largest_contact_area, result.contact_area);
-    imprint.note(result);
+    last_step.largest_contact_area =
+      std::max(last_step.largest_contact_area, result.contact_area);
     load_program.reached(result.time, result.depth, result.force);
     if (!parameters.loading.is_single_step())
       commit_state();
-  }
-
-
-
-  // At the end of a way in.
-  template <int dim>
-  void
-  ElastoPlasticContact<dim>::look_at_contact()
-  {
-    if (const std::string warning =
-          contact_zone().warning(model.indenter.shape->detail());
-        !warning.empty())
-      log.warn_once(warning);
-  }
-
-
-
-  template <int dim>
-  ContactZone<dim>
-  ElastoPlasticContact<dim>::contact_zone() const
-  {
-    return ContactZone<dim>(dof_handler,
-                            supports.hanging_nodes(),
-                            supports.fixed_dofs(),
-                            model.boundary_conditions.ids(
-                              BoundaryConditionType::contact),
-                            contact,
-                            residual);
-  }
-
-
-
-  // How far the surface has slipped along the indenter until now.
-  template <int dim>
-  VectorType
-  ElastoPlasticContact<dim>::total_slip() const
-  {
-    VectorType slip = contact.slip(displacement);
-    if (!last_step.is_virgin())
-      slip += last_step.slip;
-    return slip;
   }
 
 
@@ -130,12 +196,48 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::commit_state()
   {
-    last_step.slip = total_slip();
-    solid->commit(displacement);
-    solid->predict_flow(displacement, displacement);
-    last_step.displacement = displacement;
-    last_step.forces       = forces_of_stresses();
-    contact.note_edge(displacement);
+    last_step.slip = body.total_slip(last_step);
+    body.solid.commit(body.displacement);
+    body.solid.predict_flow(body.displacement, body.displacement);
+    last_step.displacement = body.displacement;
+    last_step.forces       = body.forces_of_stresses();
+    body.contact.note_edge(body.displacement);
+  }
+
+
+
+  // Back to the end of the last step. (The material points have not forgotten
+  // it.)
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::take_back_step()
+  {
+    if (last_step.is_virgin())
+      body.displacement = 0.;
+    else
+      body.displacement = last_step.displacement;
+    body.solid.predict_flow(body.displacement, body.displacement);
+    body.contact.deactivate_all();
+    body.move_indenter(last_step.result.time);
+    body.contact.begin_step(body.displacement, {});
+    body.contact.place(last_step.result.depth);
+    body.contact.activate_touching(body.displacement);
+  }
+
+
+
+  // What to know of it if it fails, however short it is made.
+  template <int dim>
+  FailedStep<dim>
+  ElastoPlasticContact<dim>::step_under_way() const
+  {
+    return {model,
+            parameters.loading.is_single_step(),
+            time_steps.number(),
+            time_steps.time(),
+            time_steps.next_time(),
+            body.contact.force(),
+            tractions_grow()};
   }
 
 
@@ -146,10 +248,10 @@ namespace ElastoPlastic
   bool
   ElastoPlasticContact<dim>::tractions_grow() const
   {
-    VectorType growth = external_forces;
+    VectorType growth = body.external_forces;
     if (!last_step.is_virgin())
-      growth -= external_forces_at(time_steps.time());
-    return growth * external_forces > 0;
+      growth -= body.external_forces_at(time_steps.time());
+    return growth * body.external_forces > 0;
   }
 
 

@@ -22,6 +22,7 @@
 #include "base/rethrow_collectively.h"
 #include "io/checked_write.h"
 #include "io/checkpoint.h"
+#include "io/parameter_input.h"
 #include "version.h"
 
 namespace ElastoPlastic
@@ -189,6 +190,20 @@ namespace ElastoPlastic
     std::string   line;
     std::getline(index, line);
     return line.empty() || line.rfind(program_name, 0) == 0;
+  }
+
+
+
+  LoadingParameters
+  Checkpoint::Contents::loading() const
+  {
+    LoadingParameters parameters;
+    ParameterHandler  prm;
+    parameters.add_parameters(prm);
+    for (const auto &[path, value] : entries)
+      if (path.rfind("Loading/", 0) == 0)
+        set_entry(prm, path, value);
+    return parameters;
   }
 
 

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef error_estimate_h
+#define error_estimate_h
+
+#include <optional>
+#include <string>
+
+#include "discrete_body.h"
+#include "error_bound_analysis.h"
+#include "io/log.h"
+#include "io/parameters.h"
+
+namespace ElastoPlastic
+{
+  /// How large the error of a solution is, and in which cells: by the indicator
+  /// of Kelly, or, with `Analysis = contact with error bound`, by a bound that
+  /// is guaranteed.
+  template <int dim>
+  class ErrorEstimate
+  {
+  public:
+    /// All arguments must outlive this object. @throws InputError if a bound is
+    /// asked for that the equilibrium method cannot give.
+    ErrorEstimate(const Parameters  &parameters,
+                  DiscreteBody<dim> &body,
+                  Log               &log,
+                  TimerOutput       &timer);
+
+    /// Finds the estimated error of @p result, a solution under @p load, and
+    /// the indicators of the body. For @p displacement_at see
+    /// ErrorBoundAnalysis. Collective.
+    void
+    evaluate(SolveResult                              &result,
+             const Load                               &load,
+             const ErrorBoundAnalysis::DisplacementAt &displacement_at);
+
+    /// Finds the indicators of the body, by the estimator of Kelly, de Gago,
+    /// Zienkiewicz and Babuska: jumps of the displacement gradient across
+    /// faces. Not made for plasticity or contact, but it finds the edge of the
+    /// contact zone and of the plastic zone. Collective.
+    void
+    find_indicators();
+
+    /// Why there is no bound of the last solution; empty if there is, or if
+    /// none is asked for.
+    std::string
+    why_bound_is_missing() const;
+
+    /// Writes the fields of the equilibrium method, if there are any, with the
+    /// number of the mesh. @throws FileError
+    void
+    write_fields(const unsigned int cycle);
+
+  private:
+    void
+    bound(SolveResult                              &result,
+          const Load                               &load,
+          const ErrorBoundAnalysis::DisplacementAt &displacement_at);
+
+    const Parameters                 &parameters;
+    DiscreteBody<dim>                &body;
+    Log                              &log;
+    TimerOutput                      &timer;
+    std::optional<ErrorBoundAnalysis> error_bound;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mesh_adaptation_h
+#define mesh_adaptation_h
+
+#include "discrete_body.h"
+#include "evaluation/last_step.h"
+#include "io/log.h"
+#include "mesh/refinement.h"
+
+namespace ElastoPlastic
+{
+  /// Decides when there is to be another mesh, and flags the cells for it: by
+  /// the errors of the solution (RefinementParameters), and so that enough
+  /// elements lie over the radius of the contact.
+  ///
+  /// All functions are collective.
+  template <int dim>
+  class MeshAdaptation
+  {
+  public:
+    /// The present mesh of @p body is the first: its cells stay. All arguments
+    /// must outlive this object.
+    MeshAdaptation(const RefinementParameters &parameters,
+                   DiscreteBody<dim>          &body,
+                   Log                        &log);
+
+    /// In the first load step, which is solved on a sequence of meshes: whether
+    /// there is to be another one after that with the number @p cycle.
+    bool
+    mark_in_first_step(const unsigned int cycle);
+
+    /// Whether the mesh is to change after @p last_step.
+    bool
+    mark_after(const LastStep &last_step);
+
+    /// Whether the errors of the solution may change the mesh after load step
+    /// @p step.
+    bool
+    is_due(const unsigned int step) const;
+
+  private:
+    bool
+    mark_contact_zone(const unsigned int step);
+
+    bool
+    next_mesh_is_allowed() const;
+
+    const RefinementParameters &parameters;
+    DiscreteBody<dim>          &body;
+    Log                        &log;
+    const int                   finest_first_level;
+  };
+} // namespace ElastoPlastic
+
+#endif

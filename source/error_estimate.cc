@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/numerics/error_estimator.h>
+
+#include <cmath>
+
+#include "error_estimate.h"
+#include "mechanics/ghosted_copy.h"
+
+namespace ElastoPlastic
+{
+  template <int dim>
+  ErrorEstimate<dim>::ErrorEstimate(const Parameters  &parameters,
+                                    DiscreteBody<dim> &body,
+                                    Log               &log,
+                                    TimerOutput       &timer)
+    : parameters(parameters)
+    , body(body)
+    , log(log)
+    , timer(timer)
+  {
+    if constexpr (dim == 2)
+      if (parameters.analysis == Analysis::contact_with_error_bound)
+        error_bound.emplace(body.model,
+                            parameters,
+                            body.triangulation.get_communicator(),
+                            body.gap_function);
+  }
+
+
+
+  template <int dim>
+  void
+  ErrorEstimate<dim>::evaluate(
+    SolveResult                              &result,
+    const Load                               &load,
+    const ErrorBoundAnalysis::DisplacementAt &displacement_at)
+  {
+    find_indicators();
+    result.estimated_error =
+      std::sqrt(Utilities::MPI::sum(body.error_indicators.norm_sqr(),
+                                    body.triangulation.get_communicator()));
+    if (error_bound)
+      bound(result, load, displacement_at);
+  }
+
+
+
+  template <int dim>
+  void
+  ErrorEstimate<dim>::find_indicators()
+  {
+    TimerOutput::Scope scope(timer, "Error estimator");
+    KellyErrorEstimator<dim>::estimate(MappingQ1<dim>(),
+                                       body.dof_handler,
+                                       QGauss<dim - 1>(body.fe.degree + 1),
+                                       {},
+                                       ghosted_copy(body.displacement,
+                                                    body.dof_handler),
+                                       body.error_indicators);
+  }
+
+
+
+  // The bound is a number that one can rely on. Cell by cell, it also tells
+  // where to refine, unless the user prefers Kelly.
+  template <int dim>
+  void
+  ErrorEstimate<dim>::bound(
+    [[maybe_unused]] SolveResult                              &result,
+    [[maybe_unused]] const Load                               &load,
+    [[maybe_unused]] const ErrorBoundAnalysis::DisplacementAt &displacement_at)
+  {
+    if constexpr (dim == 2)
+      {
+        TimerOutput::Scope scope(timer, "Error bound");
+        result.estimated_error = error_bound->evaluate({body.dof_handler,
+                                                        body.displacement,
+                                                        load,
+                                                        result.depth,
+                                                        result.force,
+                                                        result.time,
+                                                        result.cycle},
+                                                       displacement_at);
+        if (!error_bound->why_missing().empty())
+          return;
+        if (parameters.refinement.strategy != RefinementStrategy::kelly)
+          body.error_indicators = error_bound->indicators();
+        const auto &indenter = body.model.indenter.shape;
+        log.remark(
+          "The error of the stresses in equilibrium is at most " +
+          Patterns::Tools::to_string(result.estimated_error) +
+          (!indenter || indenter->is_convex() ?
+             "" :
+             ", provided that the sides of the mesh resolve the indenter, "
+             "which is not known to be convex"));
+      }
+  }
+
+
+
+  template <int dim>
+  std::string
+  ErrorEstimate<dim>::why_bound_is_missing() const
+  {
+    return error_bound ? error_bound->why_missing() : "";
+  }
+
+
+
+  template <int dim>
+  void
+  ErrorEstimate<dim>::write_fields(const unsigned int cycle)
+  {
+    if (error_bound && error_bound->why_missing().empty())
+      error_bound->write_fields(cycle);
+  }
+
+
+
+  template class ErrorEstimate<2>;
+  template class ErrorEstimate<3>;
+} // namespace ElastoPlastic
