@@ -1,0 +1,185 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables of load histories with small strains; see command."""
+
+import math
+
+from ..verification.indentation import at_time
+from ..verification.runner import E_STAR
+from .recipe import Content, count, percent, power, signed_percent, table
+
+SPHERE = "indentation/sphere_axisymmetric.prm"
+CONE = "indentation/cone_axisymmetric.prm"
+STEEL = "indentation/hardened_steel.prm"
+STEPS = "Loading/Number of steps={}"
+ELEMENTS = "Refinement/Elements over contact radius={}"
+YIELD_STRESS = 400
+
+
+def slope_over_exact(steps):
+    """Of the unloading, its first step, over 2 E* a."""
+    top = next(i for i, step in enumerate(steps) if step["time"] == 1)
+    deepest, after = steps[top:top + 2]
+    slope = (deepest["force"] - after["force"]) / (deepest["depth"] - after["depth"])
+    return slope / (2 * E_STAR * math.sqrt(deepest["contact_area"] / math.pi))
+
+
+def energy_share(steps):
+    """Stored energy and dissipation over the work of the indenter."""
+    last = steps[-1]
+    return last["external_work"] / sum(last[name] for name in ("elastic_energy", "hardening_energy", "dissipation"))
+
+
+@table(60)
+def sphere_fits(runs):
+    """A sphere: force, residual depth, slope and work against published fits."""
+    steps, finer = runs.history(SPHERE), runs.history(SPHERE, ELEMENTS.format(40))
+    first_depth = 6.417988 * YIELD_STRESS**2 / E_STAR**2  # of yield, Johnson 1985, radius 1
+    first_force = 21.678895 * YIELD_STRESS**3 / E_STAR**2
+    ratios = [(step["depth"] / first_depth, step["force"] / first_force) for step in steps if step["time"] <= 1]
+    deviation = max(abs(force / (1.40 * w**1.263) - 1) for w, force in ratios if w >= 6)
+    w = ratios[-1][0]
+    residual, fine_residual = (at_time(rows, 2)["depth"] / at_time(rows, 1)["depth"] for rows in (steps, finer))
+    more_steps = runs.history(SPHERE, STEPS.format(120))
+    numbers = {
+        "unknowns": count(max(step["dofs"] for step in steps)), "deviation": f"{100 * deviation:.1f}",
+        "fine_unknowns": count(max(step["dofs"] for step in finer)),
+        "force": f"{at_time(steps, 1)['force']:.3f}", "fine_force": f"{at_time(finer, 1)['force']:.3f}",
+        "fine_slope": f"{slope_over_exact(finer):.3f}", "fine_residual": f"{fine_residual:.3f}",
+        "work_of_more_steps": f"{energy_share(more_steps):.3f}",
+    }
+    return Content([[None, "", None], [None, f"{residual:.3f}", f"{(1 - w**-0.28) * (1 - w**-0.69):.3f}"],
+                    [None, f"{slope_over_exact(steps):.3f}", None], [None, f"{energy_share(steps):.3f}", None]], numbers)
+
+
+@table(60)
+def sphere_steps(runs):
+    """Force and dissipation of the loading by the number of load steps."""
+    numbers = (1, 2, 5, 10, 20, 40, 80)
+    ends = [runs.history(SPHERE, "Loading/History=1: depth 0.002", STEPS.format(n))[-1] for n in numbers]
+    forces = dict(zip(numbers, (end["force"] for end in ends)))
+    missing = {f"missing_{n}": percent(1 - forces[n] / forces[80], 1).removesuffix(" %") for n in (1, 20, 40)}
+    return Content([[None, *(f"{force:.3f}" for force in forces.values())],
+                    [None, *(f"{1e3 * end['dissipation']:.3f}" for end in ends)]], missing)
+
+
+@table(60)
+def cone_similarity(runs):
+    """Force over depth squared of a cone."""
+    steps = runs.history(CONE)
+    quotients = [step["force"] / step["depth"] ** 2 for step in steps]
+    finer = [runs.history(CONE, "Loading/History=1: depth 0.02", STEPS.format(n))[-1] for n in (30, 40)]
+    return Content([[None, *(f"{quotients[n - 1]:.0f}" for n in (10, 15, 20)),
+                     *(f"{step['force'] / step['depth'] ** 2:.0f}" for step in finer)]])
+
+
+@table(60)
+def oliver_pharr(runs):
+    """The evaluation of both unloadings."""
+    rows, numbers = [[None] for _ in range(5)], {}
+    for name, case in (("sphere", SPHERE), ("cone", CONE)):
+        row, = runs.tables(case)["indentation"]
+        more, = runs.tables(case, STEPS.format(120))["indentation"]
+        for cells, cell in zip(rows, (f"{row['exponent']:.3f}", f"{row['reduced_modulus'] / E_STAR:.3f}",
+                                      f"{row['tip_reduced_modulus'] / E_STAR:.3f}", f"{row['hardness']:.1f}",
+                                      f"{row['tip_hardness']:.1f}")):
+            cells.append(cell)
+        numbers |= {f"{name}_more_steps": f"{100 * (more['reduced_modulus'] / E_STAR - 1):.1f}",
+                    f"{name}_area": f"{100 * (1 - row['tip_area'] / row['contact_area']):.0f}",
+                    f"{name}_pile_up": f"{100 * abs(row['pile_up']) / row['max_depth']:.0f}"}
+    return Content(rows, numbers)
+
+
+@table(90)
+def sphere_quarter(runs):
+    """The test of the sphere in space."""
+    numbers = {}
+    for name, entries in (("", ()), ("fine_", (ELEMENTS.format(10),))):
+        steps = runs.history("indentation/sphere_3d.prm", *entries)
+        top, bottom, again = (at_time(steps, time) for time in (1, 2, 3))
+        numbers |= {f"{name}unknowns": count(max(step["dofs"] for step in steps)), f"{name}force": f"{top['force']:.3f}",
+                    f"{name}residual": f"{bottom['depth']:.5f}", f"{name}again": f"{again['force']:.3f}",
+                    f"{name}less": f"{100 * (1 - again['force'] / top['force']):.1f}"}
+    return Content(numbers=numbers)
+
+
+@table(40)
+def hardening_cycles(runs):
+    """Ten cycles of the force with isotropic and with kinematic hardening."""
+    rows, numbers = [[None] for _ in range(5)], {}
+    for law in ("isotropic", "kinematic"):
+        steps = runs.history(f"hardening_cycles/{law}.prm")
+        works = [0, *(at_time(steps, 2 * cycle)["plastic_work"] for cycle in range(1, 11))]
+        for cells, cycle in zip(rows, (1, 2, 3, 5, 10)):
+            work = works[cycle] - works[cycle - 1]
+            cells += [f"{at_time(steps, 2 * cycle - 1)['depth']:.8f}", f"{at_time(steps, 2 * cycle)['depth']:.8f}",
+                      power(work, 4 if work > 1e-4 else 2) if work > 1e-8 else "less than 1e-8"]
+        numbers[f"{law}_share"] = f"{100 * (works[10] - works[9]) / at_time(steps, 1)['plastic_work']:.1f}"
+    return Content(rows, numbers)
+
+
+@table(15)
+def tutorial_history(runs):
+    """The tutorial's sphere after loading, unloading and reloading."""
+    steps = runs.history(SPHERE)
+    ends = [at_time(steps, time) for time in (1, 2, 3)]
+    rows = [[None, f"{end['depth']:.6f}".rstrip("0"), f"{end['force']:.3f}" if end["force"] else "0",
+             *(f"{end[name]:.{digits}f}" if end[name] else "0" for name, digits in (("contact_radius", 5), ("max_pressure", 1))),
+             f"{end['plastic_volume']:.6f}", power(end["elastic_energy"]), power(end["dissipation"])] for end in ends]
+    top, bottom, again = ends
+    hardness = runs.tables(SPHERE)["indentation"][0]["hardness"]
+    changes = sum(change["time"] < 1 for change in runs.tables(SPHERE)["mesh_changes"])
+    return Content(rows, {
+        "hardness": f"{hardness:.0f}", "hardness_over_yield": f"{hardness / YIELD_STRESS:.2f}",
+        "residual": f"{100 * bottom['depth'] / top['depth']:.0f}",
+        "locked_in": f"{100 * bottom['elastic_energy'] / top['elastic_energy']:.0f}",
+        "dissipation": f"{100 * (bottom['dissipation'] / top['dissipation'] - 1):.1f}",
+        "smaller": f"{100 * (1 - again['force'] / top['force']):.1f}", "changes": count(changes)})
+
+
+@table(60)
+def tutorial_elements(runs):
+    """The tutorial's sphere with few and many elements over the contact radius."""
+    rows = []
+    for n in (10, 20, 40):
+        steps = runs.history(SPHERE, ELEMENTS.format(n))
+        top, bottom = at_time(steps, 1), at_time(steps, 2)
+        until = [step["newton_iterations"] for step in steps if step["time"] <= 2]
+        rows.append([None, count(top["dofs"]), count(top["active_nodes"]), f"{top['force']:.3f}", f"{bottom['depth']:.6f}",
+                     f"{top['contact_area']:.5f}", f"{sum(until) / len(until):.1f}"])
+    return Content(rows)
+
+
+@table(330)
+def hardened_steel(runs):
+    """A Brinell test of case-hardened steel on several meshes."""
+    rows, cases = [], ((ELEMENTS.format(10),), (), (ELEMENTS.format(40),),
+                       ("Discretization/Polynomial degree=2", "Discretization/Volumetric treatment=standard"),
+                       (STEPS.format(120),))
+    for entries in cases:
+        steps = runs.history(STEEL, *entries)
+        top = at_time(steps, 1)
+        rows.append([None, count(top["dofs"]), f"{top['depth']:.5f}", f"{at_time(steps, 2)['depth']:.5f}",
+                     f"{top['contact_area']:.4f}", f"{top['contact_radius']:.3f}", f"{brinell(top):.0f}",
+                     f"{top['max_equivalent_plastic_strain']:.3f}"])
+    alone = {name: f"{brinell(at_time(runs.history(STEEL, 'Geometry/Material id=0', f'Material/Yield stress={stress}'), 1)):.0f}"
+             for name, stress in (("core", 450), ("layer", 900))}
+    return Content(rows, alone)
+
+
+def brinell(step):
+    """HBW of a ball of 2.5 mm."""
+    diameter = 2.5
+    return 0.102 * 2 * step["force"] / (math.pi * diameter * (diameter - math.sqrt(diameter**2 - 4 * step["contact_radius"] ** 2)))
+
+
+@table(30)
+def sphere_in_space(runs):
+    """A sphere on a quarter in space against an axisymmetric body."""
+    body = ("Loading/History=", "Loading/Depth=0.01", "Loading/Number of steps=3", "Geometry/Initial refinements=3",
+            "Geometry/Local refinements=4", "Geometry/Local radius=1", ELEMENTS.format(0))
+    quarter = runs.history("indentation/sphere_3d.prm", *body)[-1]
+    whole = runs.history(SPHERE, *body, "Geometry/Lower corner=0, -2", "Geometry/Upper corner=2, 0",
+                         "Material/Law=isotropic hardening", "Material/Isotropic hardening modulus=2000")[-1]
+    return Content(numbers={name: signed_percent(4 * quarter[name] / whole[name] - 1).removesuffix(" %") for name in
+                            ("force", "contact_area", "elastic_energy", "plastic_work", "plastic_volume")})
