@@ -14,7 +14,7 @@ function label(heading) {
   return page "-" heading
 }
 
-/^ *<!-- .* -->$/ {
+/^ ? ? ?<!-- .* -->$/ {
   next
 }
 
@@ -35,8 +35,11 @@ displayed {
   next
 }
 
+!/^    / {
+  gsub(/<!-- [a-zA-Z0-9_.]+ -->/, "")
+}
+
 {
-  gsub(/<!-- [a-z0-9_.A-Z]+ -->/, "")
   gsub(/\$/, "\\f$")
   gsub(/\]\(#/, "](#" page "-")
   sub(/^\[[a-z0-9_]+\]: #/, "&" page "-")
