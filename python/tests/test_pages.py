@@ -47,8 +47,8 @@ class Pages(unittest.TestCase):
             self.assertEqual(len(list(differences(before, after))), n, (before, after))
 
     def test_formats(self):
-        self.assertEqual([count(9226.0), count(10752), percent(0.0048), percent(0.112), percent(1e-4), power(0.00686)],
-                         ["9226", "10,752", "0.48 %", "11 %", "0.01 %", "6.860e-3"])
+        self.assertEqual([count(9226.0), count(10752), percent(0.0048), percent(0.112), percent(0.09), power(0.00686)],
+                         ["9226", "10,752", "0.48 %", "11 %", "9.0 %", "6.860e-3"])
 
 
 if __name__ == "__main__":

@@ -5,12 +5,11 @@
 import math
 
 from ..verification.equilibrium import QUADRATIC, depths_for_hardening
-from ..verification.friction import SSNV128
 from ..verification.hertz import cylinder_peak, sphere_peak
 from ..verification.indentation import at_time
 from ..verification.runner import E_STAR
 from ..verification.thick_sphere import INNER, outer_displacement
-from .recipe import Content, count, percent, signed_percent, table
+from .recipe import Content, count, decimals, percent, signed_percent, table
 
 N_CYCLES = "Refinement/Number of cycles={}"
 STRIP_PUNCH = "verification/strip_punch.prm"
@@ -22,14 +21,14 @@ def sphere_3d(runs):
     """The default case on its last two meshes."""
     rows = runs.run("sphere_3d.prm")
     mean = rows[-1]["force"] / rows[-1]["contact_area"] / 400
-    return Content([[count(row["dofs"]), f"{row['force']:.4f}", f"{row['contact_area']:.5f}", f"{row['max_pressure']:.1f}"]
-                    for row in rows[-2:]], {"mean_pressure": f"{mean:.1f}"})
+    return Content([[count(row["dofs"]), *decimals(row, force=4, contact_area=5, max_pressure=1)] for row in rows[-2:]],
+                   {"mean_pressure": f"{mean:.1f}"})
 
 
 @table(15)
 def cylinder_2d(runs):
     """A cylinder on a block, the last four meshes."""
-    return Content([[count(row["dofs"]), f"{row['force']:.3f}", f"{row['contact_area']:.3f}", f"{row['max_pressure']:.1f}"]
+    return Content([[count(row["dofs"]), *decimals(row, force=3, contact_area=3, max_pressure=1)]
                     for row in runs.run("cylinder_2d.prm")[-4:]])
 
 
@@ -45,7 +44,7 @@ def flat_punch(runs):
         cells = [f"{force:.4f} (+{percent(force / limit - 1)})" for force in forces]
         rows.append([None, *cells, *[""] * (4 - len(cells))])
         deeper = runs.run(case, N_CYCLES.format(3 + first), *entries, "Loading/Depth=0.16")[-1]["force"]
-        numbers[f"growth_{name.replace('-', '_')}"] = percent(deeper / forces[2] - 1, 1).removesuffix(" %")
+        numbers[f"growth_{name.replace('-', '_')}"] = percent(deeper / forces[2] - 1).removesuffix(" %")
     early = runs.run(STRIP_PUNCH, N_CYCLES.format(4), "Loading/Depth=0.03")[-1]
     return Content(rows, numbers | {"early": f"{early['force']:.3f}"})
 
@@ -103,7 +102,8 @@ def material_tests(runs):
 @table(60)
 def step42_uniform(runs):
     """step-42's sphere on uniform meshes."""
-    return Content([[count(row["dofs"]), f"{row['force']:.4f}", None] for row in runs.run("step42/sphere_uniform_q1.prm", N_CYCLES.format(4))])
+    return Content([[count(row["dofs"]), *decimals(row, force=4), None]
+                    for row in runs.run("step42/sphere_uniform_q1.prm", N_CYCLES.format(4))])
 
 
 @table(90)
@@ -128,7 +128,7 @@ def step42_finest(runs):
 def step42_meshes(runs, name, n_meshes):
     """Force and iterations on each mesh."""
     rows = runs.tables(f"step42/sphere_{name}.prm", N_CYCLES.format(n_meshes))["statistics"]
-    return Content([[count(row["dofs"]), f"{row['force']:.4f}", count(row["newton_iterations"]),
+    return Content([[count(row["dofs"]), *decimals(row, force=4), count(row["newton_iterations"]),
                      count(row["linear_iterations"])] for row in rows])
 
 
@@ -174,11 +174,3 @@ def thick_sphere(runs):
         columns.append([*(f"{outer_displacement(data):.7f}" for data in fields[1:]),
                         *(f"{(volume + INNER**3) ** (1 / 3):.3f}" for volume in volumes)])
     return Content([[None, None, *row] for row in zip(*columns)])
-
-
-@table(15)
-def ssnv128(runs):
-    """code_aster's SSNV128."""
-    profile = runs.tables("friction/ssnv128.prm", "Geometry/Initial refinements=6")["surface_profile"]
-    displacements = {row["x"]: 1e3 * row["displacement_x"] for row in profile}
-    return Content([[None, *(f"{displacements[x]:.2f}" for x in SSNV128)], [None] * 6, [None] * 6])

@@ -6,7 +6,7 @@ import math
 
 from ..verification.equilibrium import (BOUND, LAWS, QUADRATIC, coarse_and_fine, depths_for_hardening, order,
                                         uniform_meshes)
-from .recipe import Content, count, percent, power, table
+from .recipe import Content, count, decimals, percent, power, table
 
 PARABOLA = "error_bound/parabola.prm"
 N_CYCLES = "Refinement/Number of cycles={}"
@@ -20,7 +20,7 @@ def parabola(runs):
     """A parabola under 80 % of its limit load, and under other parts of it."""
     rows = runs.tables(PARABOLA)["error_bound"]
     low, high = (runs.tables(PARABOLA, f"Loading/Force={force}")["error_bound"][-1] for force in (1.1314, 2.8001))
-    return Content([[count(row["dofs"]), count(row["triangles"]), f"{row['depth']:.4f}", f"{row['equilibrium_depth']:.4f}",
+    return Content([[count(row["dofs"]), count(row["triangles"]), *decimals(row, depth=4, equilibrium_depth=4),
                      percent(row["relative_bound"])] for row in rows],
                    {"low": percent(low["relative_bound"]).removesuffix(" %"),
                     "high": percent(high["relative_bound"]).removesuffix(" %"), "high_depth": f"{high['depth']:.1f}"})
@@ -39,8 +39,8 @@ def efficiency(runs):
                 entries = (f"Material/Law={law}", *PRESSED, "Geometry/Initial refinements=2")
                 (tables, _), (fine_tables, _) = coarse_and_fine(runs, "error_bound/sphere.prm", 3, *entries)
                 rows, fine = tables["error_bound"], fine_tables["error_bound"][-1]
-            indices += [math.sqrt(row["bound"] / max(row[name] - fine[name] for name in ("energy", "complementary_energy")))
-                        for row in rows]
+            errors = [max(row[name] - fine[name] for name in ("energy", "complementary_energy")) for row in rows]
+            indices += [math.sqrt(row["bound"] / error) for row, error in zip(rows, errors)]
             numbers[f"{body}_{law.split()[0]}"] = f"{order(rows, 'bound'):.2f}"
         numbers |= {f"{body}_least": f"{min(indices):.2f}", f"{body}_most": f"{max(indices):.2f}"}
     return Content(numbers=numbers)
@@ -53,8 +53,9 @@ def against_kelly(runs):
     for law in LAWS:
         cells = [None]
         for strategy in ("adaptive", "Kelly"):
-            row = last[law, strategy] = runs.tables("cylinder_2d.prm", BOUND, f"Material/Law={law}", f"Refinement/Strategy={strategy}",
-                                                    "Geometry/Initial refinements=3", N_CYCLES.format(6))["error_bound"][-1]
+            entries = (f"Material/Law={law}", f"Refinement/Strategy={strategy}", "Geometry/Initial refinements=3")
+            row = runs.tables("cylinder_2d.prm", BOUND, *entries, N_CYCLES.format(6))["error_bound"][-1]
+            last[law, strategy] = row
             cells += [count(row["dofs"]), power(row["relative_bound"], 3)]
         rows.append(cells)
     hardening, kelly = last[LAWS[1], "adaptive"], last[LAWS[1], "Kelly"]

@@ -86,11 +86,9 @@ def pyramids(runs):
               (1, runs.history(CONE, *LOADING, "Geometry/Lower corner=0, -6", "Geometry/Upper corner=6, 0",
                                "Geometry/Initial refinements=2", "Geometry/Local refinements=8",
                                "Geometry/Local radius=10.24"))]
-    whole = [[{**step, **{name: parts * step[name] for name in ("force", "contact_area", "external_work")}} for step in steps]
-             for parts, steps in bodies]
+    extensive = ("force", "contact_area", "external_work")
+    whole = [[step | {name: parts * step[name] for name in extensive} for step in steps] for parts, steps in bodies]
     ends = [steps[-1] for steps in whole]
-    def against_neighbour(values):
-        return [signed_percent(values[0] / values[1] - 1), "", signed_percent(values[2] / values[3] - 1), ""]
     means = [second_half(steps) for steps in whole]
     rows = [[f"{curvature_in_gpa(steps):.2f}" for steps in whole],
             [f"{end['force'] / end['depth'] ** 2 / 1e3:.2f}" for end in ends], against_neighbour(means),
@@ -103,6 +101,11 @@ def pyramids(runs):
         "berkovich_force": signed_percent(second_half(half) / means[1] - 1).removesuffix(" %"),
         "berkovich_area": signed_percent(area / ends[1]["contact_area"] - 1).removesuffix(" %"),
         "berkovich_pile_up": f"{half[-1]['pile_up'] / half[-1]['depth']:.2f}"})
+
+
+def against_neighbour(values):
+    """The first of four against the second, the third against the fourth."""
+    return [signed_percent(values[0] / values[1] - 1), "", signed_percent(values[2] / values[3] - 1), ""]
 
 
 def second_half(steps):

@@ -26,24 +26,28 @@ def adaptive_steps(runs):
     return Content(rows, numbers)
 
 
+def of_cone(steps):
+    """The waves of the force under a cone."""
+    return deviation_from_similarity(steps, "force")
+
+
+def of_sphere(steps):
+    """The same under a sphere."""
+    last = [step for step in steps if step["depth"] > steps[-1]["depth"] / 3]
+    return deviation_from_polynomial([step["depth"] for step in last], [step["force"] for step in last])
+
+
 @table(120)
 def waves(runs):
     """Waves of the force as the contact grows over the nodes of the mesh."""
     sphere = ("Indenter/Type=sphere", "Indenter/Radius=1")
     rows = []
-    for indenter, depth, entries in (("cone", 0.02, ()), ("sphere", 0.003, sphere)):
+    for deviation, depth, entries in ((of_cone, 0.02, ()), (of_sphere, 0.003, sphere)):
         for edge in ("at nodes", "within faces"):
-            row = [None]
-            for refinements, n_steps in ((5, 60), (6, 120)):
-                steps = runs.history(CONE, *entries, f"Contact/Edge={edge}", f"Geometry/Local refinements={refinements}",
-                                     f"Loading/History=1: depth {depth}", STEPS.format(n_steps))
-                if indenter == "cone":
-                    deviation = deviation_from_similarity(steps, "force")
-                else:
-                    last = [step for step in steps if step["depth"] > depth / 3]
-                    deviation = deviation_from_polynomial([step["depth"] for step in last], [step["force"] for step in last])
-                row.append(percent(deviation))
-            rows.append(row)
+            loading = (*entries, f"Contact/Edge={edge}", f"Loading/History=1: depth {depth}")
+            curves = (runs.history(CONE, *loading, f"Geometry/Local refinements={refinements}", STEPS.format(n_steps))
+                      for refinements, n_steps in ((5, 60), (6, 120)))
+            rows.append([None, *(percent(deviation(steps)) for steps in curves)])
     return Content(rows)
 
 
@@ -52,8 +56,9 @@ def element_quality(runs):
     """Quality of the elements under sharp cones, and force over depth squared, at quarters of the depth."""
     rows = []
     for angle in (70, 60, 45):
-        steps = runs.history(DEEP_CONE, f"Indenter/Semi-apex angle={angle}", "Loading/History=1: depth 0.02", STEPS.format(80),
-                             ADAPTIVE, "Geometry/Local refinements=8")
+        steps = runs.history(DEEP_CONE, f"Indenter/Semi-apex angle={angle}", "Loading/History=1: depth 0.02",
+                             STEPS.format(80), ADAPTIVE, "Geometry/Local refinements=8")
         chosen = [min(steps, key=lambda step, part=part: abs(step["depth"] - 0.005 * part)) for part in (1, 2, 3, 4)]
-        rows.append([None, *(f"{step['min_scaled_jacobian']:.2g} ({step['force'] / step['depth'] ** 2:.0f})" for step in chosen)])
+        rows.append([None, *(f"{step['min_scaled_jacobian']:.2g} ({step['force'] / step['depth'] ** 2:.0f})"
+                             for step in chosen)])
     return Content(rows)

@@ -4,9 +4,9 @@
 
 import math
 
-from ..verification.indentation import at_time
+from ..verification.indentation import CYCLES, at_time, of_both_laws
 from ..verification.runner import E_STAR
-from .recipe import Content, count, percent, power, signed_percent, table
+from .recipe import Content, count, decimals, hundredths, percent, power, signed_percent, table
 
 SPHERE = "indentation/sphere_axisymmetric.prm"
 CONE = "indentation/cone_axisymmetric.prm"
@@ -42,14 +42,15 @@ def sphere_fits(runs):
     residual, fine_residual = (at_time(rows, 2)["depth"] / at_time(rows, 1)["depth"] for rows in (steps, finer))
     more_steps = runs.history(SPHERE, STEPS.format(120))
     numbers = {
-        "unknowns": count(max(step["dofs"] for step in steps)), "deviation": f"{100 * deviation:.1f}",
+        "unknowns": count(max(step["dofs"] for step in steps)), "deviation": hundredths(deviation),
         "fine_unknowns": count(max(step["dofs"] for step in finer)),
         "force": f"{at_time(steps, 1)['force']:.3f}", "fine_force": f"{at_time(finer, 1)['force']:.3f}",
         "fine_slope": f"{slope_over_exact(finer):.3f}", "fine_residual": f"{fine_residual:.3f}",
         "work_of_more_steps": f"{energy_share(more_steps):.3f}",
     }
     return Content([[None, "", None], [None, f"{residual:.3f}", f"{(1 - w**-0.28) * (1 - w**-0.69):.3f}"],
-                    [None, f"{slope_over_exact(steps):.3f}", None], [None, f"{energy_share(steps):.3f}", None]], numbers)
+                    [None, f"{slope_over_exact(steps):.3f}", None],
+                    [None, f"{energy_share(steps):.3f}", None]], numbers)
 
 
 @table(60)
@@ -84,9 +85,9 @@ def oliver_pharr(runs):
                                       f"{row['tip_reduced_modulus'] / E_STAR:.3f}", f"{row['hardness']:.1f}",
                                       f"{row['tip_hardness']:.1f}")):
             cells.append(cell)
-        numbers |= {f"{name}_more_steps": f"{100 * (more['reduced_modulus'] / E_STAR - 1):.1f}",
-                    f"{name}_area": f"{100 * (1 - row['tip_area'] / row['contact_area']):.0f}",
-                    f"{name}_pile_up": f"{100 * abs(row['pile_up']) / row['max_depth']:.0f}"}
+        numbers |= {f"{name}_more_steps": hundredths(more["reduced_modulus"] / E_STAR - 1),
+                    f"{name}_area": hundredths(1 - row["tip_area"] / row["contact_area"], 0),
+                    f"{name}_pile_up": hundredths(abs(row["pile_up"]) / row["max_depth"], 0)}
     return Content(rows, numbers)
 
 
@@ -97,9 +98,9 @@ def sphere_quarter(runs):
     for name, entries in (("", ()), ("fine_", (ELEMENTS.format(10),))):
         steps = runs.history("indentation/sphere_3d.prm", *entries)
         top, bottom, again = (at_time(steps, time) for time in (1, 2, 3))
-        numbers |= {f"{name}unknowns": count(max(step["dofs"] for step in steps)), f"{name}force": f"{top['force']:.3f}",
-                    f"{name}residual": f"{bottom['depth']:.5f}", f"{name}again": f"{again['force']:.3f}",
-                    f"{name}less": f"{100 * (1 - again['force'] / top['force']):.1f}"}
+        numbers |= {f"{name}unknowns": count(max(step["dofs"] for step in steps)),
+                    f"{name}force": f"{top['force']:.3f}", f"{name}residual": f"{bottom['depth']:.5f}",
+                    f"{name}again": f"{again['force']:.3f}", f"{name}less": hundredths(1 - again["force"] / top["force"])}
     return Content(numbers=numbers)
 
 
@@ -114,8 +115,32 @@ def hardening_cycles(runs):
             work = works[cycle] - works[cycle - 1]
             cells += [f"{at_time(steps, 2 * cycle - 1)['depth']:.8f}", f"{at_time(steps, 2 * cycle)['depth']:.8f}",
                       power(work, 4 if work > 1e-4 else 2) if work > 1e-8 else "less than 1e-8"]
-        numbers[f"{law}_share"] = f"{100 * (works[10] - works[9]) / at_time(steps, 1)['plastic_work']:.1f}"
+        numbers[f"{law}_share"] = hundredths((works[10] - works[9]) / at_time(steps, 1)["plastic_work"])
     return Content(rows, numbers)
+
+
+@table(40)
+def cycles_on_moving_mesh(runs):
+    """The same on a mesh that follows the contact."""
+    mesh = ("Refinement/Strategy=Kelly", "Refinement/Steps between adaptations=20",
+            "Refinement/Refinement fraction=0.15", "Refinement/Coarsening fraction=0.2",
+            "Refinement/Maximum number of unknowns=4000")
+    numbers = {}
+    for law in ("isotropic", "kinematic"):
+        tables = runs.tables(f"hardening_cycles/{law}.prm", *mesh)
+        second, tenth = (at_time(tables["history"], time)["depth"] for time in (3, 19))
+        numbers |= {law: power(abs(tenth / second - 1), 2), f"{law}_changes": count(
+            sum(3 < change["time"] < 19 for change in tables["mesh_changes"]))}
+    return Content(numbers=numbers)
+
+
+@table(15)
+def hencky(runs):
+    """A force in one step and in twenty, with isotropic and with kinematic hardening."""
+    force = "Loading/History=1: force 20"
+    one, many = ([steps[-1]["depth"] for steps in of_both_laws(runs, *CYCLES, force, STEPS.format(n))] for n in (1, 20))
+    return Content(numbers={"isotropic": hundredths(1 - many[0] / one[0], 0), "kinematic": hundredths(1 - many[1] / one[1], 0),
+                            "laws": hundredths(many[1] / many[0] - 1)})
 
 
 @table(15)
@@ -123,18 +148,17 @@ def tutorial_history(runs):
     """The tutorial's sphere after loading, unloading and reloading."""
     steps = runs.history(SPHERE)
     ends = [at_time(steps, time) for time in (1, 2, 3)]
-    rows = [[None, f"{end['depth']:.6f}".rstrip("0"), f"{end['force']:.3f}" if end["force"] else "0",
-             *(f"{end[name]:.{digits}f}" if end[name] else "0" for name, digits in (("contact_radius", 5), ("max_pressure", 1))),
-             f"{end['plastic_volume']:.6f}", power(end["elastic_energy"]), power(end["dissipation"])] for end in ends]
+    rows = [[None, *decimals(end, depth=6, force=3, contact_radius=5, max_pressure=1, plastic_volume=6),
+             power(end["elastic_energy"]), power(end["dissipation"])] for end in ends]
     top, bottom, again = ends
     hardness = runs.tables(SPHERE)["indentation"][0]["hardness"]
     changes = sum(change["time"] < 1 for change in runs.tables(SPHERE)["mesh_changes"])
     return Content(rows, {
         "hardness": f"{hardness:.0f}", "hardness_over_yield": f"{hardness / YIELD_STRESS:.2f}",
-        "residual": f"{100 * bottom['depth'] / top['depth']:.0f}",
-        "locked_in": f"{100 * bottom['elastic_energy'] / top['elastic_energy']:.0f}",
-        "dissipation": f"{100 * (bottom['dissipation'] / top['dissipation'] - 1):.1f}",
-        "smaller": f"{100 * (1 - again['force'] / top['force']):.1f}", "changes": count(changes)})
+        "residual": hundredths(bottom["depth"] / top["depth"], 0),
+        "locked_in": hundredths(bottom["elastic_energy"] / top["elastic_energy"], 0),
+        "dissipation": hundredths(bottom["dissipation"] / top["dissipation"] - 1),
+        "smaller": hundredths(1 - again["force"] / top["force"]), "changes": count(changes)})
 
 
 @table(60)
@@ -145,8 +169,8 @@ def tutorial_elements(runs):
         steps = runs.history(SPHERE, ELEMENTS.format(n))
         top, bottom = at_time(steps, 1), at_time(steps, 2)
         until = [step["newton_iterations"] for step in steps if step["time"] <= 2]
-        rows.append([None, count(top["dofs"]), count(top["active_nodes"]), f"{top['force']:.3f}", f"{bottom['depth']:.6f}",
-                     f"{top['contact_area']:.5f}", f"{sum(until) / len(until):.1f}"])
+        rows.append([None, count(top["dofs"]), count(top["active_nodes"]), *decimals(top, force=3),
+                     *decimals(bottom, depth=6), *decimals(top, contact_area=5), f"{sum(until) / len(until):.1f}"])
     return Content(rows)
 
 
@@ -159,18 +183,21 @@ def hardened_steel(runs):
     for entries in cases:
         steps = runs.history(STEEL, *entries)
         top = at_time(steps, 1)
-        rows.append([None, count(top["dofs"]), f"{top['depth']:.5f}", f"{at_time(steps, 2)['depth']:.5f}",
-                     f"{top['contact_area']:.4f}", f"{top['contact_radius']:.3f}", f"{brinell(top):.0f}",
-                     f"{top['max_equivalent_plastic_strain']:.3f}"])
-    alone = {name: f"{brinell(at_time(runs.history(STEEL, 'Geometry/Material id=0', f'Material/Yield stress={stress}'), 1)):.0f}"
-             for name, stress in (("core", 450), ("layer", 900))}
-    return Content(rows, alone)
+        rows.append([None, count(top["dofs"]), *decimals(top, depth=5), *decimals(at_time(steps, 2), depth=5),
+                     *decimals(top, contact_area=4, contact_radius=3), f"{brinell(top):.0f}",
+                     *decimals(top, max_equivalent_plastic_strain=3)])
+    numbers = {}
+    for name, stress in (("core", 450), ("layer", 900)):
+        steps = runs.history(STEEL, "Geometry/Material id=0", f"Material/Yield stress={stress}")
+        numbers[name] = f"{brinell(at_time(steps, 1)):.0f}"
+    return Content(rows, numbers)
 
 
 def brinell(step):
     """HBW of a ball of 2.5 mm."""
     diameter = 2.5
-    return 0.102 * 2 * step["force"] / (math.pi * diameter * (diameter - math.sqrt(diameter**2 - 4 * step["contact_radius"] ** 2)))
+    height = diameter - math.sqrt(diameter**2 - 4 * step["contact_radius"] ** 2)
+    return 0.102 * 2 * step["force"] / (math.pi * diameter * height)
 
 
 @table(30)

@@ -21,8 +21,10 @@ ADAPTIVE = "step42/sphere_adaptive_q{}.prm"
 def machine(runs):
     """The processor and the number of ranks."""
     info = pathlib.Path("/proc/cpuinfo")
-    model = re.search(r"^model name\s*: (.*)$", info.read_text(encoding="ascii"), re.MULTILINE) if info.exists() else None
-    return f"{model[1] if model else platform.processor()}, {runs.ranks} rank{'s' * (runs.ranks > 1)}".replace(" ", "&nbsp;")
+    text = info.read_text(encoding="ascii") if info.exists() else ""
+    model = re.search(r"^model name\s*: (.*)$", text, re.MULTILINE)
+    ranks = f"{runs.ranks} rank" + "s" * (runs.ranks > 1)
+    return f"{model[1] if model else platform.processor()}, {ranks}".replace(" ", "&nbsp;")
 
 
 def mean_iterations(rows):
@@ -38,8 +40,8 @@ def padded(cells, n_cells):
 def multigrid_iterations(runs):
     """Conjugate gradient steps on adaptive and uniform meshes, linear elements."""
     case = ADAPTIVE.format(1)
-    sequences = ((case, 6), (case, 6, "Material/Isotropic hardening modulus=23.08"), (case, 5, "Material/Law=linear elastic"),
-                 (UNIFORM.format(1), 4))
+    sequences = ((case, 6), (case, 6, "Material/Isotropic hardening modulus=23.08"),
+                 (case, 5, "Material/Law=linear elastic"), (UNIFORM.format(1), 4))
     return Content([padded(mean_iterations(runs.tables(case, N_CYCLES.format(n), TIGHT, *entries)["statistics"]), 6)
                     for case, n, *entries in sequences])
 
@@ -59,11 +61,11 @@ def cost_of_cases(runs):
     """Time and memory of this program on step-42's cases."""
     rows = []
     for case, n_cycles in ((UNIFORM.format(1), 4), (ADAPTIVE.format(1), 6), (ADAPTIVE.format(2), 5)):
-        tables, seconds = runs.timed(case, N_CYCLES.format(n_cycles))
+        tables, time = runs.timed(case, N_CYCLES.format(n_cycles))
         first, *_, last = tables["statistics"]
         kilobytes = 1024 * (last["memory_mb"] - first["memory_mb"]) / last["dofs"]
         unknowns = sum(row["dofs"] for row in tables["statistics"])
-        rows.append([None, count(last["dofs"]), f"{seconds:.0f} s", f"{1e6 * seconds / unknowns:.0f} µs", f"{kilobytes:.2f} KB"])
+        rows.append([None, count(last["dofs"]), f"{time:.0f} s", f"{1e6 * time / unknowns:.0f} µs", f"{kilobytes:.2f} KB"])
     return Content(rows, {"machine": machine(runs)})
 
 
@@ -72,12 +74,12 @@ def cost_of_histories(runs):
     """Time of load histories on meshes that follow the contact."""
     rows = []
     for name in ("sphere_axisymmetric", "cone_axisymmetric", "hardened_steel", "sphere_3d"):
-        tables, seconds = runs.timed(f"indentation/{name}.prm")
+        tables, time = runs.timed(f"indentation/{name}.prm")
         solves, steps = tables["statistics"], tables["history"]
         meshes = sum(row["step"] == 1 for row in solves) + len(tables["mesh_changes"])
         rows.append([None, count(max(row["dofs"] for row in solves)), count(len(steps)), count(meshes),
-                     ", ".join(count(sum(row[kind] for row in solves)) for kind in ("newton_iterations", "linear_iterations")),
-                     f"{seconds:.0f} s"])
+                     ", ".join(count(sum(row[f"{kind}_iterations"] for row in solves)) for kind in ("newton", "linear")),
+                     f"{time:.0f} s"])
     return Content(rows, {"machine": machine(runs)})
 
 
@@ -92,8 +94,8 @@ def cost_of_equilibrium(runs):
     for case, *entries in bounds:
         tables = runs.tables(case, *entries)
         row = (tables.get("limit_load") or tables["error_bound"])[-1]
-        iterations = (f"{row['lower_iterations']:.0f} and {row['upper_iterations']:.0f}" if "lower_iterations" in row else
-                      count(row["iterations"]))
+        names = ("lower_iterations", "upper_iterations") if "lower_iterations" in row else ("iterations",)
+        iterations = " and ".join(count(row[name]) for name in names)
         rows.append([None, count(row["triangles"]), iterations, f"{row['wall_seconds']:.2g} s"])
     return Content(rows, {"machine": machine(runs)})
 

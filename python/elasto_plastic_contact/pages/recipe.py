@@ -76,7 +76,7 @@ class Runs(Runner):
         before = os.times()
         tables = super().tables(case, *entries)
         after = os.times()
-        return tables, sum(getattr(after, name) - getattr(before, name) for name in ("children_user", "children_system"))
+        return tables, after.children_user - before.children_user + after.children_system - before.children_system
 
     def limit_load(self, case, *entries):
         """The rows of limit_load.csv."""
@@ -88,9 +88,19 @@ def count(number):
     return f"{number:,.0f}" if number >= 10000 else f"{number:.0f}"
 
 
+def decimals(row, **digits):
+    """Columns of a row, with so many decimals."""
+    return [f"{row[name]:.{n}f}" for name, n in digits.items()]
+
+
+def hundredths(ratio, n_decimals=1):
+    """A ratio in per cent, without the sign."""
+    return f"{100 * ratio:.{n_decimals}f}"
+
+
 def percent(ratio, digits=2):
     """A part of a whole: 0.48 %, 11 %."""
-    return f"{float(f'{100 * ratio:.{digits}g}'):g} %"
+    return f"{100 * ratio:#.{digits}g}".rstrip(".") + " %"
 
 
 def signed_percent(ratio, decimals=1):
