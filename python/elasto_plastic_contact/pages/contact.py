@@ -16,7 +16,7 @@ STRIP_PUNCH = "verification/strip_punch.prm"
 STANDARD = "Discretization/Volumetric treatment=standard"
 
 
-@table(40)
+@table(3)
 def sphere_3d(runs):
     """The default case on its last two meshes."""
     rows = runs.run("sphere_3d.prm")
@@ -25,14 +25,14 @@ def sphere_3d(runs):
                    {"mean_pressure": f"{mean:.1f}"})
 
 
-@table(15)
+@table(2)
 def cylinder_2d(runs):
     """A cylinder on a block, the last four meshes."""
     return Content([[count(row["dofs"]), *decimals(row, force=3, contact_area=3, max_pressure=1)]
                     for row in runs.run("cylinder_2d.prm")[-4:]])
 
 
-@table(100)
+@table(50)
 def flat_punch(runs):
     """A strip punch on a perfectly plastic block: the force for elements of several kinds and sizes."""
     limit = (2 + math.pi) / math.sqrt(3)
@@ -49,7 +49,7 @@ def flat_punch(runs):
     return Content(rows, numbers | {"early": f"{early['force']:.3f}"})
 
 
-@table(30)
+@table(4)
 def flat_punch_force(runs):
     """The same punch under a force of 84 % of the limit load: the depth for four sizes of elements."""
     rows = runs.run("flat_punch_force_2d.prm", N_CYCLES.format(4))
@@ -64,7 +64,7 @@ def rough_surface(runs):
                             "fine": f"{rows[-1]['force']:.2f}"})
 
 
-@table(60)
+@table(5)
 def johnson_mu(runs):
     """Johnson's way from hardening to perfect plasticity."""
     entries = (N_CYCLES.format(4), *QUADRATIC)
@@ -74,14 +74,14 @@ def johnson_mu(runs):
                     [None, *(f"{limit - depth:.4f}" for depth in depths), ""]])
 
 
-@table(30)
+@table(2)
 def johnson(runs):
     """Johnson's stationary problem in the plane."""
     return Content(numbers={name: f"{runs.run(f'johnson/{case}.prm')[-1]['depth']:.4f}" for name, case in
                             (("isotropic", "isotropic"), ("kinematic", "kinematic"), ("perfect", "perfect"))})
 
 
-@table(120)
+@table(20)
 def johnson_space(runs):
     """Johnson's problem in space."""
     isotropic, kinematic = (runs.run(f"johnson/{law}_3d.prm") for law in ("isotropic", "kinematic"))
@@ -91,7 +91,7 @@ def johnson_space(runs):
                    {"perfect": f"{perfect['depth']:.4f}", "unknowns": count(perfect["dofs"])})
 
 
-@table(10)
+@table(2)
 def material_tests(runs):
     """Plastic work per volume of a bar at the ends of three ways."""
     names = {"isotropic": "isotropic", "kinematic": "kinematic", "both": "combined"}
@@ -99,20 +99,20 @@ def material_tests(runs):
                     (runs.history(f"material/uniaxial_{name}.prm") for name in names.values())])
 
 
-@table(60)
+@table(20)
 def step42_uniform(runs):
     """step-42's sphere on uniform meshes."""
     return Content([[count(row["dofs"]), *decimals(row, force=4), None]
                     for row in runs.run("step42/sphere_uniform_q1.prm", N_CYCLES.format(4))])
 
 
-@table(90)
+@table(20)
 def step42_adaptive(runs):
     """step-42's sphere on adaptive meshes, linear elements."""
     return step42_meshes(runs, "adaptive_q1", 6)
 
 
-@table(45)
+@table(5)
 def step42_quadratic(runs):
     """The same with quadratic elements."""
     return step42_meshes(runs, "adaptive_q2", 5)
@@ -132,7 +132,7 @@ def step42_meshes(runs, name, n_meshes):
                      count(row["linear_iterations"])] for row in rows])
 
 
-@table(15)
+@table(2)
 def hertz_sphere(runs):
     """Hertz' point contact."""
     row = runs.run("verification/hertz_sphere.prm")[-1]
@@ -141,7 +141,7 @@ def hertz_sphere(runs):
                     [None, f"{row['contact_area']:.4f}", f"{area:.4f}"]], {"unknowns": count(row["dofs"])})
 
 
-@table(5)
+@table(1)
 def hertz_cylinder(runs):
     """Hertz' line contact."""
     row = runs.run("verification/hertz_cylinder.prm")[-1]
@@ -149,7 +149,7 @@ def hertz_cylinder(runs):
                             "exact": f"{cylinder_peak(2 * row['force'], 10):.2f}"})
 
 
-@table(20)
+@table(3)
 def elements_over_radius(runs):
     """Hertz' contact with few and many elements across the contact radius."""
     rows = [[None], [None], [None]]
@@ -162,7 +162,7 @@ def elements_over_radius(runs):
     return Content(rows)
 
 
-@table(30)
+@table(5)
 def thick_sphere(runs):
     """A thick sphere under internal pressure."""
     columns = []

@@ -15,7 +15,7 @@ PRESSED = ("Loading/Control=depth", "Loading/Depth=0.1", "Material/Yield stress=
            "Material/Isotropic hardening modulus=10000", "Geometry/Local refinements=3")
 
 
-@table(15)
+@table(150)
 def parabola(runs):
     """A parabola under 80 % of its limit load, and under other parts of it."""
     rows = runs.tables(PARABOLA)["error_bound"]
@@ -26,7 +26,7 @@ def parabola(runs):
                     "high": percent(high["relative_bound"]).removesuffix(" %"), "high_depth": f"{high['depth']:.1f}"})
 
 
-@table(60)
+@table(100)
 def efficiency(runs):
     """The efficiency index and the orders of the bound on uniform meshes, in plane strain and of revolution."""
     numbers = {}
@@ -46,7 +46,7 @@ def efficiency(runs):
     return Content(numbers=numbers)
 
 
-@table(60)
+@table(150)
 def against_kelly(runs):
     """Refinement by the bound against Kelly's estimator."""
     rows, last = [], {}
@@ -65,7 +65,7 @@ def against_kelly(runs):
                           "force": f"{100 * abs(force / other - 1):.3f}"})
 
 
-@table(10)
+@table(80)
 def hertz_equilibrium(runs):
     """Hertz' line and point contact by stresses in equilibrium."""
     line = runs.tables("error_bound/elastic_cylinder.prm")["error_bound"][-1]
@@ -76,7 +76,7 @@ def hertz_equilibrium(runs):
         (f"{prefix}_area", f"{row['equilibrium_contact_area']:.4f}"))})
 
 
-@table(30)
+@table(25)
 def johnson_equilibrium(runs):
     """By how much the depth under hardening differs from that of the equilibrium method."""
     entries, values = (N_CYCLES.format(4), *QUADRATIC), (1, 0.1, 0.01, 0.001, 0.0001)
@@ -91,7 +91,7 @@ def force_cells(row):
     return count(row["triangles"]), (lower, force, upper), percent((upper - lower) / force)
 
 
-@table(90)
+@table(200)
 def cylinder_force_bounds(runs):
     """The force of a cylinder between its bounds, the last four of six meshes."""
     rows = []
@@ -102,7 +102,7 @@ def cylinder_force_bounds(runs):
     return Content(rows)
 
 
-@table(170)
+@table(400)
 def sphere_force_bounds(runs):
     """The force of a sphere on a body of revolution between its bounds."""
     rows = []

@@ -65,7 +65,7 @@ def cone_elements(runs):
     return Content([unknowns, values])
 
 
-@table(60)
+@table(25)
 def sphere_strains(runs):
     """By how much the force of small strains deviates under a sphere."""
     rows = []
@@ -113,7 +113,7 @@ def second_half(steps):
     return sum(step["force"] for step in steps[len(steps) // 2:])
 
 
-@table(60)
+@table(35)
 def vertical_or_present(runs):
     """C of the first metal with small strains and the vertical gap, with finite ones and the present gap."""
     material = hardening(*CONES[0][0])

@@ -11,7 +11,7 @@ PUNCH = "friction/bonded_punch.prm"
 COEFFICIENT = "Contact/Friction coefficient={}"
 
 
-@table(15)
+@table(1)
 def ssnv128(runs):
     """code_aster's SSNV128."""
     profile = runs.tables("friction/ssnv128.prm", "Geometry/Initial refinements=6")["surface_profile"]
@@ -19,7 +19,7 @@ def ssnv128(runs):
     return Content([[None, *(f"{displacements[x]:.2f}" for x in SSNV128)], [None] * 6, [None] * 6])
 
 
-@table(30)
+@table(2)
 def bonded_punch(runs):
     """A flat circular punch that is bonded to the body, and with friction."""
     bonded, smooth = (runs.run(PUNCH, COEFFICIENT.format(coefficient))[-1]["force"] for coefficient in ("stick", "0"))
@@ -32,7 +32,7 @@ def bonded_punch(runs):
     return Content(numbers={"more": f"{100 * (bonded / smooth - 1):.2f}", "exact": f"{100 * (exact - 1):.2f}", **radii})
 
 
-@table(60)
+@table(55)
 def mindlin_cylinder(runs):
     """A cylinder pushed to the side: the width that sticks against Cattaneo's and Mindlin's."""
     deviations, ratios = [], []

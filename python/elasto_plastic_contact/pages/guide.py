@@ -11,7 +11,7 @@ from .recipe import Content, count, percent, signed_percent, table
 STEPS = "Loading/Number of steps={}"
 
 
-@table(150)
+@table(85)
 def adaptive_steps(runs):
     """Fixed and adaptive load steps under a cone with finite strains, against 400 fixed ones."""
     loading = "Loading/History=1: depth 0.02"
@@ -37,7 +37,7 @@ def of_sphere(steps):
     return deviation_from_polynomial([step["depth"] for step in last], [step["force"] for step in last])
 
 
-@table(120)
+@table(50)
 def waves(runs):
     """Waves of the force as the contact grows over the nodes of the mesh."""
     sphere = ("Indenter/Type=sphere", "Indenter/Radius=1")
@@ -51,7 +51,7 @@ def waves(runs):
     return Content(rows)
 
 
-@table(120)
+@table(35)
 def element_quality(runs):
     """Quality of the elements under sharp cones, and force over depth squared, at quarters of the depth."""
     rows = []

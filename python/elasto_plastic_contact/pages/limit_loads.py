@@ -19,13 +19,13 @@ def meshes(rows, unit):
     return [[count(row["triangles"]), *bounds(row, unit), percent(row["relative_difference"])] for row in rows]
 
 
-@table(60)
+@table(150)
 def strip_punch_bounds(runs):
     """The limit load of a strip punch, every second mesh."""
     return Content(meshes(runs.limit_load("strip_punch", N_CYCLES.format(11))[::2], 1))
 
 
-@table(40)
+@table(150)
 def strip_punch_variants(runs):
     """The same punch on other bodies."""
     block = ("Geometry/Lower corner=0, -5", "Geometry/Upper corner=5, 0", "Geometry/Repetitions=5, 5")
@@ -39,7 +39,7 @@ def strip_punch_variants(runs):
     return Content(numbers=numbers)
 
 
-@table(150)
+@table(400)
 def limit_load_benchmarks(runs):
     """Limit loads of several bodies, with the cases' own meshes."""
     strain, stress = "Kinematics=plane strain", "Kinematics=plane stress"
@@ -54,7 +54,7 @@ def limit_load_benchmarks(runs):
     return Content(rows, dict(zip(("notch_lower", "notch_upper"), section)))
 
 
-@table(150)
+@table(400)
 def circular_punch(runs):
     """Smooth and rough circular punch, every second mesh."""
     smooth, rough = (meshes(runs.limit_load("circular_punch", N_CYCLES.format(n), *entries)[::2], math.pi)
@@ -62,14 +62,14 @@ def circular_punch(runs):
     return Content([left + right for left, right in zip(smooth, [*rough, [""] * 4])])
 
 
-@table(20)
+@table(60)
 def conical_pit(runs):
     """A cone in a pit whose flanks fall by 30 degrees; that of 10 degrees has another mesh, made by Gmsh."""
     row, = meshes(runs.limit_load("conical_pit")[-1:], math.pi)
     return Content([[None] * 5, [None, *row]])
 
 
-@table(700)
+@table(1500)
 def square_punch(runs):
     """A square punch in space."""
     return Content(meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(5)), 1))

@@ -56,7 +56,32 @@ def multigrid_plane(runs):
                    {"adaptive": count(adaptive[-1]["dofs"]), "uniform": count(uniform[-1]["dofs"])})
 
 
-@measured_table(150)
+# Of the table: case, number of meshes, how many of them are shown, entries.
+DIFFICULT = (
+    (ADAPTIVE.format(1), 5, 3, "Material/Law=perfectly plastic"),
+    ("rough_surface_3d.prm", 3, 3),
+    ("rough_surface_3d.prm", 2, 2, "Indenter/Type=expression", "Geometry/Initial refinements=5",
+     "Indenter/Expression=0.02*(1-sin(64*x)*sin(64*y))+0.002*sin(7*x)*cos(5*y)"),
+    ("flat_punch_2d.prm", 4, 4, "Linear solver/Type=multigrid"),
+    ("verification/hertz_sphere.prm", 7, 3, "Boundary conditions/Fixed=", "Boundary conditions/Roller=left, front, bottom",
+     "Material/Law=isotropic hardening", "Material/Yield stress=400", "Material/Isotropic hardening modulus=1000",
+     "Loading/Depth=0.05"),
+    ("sphere_3d.prm", 4, 3, "Material/Poisson's ratio=0.499"),
+)
+
+
+@table(900)
+def difficult_problems(runs):
+    """Newton and conjugate gradient steps of difficult problems."""
+    rows = []
+    for case, n_meshes, n_shown, *entries in DIFFICULT:
+        last = runs.tables(case, N_CYCLES.format(n_meshes), *entries)["statistics"][-n_shown:]
+        rows.append([None, "; ".join(count(row["dofs"]) for row in last),
+                     "; ".join(f"{row['newton_iterations']:.0f} ({row['linear_iterations']:.0f})" for row in last)])
+    return Content(rows)
+
+
+@measured_table(50)
 def cost_of_cases(runs):
     """Time and memory of this program on step-42's cases."""
     rows = []
@@ -65,7 +90,8 @@ def cost_of_cases(runs):
         first, *_, last = tables["statistics"]
         kilobytes = 1024 * (last["memory_mb"] - first["memory_mb"]) / last["dofs"]
         unknowns = sum(row["dofs"] for row in tables["statistics"])
-        rows.append([None, count(last["dofs"]), f"{time:.0f} s", f"{1e6 * time / unknowns:.0f} µs", f"{kilobytes:.2f} KB"])
+        rows.append([None, count(last["dofs"]), f"{time:.0f} s", f"{1e6 * time / unknowns:.0f} µs",
+                     f"{kilobytes:.2f} KB"])
     return Content(rows, {"machine": machine(runs)})
 
 
@@ -78,12 +104,12 @@ def cost_of_histories(runs):
         solves, steps = tables["statistics"], tables["history"]
         meshes = sum(row["step"] == 1 for row in solves) + len(tables["mesh_changes"])
         rows.append([None, count(max(row["dofs"] for row in solves)), count(len(steps)), count(meshes),
-                     ", ".join(count(sum(row[f"{kind}_iterations"] for row in solves)) for kind in ("newton", "linear")),
+                     *(count(sum(row[f"{kind}_iterations"] for row in solves)) for kind in ("newton", "linear")),
                      f"{time:.0f} s"])
     return Content(rows, {"machine": machine(runs)})
 
 
-@measured_table(120)
+@measured_table(400)
 def cost_of_equilibrium(runs):
     """Interior point iterations and times of the equilibrium method, on the last mesh."""
     hardening = (BOUND, "Refinement/Strategy=none", "Geometry/Initial refinements=1", "Geometry/Repetitions=25, 25")
