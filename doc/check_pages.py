@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Check the pages: links lead to files and headings that exist, so do the names of cases, no
-picture is left over, and none has lost its colours to a palette.
+picture is left over, and none has lost its colours to a palette; tables of results are computed.
 
     doc/check_pages.py
 """
@@ -14,6 +14,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "doc").glob("*.md"))]
 IMAGES = ROOT / "doc" / "images"
+RESULTS = ("gallery.md", "tutorial.md")  # whose tables are computed (CONTRIBUTING.md)
 PALETTE = 3  # the colour type of PNG, byte 25 of a file
 
 
@@ -45,6 +46,12 @@ def check_cases(text):
             yield f"there is no case '{case}'"
 
 
+def check_tables(page, text):
+    for before, table in re.findall(r"^(.*)\n((?:[ ]*\|.*\n)+)", text, re.MULTILINE) if page.name in RESULTS else ():
+        if re.search(r"\d\.\d", table) and "<!-- table: " not in before:
+            yield f"the table '{table.splitlines()[0].strip()}' has no recipe"
+
+
 def check_pictures():
     used = {(page.parent / link).resolve() for page in PAGES for link in links(page.read_text(encoding="utf-8"))}
     for picture in sorted(IMAGES.iterdir()):
@@ -58,7 +65,8 @@ def main():
     errors = list(check_pictures())
     for page in PAGES:
         text = page.read_text(encoding="utf-8")
-        errors += [f"{page.name}: {error}" for error in (*check_links(page, text), *check_cases(text))]
+        found = (*check_links(page, text), *check_cases(text), *check_tables(page, text))
+        errors += [f"{page.name}: {error}" for error in found]
     sys.exit("\n".join(errors) or 0)
 
 

@@ -5,13 +5,17 @@
 # repositories. Formulas are written $...$, and $$ on lines of their own; Doxygen
 # wants \f$...\f$, \f[ and \f]. A formula may go over several lines. A link to a
 # heading, #its-words or page.md#its-words, needs a label at the heading, and
-# labels are those of all pages: page-its-words.
+# labels are those of all pages: page-its-words. Comments mark computed numbers.
 
 function label(heading) {
   heading = tolower(heading)
   gsub(/[^a-z0-9 _-]/, "", heading)
   gsub(/ /, "-", heading)
   return page "-" heading
+}
+
+/^ ? ? ?<!-- .* -->$/ {
+  next
 }
 
 FNR == 1 {
@@ -29,6 +33,10 @@ FNR == 1 {
 displayed {
   print
   next
+}
+
+!/^    / {
+  gsub(/<!-- [a-zA-Z0-9_.]+ -->/, "")
 }
 
 {

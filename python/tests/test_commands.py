@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The commands as they are typed: pictures, tables, and one message after a mistake."""
 
+import argparse
 import csv
 import pathlib
 import subprocess
@@ -10,6 +11,7 @@ import tempfile
 import unittest
 
 from elasto_plastic_contact import run
+from elasto_plastic_contact.plots.quantities import shown_entry
 
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 CONE = {"Geometry/Local refinements": 5, "Geometry/Local radius": 4, "Refinement/Elements over contact radius": 0,
@@ -42,6 +44,11 @@ class Commands(unittest.TestCase):
         self.expect_message("nothing to show for stress_strain", "plot", "stress_strain", self.folder / "cone")
         self.expect_message("parameters.prm' cannot be read: No such file", "plot", "energies", self.folder)
         self.expect_message("cannot be written", "plot", self.folder / "cone", "--output-directory", "/nowhere")
+
+    def test_shown_entry(self):
+        history = self.cone.history
+        self.assertEqual(shown_entry(self.cone, argparse.Namespace(step=None)), (9, history["force"].max()))
+        self.assertEqual(shown_entry(self.cone, argparse.Namespace(step=-2)), (-2, history["force"][-2]))
 
     def test_evaluate(self):
         curve, picture = self.folder / "curve.csv", self.folder / "both.png"

@@ -7,7 +7,7 @@ import numpy
 
 from . import material_test
 from .figures import BLUE, RED
-from .quantities import hertz_of_run
+from .quantities import hertz_of_run, shown_entry
 from ..errors import UserError
 
 
@@ -33,7 +33,7 @@ def pressure(run, arguments, scales, axes):
     """The contact pressure over the distance from the indenter's axis."""
     if not run.has("surface.pvd"):
         return False
-    surface = run.fields("surface", arguments.step)
+    surface = run.fields("surface", shown_entry(run, arguments)[0])
     if "contact_pressure" not in surface:
         raise UserError(f"'{run.path('surface.pvd')}' leads to no field 'contact_pressure'")
     points, values = surface["points"], surface["contact_pressure"]

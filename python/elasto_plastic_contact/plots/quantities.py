@@ -10,6 +10,7 @@ import numpy
 
 from .figures import units_of, with_unit
 from ..errors import UserError
+from ..fields import times
 
 
 @dataclass
@@ -33,10 +34,21 @@ class Hertz:
         return self.pressure * numpy.sqrt(numpy.clip(1. - (distance / self.radius) ** 2, 0., None))
 
 
+def shown_entry(run, arguments):
+    """The entry of surface.pvd that is shown, and the force there: that of --step, or of the largest force of a
+    load history, or the last mesh."""
+    if len(run.history) == 1:
+        return -1 if arguments.step is None else arguments.step, run.statistics["force"][-1]
+    written = times(run.directory, "surface") if run.has("surface.pvd") else run.history["time"]
+    forces = numpy.interp(written, [0., *run.history["time"]], [0., *run.history["force"]])
+    entry = int(forces.argmax()) if arguments.step is None else arguments.step
+    return entry, forces[numpy.clip(entry, -len(forces), len(forces) - 1)]
+
+
 def hertz_of_run(run, arguments):
     contrast = 1. - run.number("Material/Poisson's ratio") ** 2
     modulus = run.number("Material/Young's modulus") / contrast
-    force = run.statistics["force"][-1] * n_parts(run, arguments)
+    force = shown_entry(run, arguments)[1] * n_parts(run, arguments)
     solutions = {"sphere": Hertz.under_sphere, "cylinder": Hertz.under_cylinder}
     return solutions[arguments.hertz](force, run.number("Indenter/Radius"), modulus)
 

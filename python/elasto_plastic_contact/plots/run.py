@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Plot what a run has written, as far as it has it: the contact pressure over the
-distance from the indenter's axis (pressure.png), the force over the number of
-unknowns (convergence.png), the deformed contact surface at the largest depth and
+distance from the indenter's axis (pressure.png; of a load history at the largest
+force), the force over the number of unknowns (convergence.png), the deformed contact surface at the largest depth and
 after unloading (imprint.png); of a load history, force and contact radius over the
 depth (force_depth.png, contact_radius.png) and the energies over time
 (energies.png); without an indenter, the forces of the supports over time
@@ -43,8 +43,9 @@ def make_run_parser(epilog):
                              "(default: what indentation.csv says, or 1)")
     parser.add_argument("--centre", type=float, nargs="+",
                         help="horizontal coordinates of the indenter's axis (default: Indenter/Position)")
-    parser.add_argument("--step", type=int, default=-1,
-                        help="which entry of surface.pvd, counted from 0 (default: the last)")
+    parser.add_argument("--step", type=int,
+                        help="which entry of surface.pvd, counted from 0 (default: of a load history the one with the "
+                             "largest force, else the last)")
     parser.add_argument("--format", choices=["png", "svg", "pdf"], default="png",
                         help="of the files (default: %(default)s)")
     parser.add_argument("--output-directory", help="where the plots go (default: DIRECTORY)")

@@ -18,6 +18,7 @@ BAR = ("verification/uniaxial_stress.prm", "Strain=logarithmic")
 CONE = "indentation/cone_finite_strain.prm"
 PYRAMID = "indentation/vickers_finite_strain.prm"
 BERKOVICH = "indentation/berkovich_finite_strain.prm"
+SPHERE = "indentation/sphere_finite_strain.prm"
 CONE_IN_SPACE = ("Indenter/Type=cone", "Indenter/Semi-apex angle=70")
 # Few cells and steps, for what does not depend on them.
 COARSE = ("Geometry/Local refinements=5", "Geometry/Local radius=1", "Loading/History=1: depth 0.1 | 1.2: force 0",
@@ -207,3 +208,23 @@ def curvature(steps):
 def work(steps):
     """The area under the curve of force over depth, negative while the depth decreases."""
     return sum(0.5 * (a["force"] + b["force"]) * (b["depth"] - a["depth"]) for a, b in zip(steps, steps[1:]))
+
+
+def sphere_loading(runner, strain, yield_stress):
+    """The loading of a sphere to a/R = 0.5."""
+    return runner.history(SPHERE, f"Strain={strain}", f"Material/Yield stress={yield_stress}",
+                          "Loading/History=1: depth 0.1", "Loading/Number of steps=100")
+
+
+def excess_of_small_strains(finite, small):
+    """By how much the force of small strains is larger, step by step, over that of finite ones.
+
+    Means over five steps: nodes that come into contact make waves."""
+    excess = [other["force"] / step["force"] - 1 for step, other in zip(finite, small)]
+    return [sum(near) / len(near) for near in (excess[max(0, i - 2):i + 3] for i in range(len(excess)))]
+
+
+def near_radius(finite, radius):
+    """The number of the step whose contact radius, over that of the sphere, is next; none if it is beyond 0.01."""
+    i = min(range(len(finite)), key=lambda step: abs(finite[step]["contact_radius"] - radius))
+    return i if abs(finite[i]["contact_radius"] - radius) < 0.01 else None

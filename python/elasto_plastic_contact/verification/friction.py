@@ -15,6 +15,8 @@ from .runner import Runner
 
 MINDLIN = "friction/mindlin_cylinder.prm"
 MU = 0.3
+# Pressed, then pushed to the side.
+PUSHED = ("Loading/History=1: force 836.8 | 2: force 836.8", "Loading/Path=1: 0 | 2: 0.003")
 # A mesh that does not follow the contact, and few steps, for what does not depend on them.
 COARSE = ("Geometry/Local refinements=7", "Refinement/Elements over contact radius=0", "Loading/Number of steps=8",
           "Nonlinear solver/Tolerance=1e-11")
@@ -58,8 +60,7 @@ def spence(runner):
 
 def mindlin_cylinder(runner):
     """A cylinder pushed to the side: stick width by Cattaneo and Mindlin; full slip."""
-    rows = runner.history(MINDLIN, "Loading/History=1: force 836.8 | 2: force 836.8", "Loading/Path=1: 0 | 2: 0.003",
-                          "Loading/Number of steps=20")
+    rows = runner.history(MINDLIN, *PUSHED, "Loading/Number of steps=20")
     for row in rows:
         ratio = row["tangential_force_x"] / (MU * row["force"])
         if row["time"] > 1:
@@ -95,9 +96,8 @@ def sliding_mesh(runner):
 
 def friction_symmetries(runner):
     """A cylinder pushed the other way, and in other units: the same."""
-    push = ("Loading/History=1: force 836.8 | 2: force 836.8", "Loading/Path=1: 0 | 2: 0.003")
-    rows = of_curve(runner.history(MINDLIN, *COARSE, *push))
-    mirrored = of_curve(runner.history(MINDLIN, *COARSE, push[0], "Loading/Path=1: 0 | 2: -0.003"))
+    rows = of_curve(runner.history(MINDLIN, *COARSE, *PUSHED))
+    mirrored = of_curve(runner.history(MINDLIN, *COARSE, PUSHED[0], "Loading/Path=1: 0 | 2: -0.003"))
     for row in mirrored:
         row["tangential_force_x"] *= -1
     runner.compare("pushed the other way", largest_difference(rows, mirrored), 0, 1e-9, absolute=True)

@@ -189,24 +189,35 @@ def print_case(name, ours, step42, ranks):
     print(f"{'':5}step-42 took {step42.seconds / ours.seconds:.1f} times as long{memory}.", flush=True)
 
 
-def print_accuracy(runs, program, ranks):
-    """How long both take to an accurate contact force, each in its best case."""
+def times_to_accuracy(runs, program, ranks):
+    """The reference mesh, and by program the sorted seconds and cases in which its contact force is accurate."""
     reference = run_ours(program, REFERENCE_CASE, REFERENCE_CYCLES, ranks).meshes[-1]
-    print(f"\nTime to a contact force within {100 * ACCURACY:g} % of {reference.force:.4f} "
-          f"({REFERENCE_CASE}, {reference.dofs} unknowns)")
-    best = {}
+    times = {"ours": [], "step-42": []}
     for name, (ours, step42) in runs.items():
         mesh = first_accurate_mesh(ours.meshes, reference.force)
         if mesh is not None:
-            best.setdefault("ours", []).append((run_ours(program, name, mesh + 1, ranks).seconds, name))
+            times["ours"].append((run_ours(program, name, mesh + 1, ranks).seconds, name))
         mesh = first_accurate_mesh(step42.meshes, reference.force)
         if mesh is not None:
-            best.setdefault("step-42", []).append((sum(m.seconds for m in step42.meshes[:mesh + 1]), name))
-    for who, times in best.items():
-        for seconds, name in sorted(times):
+            times["step-42"].append((sum(m.seconds for m in step42.meshes[:mesh + 1]), name))
+    return reference, {who: sorted(values) for who, values in times.items()}
+
+
+def print_accuracy(runs, program, ranks):
+    """How long both take to an accurate contact force, each in its best case."""
+    reference, times = times_to_accuracy(runs, program, ranks)
+    print(f"\nTime to a contact force within {100 * ACCURACY:g} % of {reference.force:.4f} "
+          f"({REFERENCE_CASE}, {reference.dofs} unknowns)")
+    for who, values in times.items():
+        for seconds, name in values:
             print(f"     {who:10} {name:12} {seconds:8.2f} s")
-    if len(best) == 2:
-        print(f"     step-42 took {min(best['step-42'])[0] / min(best['ours'])[0]:.1f} times as long.")
+    if all(times.values()):
+        print(f"     step-42 took {times['step-42'][0][0] / times['ours'][0][0]:.1f} times as long.")
+
+
+def run_both(program, step42, name, cycles, ranks):
+    """This program and step-42 on a case."""
+    return (run_with_start(run_ours, program, name, cycles, ranks), run_with_start(run_step42, step42, name, cycles, ranks))
 
 
 def main(arguments):
@@ -221,7 +232,6 @@ def main(arguments):
           "output; this program: solution), in the last row of the whole run, start and output included.")
     runs = {}
     for name, cycles in cases:
-        runs[name] = (run_with_start(run_ours, program, name, cycles, arguments.ranks),
-                      run_with_start(run_step42, step42, name, cycles, arguments.ranks))
+        runs[name] = run_both(program, step42, name, cycles, arguments.ranks)
         print_case(name, *runs[name], arguments.ranks)
     print_accuracy(runs, program, arguments.ranks)

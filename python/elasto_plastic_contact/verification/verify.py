@@ -3,9 +3,12 @@
 """Runs the verification cases and compares them with exact or published values.
 
 usage: scripts/verify.py [--program PROGRAM] [--ranks N] [CASE ...]
+       scripts/verify.py --tables [--list | --check] [--program PROGRAM] [--ranks N] [NAME ...]
 
 Prints one line per quantity: computed, reference, deviation, what is allowed.
 Exit status 1 if a deviation is too large. Without CASE, all of them run.
+
+--tables writes the numbers of the pages in doc/ anew (--tables --help says more).
 """
 
 import argparse
@@ -31,6 +34,7 @@ from .load_steps import adaptive_steps
 from .rounding import contrast, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .zero_load import far_indenter, zero_force, zero_stress
+from ..pages.command import main as tables_of_pages
 
 
 def step42(runner):
@@ -296,7 +300,9 @@ ALL = {
 
 
 def main(arguments):
-    """Runs the chosen cases."""
+    """Runs the chosen cases, or the tables of the pages."""
+    if "--tables" in arguments:
+        return tables_of_pages([argument for argument in arguments if argument != "--tables"])
     parser = argparse.ArgumentParser(prog="verify", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("cases", nargs="*", metavar="CASE",

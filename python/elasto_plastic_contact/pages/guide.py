@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables of the user guide's advice on steps and meshes; see command."""
+
+from ..verification.contact_edge import CASE as CONE, deviation_from_polynomial, deviation_from_similarity
+from ..verification.finite_strain import CONE as DEEP_CONE
+from ..verification.load_steps import ADAPTIVE, force_at
+from .finite_strain import curvature_in_gpa
+from .recipe import Content, count, percent, signed_percent, table
+
+STEPS = "Loading/Number of steps={}"
+
+
+@table(85)
+def adaptive_steps(runs):
+    """Fixed and adaptive load steps under a cone with finite strains, against 400 fixed ones."""
+    loading = "Loading/History=1: depth 0.02"
+    reference = runs.history(DEEP_CONE, loading, STEPS.format(400))
+    rows, numbers = [], {}
+    for entries in (STEPS.format(100),), (STEPS.format(60),), (STEPS.format(40),), (STEPS.format(100), ADAPTIVE):
+        steps = runs.history(DEEP_CONE, loading, *entries)
+        error = max(abs(step["force"] - force_at(step["depth"], reference)) for step in steps) / reference[-1]["force"]
+        rows.append([None, count(sum(step["newton_iterations"] for step in steps)), percent(error),
+                     signed_percent(curvature_in_gpa(steps) / curvature_in_gpa(reference) - 1)])
+        numbers = {"adaptive": count(len(steps))}
+    return Content(rows, numbers)
+
+
+def of_cone(steps):
+    """The waves of the force under a cone."""
+    return deviation_from_similarity(steps, "force")
+
+
+def of_sphere(steps):
+    """The same under a sphere."""
+    last = [step for step in steps if step["depth"] > steps[-1]["depth"] / 3]
+    return deviation_from_polynomial([step["depth"] for step in last], [step["force"] for step in last])
+
+
+@table(50)
+def waves(runs):
+    """Waves of the force as the contact grows over the nodes of the mesh."""
+    sphere = ("Indenter/Type=sphere", "Indenter/Radius=1")
+    rows = []
+    for deviation, depth, entries in ((of_cone, 0.02, ()), (of_sphere, 0.003, sphere)):
+        for edge in ("at nodes", "within faces"):
+            loading = (*entries, f"Contact/Edge={edge}", f"Loading/History=1: depth {depth}")
+            curves = (runs.history(CONE, *loading, f"Geometry/Local refinements={refinements}", STEPS.format(n_steps))
+                      for refinements, n_steps in ((5, 60), (6, 120)))
+            rows.append([None, *(percent(deviation(steps)) for steps in curves)])
+    return Content(rows)
+
+
+@table(35)
+def element_quality(runs):
+    """Quality of the elements under sharp cones, and force over depth squared, at quarters of the depth."""
+    rows = []
+    for angle in (70, 60, 45):
+        steps = runs.history(DEEP_CONE, f"Indenter/Semi-apex angle={angle}", "Loading/History=1: depth 0.02",
+                             STEPS.format(80), ADAPTIVE, "Geometry/Local refinements=8")
+        chosen = [min(steps, key=lambda step, part=part: abs(step["depth"] - 0.005 * part)) for part in (1, 2, 3, 4)]
+        rows.append([None, *(f"{step['min_scaled_jacobian']:.2g} ({step['force'] / step['depth'] ** 2:.0f})"
+                             for step in chosen)])
+    return Content(rows)

@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables of limit loads between two bounds; see command."""
+
+import math
+
+from .recipe import Content, count, percent, table
+
+N_CYCLES = "Refinement/Number of cycles={}"
+
+
+def bounds(row, unit=1.0, digits=4):
+    """The cells of both bounds, over a unit of force."""
+    return [f"{row[name] / unit:.{digits}f}" for name in ("lower_bound", "upper_bound")]
+
+
+def meshes(rows, unit):
+    """A row of the table for each mesh: triangles, bounds, difference."""
+    return [[count(row["triangles"]), *bounds(row, unit), percent(row["relative_difference"])] for row in rows]
+
+
+@table(150)
+def strip_punch_bounds(runs):
+    """The limit load of a strip punch, every second mesh."""
+    return Content(meshes(runs.limit_load("strip_punch", N_CYCLES.format(11))[::2], 1))
+
+
+@table(150)
+def strip_punch_variants(runs):
+    """The same punch on other bodies."""
+    block = ("Geometry/Lower corner=0, -5", "Geometry/Upper corner=5, 0", "Geometry/Repetitions=5, 5")
+    variants = {"block": ("strip_punch", *block), "plane_stress": ("strip_punch", "Kinematics=plane stress"),
+                "thin_layer": ("two_layer_block",),
+                "thick_layer": ("two_layer_block", "Geometry/Material id=if(y > -1, 0, 1)")}
+    numbers = {}
+    for name, case in variants.items():
+        lower, upper = bounds(runs.limit_load(*case)[-1], digits=4 if name == "plane_stress" else 3)
+        numbers |= {f"{name}_lower": lower, f"{name}_upper": upper}
+    return Content(numbers=numbers)
+
+
+@table(400)
+def limit_load_benchmarks(runs):
+    """Limit loads of several bodies, with the cases' own meshes."""
+    strain, stress = "Kinematics=plane strain", "Kinematics=plane stress"
+    problems = (("strip_punch", 1, 4, N_CYCLES.format(11)), ("circular_punch", math.pi, 4),
+                ("ring_punch", 3 * math.pi, 4), ("vertical_cut", 1, 4), ("plate_with_hole", 1, 5),
+                ("notched_bar", 1, 5, strain), ("notched_bar", 1, 5, stress), ("notched_bar", 1, 5))
+    rows = []
+    for case, unit, digits, *entries in problems:
+        row = runs.limit_load(case, *entries)[-1]
+        rows.append([None, None, *bounds(row, unit, digits), count(row["triangles"]), None])
+    section = [f"{4 * value:.3f}" for value in (row["lower_bound"], row["upper_bound"])]
+    return Content(rows, dict(zip(("notch_lower", "notch_upper"), section)))
+
+
+@table(400)
+def circular_punch(runs):
+    """Smooth and rough circular punch, every second mesh."""
+    smooth, rough = (meshes(runs.limit_load("circular_punch", N_CYCLES.format(n), *entries)[::2], math.pi)
+                     for n, entries in ((13, ()), (11, ("Indenter/Surface=rough",))))
+    return Content([left + right for left, right in zip(smooth, [*rough, [""] * 4])])
+
+
+@table(60)
+def conical_pit(runs):
+    """A cone in a pit whose flanks fall by 30 degrees; that of 10 degrees has another mesh, made by Gmsh."""
+    row, = meshes(runs.limit_load("conical_pit")[-1:], math.pi)
+    return Content([[None] * 5, [None, *row]])
+
+
+@table(1500)
+def square_punch(runs):
+    """A square punch in space."""
+    return Content(meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(5)), 1))
