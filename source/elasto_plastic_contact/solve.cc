@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/utilities.h>
-#include <deal.II/fe/mapping_q1.h>
-#include <deal.II/numerics/error_estimator.h>
 
 #include <algorithm>
 
 #include "elasto_plastic_contact.h"
 #include "evaluation/element_quality.h"
+#include "evaluation/kelly_estimator.h"
 #include "make_tangent_solver.h"
 #include "mechanics/external_forces.h"
-#include "mechanics/ghosted_copy.h"
 #include "mechanics/rigid_body_modes.h"
 #include "mesh/body_size.h"
 
@@ -324,20 +322,13 @@ namespace ElastoPlastic
 
 
 
-  // The estimator of Kelly, de Gago, Zienkiewicz and Babuska: jumps of the
-  // displacement gradient across faces. Not made for plasticity or contact, but
-  // it finds the edge of the contact zone and of the plastic zone.
   template <int dim>
   void
   ElastoPlasticContact<dim>::find_error_indicators()
   {
     TimerOutput::Scope scope(timer, "Error estimator");
-    KellyErrorEstimator<dim>::estimate(MappingQ1<dim>(),
-                                       dof_handler,
-                                       QGauss<dim - 1>(fe.degree + 1),
-                                       {},
-                                       ghosted_copy(displacement, dof_handler),
-                                       error_indicators);
+    error_indicators =
+      KellyEstimator<dim>(fe).estimate(dof_handler, displacement);
   }
 
 
