@@ -14,7 +14,7 @@
 
 namespace ElastoPlastic
 {
-  /// How large the error of a solution is, and in which cells: by the indicator
+  /// How large the error of a solution is, and in which cells: by the estimator
   /// of Kelly, or, with `Analysis = contact with error bound`, by a bound that
   /// is guaranteed.
   template <int dim>
@@ -36,10 +36,7 @@ namespace ElastoPlastic
              const Load                               &load,
              const ErrorBoundAnalysis::DisplacementAt &displacement_at);
 
-    /// Finds the indicators of the body, by the estimator of Kelly, de Gago,
-    /// Zienkiewicz and Babuska: jumps of the displacement gradient across
-    /// faces. Not made for plasticity or contact, but it finds the edge of the
-    /// contact zone and of the plastic zone. Collective.
+    /// Finds the indicators of the body, by KellyEstimator. Collective.
     void
     find_indicators();
 

@@ -1,13 +1,10 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/fe/mapping_q1.h>
-#include <deal.II/numerics/error_estimator.h>
-
 #include <cmath>
 
 #include "error_estimate.h"
-#include "mechanics/ghosted_copy.h"
+#include "evaluation/kelly_estimator.h"
 
 namespace ElastoPlastic
 {
@@ -53,13 +50,9 @@ namespace ElastoPlastic
   ErrorEstimate<dim>::find_indicators()
   {
     TimerOutput::Scope scope(timer, "Error estimator");
-    KellyErrorEstimator<dim>::estimate(MappingQ1<dim>(),
-                                       body.dof_handler,
-                                       QGauss<dim - 1>(body.fe.degree + 1),
-                                       {},
-                                       ghosted_copy(body.displacement,
-                                                    body.dof_handler),
-                                       body.error_indicators);
+    body.error_indicators =
+      KellyEstimator<dim>(body.fe).estimate(body.dof_handler,
+                                            body.displacement);
   }
 
 

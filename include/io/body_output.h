@@ -4,22 +4,22 @@
 #ifndef io_body_output_h
 #define io_body_output_h
 
-#include <deal.II/base/data_out_base.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include "io/appended_vtu.h"
 #include "io/point_field.h"
 #include "mechanics/solid_operator.h"
 
 namespace ElastoPlastic
 {
-  /// The fields of the body for ParaView: for each cell a patch with as many
+  /// The fields of the body for ParaView: for each cell a grid of as many
   /// points as a displacement component has nodes there.
   ///
   /// Stresses and strains live at the quadrature points. Their L2 projection
   /// onto discontinuous polynomials of the element's degree is the
   /// interpolation of the point values, here evaluated at the points of the
-  /// patch: nothing is averaged, and neighbouring cells need not agree. What
+  /// grid: nothing is averaged, and neighbouring cells need not agree. What
   /// cannot be negative, von Mises' stress and the equivalent plastic strain,
   /// is cut off at zero where the polynomial overshoots. Tensors have all three
   /// dimensions; in an axisymmetric body, the third is that around the axis.
@@ -54,46 +54,56 @@ namespace ElastoPlastic
                       const std::vector<std::string> &file_names) const;
 
   private:
-    using Patch = DataOutBase::Patch<dim, dim>;
-    using Range =
-      std::tuple<unsigned int,
-                 unsigned int,
-                 std::string,
-                 DataComponentInterpretation::DataComponentInterpretation>;
+    /// Of this rank.
+    unsigned int
+    n_cells() const;
 
-    /// A name for each row of a patch's data: the displacement, the fields of
-    /// points, and those of cells.
-    std::vector<std::string>
-    row_names() const;
+    /// The fields in the order of the file: the displacement, those of points,
+    /// and those of cells.
+    std::vector<AppendedVtu::Field>
+    vtu_fields() const;
 
-    /// Which rows are vectors and tensors.
-    std::vector<Range>
-    vectors_and_tensors() const;
+    /// Room for so many cells, with the connections of their points.
+    AppendedVtu::Piece
+    make_piece(const unsigned int n_cells) const;
 
-    Patch
-    make_patch(const typename DoFHandler<dim>::active_cell_iterator &cell,
-               const std::vector<PointResult> &points) const;
-
-    /// The fields of @p points at the points of the patch, from @p first_row
-    /// of its @p data on.
+    /// Adds a cell to those whose numbers @p piece has already.
     void
-    extrapolate(const std::vector<PointResult> &points,
-                const unsigned int              first_row,
-                dealii::Table<2, float>        &data) const;
+    add_cell(const typename DoFHandler<dim>::active_cell_iterator &cell,
+             const std::vector<PointResult>                       &points,
+             AppendedVtu::Piece                                   &piece) const;
+
+    /// The points of its grid.
+    void
+    add_points(const typename DoFHandler<dim>::active_cell_iterator &cell,
+               std::vector<float> &numbers) const;
+
+    /// The displacement there.
+    void
+    add_displacement(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                     std::vector<float> &numbers) const;
+
+    /// A field of the quadrature points @p points there.
+    void
+    add_extrapolated(const PointField               &field,
+                     const std::vector<PointResult> &points,
+                     std::vector<float>             &numbers) const;
 
     const DoFHandler<dim>    &dof_handler;
     const VectorType         &displacement;
     const SolidOperator<dim> &solid;
     const Vector<float>      &error_indicators;
+    const Units              &units;
 
     const std::vector<PointField>   fields;
     const unsigned int              degree;
     const VectorType                ghosted_displacement;
     const std::vector<unsigned int> to_lexicographic;
 
-    /// Entry (q, i): the weight of quadrature point q at point i of a patch.
-    const FullMatrix<float>     extrapolation;
-    const DataOutBase::VtkFlags flags;
+    /// The points of a cell of the reference mesh, in lexicographic order; and
+    /// entry (q, i) of the matrix: the weight of quadrature point q at point i.
+    const std::vector<Point<dim>> reference_points;
+    const FullMatrix<float>       extrapolation;
   };
 } // namespace ElastoPlastic
 

@@ -43,14 +43,17 @@ def read_record(folder, record):
     fields = {"points": [], "cells": []}
     files = [record] if record.endswith(".vtu") else files_named_in(folder / record, "Piece", "Source")
     for file in files:
-        for piece in parse(folder / file).iter("Piece"):  # (a large file has several)
-            add_piece(fields, piece)
+        root, appended = parse(folder / file)
+        for piece in root.iter("Piece"):  # (a large file has several)
+            add_piece(fields, piece, appended)
     return fields
 
 
 def parse(path):
+    """The XML of a file, and the numbers that stand behind it, if any."""
     try:
-        return ElementTree.parse(path)
+        text, tag, appended = path.read_bytes().partition(b'<AppendedData encoding="raw">')
+        return ElementTree.fromstring(text + b"</VTKFile>" if tag else text), appended.partition(b"_")[2]
     except OSError as error:
         raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
     except ElementTree.ParseError as error:
@@ -58,38 +61,47 @@ def parse(path):
 
 
 def files_named_in(path, tag, attribute):
-    return [element.get(attribute) for element in parse(path).iter(tag)]
+    return [element.get(attribute) for element in parse(path)[0].iter(tag)]
 
 
-def add_piece(fields, piece):
+def add_piece(fields, piece, appended):
     first_point = len(fields["points"])
-    fields["points"] += read_array(piece.find("Points/DataArray"))
-    cells = {array.get("Name"): read_array(array) for array in piece.findall("Cells/DataArray")}
+    fields["points"] += read_array(piece.find("Points/DataArray"), appended)
+    cells = {array.get("Name"): read_array(array, appended) for array in piece.findall("Cells/DataArray")}
     begin = 0
     for end in cells["offsets"]:
         fields["cells"].append([first_point + point for point in cells["connectivity"][begin:end]])
         begin = end
     for array in piece.findall("PointData/DataArray"):
-        fields.setdefault(array.get("Name"), []).extend(read_array(array))
+        fields.setdefault(array.get("Name"), []).extend(read_array(array, appended))
 
 
-def read_array(array):
-    """The numbers of a compressed array, as tuples if it has several components.
-
-    In base64: the number of blocks, two sizes of blocks and the compressed size of each
-    block, then the blocks (VTK's format of XML files, vtkZLibDataCompressor).
-    """
-    text = array.text.strip()
-    n_blocks = struct.unpack("<I", base64.b64decode(text[:8])[:4])[0]
-    header_bytes = 4 * (3 + n_blocks)
-    header_length = 4 * ((header_bytes + 2) // 3)
-    sizes = struct.unpack(f"<{3 + n_blocks}I", base64.b64decode(text[:header_length])[:header_bytes])
-    blocks = base64.b64decode(text[header_length:])
-    data = b""
-    for size in sizes[3:]:
-        data += zlib.decompress(blocks[:size])
-        blocks = blocks[size:]
-    numbers = struct.unpack(f"<{len(data) // struct.calcsize(LETTERS[array.get('type')])}"
-                            f"{LETTERS[array.get('type')]}", data)
+def read_array(array, appended):
+    """The numbers of an array, as tuples if it has several components."""
+    letter = LETTERS[array.get("type")]
+    numbers = [number for number, in struct.iter_unpack(f"<{letter}", read_bytes(array, appended))]
     n_components = int(array.get("NumberOfComponents", 1))
-    return list(zip(*[iter(numbers)] * n_components)) if n_components > 1 else list(numbers)
+    return list(zip(*[iter(numbers)] * n_components)) if n_components > 1 else numbers
+
+
+def read_bytes(array, appended):
+    """The bytes of an array, which are in blocks (vtkZLibDataCompressor in VTK's format of XML files).
+
+    Before the blocks: their number, two sizes, and the size of each. Either all of that stands
+    in 'appended', or it is in the XML, in base64: first the numbers, then the blocks.
+    """
+    is_appended = array.get("format") == "appended"
+    if is_appended:
+        data = memoryview(appended)[int(array.get("offset")):]
+    else:
+        text = array.text.strip()
+        data = base64.b64decode(text[:8])
+    header_bytes = 4 * (3 + struct.unpack("<I", data[:4])[0])
+    if not is_appended:
+        header_length = 4 * ((header_bytes + 2) // 3)
+        data = base64.b64decode(text[:header_length]) + base64.b64decode(text[header_length:])
+    result, begin = [], header_bytes
+    for size, in struct.iter_unpack("<I", data[12:header_bytes]):
+        result.append(zlib.decompress(data[begin:begin + size]))
+        begin += size
+    return b"".join(result)

@@ -43,8 +43,8 @@ class ResultsOfARun(unittest.TestCase):
         """A large file has several pieces."""
         with tempfile.TemporaryDirectory() as folder:
             file = next(pathlib.Path(self.results.directory).glob("solution-*.vtu"))
-            piece = re.search(r"<Piece.*</Piece>", file.read_text(), re.DOTALL).group()
-            (pathlib.Path(folder) / "two.vtu").write_text(file.read_text().replace(piece, 2 * piece))
+            piece = re.search(b"<Piece.*</Piece>", file.read_bytes(), re.DOTALL).group()
+            (pathlib.Path(folder) / "two.vtu").write_bytes(file.read_bytes().replace(piece, 2 * piece))
             one, two = read_record(self.results.directory, file.name), read_record(folder, "two.vtu")
             self.assertEqual(two["displacement"], 2 * one["displacement"])
             first_of_second = two["cells"][len(one["cells"])]

@@ -6,6 +6,8 @@
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_tools.h>
 
+#include <algorithm>
+
 #include "io/body_output.h"
 #include "mechanics/ghosted_copy.h"
 
@@ -17,25 +19,12 @@ namespace ElastoPlastic
 
 
 
-    /// Of cells, in the last rows of a patch's data.
-    enum CellField
+    /// The points of a grid of degree^dim cells on the reference cell.
+    template <int dim>
+    std::vector<Point<dim>>
+    make_points(const unsigned int degree)
     {
-      plastic_fraction,
-      error_indicator,
-      material_id,
-      subdomain,
-      n_cell_fields
-    };
-
-
-
-    unsigned int
-    n_components(const std::vector<PointField> &fields)
-    {
-      unsigned int n = 0;
-      for (const PointField &field : fields)
-        n += field.n_components;
-      return n;
+      return QIterated<dim>(QTrapezoid<1>(), degree).get_points();
     }
 
 
@@ -45,30 +34,38 @@ namespace ElastoPlastic
     make_extrapolation(const unsigned int degree)
     {
       const FE_DGQArbitraryNodes<dim> point_space(QGauss<1>(degree + 1));
-      const QIterated<dim>            patch_points(QTrapezoid<1>(), degree);
-      const unsigned int              n_points = patch_points.size();
+      const std::vector<Point<dim>>   points   = make_points<dim>(degree);
+      const unsigned int              n_points = points.size();
       FullMatrix<float>               extrapolation(n_points, n_points);
       for (unsigned int q = 0; q < n_points; ++q)
         for (unsigned int i = 0; i < n_points; ++i)
-          extrapolation(q, i) =
-            point_space.shape_value(q, patch_points.point(i));
+          extrapolation(q, i) = point_space.shape_value(q, points[i]);
       return extrapolation;
     }
 
 
 
-    /// Compressed, with the units that have names.
-    DataOutBase::VtkFlags
-    make_flags(const std::vector<PointField> &fields, const Units &units)
+    /// The corners of cell @p cell of a grid of @p degree^dim cells, as numbers
+    /// of its points and in VTK's order.
+    template <int dim>
+    std::vector<unsigned int>
+    corners(const unsigned int cell, const unsigned int degree)
     {
-      DataOutBase::VtkFlags flags;
-      flags.compression_level = DataOutBase::VtkFlags::best_speed;
-      if (!units.length.empty())
-        flags.physical_units["displacement"] = units.of("length");
-      if (units.are_named())
-        for (const PointField &field : fields)
-          flags.physical_units[field.name] = units.of(field.quantity);
-      return flags;
+      constexpr std::array<unsigned int, 8> vtk_order = {
+        {0, 1, 3, 2, 4, 5, 7, 6}};
+      std::vector<unsigned int> points;
+      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+        {
+          unsigned int point = 0, rest = cell, stride = 1;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              point += (rest % degree + (vtk_order[v] >> d) % 2) * stride;
+              rest /= degree;
+              stride *= degree + 1;
+            }
+          points.push_back(point);
+        }
+      return points;
     }
   } // namespace
 
@@ -84,14 +81,26 @@ namespace ElastoPlastic
     , displacement(displacement)
     , solid(solid)
     , error_indicators(error_indicators)
+    , units(parameters.units)
     , fields(point_fields(parameters.additional_fields))
     , degree(dof_handler.get_fe().degree)
     , ghosted_displacement(ghosted_copy(displacement, dof_handler))
     , to_lexicographic(
         FETools::hierarchic_to_lexicographic_numbering<dim>(degree))
+    , reference_points(make_points<dim>(degree))
     , extrapolation(make_extrapolation<dim>(degree))
-    , flags(make_flags(fields, parameters.units))
   {}
+
+
+
+  template <int dim>
+  unsigned int
+  BodyOutput<dim>::n_cells() const
+  {
+    const auto &mesh = dynamic_cast<const parallel::TriangulationBase<dim> &>(
+      dof_handler.get_triangulation());
+    return mesh.n_locally_owned_active_cells();
+  }
 
 
 
@@ -99,47 +108,49 @@ namespace ElastoPlastic
   bool
   BodyOutput<dim>::empty() const
   {
-    const auto &mesh = dynamic_cast<const parallel::TriangulationBase<dim> &>(
-      dof_handler.get_triangulation());
-    return mesh.n_locally_owned_active_cells() == 0;
+    return n_cells() == 0;
   }
 
 
 
   template <int dim>
-  std::vector<std::string>
-  BodyOutput<dim>::row_names() const
+  std::vector<AppendedVtu::Field>
+  BodyOutput<dim>::vtu_fields() const
   {
-    std::vector<std::string> names(dim, "displacement");
+    std::vector<AppendedVtu::Field> result = {
+      {"displacement", 3, units.length.empty() ? "" : units.of("length")}};
     for (const PointField &field : fields)
-      names.insert(names.end(), field.n_components, field.name);
+      result.push_back({field.name,
+                        field.n_components,
+                        units.are_named() ? units.of(field.quantity) : ""});
     for (const auto *const name :
          {"plastic_fraction", "error_indicator", "material_id", "subdomain"})
-      names.push_back(name);
-    return names;
+      result.push_back({name, 1, ""});
+    return result;
   }
 
 
 
   template <int dim>
-  std::vector<typename BodyOutput<dim>::Range>
-  BodyOutput<dim>::vectors_and_tensors() const
+  AppendedVtu::Piece
+  BodyOutput<dim>::make_piece(const unsigned int n_cells) const
   {
-    using namespace DataComponentInterpretation;
-    std::vector<Range> ranges = {
-      {0, dim - 1, "displacement", component_is_part_of_vector}};
-    unsigned int row = dim;
-    for (const PointField &field : fields)
-      {
-        const unsigned int next_row = row + field.n_components;
-        if (field.n_components > 1)
-          ranges.emplace_back(row,
-                              next_row - 1,
-                              field.name,
-                              component_is_part_of_tensor);
-        row = next_row;
-      }
-    return ranges;
+    constexpr unsigned char vtk_quad = 9, vtk_hexahedron = 12;
+    const unsigned int      n_subcells = Utilities::fixed_power<dim>(degree);
+
+    AppendedVtu::Piece piece;
+    piece.fields.resize(vtu_fields().size());
+    piece.types.assign(n_cells * n_subcells,
+                       dim == 2 ? vtk_quad : vtk_hexahedron);
+    for (unsigned int cell = 0; cell < n_cells; ++cell)
+      for (unsigned int subcell = 0; subcell < n_subcells; ++subcell)
+        {
+          for (const unsigned int point : corners<dim>(subcell, degree))
+            piece.connectivity.push_back(cell * reference_points.size() +
+                                         point);
+          piece.offsets.push_back(piece.connectivity.size());
+        }
+    return piece;
   }
 
 
@@ -148,24 +159,32 @@ namespace ElastoPlastic
   void
   BodyOutput<dim>::write_vtu(std::ostream &out) const
   {
-    std::vector<Patch> patches;
-    const auto         write_piece = [&]() {
-      DataOutBase::write_vtu_main(
-        patches, row_names(), vectors_and_tensors(), flags, out);
-      patches.clear();
-    };
+    const auto n_points = static_cast<unsigned int>(reference_points.size());
+    std::vector<unsigned int> sizes(n_cells() / cells_per_piece,
+                                    cells_per_piece);
+    if (const unsigned int rest = n_cells() % cells_per_piece; rest > 0)
+      sizes.push_back(rest);
+    std::vector<AppendedVtu::PieceSize> vtu_sizes;
+    for (const unsigned int size : sizes)
+      vtu_sizes.push_back(
+        {size * n_points, size * Utilities::fixed_power<dim>(degree)});
 
-    DataOutBase::write_vtu_header(out, flags);
+    AppendedVtu        file(out, vtu_fields(), vtu_sizes);
+    AppendedVtu::Piece piece;
+    auto               size = sizes.begin();
     solid.for_each_cell(displacement,
                         [&](const auto &cell, const auto &points) {
-                          patches.push_back(make_patch(cell, points));
-                          patches.back().patch_index = patches.size() - 1;
-                          if (patches.size() == cells_per_piece)
-                            write_piece();
+                          if (piece.points.empty())
+                            piece = make_piece(*size);
+                          add_cell(cell, points, piece);
+                          if (piece.points.size() == 3 * n_points * *size)
+                            {
+                              file.write(piece);
+                              piece = {};
+                              ++size;
+                            }
                         });
-    if (!patches.empty())
-      write_piece();
-    DataOutBase::write_vtu_footer(out);
+    file.finish();
   }
 
 
@@ -175,78 +194,105 @@ namespace ElastoPlastic
   BodyOutput<dim>::write_pvtu_record(
     std::ostream &out, const std::vector<std::string> &file_names) const
   {
-    DataOutBase::write_pvtu_record(
-      out, file_names, row_names(), vectors_and_tensors(), flags);
-  }
-
-
-
-  template <int dim>
-  typename BodyOutput<dim>::Patch
-  BodyOutput<dim>::make_patch(
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const std::vector<PointResult>                       &points) const
-  {
-    const unsigned int first_cell_field = dim + n_components(fields);
-    Patch              patch;
-    patch.n_subdivisions = degree;
-    patch.reference_cell = ReferenceCells::get_hypercube<dim>();
-    for (const unsigned int v : cell->vertex_indices())
-      patch.vertices[v] = cell->vertex(v);
-    patch.data.reinit(first_cell_field + n_cell_fields, points.size());
-
-    const auto    &fe = dof_handler.get_fe();
-    Vector<double> values(fe.n_dofs_per_cell());
-    cell->get_dof_values(ghosted_displacement, values);
-    for (unsigned int i = 0; i < values.size(); ++i)
-      {
-        const auto [component, node] = fe.system_to_component_index(i);
-        patch.data(component, to_lexicographic[node]) = values(i);
-      }
-
-    extrapolate(points, dim, patch.data);
-
-    const float share_of_plastic =
-      static_cast<float>(
-        std::count_if(points.begin(),
-                      points.end(),
-                      [](const PointResult &point) { return point.plastic; })) /
-      points.size();
-    for (unsigned int i = 0; i < points.size(); ++i)
-      {
-        patch.data(first_cell_field + plastic_fraction, i) = share_of_plastic;
-        patch.data(first_cell_field + error_indicator, i) =
-          error_indicators(cell->active_cell_index());
-        patch.data(first_cell_field + material_id, i) = cell->material_id();
-        patch.data(first_cell_field + subdomain, i)   = cell->subdomain_id();
-      }
-    return patch;
+    AppendedVtu::write_index(out, vtu_fields(), file_names);
   }
 
 
 
   template <int dim>
   void
-  BodyOutput<dim>::extrapolate(const std::vector<PointResult> &points,
-                               const unsigned int              first_row,
-                               dealii::Table<2, float>        &data) const
+  BodyOutput<dim>::add_cell(
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const std::vector<PointResult>                       &points,
+    AppendedVtu::Piece                                   &piece) const
   {
-    unsigned int row = first_row;
+    add_points(cell, piece.points);
+    auto numbers = piece.fields.begin();
+    add_displacement(cell, *numbers++);
     for (const PointField &field : fields)
+      add_extrapolated(field, points, *numbers++);
+
+    const float n_plastic =
+      std::count_if(points.begin(), points.end(), [](const PointResult &point) {
+        return point.plastic;
+      });
+    for (const float value : {n_plastic / points.size(),
+                              error_indicators(cell->active_cell_index()),
+                              static_cast<float>(cell->material_id()),
+                              static_cast<float>(cell->subdomain_id())})
       {
-        std::vector<float> values(field.n_components);
-        for (unsigned int q = 0; q < points.size(); ++q)
-          {
-            field.evaluate(points[q], values.data());
-            for (unsigned int c = 0; c < values.size(); ++c)
-              for (unsigned int i = 0; i < points.size(); ++i)
-                data(row + c, i) += extrapolation(q, i) * values[c];
-          }
-        if (field.is_positive)
-          for (unsigned int i = 0; i < points.size(); ++i)
-            data(row, i) = std::max(data(row, i), 0.f);
-        row += values.size();
+        numbers->insert(numbers->end(), reference_points.size(), value);
+        ++numbers;
       }
+  }
+
+
+
+  template <int dim>
+  void
+  BodyOutput<dim>::add_points(
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    std::vector<float>                                   &numbers) const
+  {
+    std::array<Point<dim>, GeometryInfo<dim>::vertices_per_cell> vertices;
+    for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+      vertices[v] = cell->vertex(v);
+    for (const Point<dim> &reference_point : reference_points)
+      {
+        Tensor<1, 3> point;
+        for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+          for (unsigned int d = 0; d < dim; ++d)
+            point[d] +=
+              GeometryInfo<dim>::d_linear_shape_function(reference_point, v) *
+              vertices[v][d];
+        numbers.insert(numbers.end(), point.begin_raw(), point.end_raw());
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  BodyOutput<dim>::add_displacement(
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    std::vector<float>                                   &numbers) const
+  {
+    const auto    &fe = dof_handler.get_fe();
+    Vector<double> values(fe.n_dofs_per_cell());
+    cell->get_dof_values(ghosted_displacement, values);
+    const std::size_t begin = numbers.size();
+    numbers.resize(begin + 3 * reference_points.size(), 0.f);
+    for (unsigned int i = 0; i < values.size(); ++i)
+      {
+        const auto [component, node] = fe.system_to_component_index(i);
+        numbers[begin + 3 * to_lexicographic[node] + component] = values(i);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  BodyOutput<dim>::add_extrapolated(const PointField               &field,
+                                    const std::vector<PointResult> &points,
+                                    std::vector<float> &numbers) const
+  {
+    const std::size_t n_old = numbers.size();
+    numbers.resize(n_old + field.n_components * points.size(), 0.f);
+    const auto         begin = numbers.begin() + n_old;
+    std::vector<float> values(field.n_components);
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        field.evaluate(points[q], values.data());
+        auto number = begin;
+        for (unsigned int i = 0; i < points.size(); ++i)
+          for (const float value : values)
+            *number++ += extrapolation(q, i) * value;
+      }
+    if (field.is_positive)
+      std::for_each(begin, numbers.end(), [](float &number) {
+        number = std::max(number, 0.f);
+      });
   }
 
 
