@@ -250,12 +250,12 @@ namespace ElastoPlastic
 
     // Linear algebra. The residual is the force that the supports and the
     // indenter take from the body; it vanishes at all other unknowns.
-    std::unique_ptr<TangentSolver>    tangent_solver;
-    VectorType                        external_forces;
-    VectorType                        displacement;
-    VectorType                        residual;
-    Vector<float>                     error_indicators;
-    std::optional<ErrorBoundAnalysis> error_bound;
+    std::unique_ptr<TangentSolver>         tangent_solver;
+    VectorType                             external_forces;
+    VectorType                             displacement;
+    VectorType                             residual;
+    Vector<float>                          error_indicators;
+    std::optional<ErrorBoundAnalysis<dim>> error_bound;
 
     // What the step under way begins with; the largest sum of the magnitudes
     // of all nodal forces so far, which small ones are measured against; and

@@ -124,9 +124,8 @@ namespace ElastoPlastic
     , output_directory(communicator, parameters.output.directory)
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
-    if constexpr (dim == 2)
-      if (parameters.analysis == Analysis::contact_with_error_bound)
-        error_bound.emplace(model, parameters, communicator, gap_function);
+    if (parameters.analysis == Analysis::contact_with_error_bound)
+      error_bound.emplace(model, parameters, communicator, gap_function);
     parameters.refinement.check_first_mesh(
       estimated_unknowns(triangulation.n_global_active_cells(), fe));
     setup_body();

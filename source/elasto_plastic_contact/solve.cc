@@ -346,34 +346,30 @@ namespace ElastoPlastic
   // where to refine, unless the user prefers Kelly.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::bound_error([[maybe_unused]] SolveResult &result)
+  ElastoPlasticContact<dim>::bound_error(SolveResult &result)
   {
-    if constexpr (dim == 2)
-      {
-        TimerOutput::Scope scope(timer, "Error bound");
-        result.estimated_error =
-          error_bound->evaluate({dof_handler,
-                                 displacement,
-                                 load_program.load(result.time).value(),
-                                 result.depth,
-                                 result.force,
-                                 result.time,
-                                 cycle},
-                                [this](const double depth) {
-                                  return displacement_at(depth);
-                                });
-        if (!error_bound->why_missing().empty())
-          return;
-        if (parameters.refinement.strategy != RefinementStrategy::kelly)
-          error_indicators = error_bound->indicators();
-        log.remark(
-          "The error of the stresses in equilibrium is at most " +
-          Patterns::Tools::to_string(result.estimated_error) +
-          (!model.indenter.shape || model.indenter.shape->is_convex() ?
-             "" :
-             ", provided that the sides of the mesh resolve the indenter, "
-             "which is not known to be convex"));
-      }
+    TimerOutput::Scope scope(timer, "Error bound");
+    result.estimated_error =
+      error_bound->evaluate({dof_handler,
+                             displacement,
+                             load_program.load(result.time).value(),
+                             result.depth,
+                             result.force,
+                             result.time,
+                             cycle},
+                            [this](const double depth) {
+                              return displacement_at(depth);
+                            });
+    if (!error_bound->why_missing().empty())
+      return;
+    if (parameters.refinement.strategy != RefinementStrategy::kelly)
+      error_indicators = error_bound->indicators();
+    log.remark("The error of the stresses in equilibrium is at most " +
+               Patterns::Tools::to_string(result.estimated_error) +
+               (!model.indenter.shape || model.indenter.shape->is_convex() ?
+                  "" :
+                  ", provided that the sides of the mesh resolve the indenter, "
+                  "which is not known to be convex"));
   }
 
 
