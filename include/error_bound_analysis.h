@@ -29,13 +29,15 @@ namespace ElastoPlastic
   class ErrorBoundAnalysis
   {
   public:
-    /// All arguments must live as long as this object.
-    /// @throws InputError if the materials are not what the equilibrium method
-    /// can do.
-    ErrorBoundAnalysis(const Model<dim>       &model,
-                       const Parameters       &parameters,
-                       const MPI_Comm          communicator,
-                       const GapFunction<dim> &gap_function);
+    /// All arguments but the first mesh, @p triangulation, must live as long as
+    /// this object. Collective.
+    /// @throws InputError if materials, mesh or boundary conditions are not
+    /// what the equilibrium method can do.
+    ErrorBoundAnalysis(const Model<dim>         &model,
+                       const Parameters         &parameters,
+                       const MPI_Comm            communicator,
+                       const GapFunction<dim>   &gap_function,
+                       const Triangulation<dim> &triangulation);
 
     /// A solution of the displacement method on one mesh.
     struct Solution

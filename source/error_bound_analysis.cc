@@ -112,10 +112,11 @@ namespace ElastoPlastic
 
   template <int dim>
   ErrorBoundAnalysis<dim>::ErrorBoundAnalysis(
-    const Model<dim>       &model,
-    const Parameters       &parameters,
-    const MPI_Comm          communicator,
-    const GapFunction<dim> &gap_function)
+    const Model<dim>         &model,
+    const Parameters         &parameters,
+    const MPI_Comm            communicator,
+    const GapFunction<dim>   &gap_function,
+    const Triangulation<dim> &triangulation)
     : model(model)
     , parameters(parameters)
     , communicator(communicator)
@@ -123,6 +124,14 @@ namespace ElastoPlastic
     , output(parameters.output, "equilibrium", "displacement")
   {
     check_is_linear(model.materials);
+    auto mesh = make_split_mesh(triangulation);
+    rethrow_collectively(communicator, [&]() {
+      if (!simplices_of(mesh).empty())
+        make_body(std::move(mesh),
+                  model,
+                  gap_function,
+                  model.load_program.final_time());
+    });
   }
 
 

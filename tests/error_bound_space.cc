@@ -408,10 +408,11 @@ namespace
     const auto   parts  = bound.indicators(mesh);
     const double excess = (bound.total() - stress.cost) / std::abs(stress.cost);
     output() << "Sum of the energies, " << title << std::endl;
-    verify("presses", stress.force > 0.5);
+    verify("presses", stress.force > 0.2);
     verify("admissible", require_admissible(body, stress), 1e-9);
     verify("complementary energy from above", excess > -1e-9);
-    verify("complementary energy", excess, 1e-3);
+    // (from the chords of a 32nd of a face to the paraboloid)
+    verify("complementary energy", excess, 2e-3);
     verify("sum of the parts",
            std::abs(std::accumulate(parts.begin(), parts.end(), 0.) /
                       bound.total() -

@@ -125,7 +125,8 @@ namespace ElastoPlastic
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
     if (parameters.analysis == Analysis::contact_with_error_bound)
-      error_bound.emplace(model, parameters, communicator, gap_function);
+      error_bound.emplace(
+        model, parameters, communicator, gap_function, triangulation);
     parameters.refinement.check_first_mesh(
       estimated_unknowns(triangulation.n_global_active_cells(), fe));
     setup_body();

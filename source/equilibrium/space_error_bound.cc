@@ -213,8 +213,9 @@ namespace ElastoPlastic
         throw ConvergenceError(
           "The displacement differs from what the supports prescribe by " +
           Patterns::Tools::to_string(error) +
-          ". In space, the equilibrium method knows flat rollers and "
-          "displacements that are linear functions of x, y and z.");
+          ". In space, the equilibrium method needs flat rollers, and cells "
+          "whose faces are parallelograms where a prescribed displacement "
+          "depends on the position.");
     }
   } // namespace
 
