@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <optional>
+#include <type_traits>
 
 #include "contact/gap_function.h"
 #include "equilibrium/error_bound.h"
@@ -18,33 +19,36 @@
 
 namespace ElastoPlastic
 {
-  /// A guaranteed bound of the error of a contact problem in plane strain or
-  /// plane stress, in one step from the virgin state: the equilibrium method
-  /// is run on the mesh of the displacement method, and the two energies are
-  /// compared (doc/theory.md, "Guaranteed error").
+  /// A guaranteed bound of the error of a contact problem, in one step from the
+  /// virgin state: the equilibrium method is run on the mesh of the
+  /// displacement method, and the two energies are compared (doc/theory.md,
+  /// "Guaranteed error").
   ///
   /// The mesh is distributed; the conic programs are solved by the first rank.
+  template <int dim>
   class ErrorBoundAnalysis
   {
   public:
-    /// All arguments must live as long as this object.
-    /// @throws InputError if the materials are not what the equilibrium method
-    /// can do.
-    ErrorBoundAnalysis(const Model<2>       &model,
-                       const Parameters     &parameters,
-                       const MPI_Comm        communicator,
-                       const GapFunction<2> &gap_function);
+    /// All arguments but the first mesh, @p triangulation, must live as long as
+    /// this object. Collective.
+    /// @throws InputError if materials, mesh or boundary conditions are not
+    /// what the equilibrium method can do.
+    ErrorBoundAnalysis(const Model<dim>         &model,
+                       const Parameters         &parameters,
+                       const MPI_Comm            communicator,
+                       const GapFunction<dim>   &gap_function,
+                       const Triangulation<dim> &triangulation);
 
     /// A solution of the displacement method on one mesh.
     struct Solution
     {
-      const DoFHandler<2> &dof_handler;
-      const VectorType    &displacement;
-      Load                 load;  ///< what has been prescribed, at @p time
-      double               depth; ///< of the indenter, given or found
-      double               force; ///< likewise
-      double               time;
-      unsigned int         cycle;
+      const DoFHandler<dim> &dof_handler;
+      const VectorType      &displacement;
+      Load                   load;  ///< what has been prescribed, at @p time
+      double                 depth; ///< of the indenter, given or found
+      double                 force; ///< likewise
+      double                 time;
+      unsigned int           cycle;
     };
 
     /// Solves the displacement method on the same mesh for another depth.
@@ -75,12 +79,17 @@ namespace ElastoPlastic
     write_fields(const unsigned int cycle);
 
   private:
+    using Body   = std::conditional_t<dim == 2, PlaneBody, SpaceBody>;
+    using Stress = std::conditional_t<dim == 2, StressField, SpaceStressField>;
+    using Displacement =
+      std::conditional_t<dim == 2, QuadraticField, SpaceQuadraticField>;
+
     /// @throws ConvergenceError
     ErrorBoundRow
     find_bound(const Solution &solution);
 
-    StressField
-    equilibrate(const PlaneBody &body, const Load &load) const;
+    Stress
+    equilibrate(const Load &load) const;
 
     /// Bounds of the force at the given depth, or of the depth under the given
     /// force: slopes of Pi and J, convex functions of it (doc/theory.md, "Force
@@ -105,19 +114,19 @@ namespace ElastoPlastic
     /// And its parts, on the first rank, which count for the bounds of the
     /// load.
     double
-    energy_gap(const QuadraticField &displacement,
-               const double          depth,
-               const StressField    &stress);
+    energy_gap(const Displacement &displacement,
+               const double        depth,
+               const Stress       &stress);
 
     /// What @p function returns there, on all ranks. Collective.
     double
     on_first_rank(const std::function<double()> &function) const;
 
-    const Model<2>       &model;
-    const Parameters     &parameters;
-    const MPI_Comm        communicator;
-    const GapFunction<2> &gap_function;
-    EquilibriumOutput     output;
+    const Model<dim>       &model;
+    const Parameters       &parameters;
+    const MPI_Comm          communicator;
+    const GapFunction<dim> &gap_function;
+    EquilibriumOutput       output;
 
     std::optional<Table<ErrorBoundRow>> table;
     Vector<float>                       error_indicators;
@@ -125,10 +134,10 @@ namespace ElastoPlastic
 
     // On the first rank: the problem on the last mesh, its two solutions, and
     // the parts of the bound.
-    PlaneBody           body;
-    StressField         stress;
-    QuadraticField      displacement;
-    std::vector<double> errors; ///< by triangles
+    Body                body;
+    Stress              stress;
+    Displacement        displacement;
+    std::vector<double> errors; ///< by triangles, or tetrahedra
     std::vector<double> errors_of_load;
   };
 } // namespace ElastoPlastic

@@ -32,9 +32,10 @@ namespace ElastoPlastic
     /// the indicators of the body. For @p displacement_at see
     /// ErrorBoundAnalysis. Collective.
     void
-    evaluate(SolveResult                              &result,
-             const Load                               &load,
-             const ErrorBoundAnalysis::DisplacementAt &displacement_at);
+    evaluate(
+      SolveResult                                            &result,
+      const Load                                             &load,
+      const typename ErrorBoundAnalysis<dim>::DisplacementAt &displacement_at);
 
     /// Finds the indicators of the body, by KellyEstimator. Collective.
     void
@@ -52,15 +53,16 @@ namespace ElastoPlastic
 
   private:
     void
-    bound(SolveResult                              &result,
-          const Load                               &load,
-          const ErrorBoundAnalysis::DisplacementAt &displacement_at);
+    bound(
+      SolveResult                                            &result,
+      const Load                                             &load,
+      const typename ErrorBoundAnalysis<dim>::DisplacementAt &displacement_at);
 
-    const Parameters                 &parameters;
-    DiscreteBody<dim>                &body;
-    Log                              &log;
-    TimerOutput                      &timer;
-    std::optional<ErrorBoundAnalysis> error_bound;
+    const Parameters                      &parameters;
+    DiscreteBody<dim>                     &body;
+    Log                                   &log;
+    TimerOutput                           &timer;
+    std::optional<ErrorBoundAnalysis<dim>> error_bound;
   };
 } // namespace ElastoPlastic
 

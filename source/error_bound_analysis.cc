@@ -30,14 +30,93 @@ namespace ElastoPlastic
             "the equilibrium method knows linear hardening only. Choose a "
             "'Material/Law' without hardening curve and recovery.");
     }
+
+
+
+    PlaneBody
+    make_body(SplitMesh             mesh,
+              const Model<2>       &model,
+              const GapFunction<2> &gap_function,
+              const double          time)
+    {
+      return make_plane_body(
+        std::move(mesh),
+        model.boundary_conditions,
+        model.materials,
+        model.strain_model.kinematics,
+        [&gap_function](const Point<2> &x) { return gap_function.value(x); },
+        time);
+    }
+
+
+
+    SpaceBody
+    make_body(TetrahedralMesh       mesh,
+              const Model<3>       &model,
+              const GapFunction<3> &gap_function,
+              const double          time)
+    {
+      return make_space_body(
+        std::move(mesh),
+        model.boundary_conditions,
+        model.materials,
+        [&gap_function](const Point<3> &x) { return gap_function.value(x); },
+        time);
+    }
+
+
+
+    /// On each triangle or tetrahedron.
+    template <typename Mesh, typename Displacement>
+    auto
+    all_values_at_vertices(const Mesh &mesh, const Displacement &displacement)
+    {
+      std::vector<decltype(values_at_vertices(displacement,
+                                              simplices_of(mesh)[0]))>
+        values;
+      for (const auto &simplex : simplices_of(mesh))
+        values.push_back(values_at_vertices(displacement, simplex));
+      return values;
+    }
+
+
+
+    EquilibriumFields
+    fields_of(const PlaneBody           &body,
+              const StressField         &stress,
+              const QuadraticField      &displacement,
+              const std::vector<double> &errors)
+    {
+      return {body,
+              stress,
+              all_values_at_vertices(body.mesh, displacement),
+              errors};
+    }
+
+
+
+    SpaceFields
+    fields_of(const SpaceBody           &body,
+              const SpaceStressField    &stress,
+              const SpaceQuadraticField &displacement,
+              const std::vector<double> &errors)
+    {
+      return {body,
+              stress,
+              all_values_at_vertices(body.mesh, displacement),
+              errors};
+    }
   } // namespace
 
 
 
-  ErrorBoundAnalysis::ErrorBoundAnalysis(const Model<2>       &model,
-                                         const Parameters     &parameters,
-                                         const MPI_Comm        communicator,
-                                         const GapFunction<2> &gap_function)
+  template <int dim>
+  ErrorBoundAnalysis<dim>::ErrorBoundAnalysis(
+    const Model<dim>         &model,
+    const Parameters         &parameters,
+    const MPI_Comm            communicator,
+    const GapFunction<dim>   &gap_function,
+    const Triangulation<dim> &triangulation)
     : model(model)
     , parameters(parameters)
     , communicator(communicator)
@@ -45,12 +124,21 @@ namespace ElastoPlastic
     , output(parameters.output, "equilibrium", "displacement")
   {
     check_is_linear(model.materials);
+    auto mesh = make_split_mesh(triangulation);
+    rethrow_collectively(communicator, [&]() {
+      if (!simplices_of(mesh).empty())
+        make_body(std::move(mesh),
+                  model,
+                  gap_function,
+                  model.load_program.final_time());
+    });
   }
 
 
 
-  StressField
-  ErrorBoundAnalysis::equilibrate(const PlaneBody &body, const Load &load) const
+  template <int dim>
+  typename ErrorBoundAnalysis<dim>::Stress
+  ErrorBoundAnalysis<dim>::equilibrate(const Load &load) const
   {
     if (!gap_function.has_indenter())
       return equilibrate_with_depth(body, 0.);
@@ -63,9 +151,10 @@ namespace ElastoPlastic
 
   // Close to the limit load, a coarse mesh may have no stresses in equilibrium
   // with the force that satisfy the yield condition; the next mesh may.
+  template <int dim>
   double
-  ErrorBoundAnalysis::evaluate(const Solution       &solution,
-                               const DisplacementAt &displacement_at)
+  ErrorBoundAnalysis<dim>::evaluate(const Solution       &solution,
+                                    const DisplacementAt &displacement_at)
   {
     reason_why_missing.clear();
     try
@@ -102,14 +191,12 @@ namespace ElastoPlastic
   // and complementary energy are those under the prescribed load: under a
   // prescribed force, the indenter takes part in the former, -F V; under a
   // prescribed depth in the latter, -F V as well.
+  template <int dim>
   ErrorBoundRow
-  ErrorBoundAnalysis::find_bound(const Solution &solution)
+  ErrorBoundAnalysis<dim>::find_bound(const Solution &solution)
   {
-    const auto gap = [this](const Point<2> &x) {
-      return gap_function.value(x);
-    };
-    SplitMesh  mesh = make_split_mesh(solution.dof_handler.get_triangulation());
-    const bool has_mesh = !mesh.triangles.empty();
+    auto       mesh = make_split_mesh(solution.dof_handler.get_triangulation());
+    const bool has_mesh = !simplices_of(mesh).empty();
     displacement        = interpolate_displacement(mesh,
                                             solution.dof_handler,
                                             solution.displacement);
@@ -118,13 +205,8 @@ namespace ElastoPlastic
     rethrow_collectively(communicator, [&]() {
       if (!has_mesh)
         return;
-      body                      = make_plane_body(std::move(mesh),
-                             model.boundary_conditions,
-                             model.materials,
-                             model.strain_model.kinematics,
-                             gap,
-                             solution.time);
-      stress                    = equilibrate(body, solution.load);
+      body   = make_body(std::move(mesh), model, gap_function, solution.time);
+      stress = equilibrate(solution.load);
       const double stress_error = require_admissible(body, stress);
       remove_penetration(displacement, body, solution.depth);
       const ErrorBound bound =
@@ -133,7 +215,7 @@ namespace ElastoPlastic
       row    = {solution.cycle,
                 static_cast<unsigned int>(body.mesh.cells.size()),
                 solution.dof_handler.n_dofs(),
-                static_cast<unsigned int>(body.mesh.triangles.size()),
+                static_cast<unsigned int>(simplices_of(body.mesh).size()),
                 solution.depth,
                 solution.force,
                 stress.depth,
@@ -157,10 +239,11 @@ namespace ElastoPlastic
   // The bounds are the farther apart the shorter the step, because of the gap
   // between the energies, and the longer the step, because of their curvature:
   // alike for these steps, if the force grows like the depth.
+  template <int dim>
   void
-  ErrorBoundAnalysis::bound_load(ErrorBoundRow        &row,
-                                 const Solution       &solution,
-                                 const DisplacementAt &displacement_at)
+  ErrorBoundAnalysis<dim>::bound_load(ErrorBoundRow        &row,
+                                      const Solution       &solution,
+                                      const DisplacementAt &displacement_at)
   {
     const double force = row.equilibrium_force, depth = solution.depth;
     row.force_bounds = {force, force};
@@ -202,16 +285,18 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   double
-  ErrorBoundAnalysis::energy_gap_at_depth(const double          depth,
-                                          const Solution       &solution,
-                                          const DisplacementAt &displacement_at)
+  ErrorBoundAnalysis<dim>::energy_gap_at_depth(
+    const double          depth,
+    const Solution       &solution,
+    const DisplacementAt &displacement_at)
   {
     try
       {
-        QuadraticField field = interpolate_displacement(body.mesh,
-                                                        solution.dof_handler,
-                                                        displacement_at(depth));
+        Displacement field = interpolate_displacement(body.mesh,
+                                                      solution.dof_handler,
+                                                      displacement_at(depth));
         return on_first_rank([&]() {
           remove_penetration(field, body, depth);
           return energy_gap(field, depth, stress);
@@ -225,14 +310,15 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   double
-  ErrorBoundAnalysis::energy_gap_under_force(const double    force,
-                                             const Solution &solution)
+  ErrorBoundAnalysis<dim>::energy_gap_under_force(const double    force,
+                                                  const Solution &solution)
   {
     try
       {
         return on_first_rank([&]() {
-          const StressField other = equilibrate_with_force(body, force);
+          const Stress other = equilibrate_with_force(body, force);
           require_admissible(body, other);
           return energy_gap(displacement, solution.depth, other);
         });
@@ -245,10 +331,11 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   double
-  ErrorBoundAnalysis::energy_gap(const QuadraticField &displacement,
-                                 const double          depth,
-                                 const StressField    &stress)
+  ErrorBoundAnalysis<dim>::energy_gap(const Displacement &displacement,
+                                      const double        depth,
+                                      const Stress       &stress)
   {
     const ErrorBound bound = bound_error(body, displacement, depth, stress);
     const std::vector<double> parts = bound.indicators(body.mesh);
@@ -259,13 +346,14 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   double
-  ErrorBoundAnalysis::on_first_rank(
+  ErrorBoundAnalysis<dim>::on_first_rank(
     const std::function<double()> &function) const
   {
     double result = 0;
     rethrow_collectively(communicator, [&]() {
-      if (!body.mesh.triangles.empty())
+      if (!simplices_of(body.mesh).empty())
         result = function();
     });
     return Utilities::MPI::broadcast(communicator, result);
@@ -273,32 +361,37 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   const Vector<float> &
-  ErrorBoundAnalysis::indicators() const
+  ErrorBoundAnalysis<dim>::indicators() const
   {
     return error_indicators;
   }
 
 
 
+  template <int dim>
   const std::string &
-  ErrorBoundAnalysis::why_missing() const
+  ErrorBoundAnalysis<dim>::why_missing() const
   {
     return reason_why_missing;
   }
 
 
 
+  template <int dim>
   void
-  ErrorBoundAnalysis::write_fields(const unsigned int cycle)
+  ErrorBoundAnalysis<dim>::write_fields(const unsigned int cycle)
   {
     rethrow_collectively(communicator, [&]() {
-      if (body.mesh.triangles.empty())
+      if (simplices_of(body.mesh).empty())
         return;
-      std::vector<std::array<Tensor<1, 2>, 4>> displacements;
-      for (const auto &triangle : body.mesh.triangles)
-        displacements.push_back(values_at_vertices(displacement, triangle));
-      output.write({body, stress, displacements, errors}, cycle);
+      output.write(fields_of(body, stress, displacement, errors), cycle);
     });
   }
+
+
+
+  template class ErrorBoundAnalysis<2>;
+  template class ErrorBoundAnalysis<3>;
 } // namespace ElastoPlastic

@@ -18,12 +18,12 @@ namespace ElastoPlastic
     , log(log)
     , timer(timer)
   {
-    if constexpr (dim == 2)
-      if (parameters.analysis == Analysis::contact_with_error_bound)
-        error_bound.emplace(body.model,
-                            parameters,
-                            body.triangulation.get_communicator(),
-                            body.gap_function);
+    if (parameters.analysis == Analysis::contact_with_error_bound)
+      error_bound.emplace(body.model,
+                          parameters,
+                          body.triangulation.get_communicator(),
+                          body.gap_function,
+                          body.triangulation);
   }
 
 
@@ -31,9 +31,9 @@ namespace ElastoPlastic
   template <int dim>
   void
   ErrorEstimate<dim>::evaluate(
-    SolveResult                              &result,
-    const Load                               &load,
-    const ErrorBoundAnalysis::DisplacementAt &displacement_at)
+    SolveResult                                            &result,
+    const Load                                             &load,
+    const typename ErrorBoundAnalysis<dim>::DisplacementAt &displacement_at)
   {
     find_indicators();
     result.estimated_error =
@@ -62,34 +62,30 @@ namespace ElastoPlastic
   template <int dim>
   void
   ErrorEstimate<dim>::bound(
-    [[maybe_unused]] SolveResult                              &result,
-    [[maybe_unused]] const Load                               &load,
-    [[maybe_unused]] const ErrorBoundAnalysis::DisplacementAt &displacement_at)
+    SolveResult                                            &result,
+    const Load                                             &load,
+    const typename ErrorBoundAnalysis<dim>::DisplacementAt &displacement_at)
   {
-    if constexpr (dim == 2)
-      {
-        TimerOutput::Scope scope(timer, "Error bound");
-        result.estimated_error = error_bound->evaluate({body.dof_handler,
-                                                        body.displacement,
-                                                        load,
-                                                        result.depth,
-                                                        result.force,
-                                                        result.time,
-                                                        result.cycle},
-                                                       displacement_at);
-        if (!error_bound->why_missing().empty())
-          return;
-        if (parameters.refinement.strategy != RefinementStrategy::kelly)
-          body.error_indicators = error_bound->indicators();
-        const auto &indenter = body.model.indenter.shape;
-        log.remark(
-          "The error of the stresses in equilibrium is at most " +
-          Patterns::Tools::to_string(result.estimated_error) +
-          (!indenter || indenter->is_convex() ?
-             "" :
-             ", provided that the sides of the mesh resolve the indenter, "
-             "which is not known to be convex"));
-      }
+    TimerOutput::Scope scope(timer, "Error bound");
+    result.estimated_error = error_bound->evaluate({body.dof_handler,
+                                                    body.displacement,
+                                                    load,
+                                                    result.depth,
+                                                    result.force,
+                                                    result.time,
+                                                    result.cycle},
+                                                   displacement_at);
+    if (!error_bound->why_missing().empty())
+      return;
+    if (parameters.refinement.strategy != RefinementStrategy::kelly)
+      body.error_indicators = error_bound->indicators();
+    const auto &indenter = body.model.indenter.shape;
+    log.remark("The error of the stresses in equilibrium is at most " +
+               Patterns::Tools::to_string(result.estimated_error) +
+               (!indenter || indenter->is_convex() ?
+                  "" :
+                  ", provided that the sides of the mesh resolve the indenter, "
+                  "which is not known to be convex"));
   }
 
 

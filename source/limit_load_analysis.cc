@@ -44,22 +44,6 @@ namespace ElastoPlastic
 
 
 
-    const std::vector<SplitMesh::Triangle> &
-    simplices_of(const SplitMesh &mesh)
-    {
-      return mesh.triangles;
-    }
-
-
-
-    const std::vector<TetrahedralMesh::Simplex> &
-    simplices_of(const TetrahedralMesh &mesh)
-    {
-      return mesh.tetrahedra;
-    }
-
-
-
     /// What is normal to the indenter, in a job that asks for its limit load,
     /// is normal to the sides that it fits.
     ContactGeometry
@@ -132,7 +116,17 @@ namespace ElastoPlastic
     SpaceFields
     fields_of(const SpaceBody &body, const SpaceLimitLoad &bounds)
     {
-      return {body, bounds};
+      std::vector<std::array<Tensor<1, 3>, 5>> velocities;
+      std::vector<double>                      work;
+      for (unsigned int t = 0; t < body.mesh.tetrahedra.size(); ++t)
+        {
+          const CornerVelocities &v = bounds.velocity.velocity[t];
+          velocities.push_back(
+            {{v[0], v[1], v[2], v[3], 0.25 * (v[0] + v[1] + v[2] + v[3])}});
+          work.push_back(bounds.velocity.dissipation[t] /
+                         volume(body.mesh.corners(body.mesh.tetrahedra[t])));
+        }
+      return {body, bounds.stress, velocities, bounds.gaps, work};
     }
   } // namespace
 

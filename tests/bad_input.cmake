@@ -43,7 +43,6 @@ add_message_test(set_section 2 "no entry 'Geometry'" ${_base} --set "Geometry=bo
 add_entry_test(limit_load_hardening "entry 'Analysis' is 'limit load', but only a body of perfectly plastic materials" "Analysis=limit load")
 add_entry_test(goal_analysis "entry 'Refinement/Goal' is 'force', but only 'Analysis = contact with error bound' bounds the force" "Refinement/Goal=force")
 add_entry_test(goal_strategy "entry 'Refinement/Goal' is 'force', but only 'Refinement/Strategy = adaptive' has a goal" "Refinement/Goal=force" Refinement/Strategy=Kelly)
-add_entry_test(error_bound_3d "entry 'Dimension' is '3', but 'Analysis = contact with error bound' is for two dimensions" "Analysis=contact with error bound" Dimension=3)
 add_entry_test(error_bound_history "entry 'Analysis' is 'contact with error bound', but .*one step from the virgin state" "Analysis=contact with error bound" "Loading/Number of steps=2")
 add_message_test(error_bound_nonlinear 2 "entry 'Analysis' is 'contact with error bound', but .*linear hardening only" ${CMAKE_SOURCE_DIR}/parameter_files/cylinder_2d.prm --validate --set "Analysis=contact with error bound" --set "Material/Law=nonlinear hardening" --set "Material/Voce stress=100" --set "Material/Voce rate=10")
 add_message_test(limit_load_no_indenter 2 "entry 'Indenter/Type' is 'none', but .*largest force of an indenter" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --validate --set "Indenter/Type=none")
@@ -402,6 +401,13 @@ add_message_test(no_limit_load_to_compare 0 "Warning: There is no bound of the l
 add_message_test(no_error_bound_tractions 3 "there is no error bound on the last mesh. The stresses of the equilibrium method violate equilibrium or yield condition by 0.[0-9]* of the yield stress. If this is more than rounding, look at the tractions: they must be linear on each side of a triangle, in a body of revolution when multiplied by r"
   ${CMAKE_SOURCE_DIR}/parameter_files/verification/thick_sphere_axisymmetric.prm --overwrite --quiet --output-directory no_error_bound_tractions
   --set "Analysis=contact with error bound" --set "Material/Law=linear elastic" --set "Loading/Number of steps=1" --set "Loading/Final time=1")
+set(_bound_in_space ${CMAKE_SOURCE_DIR}/parameter_files/error_bound/paraboloid_3d.prm --quiet --overwrite --set "Refinement/Number of cycles=1" --set "Output/Fields=never")
+add_message_test(error_bound_space_tractions 2 "A traction or displacement of 'Boundary conditions' is not linear on the faces of the mesh. In space, the equilibrium method is for such"
+  ${_bound_in_space} --validate --set "Boundary conditions/Free=back" --set "Boundary conditions/Traction=right: y*z@ 0@ 0")
+add_message_test(error_bound_space_displacement 2 "A traction or displacement of 'Boundary conditions' is not linear on the faces of the mesh. In space, the equilibrium method is for such"
+  ${_bound_in_space} --validate --set "Boundary conditions/Fixed=" --set "Boundary conditions/Prescribed displacement=bottom: 0@ 0@ 0.01*x*y")
+add_message_test(error_bound_space_reach 3 "there is no error bound on the last mesh. The indenter reaches a small part of a face of the mesh only, where the gap cannot be bounded"
+  ${_bound_in_space} --output-directory error_bound_space_reach --set "Indenter/Reach=0.005")
 # With tractions, be they zero, the program comes to the limit itself. Steps that are
 # taken back and cut come closer: under a circular punch, the exact one is 10.3.
 set(_circular_punch ${_punch_force} --set "Kinematics=axisymmetric" --set "Boundary conditions/Free=" --set "Boundary conditions/Traction=right: 0@ 0")

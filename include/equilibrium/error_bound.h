@@ -8,6 +8,8 @@
 
 #include "equilibrium/plane_body.h"
 #include "equilibrium/quadratic_field.h"
+#include "equilibrium/space_quadratic_field.h"
+#include "equilibrium/space_stress.h"
 #include "equilibrium/stress_field.h"
 
 namespace ElastoPlastic
@@ -20,8 +22,10 @@ namespace ElastoPlastic
   /// the elastic energy is less or equal (doc/theory.md, "Guaranteed error").
   struct ErrorBound
   {
-    std::vector<double> of_triangles; ///< the integral over a triangle
-    std::vector<double> of_sides;     ///< under the indenter
+    /// The integrals over triangles, or tetrahedra.
+    std::vector<double> of_simplices;
+    /// Of sides, or faces, under the indenter.
+    std::vector<double> of_faces;
 
     double
     of_body() const;
@@ -30,9 +34,12 @@ namespace ElastoPlastic
     double
     total() const;
 
-    /// By triangles, the sides counting for the triangle they belong to.
+    /// By triangles, the sides counting for the triangle they belong to; or by
+    /// tetrahedra with their faces.
     std::vector<double>
     indicators(const SplitMesh &mesh) const;
+    std::vector<double>
+    indicators(const TetrahedralMesh &mesh) const;
   };
 
 
@@ -46,6 +53,12 @@ namespace ElastoPlastic
                      const PlaneBody &body,
                      const double     depth);
 
+  /// The same in space, on faces. @throws ConvergenceError, see FaceGap
+  void
+  remove_penetration(SpaceQuadraticField &displacement,
+                     const SpaceBody     &body,
+                     const double         depth);
+
   /// @p displacement must be zero at the supports, and not penetrate; @p stress
   /// must satisfy equilibrium and yield condition. Tractions of the body that
   /// are not linear on a side are taken as the linear ones with the same
@@ -56,6 +69,14 @@ namespace ElastoPlastic
               const QuadraticField &displacement,
               const double          depth,
               const StressField    &stress);
+
+  /// The same in space. @throws ConvergenceError if the displacement is not
+  /// what the supports prescribe.
+  ErrorBound
+  bound_error(const SpaceBody           &body,
+              const SpaceQuadraticField &displacement,
+              const double               depth,
+              const SpaceStressField    &stress);
 } // namespace ElastoPlastic
 
 #endif

@@ -6,6 +6,8 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <vector>
+
 #include "base/kinematics.h"
 #include "material/material.h"
 
@@ -30,6 +32,16 @@ namespace ElastoPlastic::HenckyMaterial
   bool
   hardens(const Material<double> &material);
 
+  /// With what the equilibrium method computes, to be of the order 1.
+  struct Units
+  {
+    double stress; ///< the smallest yield radius, or a modulus of elasticity
+    double strain; ///< this stress by Young's modulus
+  };
+
+  Units
+  units_of(const std::vector<Material<double>> &materials);
+
   /// C^-1 tau
   SymmetricTensor<2, 3>
   compliance(const Material<double>      &material,
@@ -53,6 +65,17 @@ namespace ElastoPlastic::HenckyMaterial
   split_strain(const Material<double>      &material,
                const SymmetricTensor<2, 2> &in_plane_strain,
                const Kinematics             kinematics);
+
+  /// At least W(eps) + W*(tau) - tau : eps, but for the term R |e_p|, for any
+  /// plastic strain e_p and any zeta of the stress. Its two parts, with
+  /// d = eps - e_p - C^-1 tau, are
+  ///   1/2 d : C d and h/2 |e_p|^2 + zeta^2 / (2 h) - tau : e_p.
+  double
+  quadratic_gap(const Material<double>      &material,
+                const SymmetricTensor<2, 3> &strain,
+                const SymmetricTensor<2, 3> &plastic_strain,
+                const SymmetricTensor<2, 3> &stress,
+                const double                 zeta);
 } // namespace ElastoPlastic::HenckyMaterial
 
 #endif

@@ -25,10 +25,10 @@ namespace ElastoPlastic
     {
       Tensor<1, 3>      direction;
       SideConditionType type;
-      /// A given traction at the corners of the face, between which it is
-      /// linear, and what a load factor adds to it.
-      std::array<double, 3> tractions = {};
-      std::array<double, 3> growths   = {};
+      /// A given traction or displacement at the corners of the face, between
+      /// which it is linear, and what a load factor adds to a traction.
+      std::array<double, 3> values  = {};
+      std::array<double, 3> growths = {};
     };
 
     std::array<Component, 3> components;
@@ -50,21 +50,24 @@ namespace ElastoPlastic
 
 
 
-  /// The problem of the limit load in space: the mesh, the materials, what acts
-  /// on the faces, and the units in which it is computed.
+  /// A body in space as the equilibrium method needs it: the mesh, the
+  /// materials, what acts on the faces, and the units in which it computes.
   struct SpaceBody
   {
     TetrahedralMesh               mesh;
     std::vector<FaceCondition>    conditions; ///< by faces
     std::vector<Material<double>> materials;  ///< by tetrahedra
     SurfaceFinish                 indenter_surface = SurfaceFinish::smooth;
+    /// The gap between indenter and body, where the indenter can touch.
+    std::function<double(const Point<3> &)> gap;
 
     /// See PlaneBody.
     Tensor<1, 3> indenter_velocity = Tensor<1, 3>({0., 0., -1.});
     Tensor<1, 3> body_force;
     Tensor<1, 3> body_force_growth;
 
-    double stress_unit; ///< the smallest yield radius
+    double stress_unit; ///< see HenckyMaterial::Units
+    double strain_unit; ///< likewise
     double length_unit; ///< of the size of the body
     /// See PlaneBody; 0 if no load grows.
     double load_factor_unit = 0;
@@ -122,7 +125,7 @@ namespace ElastoPlastic
   /// boundary where @p gap is finite in all of it. If there is one material
   /// only, all cells are of it.
   /// @throws InputError for cells that cannot be cut into tetrahedra, and for
-  /// tractions that are not linear on the faces.
+  /// tractions or displacements that are not linear on the faces.
   SpaceBody
   make_space_body(TetrahedralMesh                                mesh,
                   const BoundaryConditions<3>                   &conditions,

@@ -16,17 +16,23 @@ namespace ElastoPlastic
   using namespace dealii;
 
   /// Stresses in exact equilibrium in space, without the pressure of body
-  /// forces (see PlaneBody), and the force of the indenter.
+  /// forces (see PlaneBody), and what the indenter does.
   struct SpaceStressField
   {
     /// By tetrahedra, at the corners of their parts: see
     /// TetrahedronStress::value_index().
     std::vector<Vector<double>> values;
+    /// By faces: the vertical part of the indenter's pressure at the corners,
+    /// between which it is linear; zero where it cannot touch.
+    std::vector<std::array<double, 3>> pressure;
 
-    double       force        = 0;
+    double force = 0;
+    /// Zero if neither it nor the force has been prescribed.
+    double       depth        = 0;
     double       load_factor  = 0; ///< of the loads that grow, if any do
+    double       cost         = 0; ///< what has been minimised
     unsigned int n_iterations = 0;
-    /// False if rounding errors have ended the maximisation early.
+    /// False if rounding errors have ended the minimisation early.
     bool is_optimal = true;
 
     /// At a @p corner of a @p part of a tetrahedron.
@@ -34,22 +40,15 @@ namespace ElastoPlastic
     at(const unsigned int tetrahedron,
        const unsigned int part,
        const unsigned int corner) const;
+
+    /// The largest pressure of the indenter.
+    double
+    max_pressure() const;
+
+    /// The area of what the indenter presses on.
+    double
+    contact_area(const SpaceBody &body) const;
   };
-
-
-
-  /// The stresses with the largest load factor, or if no load grows, with the
-  /// largest force of the indenter, that satisfy the yield condition
-  /// everywhere: a ConicProgram. Each tetrahedron is a block, whose unknowns
-  /// are the coefficients of its equilibrated basis; so is each corner of a
-  /// face under the indenter, with the pressure there. The equations, three at
-  /// each corner of a face, say that the tractions of the two tetrahedra, or of
-  /// tetrahedron and indenter, add up to zero, or to what is prescribed. The
-  /// result is a lower bound of the limit load.
-  /// @throws ConvergenceError, in particular if there is no limit.
-  SpaceStressField
-  maximize_load(const SpaceBody &body,
-                const double     tolerance = usual_space_tolerance);
 
 
 
@@ -63,7 +62,7 @@ namespace ElastoPlastic
     double boundary_force =
       0;                ///< given tractions, and shear under the indenter
     double tension = 0; ///< under the indenter
-    /// |dev tau| - sqrt(2/3) sigma_0
+    /// |dev tau| - sqrt(2/3) sigma_0, where the material does not harden
     double yield_excess = 0;
     double force_difference =
       0; ///< of the field's force and int p ds, relative

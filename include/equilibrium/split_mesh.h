@@ -73,6 +73,14 @@ namespace ElastoPlastic
 
 
 
+  inline const std::vector<SplitMesh::Triangle> &
+  simplices_of(const SplitMesh &mesh)
+  {
+    return mesh.triangles;
+  }
+
+
+
   /// Twice the signed area is the cross product of two sides.
   double
   area(const std::array<Point<2>, 3> &corners);

@@ -5,6 +5,7 @@
 #define equilibrium_stress_problem_h
 
 #include "equilibrium/plane_body.h"
+#include "equilibrium/space_stress.h"
 #include "equilibrium/stress_field.h"
 
 namespace ElastoPlastic
@@ -17,11 +18,15 @@ namespace ElastoPlastic
   /// @throws ConvergenceError, in particular beyond the limit load.
   StressField
   equilibrate_with_force(const PlaneBody &body, const double force);
+  SpaceStressField
+  equilibrate_with_force(const SpaceBody &body, const double force);
 
   /// The same with a given @p depth of the indenter: the stresses minimise
   /// J - depth times force.
   StressField
   equilibrate_with_depth(const PlaneBody &body, const double depth);
+  SpaceStressField
+  equilibrate_with_depth(const SpaceBody &body, const double depth);
 
   /// The stresses with the largest load factor, or if no load grows, with the
   /// largest force of the indenter, that satisfy the yield condition
@@ -29,6 +34,9 @@ namespace ElastoPlastic
   /// @throws ConvergenceError, in particular if there is no limit.
   StressField
   maximize_load(const PlaneBody &body);
+  SpaceStressField
+  maximize_load(const SpaceBody &body,
+                const double     tolerance = usual_space_tolerance);
 } // namespace ElastoPlastic
 
 #endif

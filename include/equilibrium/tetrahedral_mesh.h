@@ -34,8 +34,19 @@ namespace ElastoPlastic
     {
       std::array<unsigned int, 4> vertices;
       std::array<unsigned int, 4> faces;
-      unsigned int                cell; ///< the hexahedron, see cells
+      std::array<unsigned int, 6> edges; ///< see edge_between()
+      unsigned int                cell;  ///< the hexahedron, see cells
+      /// Where the corners are in the unit cell of the hexahedron.
+      std::array<Point<3>, 4> unit_corners;
     };
+
+    /// Which edge of a tetrahedron joins its corners i < j: the edges are those
+    /// from 0 to 1, 2, 3, from 1 to 2, 3, and from 2 to 3.
+    static constexpr unsigned int
+    edge_between(const unsigned int i, const unsigned int j)
+    {
+      return i == 0 ? j - 1 : i + j;
+    }
 
     /// Of one or two tetrahedra; its corners are in the order of their numbers.
     struct Face
@@ -56,6 +67,7 @@ namespace ElastoPlastic
     std::vector<Point<3>>        vertices;
     std::vector<Simplex>         tetrahedra;
     std::vector<Face>            faces;
+    unsigned int                 n_edges = 0;
     std::vector<SplitMesh::Cell> cells;
 
     Tetrahedron
@@ -64,6 +76,14 @@ namespace ElastoPlastic
     TriangleFace
     corners(const Face &face) const;
   };
+
+
+
+  inline const std::vector<TetrahedralMesh::Simplex> &
+  simplices_of(const TetrahedralMesh &mesh)
+  {
+    return mesh.tetrahedra;
+  }
 
 
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "equilibrium/plane_body.h"
-#include "equilibrium/space_limit_load.h"
+#include "equilibrium/space_stress.h"
 #include "equilibrium/stress_field.h"
 #include "io/vtu_series.h"
 
@@ -34,8 +34,14 @@ namespace ElastoPlastic
   /// What there is on the tetrahedra of a TetrahedralMesh.
   struct SpaceFields
   {
-    const SpaceBody      &body;
-    const SpaceLimitLoad &bounds;
+    const SpaceBody        &body;
+    const SpaceStressField &stress;
+    /// A displacement, or a velocity: by tetrahedra, at their corners and
+    /// their centres of gravity.
+    const std::vector<std::array<Tensor<1, 3>, 5>> motion;
+    const std::vector<double>                     &errors; ///< by tetrahedra
+    /// See EquilibriumFields, by tetrahedra.
+    const std::vector<double> plastic_work = {};
   };
 
 

@@ -123,35 +123,23 @@ namespace ElastoPlastic
           }
       }
 
-      // With d = eps - e_p - C^-1 tau,
-      //   1/2 d : C d + R |e_p| + h/2 |e_p|^2 + zeta^2 / (2 h) - tau : e_p.
-      // The second term is convex: the mean of its values at the corners bounds
-      // it from above.
+      // R |e_p| is convex: the mean of its values at the corners bounds it from
+      // above.
       double
       bound() const
       {
-        const double hardening = HenckyMaterial::hardening(material);
-        const bool   yields    = HenckyMaterial::yields(material);
-        double       result    = 0;
-        if (yields)
+        double result = 0;
+        if (HenckyMaterial::yields(material))
           for (const auto &plastic : plastic_strain)
             result += material.yield_radius * plastic.norm() / 3.;
         for (const WeightedPoint &point : quadrature_over(r))
-          {
-            const auto tau     = point.interpolate(stress);
-            const auto plastic = point.interpolate(plastic_strain);
-            const auto d       = strain_at(point) - plastic -
-                           HenckyMaterial::compliance(material, tau);
-            double density =
-              0.5 * material.bulk_modulus * trace(d) * trace(d) +
-              material.shear_modulus * (deviator(d) * deviator(d));
-            if (yields)
-              density += (0.5 * hardening * plastic - tau) * plastic;
-            if (hardening > 0)
-              density += 0.5 * point.interpolate(zeta) *
-                         point.interpolate(zeta) / hardening;
-            result += point.weight * density;
-          }
+          result +=
+            point.weight *
+            HenckyMaterial::quadratic_gap(material,
+                                          strain_at(point),
+                                          point.interpolate(plastic_strain),
+                                          point.interpolate(stress),
+                                          point.interpolate(zeta));
         return result;
       }
 
@@ -277,7 +265,7 @@ namespace ElastoPlastic
   double
   ErrorBound::of_body() const
   {
-    return sum(of_triangles);
+    return sum(of_simplices);
   }
 
 
@@ -285,7 +273,7 @@ namespace ElastoPlastic
   double
   ErrorBound::of_contact() const
   {
-    return sum(of_sides);
+    return sum(of_faces);
   }
 
 
@@ -301,10 +289,22 @@ namespace ElastoPlastic
   std::vector<double>
   ErrorBound::indicators(const SplitMesh &mesh) const
   {
-    std::vector<double> result = of_triangles;
+    std::vector<double> result = of_simplices;
     for (unsigned int t = 0; t < result.size(); ++t)
       for (const unsigned int side : mesh.triangles[t].sides)
-        result[t] += of_sides[side];
+        result[t] += of_faces[side];
+    return result;
+  }
+
+
+
+  std::vector<double>
+  ErrorBound::indicators(const TetrahedralMesh &mesh) const
+  {
+    std::vector<double> result = of_simplices;
+    for (unsigned int t = 0; t < result.size(); ++t)
+      for (const unsigned int face : mesh.tetrahedra[t].faces)
+        result[t] += of_faces[face];
     return result;
   }
 
@@ -354,13 +354,13 @@ namespace ElastoPlastic
   {
     ErrorBound bound;
     for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
-      bound.of_triangles.push_back(
+      bound.of_simplices.push_back(
         bound_on_triangle(body, displacement, stress, t));
 
-    bound.of_sides.resize(body.mesh.sides.size());
+    bound.of_faces.resize(body.mesh.sides.size());
     for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
       if (body.conditions[s].components[1].type == SideConditionType::contact)
-        bound.of_sides[s] =
+        bound.of_faces[s] =
           bound_on_side(body, displacement, depth, stress.pressure[s], s);
     return bound;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/exceptions.h"
+#include "equilibrium/hencky_material.h"
 #include "equilibrium/plane_body.h"
 
 namespace ElastoPlastic
@@ -14,15 +15,6 @@ namespace ElastoPlastic
     const SideCondition::Value zero = [](const Point<2> &) {
       return 0.;
     };
-
-
-
-    double
-    youngs_modulus(const Material<double> &material)
-    {
-      return 9. * material.bulk_modulus * material.shear_modulus /
-             (3. * material.bulk_modulus + material.shear_modulus);
-    }
 
 
 
@@ -253,14 +245,9 @@ namespace ElastoPlastic
     choose_units(PlaneBody                           &body,
                  const std::vector<Material<double>> &materials)
     {
-      double modulus = 0, radius = std::numeric_limits<double>::infinity();
-      for (const Material<double> &material : materials)
-        {
-          modulus = std::max(modulus, youngs_modulus(material));
-          radius  = std::min(radius, material.yield_radius);
-        }
-      body.stress_unit = std::isfinite(radius) ? radius : 1e-3 * modulus;
-      body.strain_unit = body.stress_unit / modulus;
+      const auto [stress, strain] = HenckyMaterial::units_of(materials);
+      body.stress_unit            = stress;
+      body.strain_unit            = strain;
 
       double square = 0;
       for (const Point<2> &vertex : body.mesh.vertices)

@@ -1,72 +1,12 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
-
-#include <boost/serialization/map.hpp>
-#include <boost/serialization/vector.hpp>
-
-#include <cmath>
-#include <map>
-
+#include "equilibrium/gathered_solution.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/quadratic_field.h"
-#include "mechanics/ghosted_copy.h"
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    /// Vertices of triangles are at halves of the unit cell, the middles of
-    /// their sides at quarters.
-    constexpr unsigned int n_parts = 4;
-
-    /// The values of a cell on the grid of quarters.
-    using CellValues = std::vector<Tensor<1, 2>>;
-
-
-
-    Tensor<1, 2>
-    value_at(const CellValues &values, const Point<2> &unit_point)
-    {
-      return values[std::lround(n_parts * unit_point[0]) +
-                    (n_parts + 1) * std::lround(n_parts * unit_point[1])];
-    }
-
-
-
-    /// Of all ranks, on the first of them.
-    std::map<CellId, CellValues>
-    gather_values(const DoFHandler<2> &dof_handler,
-                  const VectorType    &displacement)
-    {
-      const VectorType values = ghosted_copy(displacement, dof_handler);
-      FEValues<2>      fe_values(dof_handler.get_fe(),
-                            QIterated<2>(QTrapezoid<1>(), n_parts),
-                            update_values);
-      std::map<CellId, CellValues> own;
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            fe_values.reinit(cell);
-            CellValues &of_cell = own[cell->id()];
-            of_cell.resize(fe_values.n_quadrature_points);
-            fe_values[FEValuesExtractors::Vector(0)].get_function_values(
-              values, of_cell);
-          }
-
-      std::map<CellId, CellValues> all;
-      for (const auto &of_rank :
-           Utilities::MPI::gather(dof_handler.get_communicator(), own))
-        all.insert(of_rank.begin(), of_rank.end());
-      return all;
-    }
-  } // namespace
-
-
-
   std::array<Tensor<1, 2>, 6>
   shape_gradients(const std::array<Point<2>, 3> &corners,
                   const unsigned int             corner)
@@ -139,20 +79,21 @@ namespace ElastoPlastic
                            const DoFHandler<2> &dof_handler,
                            const VectorType    &displacement)
   {
-    const auto     of_cells = gather_values(dof_handler, displacement);
-    QuadraticField field;
+    const GatheredSolution<2> solution(dof_handler, displacement);
+    QuadraticField            field;
     field.at_vertices.resize(mesh.vertices.size());
     field.at_sides.resize(mesh.sides.size());
     for (const auto &triangle : mesh.triangles)
       {
-        const CellValues &values = of_cells.at(mesh.cells[triangle.cell].id);
+        const CellId &cell = mesh.cells[triangle.cell].id;
         for (unsigned int i = 0; i < 3; ++i)
           {
             const Point<2> &here  = triangle.unit_corners[i],
                            &there = triangle.unit_corners[(i + 1) % 3];
-            field.at_vertices[triangle.vertices[i]] = value_at(values, here);
+            field.at_vertices[triangle.vertices[i]] =
+              solution.value(cell, here);
             field.at_sides[triangle.sides[i]] =
-              value_at(values, here + 0.5 * (there - here));
+              solution.value(cell, here + 0.5 * (there - here));
           }
       }
     return field;

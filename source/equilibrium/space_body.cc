@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/exceptions.h"
+#include "equilibrium/hencky_material.h"
 #include "equilibrium/space_body.h"
 
 namespace ElastoPlastic
@@ -40,7 +41,7 @@ namespace ElastoPlastic
               throw InputError(
                 "A cell of the mesh near the point (" +
                 Patterns::Tools::to_string(corners[0]) +
-                ") is so distorted that 'Analysis = limit load' cannot cut it "
+                ") is so distorted that the equilibrium method cannot cut it "
                 "into tetrahedra: not all of its faces can be seen from its "
                 "centre. Improve the mesh.");
           }
@@ -82,14 +83,18 @@ namespace ElastoPlastic
           along_axes({{Type::traction, Type::traction, Type::traction}});
         if (contact.count(id) > 0)
           press(condition, corners);
-        if (const auto found = displacements.find(id);
-            found != displacements.end())
-          for (unsigned int d = 0; d < 3; ++d)
-            if (found->second[d])
-              condition.components[d].type = Type::displacement;
-        if (const auto found = tractions.find(id); found != tractions.end())
-          for (unsigned int d = 0; d < 3; ++d)
-            prescribe(condition.components[d], *found->second[d], corners);
+        for (const auto &[type, values] :
+             {std::pair(Type::displacement, &displacements),
+              std::pair(Type::traction, &tractions)})
+          if (const auto found = values->find(id); found != values->end())
+            for (unsigned int d = 0; d < 3; ++d)
+              if (found->second[d])
+                {
+                  condition.components[d].type = type;
+                  prescribe(condition.components[d],
+                            *found->second[d],
+                            corners);
+                }
         return condition;
       }
 
@@ -149,12 +154,13 @@ namespace ElastoPlastic
             return expression.value(x, time);
           };
         };
-        component.tractions = values_at_corners(corners, [&](const auto &x) {
+        component.values = values_at_corners(corners, [&](const auto &x) {
           return loads.constant_part(at(x));
         });
-        component.growths   = values_at_corners(corners, [&](const auto &x) {
-          return loads.growing_part(at(x));
-        });
+        if (component.type == SideConditionType::traction)
+          component.growths = values_at_corners(corners, [&](const auto &x) {
+            return loads.growing_part(at(x));
+          });
       }
 
       template <typename Function>
@@ -177,9 +183,9 @@ namespace ElastoPlastic
             if (std::abs(function(middle) - 0.5 * (values[i] + values[j])) >
                 rounding * largest)
               throw InputError(
-                "A traction of 'Boundary conditions/Traction' is not linear "
-                "on the faces of the mesh. In space, 'Analysis = limit load' "
-                "is for tractions that are linear functions of x, y and z.");
+                "A traction or displacement of 'Boundary conditions' is not "
+                "linear on the faces of the mesh. In space, the equilibrium "
+                "method is for such that are linear functions of x, y and z.");
           }
         return values;
       }
@@ -260,7 +266,7 @@ namespace ElastoPlastic
   {
     const TriangleFace corners   = mesh.corners(mesh.faces[f]);
     const auto        &component = conditions[f].components[c];
-    return component.tractions[corner] +
+    return component.values[corner] +
            pressed_part(component, outward_normal(f)) *
              pressure_of_body_force(corners[corner], 0.);
   }
@@ -360,6 +366,7 @@ namespace ElastoPlastic
     SpaceBody body;
     body.mesh             = std::move(mesh);
     body.indenter_surface = indenter_surface;
+    body.gap              = gap;
 
     const FaceConditions condition_of(conditions, gap, loads, indenter_surface);
     for (const auto &face : body.mesh.faces)
@@ -371,10 +378,10 @@ namespace ElastoPlastic
           materials.front() :
           materials[body.mesh.cells[tetrahedron.cell].material_id]);
 
-    body.stress_unit = std::numeric_limits<double>::infinity();
-    for (const Material<double> &material : materials)
-      body.stress_unit = std::min(body.stress_unit, material.yield_radius);
-    body.length_unit = 0;
+    const auto [stress, strain] = HenckyMaterial::units_of(materials);
+    body.stress_unit            = stress;
+    body.strain_unit            = strain;
+    body.length_unit            = 0;
     for (const Point<3> &vertex : body.mesh.vertices)
       body.length_unit =
         std::max(body.length_unit, vertex.distance(body.mesh.vertices.front()));

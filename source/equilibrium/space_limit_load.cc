@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "equilibrium/space_limit_load.h"
+#include "equilibrium/stress_problem.h"
 #include "equilibrium/tetrahedron_stress.h"
 
 namespace ElastoPlastic

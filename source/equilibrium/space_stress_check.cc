@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equilibrium/hencky_material.h"
 #include "equilibrium/space_stress.h"
 #include "equilibrium/tetrahedron_stress.h"
 
@@ -86,9 +87,10 @@ namespace ElastoPlastic
                          TetrahedronStress::part_of(corners, k), field, t, k)
                          .norm());
           for (unsigned int i = 0; i < 4; ++i)
-            raise(errors.yield_excess,
-                  deviator(field.at(t, k, i)).norm() -
-                    body.materials[t].yield_radius);
+            if (!HenckyMaterial::hardens(body.materials[t]))
+              raise(errors.yield_excess,
+                    deviator(field.at(t, k, i)).norm() -
+                      body.materials[t].yield_radius);
           for (unsigned int l = k + 1; l < 4; ++l)
             check_between_parts(errors, corners, field, t, k, l);
         }
@@ -140,7 +142,7 @@ namespace ElastoPlastic
               component.direction;
             if (component.type == SideConditionType::traction)
               raise(errors.boundary_force,
-                    std::abs(traction - component.tractions[i] -
+                    std::abs(traction - component.values[i] -
                              field.load_factor * component.growths[i]));
             if (component.type == SideConditionType::contact)
               {

@@ -176,14 +176,15 @@ namespace ElastoPlastic
           const double weight =
             area(body.mesh.corners(body.mesh.faces[f])) / 12.;
           for (const auto &component : body.conditions[f].components)
-            for (unsigned int i = 0; i < 3; ++i)
-              for (unsigned int j = 0; j < 3; ++j)
-                {
-                  const double along =
-                    weight * (i == j ? 2. : 1.) * (v[i] * component.direction);
-                  power.constant += along * component.tractions[j];
-                  power.growing += along * component.growths[j];
-                }
+            if (component.type == SideConditionType::traction)
+              for (unsigned int i = 0; i < 3; ++i)
+                for (unsigned int j = 0; j < 3; ++j)
+                  {
+                    const double along = weight * (i == j ? 2. : 1.) *
+                                         (v[i] * component.direction);
+                    power.constant += along * component.values[j];
+                    power.growing += along * component.growths[j];
+                  }
         }
     for (unsigned int t = 0; t < velocity.size(); ++t)
       for (const Tensor<1, 3> &v : velocity[t])

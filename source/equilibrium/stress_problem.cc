@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "equilibrium/evaluated_bounds.h"
+#include "equilibrium/space_stress_program.h"
 #include "equilibrium/stress_problem.h"
 #include "equilibrium/stress_program.h"
 
@@ -37,11 +38,27 @@ namespace ElastoPlastic
 
 
     StressProgram
-    complementary_energy(const PlaneBody &body)
+    program_for_energy(const PlaneBody &body)
     {
-      StressProgram program(body,
-                            out_of_plane_stress(body.kinematics,
-                                                OutOfPlaneStress::unknown));
+      return {body,
+              out_of_plane_stress(body.kinematics, OutOfPlaneStress::unknown)};
+    }
+
+
+
+    SpaceStressProgram
+    program_for_energy(const SpaceBody &body)
+    {
+      return SpaceStressProgram(body);
+    }
+
+
+
+    template <typename Body>
+    auto
+    complementary_energy(const Body &body)
+    {
+      auto program = program_for_energy(body);
       program.add_energy();
       program.add_gap();
       return program;
@@ -49,11 +66,47 @@ namespace ElastoPlastic
 
 
 
-    StressField
-    solve_bounded(const StressProgram &program)
+    template <typename Body>
+    auto
+    least_energy_with_force(const Body &body, const double force)
     {
-      return explain_missing_limit(
-        [&]() { return program.solve(limit_tolerance); });
+      auto program = complementary_energy(body);
+      program.prescribe_force(force);
+      return program.solve(energy_tolerance);
+    }
+
+
+
+    template <typename Body>
+    auto
+    least_energy_with_depth(const Body &body, const double depth)
+    {
+      auto program = complementary_energy(body);
+      program.add_force(-depth);
+      auto field  = program.solve(energy_tolerance);
+      field.depth = depth;
+      return field;
+    }
+
+
+
+    /// The depth that costs 1 in the units of the body.
+    template <typename Body>
+    double
+    depth_unit(const Body &body)
+    {
+      return body.strain_unit * body.length_unit;
+    }
+
+
+
+    template <typename Program, typename Body>
+    auto
+    largest_load(Program program, const Body &body, const double tolerance)
+    {
+      if (body.load_factor_unit == 0)
+        program.add_force(-depth_unit(body));
+      return explain_missing_limit([&]() { return program.solve(tolerance); });
     }
   } // namespace
 
@@ -62,9 +115,15 @@ namespace ElastoPlastic
   StressField
   equilibrate_with_force(const PlaneBody &body, const double force)
   {
-    StressProgram program = complementary_energy(body);
-    program.prescribe_force(force);
-    return program.solve(energy_tolerance);
+    return least_energy_with_force(body, force);
+  }
+
+
+
+  SpaceStressField
+  equilibrate_with_force(const SpaceBody &body, const double force)
+  {
+    return least_energy_with_force(body, force);
   }
 
 
@@ -72,11 +131,15 @@ namespace ElastoPlastic
   StressField
   equilibrate_with_depth(const PlaneBody &body, const double depth)
   {
-    StressProgram program = complementary_energy(body);
-    program.add_force(-depth);
-    StressField field = program.solve(energy_tolerance);
-    field.depth       = depth;
-    return field;
+    return least_energy_with_depth(body, depth);
+  }
+
+
+
+  SpaceStressField
+  equilibrate_with_depth(const SpaceBody &body, const double depth)
+  {
+    return least_energy_with_depth(body, depth);
   }
 
 
@@ -84,16 +147,23 @@ namespace ElastoPlastic
   StressField
   maximize_load(const PlaneBody &body)
   {
-    StressProgram program(body,
-                          out_of_plane_stress(body.kinematics,
-                                              OutOfPlaneStress::mean));
-    const double  unit = body.strain_unit * body.length_unit;
-    if (body.load_factor_unit == 0)
-      program.add_force(-unit);
-    StressField field = solve_bounded(program);
+    StressField field =
+      largest_load(StressProgram(body,
+                                 out_of_plane_stress(body.kinematics,
+                                                     OutOfPlaneStress::mean)),
+                   body,
+                   limit_tolerance);
     for (auto &velocities : field.displacement)
       for (Tensor<1, 2> &velocity : velocities)
-        velocity /= unit;
+        velocity /= depth_unit(body);
     return field;
+  }
+
+
+
+  SpaceStressField
+  maximize_load(const SpaceBody &body, const double tolerance)
+  {
+    return largest_load(SpaceStressProgram(body), body, tolerance);
   }
 } // namespace ElastoPlastic

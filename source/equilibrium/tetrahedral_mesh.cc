@@ -27,12 +27,13 @@ namespace ElastoPlastic
     {
       VertexNumber number; ///< the same for all cells around it
       Point<3>     position;
+      Point<3>     unit_position;
 
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &number &position;
+        archive &number &position &unit_position;
       }
     };
 
@@ -44,6 +45,7 @@ namespace ElastoPlastic
     {
       FaceKey                    key; ///< its four corners, sorted
       Point<3>                   center;
+      Point<3>                   unit_center;
       types::boundary_id         boundary_id;
       std::vector<NumberedPoint> around; ///< corners and hanging nodes
 
@@ -51,7 +53,7 @@ namespace ElastoPlastic
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &key &center &boundary_id &around;
+        archive &key &center &unit_center &boundary_id &around;
       }
     };
 
@@ -74,25 +76,70 @@ namespace ElastoPlastic
 
 
 
+    /// Where vertices are in the unit cell of a hexahedron.
+    using UnitPositions = std::map<VertexNumber, Point<3>>;
+
+
+
+    Point<3>
+    middle(const Point<3> &a, const Point<3> &b)
+    {
+      return Point<3>(0.5 * (a + b));
+    }
+
+
+
+    /// Of the corners, and of the middles of edges and faces that are refined.
+    UnitPositions
+    unit_positions_of(const DoFHandler<3>::active_cell_iterator &cell)
+    {
+      UnitPositions positions;
+      for (const unsigned int v : cell->vertex_indices())
+        positions[cell->vertex_dof_index(v, 0)] =
+          GeometryInfo<3>::unit_cell_vertex(v);
+      const auto at = [&](const auto &object, const unsigned int vertex) {
+        return positions.at(object->vertex_dof_index(vertex, 0));
+      };
+      for (const unsigned int l : cell->line_indices())
+        if (const auto line = cell->line(l); line->has_children())
+          positions[line->child(0)->vertex_dof_index(1, 0)] =
+            middle(at(line, 0), at(line, 1));
+      for (const auto &face : cell->face_iterators())
+        if (face->has_children())
+          positions[face->child(0)->vertex_dof_index(3, 0)] =
+            middle(at(face, 0), at(face, 3));
+      return positions;
+    }
+
+
+
     // deal.II numbers the vertices of a face lexicographically: around it, one
     // passes the vertices 0, 1, 3, 2 and the lines 2, 1, 3, 0.
     FacePiece
-    piece_of(const DoFHandler<3>::face_iterator &face)
+    piece_of(const DoFHandler<3>::face_iterator &face,
+             const UnitPositions                &unit_positions)
     {
       constexpr std::array<unsigned int, 4> vertices = {{0, 1, 3, 2}};
       constexpr std::array<unsigned int, 4> lines    = {{2, 1, 3, 0}};
 
+      const auto unit = [&](const unsigned int i) {
+        return unit_positions.at(face->vertex_dof_index(vertices[i % 4], 0));
+      };
+
       FacePiece piece;
       piece.center      = face->center();
+      piece.unit_center = middle(unit(0), unit(2));
       piece.boundary_id = face->boundary_id();
       for (unsigned int i = 0; i < 4; ++i)
         {
           piece.key[i] = face->vertex_dof_index(vertices[i], 0);
-          piece.around.push_back({piece.key[i], face->vertex(vertices[i])});
+          piece.around.push_back(
+            {piece.key[i], face->vertex(vertices[i]), unit(i)});
           const auto line = face->line(lines[i]);
           if (line->has_children())
             piece.around.push_back({line->child(0)->vertex_dof_index(1, 0),
-                                    line->child(0)->vertex(1)});
+                                    line->child(0)->vertex(1),
+                                    middle(unit(i), unit(i + 1))});
         }
       std::sort(piece.key.begin(), piece.key.end());
       return piece;
@@ -104,15 +151,17 @@ namespace ElastoPlastic
     hexahedron_of(const DoFHandler<3>::active_cell_iterator &cell)
     {
       Hexahedron hexahedron;
-      hexahedron.id          = cell->id();
-      hexahedron.material_id = cell->material_id();
-      hexahedron.center      = cell->center();
+      hexahedron.id                      = cell->id();
+      hexahedron.material_id             = cell->material_id();
+      hexahedron.center                  = cell->center();
+      const UnitPositions unit_positions = unit_positions_of(cell);
       for (const auto &face : cell->face_iterators())
         if (face->has_children())
           for (unsigned int c = 0; c < face->n_children(); ++c)
-            hexahedron.pieces.push_back(piece_of(face->child(c)));
+            hexahedron.pieces.push_back(
+              piece_of(face->child(c), unit_positions));
         else
-          hexahedron.pieces.push_back(piece_of(face));
+          hexahedron.pieces.push_back(piece_of(face, unit_positions));
       return hexahedron;
     }
 
@@ -161,11 +210,12 @@ namespace ElastoPlastic
             for (unsigned int i = 0; i < n; ++i)
               {
                 const auto &a = piece.around[i], &b = piece.around[(i + 1) % n];
-                add_tetrahedron({{vertex(corners, a.number, a.position),
-                                  vertex(corners, b.number, b.position),
-                                  face_center,
-                                  center}},
-                                piece.boundary_id);
+                add_tetrahedron(
+                  {{{vertex(corners, a.number, a.position), a.unit_position},
+                    {vertex(corners, b.number, b.position), b.unit_position},
+                    {face_center, piece.unit_center},
+                    {center, Point<3>(0.5, 0.5, 0.5)}}},
+                  piece.boundary_id);
               }
           }
       }
@@ -186,16 +236,36 @@ namespace ElastoPlastic
         return entry->second;
       }
 
-      // The last of the vertices is the one in the interior of the hexahedron.
-      void
-      add_tetrahedron(std::array<unsigned int, 4> vertices,
-                      const types::boundary_id    outer_boundary)
+      /// A vertex of the mesh, and where it is in the unit cell.
+      struct Corner
       {
-        const unsigned int center = vertices[3];
-        std::sort(vertices.begin(), vertices.end());
+        unsigned int vertex;
+        Point<3>     unit_position;
+      };
+
+      // The last of the corners is the one in the interior of the hexahedron.
+      void
+      add_tetrahedron(std::array<Corner, 4>    points,
+                      const types::boundary_id outer_boundary)
+      {
+        const unsigned int center = points[3].vertex;
+        std::sort(points.begin(),
+                  points.end(),
+                  [](const Corner &a, const Corner &b) {
+                    return a.vertex < b.vertex;
+                  });
         TetrahedralMesh::Simplex tetrahedron;
-        tetrahedron.vertices = vertices;
-        tetrahedron.cell     = mesh.cells.size() - 1;
+        auto                    &vertices = tetrahedron.vertices;
+        for (unsigned int i = 0; i < 4; ++i)
+          {
+            vertices[i]                 = points[i].vertex;
+            tetrahedron.unit_corners[i] = points[i].unit_position;
+          }
+        tetrahedron.cell = mesh.cells.size() - 1;
+        for (unsigned int i = 0; i < 4; ++i)
+          for (unsigned int j = i + 1; j < 4; ++j)
+            tetrahedron.edges[TetrahedralMesh::edge_between(i, j)] =
+              edge(vertices[i], vertices[j]);
         for (unsigned int k = 0; k < 4; ++k)
           tetrahedron.faces[k] =
             face({{vertices[corner_of_face(k, 0)],
@@ -204,6 +274,15 @@ namespace ElastoPlastic
                  vertices[k] == center ? outer_boundary :
                                          numbers::internal_face_boundary_id);
         mesh.tetrahedra.push_back(tetrahedron);
+      }
+
+      unsigned int
+      edge(const unsigned int a, const unsigned int b)
+      {
+        const auto [entry, is_new] = edges.try_emplace({{a, b}}, mesh.n_edges);
+        if (is_new)
+          ++mesh.n_edges;
+        return entry->second;
       }
 
       unsigned int
@@ -222,99 +301,11 @@ namespace ElastoPlastic
       }
 
       std::map<VertexNumber, unsigned int>                corners;
+      std::map<std::array<unsigned int, 2>, unsigned int> edges;
       std::map<FaceKey, unsigned int>                     face_centers;
       std::map<std::array<unsigned int, 3>, unsigned int> faces;
     };
   } // namespace
-
-
-
-  Tetrahedron
-  TetrahedralMesh::corners(const Simplex &tetrahedron) const
-  {
-    Tetrahedron result;
-    for (unsigned int i = 0; i < 4; ++i)
-      result[i] = vertices[tetrahedron.vertices[i]];
-    return result;
-  }
-
-
-
-  TriangleFace
-  TetrahedralMesh::corners(const Face &face) const
-  {
-    TriangleFace result;
-    for (unsigned int i = 0; i < 3; ++i)
-      result[i] = vertices[face.vertices[i]];
-    return result;
-  }
-
-
-
-  double
-  volume(const Tetrahedron &corners)
-  {
-    return std::abs(cross_product_3d(corners[1] - corners[0],
-                                     corners[2] - corners[0]) *
-                    (corners[3] - corners[0])) /
-           6.;
-  }
-
-
-
-  double
-  area(const TriangleFace &corners)
-  {
-    return 0.5 *
-           cross_product_3d(corners[1] - corners[0], corners[2] - corners[0])
-             .norm();
-  }
-
-
-
-  Tensor<1, 3>
-  normal(const TriangleFace &corners)
-  {
-    const Tensor<1, 3> product =
-      cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
-    return product / product.norm();
-  }
-
-
-
-  std::array<Tensor<1, 3>, 2>
-  tangents(const TriangleFace &corners)
-  {
-    const Tensor<1, 3> side  = corners[1] - corners[0];
-    const Tensor<1, 3> first = side / side.norm();
-    return {{first, cross_product_3d(normal(corners), first)}};
-  }
-
-
-
-  std::array<Tensor<1, 3>, 4>
-  gradients(const Tetrahedron &corners)
-  {
-    std::array<Tensor<1, 3>, 4> result;
-    for (unsigned int k = 0; k < 4; ++k)
-      {
-        const Point<3>    &a = corners[corner_of_face(k, 0)];
-        const Tensor<1, 3> product =
-          cross_product_3d(corners[corner_of_face(k, 1)] - a,
-                           corners[corner_of_face(k, 2)] - a);
-        result[k] = product / (product * (corners[k] - a));
-      }
-    return result;
-  }
-
-
-
-  Tensor<1, 3>
-  outward_normal(const Tetrahedron &corners, const unsigned int k)
-  {
-    const Tensor<1, 3> gradient = gradients(corners)[k];
-    return -gradient / gradient.norm();
-  }
 
 
 

@@ -220,7 +220,7 @@ namespace ElastoPlastic
       {"cycle", "1", "number of the mesh, from 0", &R::cycle},
       {"cells", "1", "of the mesh", &R::cells},
       {"dofs", "1", "unknowns of the displacement method", &R::dofs},
-      {"triangles", "1", "of the equilibrium method", &R::triangles},
+      {"triangles", "1", "of the equilibrium method; in space, tetrahedra", &R::triangles},
       {"depth", "length", "of the displacement method", &R::depth},
       {"force", "force", "of the displacement method", &R::force},
       {"equilibrium_depth", "length", "of the equilibrium method", &R::equilibrium_depth},

@@ -20,7 +20,7 @@ namespace ElastoPlastic
     template <int dim>
     Patches<dim>
     make_patches(const std::vector<std::string> &motions,
-                 const std::vector<std::string> &work)
+                 const bool                      has_plastic_work)
     {
       std::vector<typename Patches<dim>::Field> fields;
       const auto add = [&](const std::vector<std::string> &names,
@@ -32,7 +32,8 @@ namespace ElastoPlastic
       add({"stress"}, 9);
       add({"von_mises_stress", "yield_ratio", "error_indicator", "material_id"},
           1);
-      add(work, 1);
+      if (has_plastic_work)
+        add({"plastic_work"}, 1);
       return Patches<dim>(fields);
     }
 
@@ -109,35 +110,32 @@ namespace ElastoPlastic
                const unsigned int t,
                const unsigned int part)
     {
-      const auto &[body, bounds] = fields;
-      const auto &tetrahedron    = body.mesh.tetrahedra[t];
+      const auto &[body, stress, motion, errors, work] = fields;
+      const auto &tetrahedron = body.mesh.tetrahedra[t];
       const auto  corners =
         TetrahedronStress::part_of(body.mesh.corners(tetrahedron), part);
-      CornerVelocities velocity = bounds.velocity.velocity[t];
-      velocity[part] =
-        0.25 * (velocity[0] + velocity[1] + velocity[2] + velocity[3]);
 
       DataOutBase::Patch<3, 3> patch;
       patch.reference_cell = ReferenceCells::Tetrahedron;
       patch.n_subdivisions = 1;
-      patch.data.reinit(3 + n_other_components + 1, 4);
+      patch.data.reinit(3 + n_other_components + (work.empty() ? 0 : 1), 4);
       for (unsigned int i = 0; i < 4; ++i)
         {
           patch.vertices[i] = corners[i];
           for (unsigned int d = 0; d < 3; ++d)
-            patch.data(d, i) = velocity[i][d];
+            patch.data(d, i) = motion[t][i == part ? 4 : i][d];
           set_stress(patch,
                      3,
                      i,
-                     bounds.stress.at(t, part, i) -
+                     stress.at(t, part, i) -
                        body.pressure_of_body_force(corners[i],
-                                                   bounds.stress.load_factor) *
+                                                   stress.load_factor) *
                          unit_symmetric_tensor<3>(),
                      body.materials[t].yield_radius);
-          patch.data(14, i) = bounds.gaps[t];
+          patch.data(14, i) = errors[t];
           patch.data(15, i) = body.mesh.cells[tetrahedron.cell].material_id;
-          patch.data(16, i) = bounds.velocity.dissipation[t] /
-                              volume(body.mesh.corners(tetrahedron));
+          if (!work.empty())
+            patch.data(16, i) = work[t];
         }
       return patch;
     }
@@ -160,9 +158,7 @@ namespace ElastoPlastic
   {
     auto triangles =
       make_patches<2>({name_of_motion, "discontinuous_" + name_of_motion},
-                      fields.plastic_work.empty() ?
-                        std::vector<std::string>() :
-                        std::vector<std::string>{"plastic_work"});
+                      !fields.plastic_work.empty());
     for (unsigned int t = 0; t < fields.body.mesh.triangles.size(); ++t)
       for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
         triangles.add(make_patch(fields, t, subtriangle));
@@ -174,7 +170,8 @@ namespace ElastoPlastic
   void
   EquilibriumOutput::write(const SpaceFields &fields, const unsigned int cycle)
   {
-    auto tetrahedra = make_patches<3>({name_of_motion}, {"plastic_work"});
+    auto tetrahedra =
+      make_patches<3>({name_of_motion}, !fields.plastic_work.empty());
     for (unsigned int t = 0; t < fields.body.mesh.tetrahedra.size(); ++t)
       for (unsigned int k = 0; k < TetrahedronStress::n_parts; ++k)
         tetrahedra.add(make_patch(fields, t, k));

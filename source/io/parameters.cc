@@ -63,8 +63,8 @@ namespace ElastoPlastic
                       "exert on a perfectly plastic body, or the largest "
                       "factor of its tractions and body forces, between two "
                       "rigorous bounds, see the section 'Limit load'. "
-                      "contact with error bound: contact in one load step, in "
-                      "two dimensions, with stresses in exact "
+                      "contact with error bound: contact in one load step, "
+                      "with stresses in exact "
                       "equilibrium beside the displacement, and a guaranteed "
                       "bound of the error that follows from both.");
     body_force.add_parameters(prm);
@@ -232,8 +232,6 @@ namespace ElastoPlastic
   {
     const std::string entry =
       "'Analysis = " + Patterns::Tools::to_string(analysis) + "'";
-    if (dimension == 3 && analysis != Analysis::limit_load)
-      throw InputError("Dimension", "3", entry + " is for two dimensions.");
     if (discretization.strain != Strain::small)
       throw InputError("Strain",
                        Patterns::Tools::to_string(discretization.strain),

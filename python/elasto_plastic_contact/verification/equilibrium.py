@@ -102,7 +102,8 @@ def blas_kernels(runner):
              "two layers, edge of the punch inside a side":
                  ("limit_load/two_layer_block.prm", cycles, "Indenter/Half width=0.83"),
              "parabola": ("error_bound/parabola.prm", cycles),
-             "sphere": ("error_bound/sphere.prm", cycles)}
+             "sphere": ("error_bound/sphere.prm", cycles),
+             "paraboloid in space": ("error_bound/paraboloid_3d.prm", cycles)}
     for name, case in cases.items():
         rows = {}
         for kernel in openblas_kernels():
@@ -205,10 +206,7 @@ def error_bound_revolution(runner):
         exact = runner.run(case, "Analysis=contact", *entries, "Refinement/Strategy=Kelly",
                            "Refinement/Number of cycles=7")[-1]["force"]
         rows = runner.tables(case, BOUND, *entries, "Refinement/Goal=force")["error_bound"]
-        for row in rows:
-            lower, upper = row["force_lower_bound"], row["force_upper_bound"]
-            runner.verify(f"{law}: {lower:.6g} <= force {exact:.6g} <= {upper:.6g}", lower <= exact <= upper)
-        runner.verify("within 6 %", upper - lower < 0.06 * exact)
+        verify_interval(runner, f"{law}, force", rows, exact, 0.06)
         runner.compare("largest error of the stresses", max(row["stress_error"] for row in rows), 0, 1e-9,
                        absolute=True)
     row = runner.tables(case)["error_bound"][-1]
@@ -216,6 +214,48 @@ def error_bound_revolution(runner):
     runner.compare("Hertz, largest pressure", row["equilibrium_max_pressure"], 2 * E_STAR * reach / (math.pi * radius),
                    0.005)
     runner.compare("Hertz, contact area", row["equilibrium_contact_area"], math.pi * reach**2, 0.01)
+
+
+def error_bound_space(runner):
+    """Error bounds in space: above the errors, of order h^2; force and depth between their bounds; plane strain."""
+    case, adapted = "error_bound/paraboloid_3d.prm", "Refinement/Number of cycles=3"
+    fine = runner.tables(case, adapted)["error_bound"][-1]
+    rows = runner.tables(case, adapted, "Refinement/Strategy=global", "Discretization/Polynomial degree=1")["error_bound"]
+    verify_energies(runner, "linear elastic", rows, fine)
+    runner.verify(f"order of the bound {order(rows, 'bound'):.2f}", order(rows, "bound") > 1.9)
+
+    displacements = ("Analysis=contact", "Geometry/Initial refinements=3", "Refinement/Number of cycles=1")
+    for law, width in zip(LAWS, (0.27, 0.35, 0.38)):
+        entries = (f"Material/Law={law}",)
+        force = runner.run(case, *entries, *displacements)[-1]["force"]
+        rows = runner.tables(case, *entries, adapted, "Refinement/Goal=force")["error_bound"]
+        verify_interval(runner, f"{law}, force", rows, force, width)
+        runner.compare("largest error of the stresses", max(row["stress_error"] for row in rows), 0, 1e-9, absolute=True)
+    rows = runner.tables(case, adapted, "Loading/Control=force", f"Loading/Force={fine['force']}")["error_bound"]
+    depth = runner.run(case, *displacements, "Loading/Control=force", f"Loading/Force={fine['force']}")[-1]["depth"]
+    verify_interval(runner, "linear elastic, depth", rows, depth, 0.27)
+
+    thickness = 0.25
+    cylinder = ("Indenter/Type=cylinder", "Geometry/Initial refinements=0", adapted)
+    slab = runner.tables(case, *cylinder, f"Geometry/Upper corner=1, {thickness}, 0", "Geometry/Repetitions=4, 1, 4",
+                         "Boundary conditions/Roller=left, front, back", "Boundary conditions/Free=right")
+    section = runner.tables("error_bound/elastic_cylinder.prm", *cylinder, "Indenter/Radius=4", "Loading/Control=depth",
+                            "Loading/Depth=0.05", "Geometry/Lower corner=0, -1", "Geometry/Upper corner=1, 0",
+                            "Geometry/Repetitions=8, 8", "Geometry/Local refinements=0")["error_bound"][-1]
+    for row in slab["error_bound"]:
+        lower, upper = row["force_lower_bound"] / thickness, row["force_upper_bound"] / thickness
+        runner.verify(f"slab: {lower:.6g} <= {section['force_upper_bound']:.6g}, {upper:.6g} >= {section['force_lower_bound']:.6g}",
+                      lower <= section["force_upper_bound"] and upper >= section["force_lower_bound"])
+    runner.compare("slab: force", row["equilibrium_force"] / thickness, section["equilibrium_force"], 0.01)
+
+
+def verify_interval(runner, title, rows, exact, width):
+    """The exact force or depth is between its bounds, whose last distance is not more than this part of it."""
+    name = title.split()[-1]
+    for row in rows:
+        lower, upper = row[f"{name}_lower_bound"], row[f"{name}_upper_bound"]
+        runner.verify(f"{title}: {lower:.6g} <= {exact:.6g} <= {upper:.6g}", lower <= exact <= upper)
+    runner.verify(f"within {width:.0%}", upper - lower < width * exact)
 
 
 def force_bounds(runner):
@@ -229,10 +269,7 @@ def force_bounds(runner):
                 ("force", force, (f"Loading/Depth={depth}", "Refinement/Goal=force")),
                 ("depth", depth, ("Loading/Control=force", f"Loading/Force={force}"))):
             rows = runner.tables(case, *bounded, *loading)["error_bound"]
-            for row in rows:
-                lower, upper = row[f"{name}_lower_bound"], row[f"{name}_upper_bound"]
-                runner.verify(f"{law}: {lower:.6g} <= {name} {exact:.6g} <= {upper:.6g}", lower <= exact <= upper)
-            runner.verify("within 30 %", upper - lower < 0.3 * exact)
+            verify_interval(runner, f"{law}, {name}", rows, exact, 0.3)
 
 
 def order(rows, name):
@@ -258,7 +295,7 @@ def error_bound_refinement(runner):
 
 def error_bound_ranks(runner):
     """Bounds and the meshes that they make are the same on 1, 2 and 3 ranks."""
-    for case in ("parabola", "sphere"):
+    for case in ("parabola", "sphere", "paraboloid_3d"):
         one, two, three = (Runner(runner.program, ranks).tables(f"error_bound/{case}.prm",
                                                                 "Refinement/Number of cycles=3")["error_bound"]
                            for ranks in (1, 2, 3))

@@ -18,7 +18,7 @@ from . import uniaxial as exact_uniaxial
 from .contact_edge import contact_edge, contact_mesh
 from .runner import E, E_STAR, NU, Runner, add_program
 from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, error_bound,
-                          error_bound_ranks, error_bound_refinement, error_bound_revolution, force_bounds, limit_load,
+                          error_bound_ranks, error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, limit_load,
                           limit_load_revolution, limit_load_space, safe_load)
 from .finite_strain import (cone_in_space, finite_cone, finite_strain, finite_strain_ranks,
                             finite_strain_resume, published_cones, pyramids, symmetric_bodies)
@@ -289,7 +289,7 @@ ALL = {
                      imprint_ranks, probes, mean_strain_of_rings, strip_punch, strip_punch_locks,
                      limit_load, limit_load_revolution, limit_load_space, limit_load_factors, body_force, blas_kernels,
                      safe_load, error_bound, error_bound_ranks,
-                     error_bound_refinement, error_bound_revolution, force_bounds, equilibrium_hertz, equilibrium_limit, zero_stress,
+                     error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, equilibrium_hertz, equilibrium_limit, zero_stress,
                      zero_force, far_indenter, contrast, nearly_incompressible, job_preview,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
                      adaptive_steps,
