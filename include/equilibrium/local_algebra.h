@@ -4,162 +4,251 @@
 #ifndef equilibrium_local_algebra_h
 #define equilibrium_local_algebra_h
 
+#include <deal.II/base/aligned_vector.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
-/// Products and factors of the small matrices of a ConicBlock. The functions of
-/// FullMatrix are made for larger ones: they take three times as long.
+#include "base/lanes.h"
+
+/// Products and factors of the small matrices of a ConicBlock. Matrices are
+/// stored by rows, symmetric ones and factors by the rows of their lower half.
+/// A Number is a double, or one double of each of several blocks
+/// (base/simd.h). The functions of FullMatrix and of LAPACK are made for larger
+/// matrices: they take three times as long for one block, and LAPACK's rounding
+/// errors depend on the processor.
 namespace ElastoPlastic::LocalAlgebra
 {
   using namespace dealii;
 
-  /// Consecutive numbers.
-  struct Part
+  /// So many rows of a matrix are treated together: their sums do not wait for
+  /// each other.
+  constexpr unsigned int n_together = 4;
+
+
+
+  /// Makes a vector of @p n zeros.
+  template <typename Number>
+  void
+  clear(AlignedVector<Number> &vector, const unsigned int n)
   {
-    std::size_t begin;
-    std::size_t end;
-  };
+    vector.resize_fast(n);
+    std::fill(vector.begin(), vector.end(), Number(0.));
+  }
 
 
 
-  /// y += factor A^T x for a part of the rows and columns of A: x and y begin
-  /// with these.
+  /// y += A x for an m x n matrix A
+  template <typename Number>
+  void
+  add_product(Number            *y,
+              const Number      *a,
+              const unsigned int m,
+              const unsigned int n,
+              const Number      *x)
+  {
+    unsigned int i = 0;
+    for (; i + n_together <= m; i += n_together, a += n_together * n)
+      {
+        std::array<Number, n_together> sums;
+        sums.fill(Number(0.));
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int k = 0; k < n_together; ++k)
+            sums[k] += a[k * n + j] * x[j];
+        for (unsigned int k = 0; k < n_together; ++k)
+          y[i + k] += sums[k];
+      }
+    for (; i < m; ++i, a += n)
+      {
+        Number sum = 0.;
+        for (unsigned int j = 0; j < n; ++j)
+          sum += a[j] * x[j];
+        y[i] += sum;
+      }
+  }
+
+
+
+  inline void
+  add_product(double *y, const FullMatrix<double> &a, const double *x)
+  {
+    if (!a.empty())
+      add_product(y, &a(0, 0), a.m(), a.n(), x);
+  }
+
+
+
+  /// y += A^T x for an m x n matrix A
+  template <typename Number>
+  void
+  add_transposed_product(Number            *y,
+                         const Number      *a,
+                         const unsigned int m,
+                         const unsigned int n,
+                         const Number      *x)
+  {
+    unsigned int i = 0;
+    for (; i + n_together <= m; i += n_together, a += n_together * n)
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          Number sum = y[j];
+          for (unsigned int k = 0; k < n_together; ++k)
+            sum += a[k * n + j] * x[i + k];
+          y[j] = sum;
+        }
+    for (; i < m; ++i, a += n)
+      for (unsigned int j = 0; j < n; ++j)
+        y[j] += a[j] * x[i];
+  }
+
+
+
   inline void
   add_transposed_product(double                   *y,
                          const FullMatrix<double> &a,
-                         const Part               &rows,
-                         const Part               &columns,
-                         const double             *x,
-                         const double              factor)
+                         const double             *x)
   {
-    const unsigned int n = columns.end - columns.begin;
-    for (unsigned int i = rows.begin; i < rows.end; ++i)
+    if (!a.empty())
+      add_transposed_product(y, &a(0, 0), a.m(), a.n(), x);
+  }
+
+
+
+  /// The number of entries of the lower half of a matrix with @p n rows, and
+  /// where its row @p n begins.
+  constexpr unsigned int
+  lower_size(const unsigned int n)
+  {
+    return n * (n + 1) / 2;
+  }
+
+
+
+  /// H += B B^T for an m x n matrix B and for as many rows and columns of the
+  /// lower half H, from @p first on.
+  template <typename Number>
+  void
+  add_square(Number            *h,
+             const unsigned int first,
+             const Number      *b,
+             const unsigned int m,
+             const unsigned int n)
+  {
+    for (unsigned int i = 0; i < m; i += n_together)
+      for (unsigned int j = 0; j <= i; j += n_together)
+        {
+          // Behind the last row comes the last one again.
+          std::array<const Number *, n_together> rows, columns;
+          for (unsigned int k = 0; k < n_together; ++k)
+            {
+              rows[k]    = b + std::min(i + k, m - 1) * n;
+              columns[k] = b + std::min(j + k, m - 1) * n;
+            }
+          Number sums[n_together][n_together];
+          for (auto &row : sums)
+            for (Number &sum : row)
+              sum = 0.;
+          for (unsigned int l = 0; l < n; ++l)
+            for (unsigned int k = 0; k < n_together; ++k)
+              for (unsigned int c = 0; c < n_together; ++c)
+                sums[k][c] += rows[k][l] * columns[c][l];
+          for (unsigned int k = 0; k < n_together && i + k < m; ++k)
+            {
+              Number *const row = h + lower_size(first + i + k) + first + j;
+              for (unsigned int c = 0; c < n_together && j + c <= i + k; ++c)
+                row[c] += sums[k][c];
+            }
+        }
+  }
+
+
+
+  /// H := L with H = L L^T, but the inverse of each diagonal entry.
+  /// @return false if H is not positive definite.
+  template <typename Number>
+  bool
+  factorize(Number *h, const unsigned int n)
+  {
+    for (unsigned int j = 0; j < n; ++j)
       {
-        const double *const row  = &a(i, columns.begin);
-        const double        part = factor * x[i - rows.begin];
-        for (unsigned int j = 0; j < n; ++j)
-          y[j] += row[j] * part;
+        Number &pivot = h[lower_size(j) + j];
+        for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+          if (!(lane_of(pivot, lane) > 0))
+            return false;
+        pivot = 1. / std::sqrt(pivot);
+        for (unsigned int i = j + 1; i < n; ++i)
+          {
+            Number *const row = h + lower_size(i);
+            row[j] *= pivot;
+            const Number factor = row[j];
+            for (unsigned int l = j + 1; l <= i; ++l)
+              row[l] -= factor * h[lower_size(l) + j];
+          }
       }
+    return true;
   }
 
 
 
-  /// y += factor A^T x
-  inline void
-  add_transposed_product(double                   *y,
-                         const FullMatrix<double> &a,
-                         const double             *x,
-                         const double              factor = 1.)
+  /// x := L^-1 x for each of @p n_together vectors, one after the other.
+  template <unsigned int n_vectors, typename Number>
+  void
+  solve_lower(const Number *factor, const unsigned int n, Number *x)
   {
-    add_transposed_product(y, a, {0, a.m()}, {0, a.n()}, x, factor);
-  }
-
-
-
-  /// y += factor A x for a part of the rows and columns of A: x and y begin
-  /// with these.
-  inline void
-  add_product(double                   *y,
-              const FullMatrix<double> &a,
-              const Part               &rows,
-              const Part               &columns,
-              const double             *x,
-              const double              factor)
-  {
-    const unsigned int m = rows.end - rows.begin, stride = a.n(),
-                       n = columns.end - columns.begin;
-    if (m == 0 || n == 0)
-      return;
-    const double *row = &a(rows.begin, columns.begin);
-    unsigned int  i   = 0;
-    for (; i + 4 <= m; i += 4, row += 4 * stride)
-      { // four sums that do not wait for each other
-        double sum[4] = {};
-        for (unsigned int j = 0; j < n; ++j)
-          for (unsigned int k = 0; k < 4; ++k)
-            sum[k] += row[k * stride + j] * x[j];
-        for (unsigned int k = 0; k < 4; ++k)
-          y[i + k] += factor * sum[k];
-      }
-    for (; i < m; ++i, row += stride)
+    for (unsigned int j = 0; j < n; ++j)
       {
-        double sum = 0;
-        for (unsigned int j = 0; j < n; ++j)
-          sum += row[j] * x[j];
-        y[i] += factor * sum;
+        const Number *const           row = factor + lower_size(j);
+        std::array<Number, n_vectors> sums;
+        for (unsigned int k = 0; k < n_vectors; ++k)
+          sums[k] = x[k * n + j];
+        for (unsigned int l = 0; l < j; ++l)
+          for (unsigned int k = 0; k < n_vectors; ++k)
+            sums[k] -= row[l] * x[k * n + l];
+        for (unsigned int k = 0; k < n_vectors; ++k)
+          x[k * n + j] = sums[k] * row[j];
       }
   }
 
 
 
-  /// y += factor A x
-  inline void
-  add_product(double                   *y,
-              const FullMatrix<double> &a,
-              const double             *x,
-              const double              factor = 1.)
+  /// B := B L^-T for an m x n matrix B
+  template <typename Number>
+  void
+  solve_rows(const Number      *factor,
+             const unsigned int n,
+             Number            *b,
+             const unsigned int m)
   {
-    add_product(y, a, {0, a.m()}, {0, a.n()}, x, factor);
+    unsigned int i = 0;
+    for (; i + n_together <= m; i += n_together)
+      solve_lower<n_together>(factor, n, b + i * n);
+    for (; i < m; ++i)
+      solve_lower<1>(factor, n, b + i * n);
   }
 
 
 
-  /// H := L with H = L L^T, for unknowns that H does not couple to others; the
-  /// upper half is not used. @return false if H is not positive definite.
-  inline bool
-  factorize(FullMatrix<double> &h, const Part &part)
+  /// x := H^-1 x
+  template <typename Number>
+  void
+  solve(const Number *factor, const unsigned int n, Number *x)
   {
-    const types::blas_int n = h.m(), size = part.end - part.begin;
-    types::blas_int       info = 0;
-    potrf("U", &size, &h(part.begin, part.begin), &n, &info); // it sees L^T
-    return info == 0;
-  }
-
-
-
-  /// x := L^-1 x for a part of the unknowns, for @p n_vectors one after the
-  /// other.
-  inline void
-  solve_lower(const FullMatrix<double> &factor,
-              const Part               &part,
-              double                   *x,
-              const types::blas_int     n_vectors = 1)
-  {
-    const types::blas_int n = factor.m(), size = part.end - part.begin;
-    types::blas_int       info = 0;
-    trtrs("U",
-          "T",
-          "N",
-          &size,
-          &n_vectors,
-          &factor(part.begin, part.begin),
-          &n,
-          x + part.begin,
-          &n,
-          &info);
-  }
-
-
-
-  /// x := L^-T x for a part of the unknowns.
-  inline void
-  solve_upper(const FullMatrix<double> &factor, const Part &part, double *x)
-  {
-    const types::blas_int n = factor.m(), size = part.end - part.begin, one = 1;
-    types::blas_int       info = 0;
-    trtrs("U",
-          "N",
-          "N",
-          &size,
-          &one,
-          &factor(part.begin, part.begin),
-          &n,
-          x + part.begin,
-          &n,
-          &info);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        x[j] *= factor[lower_size(j) + j];
+        for (unsigned int i = j + 1; i < n; ++i)
+          x[i] -= factor[lower_size(i) + j] * x[j];
+      }
+    for (unsigned int i = n; i-- > 0;)
+      {
+        const Number *const row = factor + lower_size(i);
+        x[i] *= row[i];
+        for (unsigned int j = 0; j < i; ++j)
+          x[j] -= row[j] * x[i];
+      }
   }
 
 

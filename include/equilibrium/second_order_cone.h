@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/lanes.h"
+
 /// Algebra of the second-order cones { (v_0, v_1) : |v_1| <= v_0 }, of
 /// dimension 1 (numbers that are not negative) to 6, as an interior point
 /// method needs it @cite vandenberghe_2010. Vectors are views of as many
@@ -97,10 +99,19 @@ namespace ElastoPlastic::SecondOrderCone
 
 
   /// The symmetric scaling W of Nesterov and Todd for two vectors s and z
-  /// inside the cone: W z = W^-1 s.
+  /// inside the cone: W z = W^-1 s. A @p Number is a double, or one of each of
+  /// several cones of the same size.
+  template <typename Number>
   class Scaling
   {
   public:
+    using Vectors = ArrayView<Number>;
+
+    /// Of several cones of this size, to be filled by set_lane().
+    explicit Scaling(const unsigned int size)
+      : size(size)
+    {}
+
     Scaling(const ConstView s, const ConstView z)
       : size(s.size())
     {
@@ -114,72 +125,59 @@ namespace ElastoPlastic::SecondOrderCone
         direction[i] = 0.5 / gamma * (s[i] / of_s - z[i] / of_z);
     }
 
+    void
+    set_lane(const unsigned int lane, const Scaling<double> &scaling)
+    {
+      lane_of(factor, lane) = scaling.factor;
+      for (unsigned int i = 0; i < size; ++i)
+        lane_of(direction[i], lane) = scaling.direction[i];
+    }
+
     /// v := W v
     void
-    multiply(const View v) const
+    multiply(const Vectors &v) const
     {
       apply(v, factor, 1.);
     }
 
     /// v := W^-1 v
     void
-    divide(const View v) const
+    divide(const Vectors &v) const
     {
       apply(v, 1. / factor, -1.);
     }
 
-    /// result += W^2 v
-    void
-    add_square(const View result, const ConstView v) const
-    {
-      // W^2 = factor^2 (2 w w^T - J), J = diag(1, -1, ...)
-      double product = direction[0] * v[0];
-      for (unsigned int i = 1; i < size; ++i)
-        product += direction[i] * v[i];
-      const double square = factor * factor;
-      result[0] += square * (2. * product * direction[0] - v[0]);
-      for (unsigned int i = 1; i < size; ++i)
-        result[i] += square * (2. * product * direction[i] + v[i]);
-    }
-
-    /// An entry of W^-2.
-    double
-    inverse_square(const unsigned int i, const unsigned int j) const
-    {
-      const double sign  = (i == 0) == (j == 0) ? 1. : -1.;
-      double       entry = 2. * sign * direction[i] * direction[j];
-      if (i == j)
-        entry += i == 0 ? -1. : 1.;
-      return entry / (factor * factor);
-    }
-
     /// The eigenvalue of W^-2 in the directions that are orthogonal to those
     /// of s and z.
-    double
+    Number
     inverse_square_across() const
     {
       return 1. / (factor * factor);
     }
 
   private:
+    template <typename OtherNumber>
+    friend class Scaling;
+
     // W = factor [ w_0, w_1^T; w_1, I + w_1 w_1^T / (1 + w_0) ], w being
     // the direction, with the determinant 1; its inverse has -w_1.
     void
-    apply(const View v, const double scale, const double sign) const
+    apply(const Vectors &v, const Number &scale, const double sign) const
     {
-      double tail = 0;
+      Number tail = 0.;
       for (unsigned int i = 1; i < size; ++i)
-        tail += sign * direction[i] * v[i];
-      const double first = v[0];
-      const double share = first + tail / (1. + direction[0]);
+        tail += direction[i] * v[i];
+      tail *= sign;
+      const Number first = v[0];
+      const Number share = sign * (first + tail / (1. + direction[0]));
       v[0]               = scale * (direction[0] * first + tail);
       for (unsigned int i = 1; i < size; ++i)
-        v[i] = scale * (v[i] + sign * share * direction[i]);
+        v[i] = scale * (v[i] + share * direction[i]);
     }
 
     unsigned int                 size;
-    double                       factor;
-    std::array<double, max_size> direction = {};
+    Number                       factor;
+    std::array<Number, max_size> direction;
   };
 } // namespace ElastoPlastic::SecondOrderCone
 
