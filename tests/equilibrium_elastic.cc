@@ -17,6 +17,7 @@
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/stress_check.h"
 #include "equilibrium/stress_problem.h"
+#include "interpolated_stress.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -140,9 +141,7 @@ namespace
         const auto stress  = [&](const Point<2> &p) {
           return exact.stress(p);
         };
-        Vector<double> interpolated(n_values);
-        shape_functions(corners).vmult(interpolated,
-                                       interpolate(corners, stress));
+        const Vector<double> interpolated = interpolate(corners, stress);
         for (unsigned int k = 0; k < 3; ++k)
           {
             const auto subtriangle  = subtriangle_of(corners, k);
@@ -160,8 +159,8 @@ namespace
                   {
                     p += shape[i] * subtriangle[i];
                     u += shape[i] * displacement[i];
-                    computed += shape[i] * stress_at(field.in_plane[t], k, i);
-                    interpolation += shape[i] * stress_at(interpolated, k, i);
+                    computed += shape[i] * coefficient(field.in_plane[t], k, i);
+                    interpolation += shape[i] * coefficient(interpolated, k, i);
                     across += shape[i] * field.out_of_plane[t][3 * k + i];
                   }
                 const auto   s = exact.stress(p);
@@ -225,11 +224,10 @@ namespace
   {
     output() << "Interpolation" << std::endl;
     const Triangle triangle = {{Point<2>(0.3, -0.2), {2.1, 0.4}, {1.2, 1.7}}};
-    const FullMatrix<double> shapes        = shape_functions(triangle);
-    const auto               divergence_of = [&](const auto &stress) {
-      Vector<double> values(n_values), divergence(6);
-      shapes.vmult(values, interpolate(triangle, stress));
-      divergence_matrix(triangle).vmult(divergence, values);
+    const auto     divergence_of = [&](const auto &stress) {
+      Vector<double> divergence(n_divergences(1));
+      divergence_matrix(triangle, 1)
+        .vmult(divergence, interpolate(triangle, stress));
       return divergence;
     };
 

@@ -130,8 +130,9 @@ namespace
     zero.at_sides.resize(body.mesh.sides.size());
     StressField stress;
     stress.in_plane.assign(body.mesh.triangles.size(), Vector<double>(27));
-    stress.out_of_plane.resize(body.mesh.triangles.size());
-    stress.pressure.assign(body.mesh.sides.size(), {{1., 1.}});
+    stress.out_of_plane.assign(body.mesh.triangles.size(),
+                               std::vector<double>(9));
+    stress.pressure.assign(body.mesh.sides.size(), {1., 1.});
     const double exact    = 0.25 * (tip * tip + (1. - tip) * (1. - tip));
     const double computed = bound_error(body, zero, 0., stress).of_contact();
     verify("gap not too small", computed > exact * (1. - 1e-14));
@@ -167,11 +168,11 @@ namespace
       2. * material.shear_modulus * deviator(elastic);
 
     StressField stresses;
-    stresses.pressure.resize(body.mesh.sides.size());
+    stresses.pressure.assign(body.mesh.sides.size(), {0., 0.});
     for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
       {
         stresses.in_plane.emplace_back(27);
-        stresses.out_of_plane.emplace_back();
+        stresses.out_of_plane.emplace_back(9);
         for (unsigned int p = 0; p < 9; ++p)
           {
             stresses.in_plane[t][3 * p]     = stress[0][0];

@@ -150,14 +150,14 @@ namespace
   uniform(const PlaneBody &body, const SymmetricTensor<2, 3> &stress)
   {
     StressField field;
-    field.pressure.resize(body.mesh.sides.size());
+    field.pressure.assign(body.mesh.sides.size(), {0., 0.});
     for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
       {
         const auto corners = body.mesh.corners(body.mesh.triangles[t]);
         field.in_plane.emplace_back(27);
-        field.out_of_plane.emplace_back();
+        field.out_of_plane.emplace_back(9);
         field.circumferential.push_back(
-          {{stress[2][2], stress[2][2], stress[2][2]}});
+          {stress[2][2], stress[2][2], stress[2][2]});
         for (unsigned int p = 0; p < 9; ++p)
           {
             const double r =

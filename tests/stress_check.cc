@@ -35,6 +35,10 @@ namespace
     verify("component 33", error([](StressField &f) {
                              f.out_of_plane[0][2] += change;
                            }).circumferential > change);
+    verify("traction between the ends of a side", error([](StressField &f) {
+                                                    f.in_plane[0][3 * 3] +=
+                                                      change;
+                                                  }).largest() > 0.1 * change);
     verify("yield condition", error([](StressField &f) {
                                 for (auto &of_triangle : f.in_plane)
                                   of_triangle *= 1. + change;

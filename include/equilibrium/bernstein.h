@@ -29,6 +29,33 @@ namespace ElastoPlastic::Bernstein
     Tensor<2, 2> hessian;
   };
 
+  /// Of the barycentric coordinates in a function. Those of a degree add up to
+  /// it.
+  using Exponents = std::array<int, 3>;
+
+  constexpr unsigned int
+  n_functions(const unsigned int degree)
+  {
+    return (degree + 1) * (degree + 2) / 2;
+  }
+
+  /// The functions of a @p degree (at most 2) in their order: those of the
+  /// corners, then those of the middles of the sides.
+  const std::vector<Exponents> &
+  exponents(const unsigned int degree);
+
+  /// The number of a function among those of its degree (at most 2).
+  unsigned int
+  number_of(const Exponents &exponents);
+
+  /// The point that a function, which must not be constant, belongs to.
+  Barycentric
+  point_of(const Exponents &exponents);
+
+  /// The functions of a @p degree (at most 2) at a point.
+  std::vector<double>
+  functions(const unsigned int degree, const Barycentric &point);
+
   constexpr unsigned int n_cubics = 10;
 
   /// The cubic functions belong, in this order, to the three corners, to two
@@ -67,6 +94,11 @@ namespace ElastoPlastic::Bernstein
   /// The functions of a @p degree at a position 0 <= @p t <= 1 of a side.
   std::vector<double>
   side_functions(const unsigned int degree, const double t);
+
+  /// What turns the moments int f B dt of a polynomial f of a @p degree (1 or
+  /// 2) on a side into its coefficients.
+  const FullMatrix<double> &
+  side_coefficients_of_moments(const unsigned int degree);
 } // namespace ElastoPlastic::Bernstein
 
 #endif

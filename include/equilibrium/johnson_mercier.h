@@ -10,63 +10,84 @@
 #include <deal.II/lac/vector.h>
 
 #include <array>
-#include <functional>
+
+#include "equilibrium/bernstein.h"
 
 /// The equilibrium element of Johnson and Mercier @cite johnson_mercier_1978:
 /// symmetric stresses on a triangle K that are linear on each of the three
-/// triangles, its subtriangles, into which its centre of gravity divides it.
-/// The tractions are continuous across the sides of the subtriangles.
+/// triangles, its subtriangles, into which its centre of gravity divides it,
+/// or, of the second degree, quadratic. The tractions are continuous across the
+/// sides of the subtriangles.
 ///
 ///              2             Subtriangle k has the corners k, k + 1 (modulo 3)
 ///              and
 ///             /|\            the centre of gravity c, in this order. Side k
 ///            / | \           of K belongs to it.
 ///         2 / .c. \ 1
-///          /.' 0 '.\         A stress is given by its values at the corners
-///         0---------1        of the subtriangles, see value_index().
+///          /.' 0 '.\         A stress is given by its Bernstein coefficients
+///          on
+///         0---------1        the subtriangles, see value_index().
 ///
-/// Its degrees of freedom are the tractions at both ends of each side (dofs 0
-/// to 11, see traction_index()) and the mean values of the components 11, 22
-/// and 12 (dofs 12, 13, 14): J (4.3) and (4.4) in @cite johnson_1978.
+/// The coefficients that come first on a subtriangle are the values at its
+/// corners; those of the first degree are these alone.
 namespace ElastoPlastic::JohnsonMercier
 {
   using namespace dealii;
 
   using Triangle = std::array<Point<2>, 3>;
 
-  /// Numbers by which a stress is given: subtriangles times corners times
-  /// components.
-  constexpr unsigned int n_values = 27;
-  /// Corners of subtriangles, of each subtriangle its own: a stress has three
-  /// components at each.
-  constexpr unsigned int n_points = 9;
-  constexpr unsigned int n_dofs   = 15;
-  /// Of them, stresses without divergence have so many left.
-  constexpr unsigned int n_equilibrated_dofs = 9;
-  /// Components of the tractions at both ends of three sides.
-  constexpr unsigned int n_tractions = 12;
-
-
-
-  /// The @p component (0: 11, 1: 22, 2: 12) at a @p corner of a @p subtriangle.
+  /// Points that coefficients belong to, of each subtriangle its own: a stress
+  /// has three components at each.
   constexpr unsigned int
-  value_index(const unsigned int subtriangle,
-              const unsigned int corner,
-              const unsigned int component)
+  n_points(const unsigned int degree)
   {
-    return 9 * subtriangle + 3 * corner + component;
+    return 3 * Bernstein::n_functions(degree);
+  }
+
+  /// Numbers by which a stress is given.
+  constexpr unsigned int
+  n_values(const unsigned int degree)
+  {
+    return 3 * n_points(degree);
+  }
+
+  /// Coefficients of the tractions on the three sides.
+  constexpr unsigned int
+  n_tractions(const unsigned int degree)
+  {
+    return 6 * (degree + 1);
+  }
+
+  /// Coefficients of the divergence on the subtriangles.
+  constexpr unsigned int
+  n_divergences(const unsigned int degree)
+  {
+    return 2 * n_points(degree - 1);
   }
 
 
 
-  /// A @p component of the traction at an end of a @p side; its ends are the
-  /// corners side and side + 1 of the triangle.
+  /// Where the coefficients number @p i, of the component 11, come on a
+  /// @p subtriangle; those of 22 and 12 follow.
   constexpr unsigned int
-  traction_index(const unsigned int side,
-                 const unsigned int end,
+  value_index(const unsigned int degree,
+              const unsigned int subtriangle,
+              const unsigned int i)
+  {
+    return 3 * (Bernstein::n_functions(degree) * subtriangle + i);
+  }
+
+
+
+  /// A @p component of coefficient @p i of the traction on a @p side, on the
+  /// way from corner side to corner side + 1 of the triangle.
+  constexpr unsigned int
+  traction_index(const unsigned int degree,
+                 const unsigned int side,
+                 const unsigned int i,
                  const unsigned int component)
   {
-    return 4 * side + 2 * end + component;
+    return 2 * ((degree + 1) * side + i) + component;
   }
 
 
@@ -92,39 +113,39 @@ namespace ElastoPlastic::JohnsonMercier
   std::array<Tensor<1, 2>, 3>
   gradients(const Triangle &triangle);
 
-  /// The stress at a @p corner of a @p subtriangle.
+  /// The coefficient number @p i on a @p subtriangle of a stress of any degree.
   SymmetricTensor<2, 2>
-  stress_at(const Vector<double> &values,
-            const unsigned int    subtriangle,
-            const unsigned int    corner);
+  coefficient(const Vector<double> &values,
+              const unsigned int    subtriangle,
+              const unsigned int    i);
 
-  /// The values of the shape functions, one per column (27 x 15): they are
-  /// dual to the degrees of freedom.
+  /// The number of coefficient @p i on the line from corner @p from to corner
+  /// @p to of a subtriangle.
+  unsigned int
+  number_on_line(const unsigned int degree,
+                 const unsigned int from,
+                 const unsigned int to,
+                 const unsigned int i);
+
+  /// A basis of all stresses, one per column: 15 of the first, 36 of the second
+  /// degree.
   FullMatrix<double>
-  shape_functions(const Triangle &triangle);
+  basis(const Triangle &triangle, const unsigned int degree);
 
-  /// A basis of the stresses without divergence (27 x 9).
+  /// A basis of the stresses without divergence: 9 of the first, 18 of the
+  /// second degree.
   FullMatrix<double>
-  equilibrated_basis(const Triangle &triangle);
+  equilibrated_basis(const Triangle &triangle, const unsigned int degree);
 
-  /// What turns values into tractions on the sides (12 x 27); the normals
-  /// point outwards.
+  /// What turns values into the coefficients of the tractions on the sides; the
+  /// normals point outwards.
   FullMatrix<double>
-  traction_matrix(const Triangle &triangle);
+  traction_matrix(const Triangle &triangle, const unsigned int degree);
 
-  /// What turns values into the divergence on the subtriangles, which is
-  /// constant there (6 x 27): two components for each.
+  /// What turns values into the coefficients of the divergence on the
+  /// subtriangles, whose degree is one less: two components for each.
   FullMatrix<double>
-  divergence_matrix(const Triangle &triangle);
-
-  /// The interpolation pi_h of J (4.5): the degrees of freedom (15) of a
-  /// stress field, the end tractions being those of the linear function on
-  /// each side that has the same resultant and moment. Integrals are computed
-  /// by Gauss formulas, exact for polynomials of degree 5 or less.
-  Vector<double>
-  interpolate(
-    const Triangle                                               &triangle,
-    const std::function<SymmetricTensor<2, 2>(const Point<2> &)> &stress);
+  divergence_matrix(const Triangle &triangle, const unsigned int degree);
 } // namespace ElastoPlastic::JohnsonMercier
 
 #endif

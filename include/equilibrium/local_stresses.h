@@ -6,7 +6,6 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-#include <array>
 #include <vector>
 
 #include "equilibrium/johnson_mercier.h"
@@ -18,8 +17,9 @@
 /// equations
 ///   d_r S_rr + d_z S_rz - sigma_tt = 0,   d_r S_rz + d_z S_zz = 0
 /// are those of a plane but for the circumferential stress sigma_tt. That is
-/// defined by the first of them, and constant on each subtriangle. On the axis,
-/// S is zero, as it is for all bounded stresses.
+/// defined by the first of them: on each subtriangle a polynomial whose degree
+/// is one less than that of S. On the axis, S is zero, as it is for all bounded
+/// stresses.
 ///
 /// "Weighted" is S, with 33 for its component r sigma_tt; weights are those of
 /// PlaneBody, relative to its unit.
@@ -27,36 +27,55 @@ namespace ElastoPlastic::LocalStresses
 {
   using namespace dealii;
 
-  /// At the corners of the subtriangles.
-  std::array<double, JohnsonMercier::n_points>
-  weights(const PlaneBody &body, const unsigned int triangle);
+  /// At the points that coefficients belong to: they are the coefficients of
+  /// the weight, which is linear.
+  std::vector<double>
+  weights(const PlaneBody   &body,
+          const unsigned int triangle,
+          const unsigned int degree);
 
-  /// The corners of the subtriangles off the axis.
+  /// The points off the axis.
   std::vector<unsigned int>
-  points_off_axis(const PlaneBody &body, const unsigned int triangle);
+  points_off_axis(const PlaneBody   &body,
+                  const unsigned int triangle,
+                  const unsigned int degree);
 
-  /// All weighted stresses, by values (27 x n): see
-  /// JohnsonMercier::shape_functions(). n is 15, less where the triangle
-  /// touches the axis.
+  /// All weighted stresses, by values: see JohnsonMercier::basis(). There are
+  /// less where the triangle touches the axis.
   FullMatrix<double>
-  shape_functions(const PlaneBody &body, const unsigned int triangle);
+  basis(const PlaneBody   &body,
+        const unsigned int triangle,
+        const unsigned int degree);
 
-  /// Those that are in equilibrium (27 x n): 9 in the plane, and 12 in a body
-  /// of revolution, or 8 or 4 if a vertex or a side is on the axis.
+  /// Those that are in equilibrium: 9 of the first, 18 of the second degree in
+  /// the plane; 12 and 27 in a body of revolution, less at the axis.
   FullMatrix<double>
-  equilibrated_basis(const PlaneBody &body, const unsigned int triangle);
+  equilibrated_basis(const PlaneBody   &body,
+                     const unsigned int triangle,
+                     const unsigned int degree);
 
-  /// The circumferential stress on the subtriangles that goes with weighted
-  /// stresses given by values (3 x 27), in the units of the body.
+  /// The coefficients of the circumferential stress on the subtriangles that
+  /// goes with weighted stresses given by values, in the units of the body.
   FullMatrix<double>
-  circumferential_matrix(const PlaneBody &body, const unsigned int triangle);
+  circumferential_matrix(const PlaneBody   &body,
+                         const unsigned int triangle,
+                         const unsigned int degree);
 
-  /// What turns weighted stresses, four components at each corner of the
-  /// subtriangles, into the stresses for which the yield condition is asked for
-  /// (4 m x 36): those at the corners off the axis. On the axis, the stress is
-  /// a mean of those at the other corners of the subtriangle.
+  /// What turns these coefficients into those of the weighted component 33.
   FullMatrix<double>
-  yield_points(const PlaneBody &body, const unsigned int triangle);
+  weighting_matrix(const PlaneBody   &body,
+                   const unsigned int triangle,
+                   const unsigned int degree);
+
+  /// What turns weighted stresses, four components at each point, into the
+  /// stresses for which the yield condition is asked for: a coefficient over
+  /// that of the weight, at the points off the axis. If these satisfy it, all
+  /// of the body does: with coefficients S_a of S and r_a of r,
+  ///   |dev S| <= sum_a B_a |dev S_a| <= sum_a B_a r_a R = r R.
+  FullMatrix<double>
+  yield_points(const PlaneBody   &body,
+               const unsigned int triangle,
+               const unsigned int degree);
 } // namespace ElastoPlastic::LocalStresses
 
 #endif

@@ -20,7 +20,7 @@ namespace ElastoPlastic
     /// What is missing to equilibrium, times the size of the triangle.
     double divergence = 0;
     double on_axis    = 0; ///< weighted stress, over the size of the triangle
-    /// The component 33 against the circumferential stress.
+    /// The component 33 against the circumferential stress times r.
     double circumferential = 0;
     double traction_jump   = 0; ///< between subtriangles and between triangles
     double boundary_force =

@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+#include "equilibrium/bernstein.h"
 #include "equilibrium/plane_body.h"
 
 namespace ElastoPlastic
@@ -18,23 +19,25 @@ namespace ElastoPlastic
 
   /// Stresses in exact equilibrium, without the pressure of body forces (see
   /// PlaneBody). In a body of revolution, it is the weighted
-  /// stress that is linear, the stress times the distance r from the axis (see
-  /// LocalStresses); in the plane, the weight is 1.
+  /// stress that is a polynomial on each subtriangle, the stress times the
+  /// distance r from the axis (see LocalStresses); in the plane, the weight is
+  /// 1. Polynomials are given by their Bernstein coefficients.
   struct StressField
   {
+    unsigned int degree = 1; ///< of the weighted stress
     /// By triangles: the components 11, 22, 12 of the weighted stress (rr, zz,
-    /// rz) at the corners of the subtriangles, see
-    /// JohnsonMercier::value_index().
+    /// rz), see JohnsonMercier::value_index().
     std::vector<Vector<double>> in_plane;
-    /// By triangles: its component 33 at the corners of the subtriangles.
-    std::vector<std::array<double, 9>> out_of_plane;
+    /// By triangles: its component 33 on the subtriangles.
+    std::vector<std::vector<double>> out_of_plane;
     /// By triangles of a body of revolution: the circumferential stress on the
-    /// subtriangles, without weight. It is constant there; so the component 33
-    /// at a corner is this times r.
-    std::vector<std::array<double, 3>> circumferential;
-    /// By sides: the pressure of the indenter at the two ends, between which it
-    /// is linear when weighted; zero where it cannot touch.
-    std::vector<std::array<double, 2>> pressure;
+    /// subtriangles, without weight, of a degree that is one less: the
+    /// component 33 is this times r.
+    std::vector<std::vector<double>> circumferential;
+    /// By sides: the coefficients of the weighted pressure of the indenter,
+    /// each over that of the weight; zero where it cannot touch. The first and
+    /// the last are the pressures at the ends.
+    std::vector<std::vector<double>> pressure;
     /// By triangles, at the corners: the Lagrange multiplier u_h of the
     /// equilibrium in J (4.1), linear on each triangle and not continuous. The
     /// velocity, when the indenter moves down by 1, of a limit load.
@@ -54,15 +57,22 @@ namespace ElastoPlastic
     /// False if rounding errors have ended the minimisation early.
     bool is_optimal = true;
 
-    /// The weighted stress at a @p corner of a @p subtriangle of a triangle.
+    /// The coefficient number @p i of the weighted stress on a @p subtriangle
+    /// of a triangle; the first three are the values at its corners.
     SymmetricTensor<2, 3>
-    at(const unsigned int triangle,
-       const unsigned int subtriangle,
-       const unsigned int corner) const;
+    coefficient(const unsigned int triangle,
+                const unsigned int subtriangle,
+                const unsigned int i) const;
 
-    /// The whole stress there, without weight. On the axis, where it may depend
-    /// on the direction from which one comes, it is that on the way to the
-    /// middle of the opposite side.
+    /// The weighted stress at a @p point of a subtriangle.
+    SymmetricTensor<2, 3>
+    at(const unsigned int            triangle,
+       const unsigned int            subtriangle,
+       const Bernstein::Barycentric &point) const;
+
+    /// The whole stress at a @p corner of a subtriangle, without weight. On the
+    /// axis, where it may depend on the direction from which one comes, it is
+    /// that on the way to the middle of the opposite side.
     SymmetricTensor<2, 3>
     without_weight(const PlaneBody   &body,
                    const unsigned int triangle,

@@ -15,22 +15,25 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// A minimisation over Johnson-Mercier stresses in equilibrium that satisfy
-  /// the yield condition everywhere, as a ConicProgram in the units of the
-  /// body.
+  /// A minimisation over Johnson-Mercier stresses of the first or second degree
+  /// in equilibrium that satisfy the yield condition everywhere, as a
+  /// ConicProgram in the units of the body.
   ///
-  /// Each triangle is a block. Its unknowns are the coefficients of the
-  /// equilibrated basis (see LocalStresses); sigma_33 at the corners of the
-  /// subtriangles, in plane strain; and zeta there, off the axis, the growth of
-  /// the yield surface, if the material hardens. Each end of a side under the
-  /// indenter is a block, too; its unknown is the force q >= 0 that the linear
-  /// pressure stands for there. The equations, two at each end of the sides,
-  /// say that the tractions of the two triangles, or of triangle and indenter,
-  /// add up to zero, or to what is prescribed. There are none on the axis of a
-  /// body of revolution, where nothing acts. Between the corners, the yield
-  /// condition holds because stresses are linear and the set of admissible ones
-  /// is convex; for a body of revolution, both sides of it are linear when
-  /// multiplied by r.
+  /// Stresses, tractions and pressures are polynomials, given by their
+  /// Bernstein coefficients: those of the first degree are values at corners
+  /// and ends of sides. "Points" are what the coefficients belong to.
+  ///
+  /// Each triangle is a block. Its unknowns are those of the equilibrated basis
+  /// (see LocalStresses); the coefficients of sigma_33, in plane strain; and
+  /// those of zeta, off the axis, the growth of the yield surface, if the
+  /// material hardens. Each point of a side under the indenter is a block, too;
+  /// its unknown is the force q >= 0, the coefficient of the pressure times its
+  /// share of the side. The equations, two at each point of the sides, say that
+  /// the tractions of the two triangles, or of triangle and indenter, add up to
+  /// zero, or to what is prescribed. There are none on the axis of a body of
+  /// revolution, where nothing acts. The yield condition holds everywhere if
+  /// the coefficients satisfy it, because the set of admissible stresses is
+  /// convex (see LocalStresses::yield_points()).
   class StressProgram
   {
   public:
@@ -47,7 +50,9 @@ namespace ElastoPlastic
     };
 
     /// @p body must live as long as this object. There is no cost yet.
-    StressProgram(const PlaneBody &body, const OutOfPlaneStress out_of_plane);
+    StressProgram(const PlaneBody       &body,
+                  const OutOfPlaneStress out_of_plane,
+                  const unsigned int     degree);
 
     /// Add the energy int W*(tau) dx, with
     ///   W* = 1/2 tau : C^-1 tau + zeta^2 / (2 h),
@@ -76,25 +81,32 @@ namespace ElastoPlastic
     solve(const double tolerance) const;
 
   private:
-    /// A number for each end of a side, and each component of its condition.
-    template <typename Number>
-    using ByEnds = std::array<std::array<Number, 2>, 2>;
+    /// Something for each point of a side, and each component of its condition.
+    template <typename Value>
+    using ByPoints = std::vector<std::array<Value, 2>>;
 
     /// A side as a triangle sees it: the forces of its outward tractions in
     /// the directions of the condition, as linear functions of the unknowns.
     struct SideOfTriangle
     {
-      unsigned int           side;
-      ByEnds<Vector<double>> forces;
+      unsigned int             side;
+      ByPoints<Vector<double>> forces;
     };
 
     void
     number_equations();
-    /// The forces at the ends of a side of the linear traction that has the
-    /// same moments as a @p load.
-    std::array<double, 2>
-    end_forces(const unsigned int                             side,
-               const std::function<double(const Point<2> &)> &load) const;
+    /// The share of a side in the integral of a polynomial that each of its
+    /// coefficients has, in the unit of length.
+    double
+    share_of_side(const unsigned int side) const;
+    /// The forces at the points of a side of the traction that has the same
+    /// moments as a @p load.
+    std::vector<double>
+    point_forces(const unsigned int                             side,
+                 const std::function<double(const Point<2> &)> &load) const;
+    /// Whether nothing acts on a point of a side because it is on the axis.
+    bool
+    is_on_axis(const unsigned int side, const unsigned int point) const;
     void
     add_block(const unsigned int triangle);
     /// Of the stresses of a @p basis.
@@ -108,27 +120,32 @@ namespace ElastoPlastic
     void
     add_indenter();
 
-    /// The force at an @p end of side @p k of a triangle, in the direction of a
+    /// The force at a @p point of side @p k of a triangle, in the direction of
+    /// a
     /// @p component of its condition, as a linear function of the tractions
     /// (see JohnsonMercier::traction_index()).
     Vector<double>
     force_of_tractions(const unsigned int triangle,
                        const unsigned int k,
-                       const unsigned int end,
+                       const unsigned int point,
                        const unsigned int component) const;
 
     /// Pressure and force of the indenter, from those of its blocks.
     void
     set_pressure(StressField &field, const double *forces) const;
 
-    /// What int u v / r dx is as a bilinear form of functions u, v that are
-    /// linear on the subtriangles, by their values at the corners (9 x 9); with
-    /// r = 1 in the plane.
+    /// Adds the weighted stress of the next triangle, given by its @p values,
+    /// four components at each point.
+    void
+    add_stress(StressField &field, const Vector<double> &values) const;
+
+    /// What int u v / r dx is as a bilinear form of functions u, v on the
+    /// subtriangles, by their coefficients; with r = 1 in the plane.
     FullMatrix<double>
     weighted_mass(const unsigned int triangle) const;
 
-    /// What int C^-1 sigma : tau is as a bilinear form of the weighted stresses
-    /// at the corners of the subtriangles (36 x 36).
+    /// What int C^-1 sigma : tau is as a bilinear form of the coefficients of
+    /// the weighted stresses.
     FullMatrix<double>
     elastic_energy(const unsigned int triangle) const;
 
@@ -137,27 +154,27 @@ namespace ElastoPlastic
     add_hardening_energy(const unsigned int triangle);
 
     /// The derivative of cost and yield conditions with respect to the
-    /// components 11, 22, 12 at the corners of the subtriangles: moments of the
-    /// strain. @p stress (36) and the multipliers @p z of the yield conditions
-    /// are those of the solution.
+    /// coefficients of the components 11, 22, 12: moments of the strain.
+    /// @p stress and the multipliers @p z of the yield conditions are those of
+    /// the solution.
     Vector<double>
     strain_moments(const unsigned int    triangle,
                    const Vector<double> &stress,
                    const double         *z) const;
 
-    /// What the force at an end of a side is multiplied by in the Lagrange
+    /// What the force at a point of a side is multiplied by in the Lagrange
     /// function, a displacement with the opposite sign: the multiplier @p y of
     /// its equation, or that of a prescribed displacement.
     double
     multiplier(const unsigned int    side,
-               const unsigned int    end,
+               const unsigned int    point,
                const unsigned int    component,
                const Vector<double> &y) const;
 
     /// That of a prescribed displacement.
     double
     given_multiplier(const unsigned int side,
-                     const unsigned int end,
+                     const unsigned int point,
                      const unsigned int component) const;
 
     /// See StressField::displacement. @p y are the multipliers of the
@@ -167,7 +184,7 @@ namespace ElastoPlastic
                     const Vector<double> &strain_moments,
                     const Vector<double> &y) const;
 
-    /// The block of an end under the indenter.
+    /// The block of a point under the indenter.
     ConicBlock &
     contact_block(const unsigned int i);
 
@@ -182,34 +199,35 @@ namespace ElastoPlastic
     double
     force_unit() const;
 
-    /// int f phi ds for the two linear functions phi of a side, relative to
-    /// half of its length.
-    std::array<double, 2>
+    /// int f B ds for Bernstein's functions B of a side, relative to its share
+    /// of the length.
+    std::vector<double>
     moments(const unsigned int                             side,
             const std::function<double(const Point<2> &)> &f) const;
 
     const PlaneBody       &body;
     const OutOfPlaneStress out_of_plane;
+    const unsigned int     degree;
     ConicProgram           program;
     bool                   has_energy = false;
 
     /// By sides; invalid where there is none.
-    std::vector<ByEnds<unsigned int>> equations;
+    std::vector<ByPoints<unsigned int>> equations;
 
-    /// By triangles: weighted stress at the corners of the subtriangles, four
-    /// components each (36 x n); and their three sides.
+    /// By triangles: the coefficients of the weighted stress, four components
+    /// at each point, as functions of the unknowns; and the three sides.
     std::vector<FullMatrix<double>>            point_stresses;
     std::vector<std::array<SideOfTriangle, 3>> sides;
 
-    struct EndOfSide
+    struct PointOfSide
     {
       unsigned int side;
-      unsigned int end;
+      unsigned int point;
     };
 
     /// Under the indenter, in the order of their blocks, which come after those
     /// of the triangles.
-    std::vector<EndOfSide> contact_ends;
+    std::vector<PointOfSide> contact_points;
   };
 } // namespace ElastoPlastic
 

@@ -3,6 +3,7 @@
 
 #include <boost/math/special_functions/binomial.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include "equilibrium/bernstein.h"
@@ -11,8 +12,6 @@ namespace ElastoPlastic::Bernstein
 {
   namespace
   {
-    using Exponents = std::array<int, 3>;
-
     constexpr unsigned int max_side_degree = 4;
 
     constexpr std::array<Exponents, n_cubics> cubic_exponents = {{{{3, 0, 0}},
@@ -105,6 +104,24 @@ namespace ElastoPlastic::Bernstein
 
 
 
+    // int B_i B_j dt = binom(n, i) binom(n, j) / (binom(2n, i + j) (2n + 1))
+    FullMatrix<double>
+    inverse_of_side_products(const unsigned int degree)
+    {
+      using boost::math::binomial_coefficient;
+      FullMatrix<double> products(degree + 1, degree + 1);
+      for (unsigned int i = 0; i <= degree; ++i)
+        for (unsigned int j = 0; j <= degree; ++j)
+          products(i, j) = binomial_coefficient<double>(degree, i) *
+                           binomial_coefficient<double>(degree, j) /
+                           binomial_coefficient<double>(2 * degree, i + j) /
+                           (2. * degree + 1.);
+      products.gauss_jordan();
+      return products;
+    }
+
+
+
     FullMatrix<double>
     inverse_of_side_values(const unsigned int degree)
     {
@@ -120,6 +137,51 @@ namespace ElastoPlastic::Bernstein
       return values;
     }
   } // namespace
+
+
+
+  const std::vector<Exponents> &
+  exponents(const unsigned int degree)
+  {
+    static const std::array<std::vector<Exponents>, 3> by_degrees = {
+      {{{{0, 0, 0}}},
+       {{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}},
+       {quadratic_exponents.begin(), quadratic_exponents.end()}}};
+    AssertIndexRange(degree, by_degrees.size());
+    return by_degrees[degree];
+  }
+
+
+
+  unsigned int
+  number_of(const Exponents &of_function)
+  {
+    const auto &all =
+      exponents(of_function[0] + of_function[1] + of_function[2]);
+    return std::find(all.begin(), all.end(), of_function) - all.begin();
+  }
+
+
+
+  Barycentric
+  point_of(const Exponents &exponents)
+  {
+    const double degree = exponents[0] + exponents[1] + exponents[2];
+    return {
+      {exponents[0] / degree, exponents[1] / degree, exponents[2] / degree}};
+  }
+
+
+
+  std::vector<double>
+  functions(const unsigned int degree, const Barycentric &point)
+  {
+    const Powers        powers(point);
+    std::vector<double> values;
+    for (const Exponents &of_function : exponents(degree))
+      values.push_back(powers.function(of_function));
+    return values;
+  }
 
 
 
@@ -228,5 +290,16 @@ namespace ElastoPlastic::Bernstein
                        std::pow(t, static_cast<int>(i)) *
                        std::pow(1. - t, static_cast<int>(degree - i)));
     return values;
+  }
+
+
+
+  const FullMatrix<double> &
+  side_coefficients_of_moments(const unsigned int degree)
+  {
+    static const std::array<FullMatrix<double>, 2> matrices = {
+      {inverse_of_side_products(1), inverse_of_side_products(2)}};
+    AssertIndexRange(degree - 1, matrices.size());
+    return matrices[degree - 1];
   }
 } // namespace ElastoPlastic::Bernstein

@@ -112,7 +112,9 @@ namespace ElastoPlastic
         , strain(
             JohnsonMercier::on_subtriangle(strains(body.mesh, displacement, t),
                                            k))
-        , stress({{stress.at(t, k, 0), stress.at(t, k, 1), stress.at(t, k, 2)}})
+        , stress({{stress.coefficient(t, k, 0),
+                   stress.coefficient(t, k, 1),
+                   stress.coefficient(t, k, 2)}})
       {
         const auto corners =
           JohnsonMercier::subtriangle_of(body.mesh.corners(triangle), k);
@@ -230,11 +232,11 @@ namespace ElastoPlastic
     /// bound of g, this is a cubic function on each interval, which Simpson's
     /// rule integrates.
     double
-    bound_on_side(const PlaneBody             &body,
-                  const QuadraticField        &displacement,
-                  const double                 depth,
-                  const std::array<double, 2> &pressure,
-                  const unsigned int           s)
+    bound_on_side(const PlaneBody           &body,
+                  const QuadraticField      &displacement,
+                  const double               depth,
+                  const std::vector<double> &pressure,
+                  const unsigned int         s)
     {
       const SplitMesh::Side &side = body.mesh.sides[s];
       const SideGap          gap  = gap_of(body, side);
@@ -352,6 +354,7 @@ namespace ElastoPlastic
               const double          depth,
               const StressField    &stress)
   {
+    AssertDimension(stress.degree, 1);
     ErrorBound bound;
     for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
       bound.of_simplices.push_back(

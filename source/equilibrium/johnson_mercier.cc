@@ -1,30 +1,26 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/lac/lapack_full_matrix.h>
-
-#include "equilibrium/integration.h"
 #include "equilibrium/johnson_mercier.h"
+#include "equilibrium/local_algebra.h"
 #include "equilibrium/split_mesh.h"
 
 namespace ElastoPlastic::JohnsonMercier
 {
   namespace
   {
-    /// Adds the traction of the stress at a corner of a subtriangle on a plane
-    /// with this @p normal to two rows of @p matrix.
+    /// Adds the traction of a coefficient, whose component 11 is in column
+    /// @p value, on a plane with this @p normal to two rows of @p matrix.
     void
     add_traction(FullMatrix<double> &matrix,
                  const unsigned int  row,
-                 const unsigned int  subtriangle,
-                 const unsigned int  corner,
+                 const unsigned int  value,
                  const Tensor<1, 2> &normal)
     {
-      matrix(row, value_index(subtriangle, corner, 0)) += normal[0];
-      matrix(row, value_index(subtriangle, corner, 2)) += normal[1];
-      matrix(row + 1, value_index(subtriangle, corner, 2)) += normal[0];
-      matrix(row + 1, value_index(subtriangle, corner, 1)) += normal[1];
+      matrix(row, value) += normal[0];
+      matrix(row, value + 2) += normal[1];
+      matrix(row + 1, value + 2) += normal[0];
+      matrix(row + 1, value + 1) += normal[1];
     }
 
 
@@ -37,55 +33,105 @@ namespace ElastoPlastic::JohnsonMercier
 
 
 
-    /// The jumps of the tractions at both ends of the three lines between
-    /// subtriangles (12 x 27). The line to corner k is side 1 of the
-    /// subtriangle before and side 2 of subtriangle k.
+    /// The jumps of the tractions on the three lines between subtriangles. The
+    /// line to corner k is side 1 of the subtriangle before and side 2 of
+    /// subtriangle k.
     FullMatrix<double>
-    jump_matrix(const Triangle &triangle)
+    jump_matrix(const Triangle &triangle, const unsigned int degree)
     {
-      FullMatrix<double> jumps(12, n_values);
+      FullMatrix<double> jumps(n_tractions(degree), n_values(degree));
       for (unsigned int k = 0; k < 3; ++k)
         {
           const Triangle     subtriangle = subtriangle_of(triangle, k);
           const Tensor<1, 2> n      = normal(subtriangle[0], subtriangle[2]);
           const unsigned int before = (k + 2) % 3;
-          add_traction(jumps, 4 * k, k, 0, n);
-          add_traction(jumps, 4 * k, before, 1, -n);
-          add_traction(jumps, 4 * k + 2, k, 2, n);
-          add_traction(jumps, 4 * k + 2, before, 2, -n);
+          for (unsigned int i = 0; i <= degree; ++i)
+            {
+              const unsigned int row   = traction_index(degree, k, i, 0);
+              const unsigned int here  = number_on_line(degree, 0, 2, i),
+                                 there = number_on_line(degree, 1, 2, i);
+              add_traction(jumps, row, value_index(degree, k, here), n);
+              add_traction(jumps, row, value_index(degree, before, there), -n);
+            }
         }
       return jumps;
     }
 
 
 
-    /// The rows of @p matrix from row @p first on.
-    void
-    fill_rows(FullMatrix<double>       &matrix,
-              const unsigned int        first,
-              const FullMatrix<double> &rows)
+    /// A basis of the kernel of @p conditions on the reference triangle, one
+    /// per column.
+    FullMatrix<double>
+    kernel_of(const FullMatrix<double> &conditions)
     {
-      matrix.fill(rows, first, 0, 0, 0);
+      const FullMatrix<double> rows = LocalAlgebra::kernel(conditions);
+      FullMatrix<double>       columns(rows.n(), rows.m());
+      columns.copy_transposed(rows);
+      return columns;
     }
 
 
 
-    // The right singular vectors that belong to the singular value zero.
-    FullMatrix<double>
-    reference_equilibrated_basis()
+    /// The bases of the reference triangle.
+    struct ReferenceBases
     {
-      const Triangle     reference = {{Point<2>(0, 0), {1, 0}, {0, 1}}};
-      FullMatrix<double> conditions(18, n_values);
-      fill_rows(conditions, 0, jump_matrix(reference));
-      fill_rows(conditions, 12, divergence_matrix(reference));
+      FullMatrix<double> all, equilibrated;
 
-      LAPACKFullMatrix<double> decomposition(18, n_values);
-      decomposition = conditions;
-      decomposition.compute_svd();
-      FullMatrix<double> basis(n_values, n_equilibrated_dofs);
-      for (unsigned int i = 0; i < n_values; ++i)
-        for (unsigned int j = 0; j < n_equilibrated_dofs; ++j)
-          basis(i, j) = decomposition.get_svd_vt()(18 + j, i);
+      explicit ReferenceBases(const unsigned int degree)
+      {
+        const Triangle     triangle   = {{Point<2>(0, 0), {1, 0}, {0, 1}}};
+        const auto         jumps      = jump_matrix(triangle, degree);
+        const auto         divergence = divergence_matrix(triangle, degree);
+        FullMatrix<double> conditions(jumps.m() + divergence.m(), jumps.n());
+        conditions.fill(jumps, 0, 0);
+        conditions.fill(divergence, jumps.m(), 0);
+        all          = kernel_of(jumps);
+        equilibrated = kernel_of(conditions);
+      }
+    };
+
+
+
+    const ReferenceBases &
+    reference_bases(const unsigned int degree)
+    {
+      static const std::array<ReferenceBases, 2> by_degrees = {
+        {ReferenceBases(1), ReferenceBases(2)}};
+      AssertIndexRange(degree - 1, by_degrees.size());
+      return by_degrees[degree - 1];
+    }
+
+
+
+    // Piola's transformation B tau B^T carries stresses with continuous
+    // tractions, and those without divergence, from the reference triangle to
+    // any other.
+    FullMatrix<double>
+    transform(const FullMatrix<double> &reference, const Triangle &triangle)
+    {
+      const Tensor<1, 2> b0 = triangle[1] - triangle[0],
+                         b1 = triangle[2] - triangle[0];
+      const double scale = 1. / std::sqrt(b0.norm_square() + b1.norm_square());
+      Tensor<2, 2> piola;
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          piola[d][0] = scale * b0[d];
+          piola[d][1] = scale * b1[d];
+        }
+
+      FullMatrix<double> basis(reference.m(), reference.n());
+      for (unsigned int i = 0; i < basis.m(); i += 3)
+        for (unsigned int j = 0; j < basis.n(); ++j)
+          {
+            Tensor<2, 2> stress;
+            stress[0][0] = reference(i, j);
+            stress[1][1] = reference(i + 1, j);
+            stress[0][1] = stress[1][0] = reference(i + 2, j);
+            stress                      = piola * stress * transpose(piola);
+            basis(i, j)                 = stress[0][0];
+            basis(i + 1, j)             = stress[1][1];
+            basis(i + 2, j)             = stress[0][1];
+          }
       return basis;
     }
   } // namespace
@@ -116,145 +162,86 @@ namespace ElastoPlastic::JohnsonMercier
 
 
   SymmetricTensor<2, 2>
-  stress_at(const Vector<double> &values,
-            const unsigned int    subtriangle,
-            const unsigned int    corner)
+  coefficient(const Vector<double> &values,
+              const unsigned int    subtriangle,
+              const unsigned int    i)
   {
+    const unsigned int    first = values.size() / 3 * subtriangle + 3 * i;
     SymmetricTensor<2, 2> stress;
-    stress[0][0] = values[value_index(subtriangle, corner, 0)];
-    stress[1][1] = values[value_index(subtriangle, corner, 1)];
-    stress[0][1] = values[value_index(subtriangle, corner, 2)];
+    stress[0][0] = values[first];
+    stress[1][1] = values[first + 1];
+    stress[0][1] = values[first + 2];
     return stress;
   }
 
 
 
-  FullMatrix<double>
-  traction_matrix(const Triangle &triangle)
+  unsigned int
+  number_on_line(const unsigned int degree,
+                 const unsigned int from,
+                 const unsigned int to,
+                 const unsigned int i)
   {
-    FullMatrix<double> tractions(n_tractions, n_values);
+    Bernstein::Exponents exponents = {};
+    exponents[from]                = degree - i;
+    exponents[to]                  = i;
+    return Bernstein::number_of(exponents);
+  }
+
+
+
+  FullMatrix<double>
+  basis(const Triangle &triangle, const unsigned int degree)
+  {
+    return transform(reference_bases(degree).all, triangle);
+  }
+
+
+
+  FullMatrix<double>
+  equilibrated_basis(const Triangle &triangle, const unsigned int degree)
+  {
+    return transform(reference_bases(degree).equilibrated, triangle);
+  }
+
+
+
+  FullMatrix<double>
+  traction_matrix(const Triangle &triangle, const unsigned int degree)
+  {
+    FullMatrix<double> tractions(n_tractions(degree), n_values(degree));
     for (unsigned int side = 0; side < 3; ++side)
-      for (unsigned int end = 0; end < 2; ++end)
+      for (unsigned int i = 0; i <= degree; ++i)
         add_traction(tractions,
-                     traction_index(side, end, 0),
-                     side,
-                     end,
+                     traction_index(degree, side, i, 0),
+                     value_index(degree, side, number_on_line(degree, 0, 1, i)),
                      normal(triangle[side], triangle[(side + 1) % 3]));
     return tractions;
   }
 
 
 
+  // The gradient of sum_a c_a B_a is n sum_b (sum_i c_{b + e_i} grad lambda_i)
+  // B_b over the functions of degree n - 1.
   FullMatrix<double>
-  divergence_matrix(const Triangle &triangle)
+  divergence_matrix(const Triangle &triangle, const unsigned int degree)
   {
-    FullMatrix<double> divergence(6, n_values);
-    for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
+    FullMatrix<double> divergence(n_divergences(degree), n_values(degree));
+    const auto        &lower = Bernstein::exponents(degree - 1);
+    for (unsigned int k = 0; k < 3; ++k)
       {
-        const auto gradient = gradients(subtriangle_of(triangle, subtriangle));
-        for (unsigned int corner = 0; corner < 3; ++corner)
-          add_traction(
-            divergence, 2 * subtriangle, subtriangle, corner, gradient[corner]);
-      }
-    return divergence;
-  }
-
-
-
-  // Twelve conditions of continuity and fifteen degrees of freedom determine
-  // the 27 values.
-  FullMatrix<double>
-  shape_functions(const Triangle &triangle)
-  {
-    FullMatrix<double> conditions(n_values, n_values);
-    fill_rows(conditions, 0, jump_matrix(triangle));
-    fill_rows(conditions, 12, traction_matrix(triangle));
-    for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
-      for (unsigned int corner = 0; corner < 3; ++corner)
-        for (unsigned int component = 0; component < 3; ++component)
-          conditions(24 + component,
-                     value_index(subtriangle, corner, component)) = 1. / 9.;
-
-    conditions.gauss_jordan();
-    FullMatrix<double> basis(n_values, n_dofs);
-    basis.fill(conditions, 0, 0, 0, 12);
-    return basis;
-  }
-
-
-
-  // Piola's transformation B tau B^T carries stresses without divergence and
-  // with continuous tractions from the reference triangle to any other.
-  FullMatrix<double>
-  equilibrated_basis(const Triangle &triangle)
-  {
-    static const FullMatrix<double> reference = reference_equilibrated_basis();
-
-    const Tensor<1, 2> b0 = triangle[1] - triangle[0],
-                       b1 = triangle[2] - triangle[0];
-    const double scale    = 1. / std::sqrt(b0.norm_square() + b1.norm_square());
-    Tensor<2, 2> piola;
-    for (unsigned int d = 0; d < 2; ++d)
-      {
-        piola[d][0] = scale * b0[d];
-        piola[d][1] = scale * b1[d];
-      }
-
-    FullMatrix<double> basis(n_values, n_equilibrated_dofs);
-    Vector<double>     values(n_values);
-    for (unsigned int j = 0; j < n_equilibrated_dofs; ++j)
-      {
-        for (unsigned int i = 0; i < n_values; ++i)
-          values[i] = reference(i, j);
-        for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
-          for (unsigned int corner = 0; corner < 3; ++corner)
+        const auto gradient = gradients(subtriangle_of(triangle, k));
+        for (unsigned int b = 0; b < lower.size(); ++b)
+          for (unsigned int i = 0; i < 3; ++i)
             {
-              const Tensor<2, 2> stress =
-                piola * Tensor<2, 2>(stress_at(values, subtriangle, corner)) *
-                transpose(piola);
-              basis(value_index(subtriangle, corner, 0), j) = stress[0][0];
-              basis(value_index(subtriangle, corner, 1), j) = stress[1][1];
-              basis(value_index(subtriangle, corner, 2), j) = stress[0][1];
+              Bernstein::Exponents raised = lower[b];
+              ++raised[i];
+              add_traction(divergence,
+                           2 * (lower.size() * k + b),
+                           value_index(degree, k, Bernstein::number_of(raised)),
+                           1. * degree * gradient[i]);
             }
       }
-    return basis;
-  }
-
-
-
-  Vector<double>
-  interpolate(
-    const Triangle                                               &triangle,
-    const std::function<SymmetricTensor<2, 2>(const Point<2> &)> &stress)
-  {
-    Vector<double> dofs(n_dofs);
-    for (unsigned int side = 0; side < 3; ++side)
-      {
-        const Point<2> a = triangle[side], b = triangle[(side + 1) % 3];
-        integrate_on_side(
-          a, b, [&](const double t, const Point<2> &x, const double weight) {
-            const Tensor<1, 2> traction = stress(x) * normal(a, b);
-            for (unsigned int c = 0; c < 2; ++c)
-              {
-                const double w = weight * traction[c];
-                dofs[traction_index(side, 0, c)] += w * (4. - 6. * t);
-                dofs[traction_index(side, 1, c)] += w * (6. * t - 2.);
-              }
-          });
-      }
-
-    const QGaussSimplex<2> inside(3);
-    const Tensor<1, 2>     b0 = triangle[1] - triangle[0],
-                       b1     = triangle[2] - triangle[0];
-    for (unsigned int q = 0; q < inside.size(); ++q)
-      {
-        const auto  &x     = inside.point(q);
-        const auto   value = stress(triangle[0] + x[0] * b0 + x[1] * b1);
-        const double w     = 2. * inside.weight(q);
-        dofs[12] += w * value[0][0];
-        dofs[13] += w * value[1][1];
-        dofs[14] += w * value[0][1];
-      }
-    return dofs;
+    return divergence;
   }
 } // namespace ElastoPlastic::JohnsonMercier

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <numeric>
+
 #include "equilibrium/integration.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/limit_load.h"
@@ -13,7 +15,7 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// The power of the stresses in a triangle. Stresses are linear on each
+    /// The power of the stresses in a triangle. Stresses are quadratic on each
     /// subtriangle, strain rates quadratic at most, but for a flux.
     double
     power_inside(const PlaneBody   &body,
@@ -27,9 +29,7 @@ namespace ElastoPlastic
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
             const double x = quadrature.point(q)[0], y = quadrature.point(q)[1];
-            const SymmetricTensor<2, 3> stress =
-              (1. - x - y) * bounds.stress.at(t, k, 0) +
-              x * bounds.stress.at(t, k, 1) + y * bounds.stress.at(t, k, 2);
+            const auto   stress = bounds.stress.at(t, k, {{1. - x - y, x, y}});
             Bernstein::Barycentric point;
             point.fill(y / 3.);
             point[k] += 1. - x - y;
@@ -54,19 +54,27 @@ namespace ElastoPlastic
       const auto &side        = body.mesh.sides[view.side];
       const bool  is_reversed = // the side, seen from the triangle
         side.vertices[0] != body.mesh.triangles[t].vertices[k];
-      const auto shear = [&](const unsigned int end) {
-        return view.tangent *
-               (JohnsonMercier::stress_at(bounds.stress.in_plane[t],
-                                          k,
-                                          is_reversed ? 1 - end : end) *
-                view.normal);
-      };
+      const unsigned int  degree = bounds.stress.degree;
+      std::vector<double> shear; // its coefficients, weighted
+      for (unsigned int i = 0; i <= degree; ++i)
+        shear.push_back(view.tangent *
+                        (JohnsonMercier::coefficient(
+                           bounds.stress.in_plane[t],
+                           k,
+                           JohnsonMercier::number_on_line(
+                             degree, 0, 1, is_reversed ? degree - i : i)) *
+                         view.normal));
       double sum = 0;
       integrate_on_side(
         body.mesh.vertices[side.vertices[0]],
         body.mesh.vertices[side.vertices[1]],
         [&](const double at, const Point<2> &x, const double weight) {
-          sum -= weight * view.length * ((1. - at) * shear(0) + at * shear(1)) *
+          const auto functions = Bernstein::side_functions(degree, at);
+          sum -= weight * view.length *
+                 std::inner_product(functions.begin(),
+                                    functions.end(),
+                                    shear.begin(),
+                                    0.) *
                  (view.jump(bounds.velocity.velocity, at) * view.tangent) /
                  body.weight(x);
         });

@@ -42,32 +42,39 @@ namespace ElastoPlastic::LocalStresses
     FullMatrix<double>
     divergence_component(const PlaneBody   &body,
                          const unsigned int t,
+                         const unsigned int degree,
                          const unsigned int component)
     {
       const FullMatrix<double> divergence =
-        divergence_matrix(corners_of(body, t));
-      FullMatrix<double> rows(3, n_values);
-      for (unsigned int k = 0; k < 3; ++k)
-        for (unsigned int j = 0; j < n_values; ++j)
-          rows(k, j) = body.length_unit * divergence(2 * k + component, j);
+        divergence_matrix(corners_of(body, t), degree);
+      FullMatrix<double> rows(divergence.m() / 2, divergence.n());
+      for (unsigned int i = 0; i < rows.m(); ++i)
+        for (unsigned int j = 0; j < rows.n(); ++j)
+          rows(i, j) = body.length_unit * divergence(2 * i + component, j);
       return rows;
     }
   } // namespace
 
 
 
-  std::array<double, n_points>
-  weights(const PlaneBody &body, const unsigned int t)
+  std::vector<double>
+  weights(const PlaneBody   &body,
+          const unsigned int t,
+          const unsigned int degree)
   {
-    std::array<double, n_points> result;
+    std::vector<double> result;
     for (unsigned int k = 0; k < 3; ++k)
       {
-        const Triangle subtriangle = subtriangle_of(corners_of(body, t), k);
-        for (unsigned int i = 0; i < 3; ++i)
-          result[3 * k + i] =
-            body.is_on_axis(subtriangle[i]) ?
-              0. :
-              body.weight(subtriangle[i]) / body.weight_unit();
+        const Triangle corners = subtriangle_of(corners_of(body, t), k);
+        for (const auto &exponents : Bernstein::exponents(degree))
+          {
+            double weight = 0;
+            for (unsigned int i = 0; i < 3; ++i)
+              if (!body.is_on_axis(corners[i]))
+                weight += Bernstein::point_of(exponents)[i] *
+                          body.weight(corners[i]) / body.weight_unit();
+            result.push_back(weight);
+          }
       }
     return result;
   }
@@ -75,11 +82,13 @@ namespace ElastoPlastic::LocalStresses
 
 
   std::vector<unsigned int>
-  points_off_axis(const PlaneBody &body, const unsigned int t)
+  points_off_axis(const PlaneBody   &body,
+                  const unsigned int t,
+                  const unsigned int degree)
   {
-    const auto                of_points = weights(body, t);
+    const auto                of_points = weights(body, t, degree);
     std::vector<unsigned int> points;
-    for (unsigned int p = 0; p < n_points; ++p)
+    for (unsigned int p = 0; p < of_points.size(); ++p)
       if (of_points[p] > 0)
         points.push_back(p);
     return points;
@@ -88,13 +97,13 @@ namespace ElastoPlastic::LocalStresses
 
 
   FullMatrix<double>
-  shape_functions(const PlaneBody &body, const unsigned int t)
+  basis(const PlaneBody &body, const unsigned int t, const unsigned int degree)
   {
     const FullMatrix<double> all =
-      JohnsonMercier::shape_functions(corners_of(body, t));
-    const auto         of_points = weights(body, t);
-    FullMatrix<double> on_axis(n_values, n_values);
-    for (unsigned int i = 0; i < n_values; ++i)
+      JohnsonMercier::basis(corners_of(body, t), degree);
+    const auto         of_points = weights(body, t, degree);
+    FullMatrix<double> on_axis(all.m(), all.m());
+    for (unsigned int i = 0; i < all.m(); ++i)
       on_axis(i, i) = of_points[i / 3] > 0 ? 0. : 1.;
     return on_axis.linfty_norm() > 0 ? restrict_to_kernel(all, on_axis) : all;
   }
@@ -102,36 +111,69 @@ namespace ElastoPlastic::LocalStresses
 
 
   // The stresses, not the weighted ones, are what all triangles have of the
-  // same size.
+  // same size: the weight is that of the centre of gravity.
   FullMatrix<double>
-  equilibrated_basis(const PlaneBody &body, const unsigned int t)
+  equilibrated_basis(const PlaneBody   &body,
+                     const unsigned int t,
+                     const unsigned int degree)
   {
     if (!body.is_axisymmetric())
-      return JohnsonMercier::equilibrated_basis(corners_of(body, t));
-    FullMatrix<double> basis =
-      restrict_to_kernel(shape_functions(body, t),
-                         divergence_component(body, t, 1));
-    basis *= weights(body, t)[2]; // at the centre of gravity
-    return basis;
+      return JohnsonMercier::equilibrated_basis(corners_of(body, t), degree);
+    FullMatrix<double> equilibrated =
+      restrict_to_kernel(basis(body, t, degree),
+                         divergence_component(body, t, degree, 1));
+    equilibrated *= weights(body, t, /* degree = */ 1)[2];
+    return equilibrated;
   }
 
 
 
   FullMatrix<double>
-  circumferential_matrix(const PlaneBody &body, const unsigned int t)
+  circumferential_matrix(const PlaneBody   &body,
+                         const unsigned int t,
+                         const unsigned int degree)
   {
-    return divergence_component(body, t, 0);
+    return divergence_component(body, t, degree, 0);
+  }
+
+
+
+  // The coefficient a of the product of linear w and f, of degree n - 1, is
+  // sum_i a_i / n w_i f_{a - e_i}.
+  FullMatrix<double>
+  weighting_matrix(const PlaneBody   &body,
+                   const unsigned int t,
+                   const unsigned int degree)
+  {
+    const auto         at_corners = weights(body, t, /* degree = */ 1);
+    const auto        &exponents  = Bernstein::exponents(degree);
+    const unsigned int n_lower    = Bernstein::n_functions(degree - 1);
+    FullMatrix<double> matrix(n_points(degree), n_points(degree - 1));
+    for (unsigned int k = 0; k < 3; ++k)
+      for (unsigned int a = 0; a < exponents.size(); ++a)
+        for (unsigned int i = 0; i < 3; ++i)
+          if (exponents[a][i] > 0)
+            {
+              Bernstein::Exponents lowered = exponents[a];
+              --lowered[i];
+              matrix(exponents.size() * k + a,
+                     n_lower * k + Bernstein::number_of(lowered)) =
+                Bernstein::point_of(exponents[a])[i] * at_corners[3 * k + i];
+            }
+    return matrix;
   }
 
 
 
   FullMatrix<double>
-  yield_points(const PlaneBody &body, const unsigned int t)
+  yield_points(const PlaneBody   &body,
+               const unsigned int t,
+               const unsigned int degree)
   {
-    const auto         of_points = weights(body, t);
-    const auto         points    = points_off_axis(body, t);
+    const auto         of_points = weights(body, t, degree);
+    const auto         points    = points_off_axis(body, t, degree);
     FullMatrix<double> result(n_stress_components * points.size(),
-                              n_stress_components * n_points);
+                              n_stress_components * of_points.size());
     for (unsigned int i = 0; i < points.size(); ++i)
       for (unsigned int c = 0; c < n_stress_components; ++c)
         result(n_stress_components * i + c,

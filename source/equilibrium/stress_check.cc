@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "equilibrium/hencky_material.h"
 #include "equilibrium/johnson_mercier.h"
@@ -31,46 +32,87 @@ namespace ElastoPlastic
 
 
 
-    /// Of the weighted stress on a subtriangle, by differences between its
-    /// @p corners.
-    Tensor<1, 2>
+    /// The coefficients of the divergence of the weighted stress on a
+    /// subtriangle, by differences between those of the stress on the ways from
+    /// its first corner.
+    std::vector<Tensor<1, 2>>
     divergence(const Triangle       &corners,
                const Vector<double> &values,
-               const unsigned int    subtriangle)
+               const unsigned int    subtriangle,
+               const unsigned int    degree)
     {
-      const Tensor<2, 2> ways = invert(Tensor<2, 2>(
+      const Tensor<2, 2>        ways = invert(Tensor<2, 2>(
         {{corners[1][0] - corners[0][0], corners[1][1] - corners[0][1]},
-         {corners[2][0] - corners[0][0], corners[2][1] - corners[0][1]}}));
-      Tensor<1, 2>       result;
-      for (unsigned int i = 0; i < 2; ++i)
+                {corners[2][0] - corners[0][0], corners[2][1] - corners[0][1]}}));
+      std::vector<Tensor<1, 2>> result;
+      for (const auto &exponents : Bernstein::exponents(degree - 1))
         {
-          const auto change = stress_at(values, subtriangle, i + 1) -
-                              stress_at(values, subtriangle, 0);
-          for (unsigned int d = 0; d < 2; ++d)
-            result += ways[d][i] * (change * Point<2>::unit_vector(d));
+          const auto beside = [&](const unsigned int corner) {
+            Bernstein::Exponents raised = exponents;
+            ++raised[corner];
+            return coefficient(values,
+                               subtriangle,
+                               Bernstein::number_of(raised));
+          };
+          Tensor<1, 2> sum;
+          for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int d = 0; d < 2; ++d)
+              sum += 1. * degree * ways[d][i] *
+                     ((beside(i + 1) - beside(0)) * Point<2>::unit_vector(d));
+          result.push_back(sum);
         }
       return result;
     }
 
 
 
-    /// The weighted tractions of a triangle at the ends of a side, in the
+    /// The coefficients of the weighted traction of a triangle, in the
     /// direction of the side, on a plane with the normal of the side.
-    std::array<Tensor<1, 2>, 2>
+    std::vector<Tensor<1, 2>>
     tractions(const PlaneBody   &body,
               const StressField &field,
               const unsigned int t,
               const unsigned int k)
     {
-      const auto                 &triangle = body.mesh.triangles[t];
-      const auto                 &side     = body.mesh.sides[triangle.sides[k]];
-      const Tensor<1, 2>          normal   = body.mesh.normal(side);
-      std::array<Tensor<1, 2>, 2> result   = {
-          {stress_at(field.in_plane[t], k, 0) * normal,
-           stress_at(field.in_plane[t], k, 1) * normal}};
+      const auto               &triangle = body.mesh.triangles[t];
+      const auto               &side     = body.mesh.sides[triangle.sides[k]];
+      const Tensor<1, 2>        normal   = body.mesh.normal(side);
+      std::vector<Tensor<1, 2>> result;
+      for (unsigned int i = 0; i <= field.degree; ++i)
+        result.push_back(coefficient(field.in_plane[t],
+                                     k,
+                                     number_on_line(field.degree, 0, 1, i)) *
+                         normal);
       if (side.vertices[0] != triangle.vertices[k])
-        std::swap(result[0], result[1]);
+        std::reverse(result.begin(), result.end());
       return result;
+    }
+
+
+
+    /// The point of a line that a coefficient belongs to.
+    Point<2>
+    point_on_line(const Point<2>    &a,
+                  const Point<2>    &b,
+                  const unsigned int i,
+                  const unsigned int degree)
+    {
+      return Point<2>(a + 1. * i / degree * (b - a));
+    }
+
+
+
+    Point<2>
+    point_on_side(const PlaneBody   &body,
+                  const unsigned int s,
+                  const unsigned int i,
+                  const unsigned int degree)
+    {
+      const auto &vertices = body.mesh.sides[s].vertices;
+      return point_on_line(body.mesh.vertices[vertices[0]],
+                           body.mesh.vertices[vertices[1]],
+                           i,
+                           degree);
     }
 
 
@@ -87,11 +129,16 @@ namespace ElastoPlastic
       for (unsigned int k = 0; k < 3; ++k)
         {
           const Triangle subtriangle = subtriangle_of(corners, k);
-          Tensor<1, 2> missing = divergence(subtriangle, field.in_plane[t], k);
-          if (body.is_axisymmetric())
-            missing[0] -= field.circumferential[t][k];
-          enlarge(errors.divergence,
-                  size * missing.norm() / body.weight(subtriangle[2]));
+          auto           missing =
+            divergence(subtriangle, field.in_plane[t], k, field.degree);
+          for (unsigned int i = 0; i < missing.size(); ++i)
+            {
+              if (body.is_axisymmetric())
+                missing[i][0] -=
+                  field.circumferential[t][missing.size() * k + i];
+              enlarge(errors.divergence,
+                      size * missing[i].norm() / body.weight(subtriangle[2]));
+            }
         }
     }
 
@@ -111,42 +158,67 @@ namespace ElastoPlastic
           const Point<2>     center = subtriangle_of(corners, k)[2];
           const Tensor<1, 2> line   = center - corners[k];
           const Tensor<1, 2> normal = cross_product_2d(line) / line.norm();
-          const unsigned int before = (k + 2) % 3;
-          for (const auto &[here, there, point] :
-               {std::make_tuple(0u, 1u, corners[k]),
-                std::make_tuple(2u, 2u, center)})
-            enlarge(errors.traction_jump,
-                    inverse_weight(body, point) *
-                      ((stress_at(values, k, here) -
-                        stress_at(values, before, there)) *
-                       normal)
-                        .norm());
+          for (unsigned int i = 0; i <= field.degree; ++i)
+            {
+              const auto jump =
+                coefficient(values, k, number_on_line(field.degree, 0, 2, i)) -
+                coefficient(values,
+                            (k + 2) % 3,
+                            number_on_line(field.degree, 1, 2, i));
+              const Point<2> point =
+                point_on_line(corners[k], center, i, field.degree);
+              enlarge(errors.traction_jump,
+                      inverse_weight(body, point) * (jump * normal).norm());
+            }
         }
     }
 
 
 
-    /// The yield condition, and what makes it hold for the circumferential
-    /// stress and on the axis.
+    /// The circumferential stress at a @p point of a subtriangle.
+    double
+    circumferential_at(const StressField            &field,
+                       const unsigned int            t,
+                       const unsigned int            k,
+                       const Bernstein::Barycentric &point)
+    {
+      const auto functions = Bernstein::functions(field.degree - 1, point);
+      return std::inner_product(functions.begin(),
+                                functions.end(),
+                                field.circumferential[t].begin() +
+                                  functions.size() * k,
+                                0.);
+    }
+
+
+
+    /// The yield condition, which holds everywhere if it does for the
+    /// coefficients over those of the weight, and what makes it hold for the
+    /// circumferential stress and on the axis.
     void
     check_points(StressErrors      &errors,
                  const PlaneBody   &body,
                  const StressField &field,
                  const unsigned int t)
     {
-      const auto corners = body.mesh.corners(body.mesh.triangles[t]);
+      const auto  corners = body.mesh.corners(body.mesh.triangles[t]);
+      const auto &all     = Bernstein::exponents(field.degree);
       for (unsigned int k = 0; k < 3; ++k)
-        for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int i = 0; i < all.size(); ++i)
           {
-            const Point<2> point    = subtriangle_of(corners, k)[i];
-            const auto     weighted = field.at(t, k, i);
+            const auto     subtriangle = subtriangle_of(corners, k);
+            const auto     position    = Bernstein::point_of(all[i]);
+            const Point<2> point(position[0] * subtriangle[0] +
+                                 position[1] * subtriangle[1] +
+                                 position[2] * subtriangle[2]);
+            const auto     weighted = field.coefficient(t, k, i);
             if (body.is_on_axis(point))
               enlarge(errors.on_axis,
                       weighted.norm() / std::sqrt(area(corners)));
             else if (body.is_axisymmetric())
               enlarge(errors.circumferential,
-                      std::abs(weighted[2][2] / point[0] -
-                               field.circumferential[t][k]));
+                      std::abs(field.at(t, k, position)[2][2] / point[0] -
+                               circumferential_at(field, t, k, position)));
             if (!HenckyMaterial::hardens(body.materials[t]))
               enlarge(errors.yield_excess,
                       inverse_weight(body, point) * deviator(weighted).norm() -
@@ -156,40 +228,66 @@ namespace ElastoPlastic
 
 
 
-    /// Of a side at the boundary, where the pressure of body forces counts.
-    /// @return the force of the indenter.
-    double
-    check_boundary(StressErrors                      &errors,
-                   const PlaneBody                   &body,
-                   const StressField                 &field,
-                   const unsigned int                 s,
-                   const std::array<Tensor<1, 2>, 2> &tractions)
+    /// Of a side at the boundary, where the pressure of body forces counts: at
+    /// its points, as many as a polynomial of this degree has coefficients.
+    void
+    check_given_tractions(StressErrors                    &errors,
+                          const PlaneBody                 &body,
+                          const StressField               &field,
+                          const unsigned int               s,
+                          const std::vector<Tensor<1, 2>> &tractions)
     {
-      double       force  = 0;
-      const auto  &side   = body.mesh.sides[s];
-      const double length = body.mesh.length(side);
-      for (unsigned int end = 0; end < 2; ++end)
-        for (const auto &component : body.conditions[s].components)
-          {
-            const Point<2> point = body.mesh.vertices[side.vertices[end]];
-            const double   pressure =
-              body.pressure_of_body_force(point, field.load_factor) *
-              (body.mesh.normal(side) * component.direction);
-            const double weighted = tractions[end] * component.direction -
-                                    body.weight(point) * pressure;
-            const double traction = inverse_weight(body, point) * weighted;
-            if (component.type == SideConditionType::traction &&
-                !body.is_on_axis(point))
+      for (unsigned int i = 0; i <= field.degree; ++i)
+        {
+          const Point<2> point = point_on_side(body, s, i, field.degree);
+          if (body.is_on_axis(point))
+            continue;
+          const auto functions =
+            Bernstein::side_functions(field.degree, 1. * i / field.degree);
+          const Tensor<1, 2> traction =
+            inverse_weight(body, point) * std::inner_product(functions.begin(),
+                                                             functions.end(),
+                                                             tractions.begin(),
+                                                             Tensor<1, 2>()) -
+            body.pressure_of_body_force(point, field.load_factor) *
+              body.mesh.normal(body.mesh.sides[s]);
+          for (const auto &component : body.conditions[s].components)
+            if (component.type == SideConditionType::traction)
               enlarge(errors.boundary_force,
-                      std::abs(traction - component.value(point) -
+                      std::abs(traction * component.direction -
+                               component.value(point) -
                                field.load_factor * component.growth(point)));
-            if (component.type == SideConditionType::contact)
-              {
-                enlarge(errors.tension, traction);
-                force -= body.angle() * 0.5 * length * weighted *
-                         component.direction[1];
-              }
-          }
+        }
+    }
+
+
+
+    /// That no coefficient of the pressure of the indenter is a tension.
+    /// @return its force.
+    double
+    check_indenter(StressErrors                    &errors,
+                   const PlaneBody                 &body,
+                   const StressField               &field,
+                   const unsigned int               s,
+                   const std::vector<Tensor<1, 2>> &tractions)
+    {
+      const auto &contact = body.conditions[s].components[1];
+      if (contact.type != SideConditionType::contact)
+        return 0.;
+      const double part =
+        body.mesh.length(body.mesh.sides[s]) / (field.degree + 1.);
+      double force = 0;
+      for (unsigned int i = 0; i <= field.degree; ++i)
+        {
+          const Point<2> point = point_on_side(body, s, i, field.degree);
+          const double   pressure =
+            body.pressure_of_body_force(point, field.load_factor) *
+            (body.mesh.normal(body.mesh.sides[s]) * contact.direction);
+          const double weighted =
+            tractions[i] * contact.direction - body.weight(point) * pressure;
+          enlarge(errors.tension, inverse_weight(body, point) * weighted);
+          force -= body.angle() * part * weighted * contact.direction[1];
+        }
       return force;
     }
   } // namespace
@@ -214,10 +312,10 @@ namespace ElastoPlastic
   StressErrors
   check_stress(const PlaneBody &body, const StressField &field)
   {
-    StressErrors                             errors;
-    double                                   force = 0;
-    std::vector<std::array<Tensor<1, 2>, 2>> first(body.mesh.sides.size());
-    std::vector<bool> seen(body.mesh.sides.size(), false);
+    StressErrors                           errors;
+    double                                 force = 0;
+    std::vector<std::vector<Tensor<1, 2>>> first(body.mesh.sides.size());
+    std::vector<bool>                      seen(body.mesh.sides.size(), false);
     for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
       {
         check_equilibrium(errors, body, field, t);
@@ -229,18 +327,18 @@ namespace ElastoPlastic
             const auto         here = tractions(body, field, t, k);
             if (body.mesh.sides[s].boundary_id !=
                 numbers::internal_face_boundary_id)
-              force += check_boundary(errors, body, field, s, here);
+              {
+                check_given_tractions(errors, body, field, s, here);
+                force += check_indenter(errors, body, field, s, here);
+              }
             else if (!seen[s])
               first[s] = here;
             else
-              for (unsigned int end = 0; end < 2; ++end)
-                {
-                  const auto &vertices = body.mesh.sides[s].vertices;
-                  enlarge(errors.traction_jump,
-                          inverse_weight(body,
-                                         body.mesh.vertices[vertices[end]]) *
-                            (here[end] - first[s][end]).norm());
-                }
+              for (unsigned int i = 0; i <= field.degree; ++i)
+                enlarge(errors.traction_jump,
+                        inverse_weight(
+                          body, point_on_side(body, s, i, field.degree)) *
+                          (here[i] - first[s][i]).norm());
             seen[s] = true;
           }
       }

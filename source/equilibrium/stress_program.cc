@@ -61,11 +61,14 @@ namespace ElastoPlastic
     /// triangles, where it concentrates and they are refined. A power in
     /// between takes half as many iterations as equal scales do.
     ConeScale
-    yield_scale(const PlaneBody &body, const unsigned int t)
+    yield_scale(const PlaneBody   &body,
+                const unsigned int t,
+                const unsigned int degree)
     {
-      const double part = area(body.mesh.corners(body.mesh.triangles[t])) *
-                          LocalStresses::weights(body, t)[2] /
-                          (n_points * body.length_unit * body.length_unit);
+      const double part =
+        area(body.mesh.corners(body.mesh.triangles[t])) *
+        LocalStresses::weights(body, t, /* degree = */ 1)[2] /
+        (n_points(degree) * body.length_unit * body.length_unit);
       return {body.materials[t].yield_radius / body.stress_unit,
               std::pow(part, 0.75)};
     }
@@ -75,9 +78,11 @@ namespace ElastoPlastic
 
 
   StressProgram::StressProgram(const PlaneBody       &body,
-                               const OutOfPlaneStress out_of_plane)
+                               const OutOfPlaneStress out_of_plane,
+                               const unsigned int     degree)
     : body(body)
     , out_of_plane(out_of_plane)
+    , degree(degree)
   {
     number_equations();
     for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
@@ -100,25 +105,25 @@ namespace ElastoPlastic
       {
         const SplitMesh::Side &side   = body.mesh.sides[s];
         const Tensor<1, 2>     normal = body.mesh.normal(side);
-        equations.emplace_back();
+        equations.emplace_back(degree + 1);
         for (unsigned int c = 0; c < 2; ++c)
           {
             const auto &component = body.conditions[s].components[c];
-            const auto  load      = end_forces(s, [&](const Point<2> &x) {
+            const auto  load      = point_forces(s, [&](const Point<2> &x) {
               return body.load(component, normal, x);
             });
-            const auto  more      = end_forces(s, [&](const Point<2> &x) {
+            const auto  more      = point_forces(s, [&](const Point<2> &x) {
               return body.load_factor_unit * body.growth(component, normal, x);
             });
-            for (unsigned int end = 0; end < 2; ++end)
+            for (unsigned int i = 0; i <= degree; ++i)
               {
-                equations[s][end][c] = numbers::invalid_unsigned_int;
+                equations[s][i][c] = numbers::invalid_unsigned_int;
                 if (component.type == SideConditionType::displacement ||
-                    body.is_on_axis(body.mesh.vertices[side.vertices[end]]))
+                    is_on_axis(s, i))
                   continue;
-                equations[s][end][c] = values.size();
-                values.push_back(load[end]);
-                growth.push_back(more[end]);
+                equations[s][i][c] = values.size();
+                values.push_back(load[i]);
+                growth.push_back(more[i]);
               }
           }
       }
@@ -129,17 +134,41 @@ namespace ElastoPlastic
 
 
 
-  std::array<double, 2>
-  StressProgram::end_forces(
+  bool
+  StressProgram::is_on_axis(const unsigned int side, const unsigned int i) const
+  {
+    const auto &vertices = body.mesh.sides[side].vertices;
+    const bool  first    = body.is_on_axis(body.mesh.vertices[vertices[0]]),
+               last      = body.is_on_axis(body.mesh.vertices[vertices[1]]);
+    return (first && i == 0) || (last && i == degree) || (first && last);
+  }
+
+
+
+  double
+  StressProgram::share_of_side(const unsigned int side) const
+  {
+    return body.mesh.length(body.mesh.sides[side]) /
+           ((degree + 1.) * body.length_unit);
+  }
+
+
+
+  std::vector<double>
+  StressProgram::point_forces(
     const unsigned int                             side,
     const std::function<double(const Point<2> &)> &load) const
   {
-    const auto [first, second] = moments(side, [&](const Point<2> &x) {
+    const auto  of_load      = moments(side, [&](const Point<2> &x) {
       return body.weight(x) / body.weight_unit() * load(x);
     });
-    const double unit          = 0.5 * body.mesh.length(body.mesh.sides[side]) /
-                        body.length_unit / body.stress_unit;
-    return {{unit * (2. * first - second), unit * (2. * second - first)}};
+    const auto &coefficients = Bernstein::side_coefficients_of_moments(degree);
+    std::vector<double> forces(degree + 1);
+    for (unsigned int i = 0; i <= degree; ++i)
+      for (unsigned int j = 0; j <= degree; ++j)
+        forces[i] += share_of_side(side) / body.stress_unit *
+                     coefficients(i, j) * of_load[j] / (degree + 1.);
+    return forces;
   }
 
 
@@ -147,16 +176,18 @@ namespace ElastoPlastic
   void
   StressProgram::add_block(const unsigned int t)
   {
-    const bool own_unknown         = out_of_plane == OutOfPlaneStress::unknown;
-    const FullMatrix<double> basis = LocalStresses::equilibrated_basis(body, t);
-    const unsigned int       n     = basis.n() + (own_unknown ? n_points : 0) +
-                           (hardens(body.materials[t]) ?
-                              LocalStresses::points_off_axis(body, t).size() :
-                              0);
+    const bool own_unknown = out_of_plane == OutOfPlaneStress::unknown;
+    const FullMatrix<double> basis =
+      LocalStresses::equilibrated_basis(body, t, degree);
+    const unsigned int n =
+      basis.n() + (own_unknown ? n_points(degree) : 0) +
+      (hardens(body.materials[t]) ?
+         LocalStresses::points_off_axis(body, t, degree).size() :
+         0);
 
     FullMatrix<double> &stress =
-      point_stresses.emplace_back(n_components * n_points, n);
-    for (unsigned int p = 0; p < n_points; ++p)
+      point_stresses.emplace_back(n_components * n_points(degree), n);
+    for (unsigned int p = 0; p < n_points(degree); ++p)
       {
         const unsigned int row = n_components * p;
         for (unsigned int j = 0; j < basis.n(); ++j)
@@ -182,14 +213,16 @@ namespace ElastoPlastic
   StressProgram::add_circumferential_stress(const unsigned int        t,
                                             const FullMatrix<double> &basis)
   {
-    const auto         weights = LocalStresses::weights(body, t);
-    FullMatrix<double> of_subtriangles(3, basis.n());
-    LocalStresses::circumferential_matrix(body, t).mmult(of_subtriangles,
-                                                         basis);
-    for (unsigned int p = 0; p < n_points; ++p)
+    const auto coefficients =
+      LocalStresses::circumferential_matrix(body, t, degree);
+    const auto weighting = LocalStresses::weighting_matrix(body, t, degree);
+    FullMatrix<double> of_subtriangles(coefficients.m(), basis.n()),
+      weighted(weighting.m(), basis.n());
+    coefficients.mmult(of_subtriangles, basis);
+    weighting.mmult(weighted, of_subtriangles);
+    for (unsigned int p = 0; p < weighted.m(); ++p)
       for (unsigned int j = 0; j < basis.n(); ++j)
-        point_stresses[t](n_components * p + 3, j) =
-          weights[p] * of_subtriangles(p / 3, j);
+        point_stresses[t](n_components * p + 3, j) = weighted(p, j);
   }
 
 
@@ -201,9 +234,10 @@ namespace ElastoPlastic
     const Material<double> &material = body.materials[t];
     if (!yields(material))
       return;
-    ConicBlock              &block  = program.blocks[t];
-    const FullMatrix<double> points = LocalStresses::yield_points(body, t);
-    FullMatrix<double>       stress(points.m(), point_stresses[t].n());
+    ConicBlock              &block = program.blocks[t];
+    const FullMatrix<double> points =
+      LocalStresses::yield_points(body, t, degree);
+    FullMatrix<double> stress(points.m(), point_stresses[t].n());
     points.mmult(stress, point_stresses[t]);
     ElastoPlastic::add_yield_conditions(
       block, stress, material.yield_radius / body.stress_unit);
@@ -222,25 +256,29 @@ namespace ElastoPlastic
     ConicBlock                &block    = program.blocks[t];
     const unsigned int         n        = block.linear_cost.size();
 
-    const FullMatrix<double> basis = LocalStresses::equilibrated_basis(body, t);
-    FullMatrix<double>       tractions(n_tractions, basis.n());
-    traction_matrix(corners).mmult(tractions, basis);
+    FullMatrix<double> in_plane(n_values(degree), n),
+      tractions(n_tractions(degree), n);
+    for (unsigned int i = 0; i < in_plane.m(); ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        in_plane(i, j) = point_stresses[t](n_components * (i / 3) + i % 3, j);
+    traction_matrix(corners, degree).mmult(tractions, in_plane);
 
     sides.emplace_back();
     for (unsigned int k = 0; k < 3; ++k)
       {
         SideOfTriangle &side = sides.back()[k];
         side.side            = triangle.sides[k];
-        for (unsigned int end = 0; end < 2; ++end)
+        side.forces.resize(degree + 1);
+        for (unsigned int i = 0; i <= degree; ++i)
           for (unsigned int c = 0; c < 2; ++c)
             {
-              Vector<double> &force = side.forces[end][c];
+              Vector<double> &force = side.forces[i][c];
               force.reinit(n);
               add_transposed_product(force.begin(),
                                      tractions,
-                                     force_of_tractions(t, k, end, c).begin());
+                                     force_of_tractions(t, k, i, c).begin());
 
-              const unsigned int equation = equations[side.side][end][c];
+              const unsigned int equation = equations[side.side][i][c];
               if (equation != numbers::invalid_unsigned_int)
                 block.add_to_equation(equation, force);
             }
@@ -252,19 +290,19 @@ namespace ElastoPlastic
   Vector<double>
   StressProgram::force_of_tractions(const unsigned int t,
                                     const unsigned int k,
-                                    const unsigned int end,
+                                    const unsigned int i,
                                     const unsigned int component) const
   {
     const SplitMesh::Triangle &triangle = body.mesh.triangles[t];
     const unsigned int         s        = triangle.sides[k];
-    const SplitMesh::Side     &side     = body.mesh.sides[s];
-    const bool same_direction    = side.vertices[0] == triangle.vertices[k];
-    const unsigned int local_end = same_direction ? end : 1 - end;
+    const bool                 same_direction =
+      body.mesh.sides[s].vertices[0] == triangle.vertices[k];
+    const unsigned int local_i = same_direction ? i : degree - i;
 
-    Vector<double> force(n_tractions);
+    Vector<double> force(n_tractions(degree));
     for (unsigned int d = 0; d < 2; ++d)
-      force[traction_index(k, local_end, d)] =
-        0.5 * body.mesh.length(side) / body.length_unit *
+      force[traction_index(degree, k, local_i, d)] =
+        share_of_side(s) *
         body.conditions[s].components[component].direction[d];
     return force;
   }
@@ -274,16 +312,20 @@ namespace ElastoPlastic
   FullMatrix<double>
   StressProgram::weighted_mass(const unsigned int t) const
   {
-    const auto         weights = LocalStresses::weights(body, t);
-    const double       unit    = energy_weight(body, t);
-    FullMatrix<double> mass(n_points, n_points);
-    for (unsigned int k = 0; k < n_points; k += 3)
-      for (const WeightedPoint &point :
-           quadrature_over({{weights[k], weights[k + 1], weights[k + 2]}}))
-        for (unsigned int i = 0; i < 3; ++i)
-          for (unsigned int j = 0; j < 3; ++j)
-            mass(k + i, k + j) +=
-              unit * point.weight * point.position[i] * point.position[j];
+    const auto   weights = LocalStresses::weights(body, t, /* degree = */ 1);
+    const double unit    = energy_weight(body, t);
+    const unsigned int n = Bernstein::n_functions(degree);
+    FullMatrix<double> mass(3 * n, 3 * n);
+    for (unsigned int k = 0; k < 3; ++k)
+      for (const WeightedPoint &point : quadrature_over(
+             {{weights[3 * k], weights[3 * k + 1], weights[3 * k + 2]}}))
+        {
+          const auto functions = Bernstein::functions(degree, point.position);
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              mass(n * k + i, n * k + j) +=
+                unit * point.weight * functions[i] * functions[j];
+        }
     return mass;
   }
 
@@ -294,9 +336,9 @@ namespace ElastoPlastic
   {
     const FullMatrix<double> c    = compliance_matrix(body.materials[t]);
     const FullMatrix<double> mass = weighted_mass(t);
-    FullMatrix<double> energy(n_components * n_points, n_components * n_points);
-    for (unsigned int p = 0; p < n_points; ++p)
-      for (unsigned int q = 3 * (p / 3); q < 3 * (p / 3) + 3; ++q)
+    FullMatrix<double> energy(n_components * mass.m(), n_components * mass.n());
+    for (unsigned int p = 0; p < mass.m(); ++p)
+      for (unsigned int q = 0; q < mass.n(); ++q)
         for (unsigned int i = 0; i < n_components; ++i)
           for (unsigned int k = 0; k < n_components; ++k)
             energy(n_components * p + i, n_components * q + k) =
@@ -306,15 +348,15 @@ namespace ElastoPlastic
 
 
 
-  // zeta is weighted like the stresses, which makes it linear.
+  // zeta is weighted like the stresses.
   void
   StressProgram::add_hardening_energy(const unsigned int t)
   {
-    const auto               weights = LocalStresses::weights(body, t);
-    const auto               points  = LocalStresses::points_off_axis(body, t);
-    const FullMatrix<double> mass    = weighted_mass(t);
-    FullMatrix<double>      &cost    = program.blocks[t].quadratic_cost;
-    const unsigned int       first   = cost.n() - points.size();
+    const auto weights = LocalStresses::weights(body, t, degree);
+    const auto points  = LocalStresses::points_off_axis(body, t, degree);
+    const FullMatrix<double> mass  = weighted_mass(t);
+    FullMatrix<double>      &cost  = program.blocks[t].quadratic_cost;
+    const unsigned int       first = cost.n() - points.size();
     for (unsigned int i = 0; i < points.size(); ++i)
       for (unsigned int j = 0; j < points.size(); ++j)
         cost(first + i, first + j) += weights[points[i]] * weights[points[j]] *
@@ -333,25 +375,25 @@ namespace ElastoPlastic
         ConicBlock        &block = program.blocks[t];
         const unsigned int n     = block.linear_cost.size();
         block.quadratic_cost.reinit(n, n);
-        FullMatrix<double> strain(n_components * n_points, n);
+        FullMatrix<double> strain(point_stresses[t].m(), n);
         elastic_energy(t).mmult(strain, point_stresses[t]);
         point_stresses[t].Tmmult(block.quadratic_cost, strain);
         if (yields(body.materials[t]))
           std::fill(block.cone_scales.begin(),
                     block.cone_scales.end(),
-                    yield_scale(body, t));
+                    yield_scale(body, t, degree));
         if (hardens(body.materials[t]))
           add_hardening_energy(t);
 
         for (const SideOfTriangle &side : sides[t])
-          for (unsigned int i = 0; i < 2; ++i)
+          for (unsigned int c = 0; c < 2; ++c)
             {
-              if (body.conditions[side.side].components[i].type !=
+              if (body.conditions[side.side].components[c].type !=
                   SideConditionType::displacement)
                 continue;
-              for (unsigned int end = 0; end < 2; ++end)
-                block.linear_cost.add(given_multiplier(side.side, end, i),
-                                      side.forces[end][i]);
+              for (unsigned int i = 0; i <= degree; ++i)
+                block.linear_cost.add(given_multiplier(side.side, i, c),
+                                      side.forces[i][c]);
             }
       }
   }
@@ -360,28 +402,29 @@ namespace ElastoPlastic
 
   double
   StressProgram::given_multiplier(const unsigned int side,
-                                  const unsigned int end,
+                                  const unsigned int i,
                                   const unsigned int component) const
   {
     return -moments(side,
-                    body.conditions[side].components[component].value)[end] /
+                    body.conditions[side].components[component].value)[i] /
            (body.strain_unit * body.length_unit);
   }
 
 
 
-  std::array<double, 2>
+  std::vector<double>
   StressProgram::moments(const unsigned int                             side,
                          const std::function<double(const Point<2> &)> &f) const
   {
-    const auto           &vertices = body.mesh.sides[side].vertices;
-    std::array<double, 2> result   = {};
+    const auto         &vertices = body.mesh.sides[side].vertices;
+    std::vector<double> result(degree + 1);
     integrate_on_side(body.mesh.vertices[vertices[0]],
                       body.mesh.vertices[vertices[1]],
                       [&](const double t, const Point<2> &x, const double w) {
-                        const double value = 2. * w * f(x);
-                        result[0] += (1. - t) * value;
-                        result[1] += t * value;
+                        const auto functions =
+                          Bernstein::side_functions(degree, t);
+                        for (unsigned int i = 0; i <= degree; ++i)
+                          result[i] += (degree + 1.) * w * f(x) * functions[i];
                       });
     return result;
   }

@@ -12,13 +12,13 @@ namespace ElastoPlastic
     Vector<double> force(1);
     for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
       if (body.conditions[s].components[1].type == SideConditionType::contact)
-        for (unsigned int end = 0; end < 2; ++end)
-          if (equations[s][end][1] != numbers::invalid_unsigned_int)
+        for (unsigned int i = 0; i <= degree; ++i)
+          if (equations[s][i][1] != numbers::invalid_unsigned_int)
             {
-              contact_ends.push_back({s, end});
+              contact_points.push_back({s, i});
               ConicBlock &block = program.blocks.emplace_back(1);
               force[0]          = 1.;
-              block.add_to_equation(equations[s][end][1], force);
+              block.add_to_equation(equations[s][i][1], force);
               force[0] = -1.;
               block.add_inequality(force);
             }
@@ -29,12 +29,11 @@ namespace ElastoPlastic
   void
   StressProgram::add_gap()
   {
-    for (unsigned int i = 0; i < contact_ends.size(); ++i)
+    for (unsigned int i = 0; i < contact_points.size(); ++i)
       {
-        const auto [side, end] = contact_ends[i];
-        contact_block(i).cone_scales[0].slack =
-          0.5 * body.mesh.length(body.mesh.sides[side]) / body.length_unit;
-        add_contact_cost(i, moments(side, body.gap)[end]);
+        const auto [side, point]              = contact_points[i];
+        contact_block(i).cone_scales[0].slack = share_of_side(side);
+        add_contact_cost(i, moments(side, body.gap)[point]);
       }
   }
 
@@ -43,7 +42,7 @@ namespace ElastoPlastic
   void
   StressProgram::add_force(const double factor)
   {
-    for (unsigned int i = 0; i < contact_ends.size(); ++i)
+    for (unsigned int i = 0; i < contact_points.size(); ++i)
       add_contact_cost(i, factor);
   }
 
@@ -60,7 +59,7 @@ namespace ElastoPlastic
   double
   StressProgram::vertical_part(const unsigned int i) const
   {
-    return body.conditions[contact_ends[i].side].components[1].direction[1];
+    return body.conditions[contact_points[i].side].components[1].direction[1];
   }
 
 
@@ -91,7 +90,7 @@ namespace ElastoPlastic
     program.right_hand_side[row] = force / force_unit();
     program.n_dense_rows         = 1;
     Vector<double> part(1);
-    for (unsigned int i = 0; i < contact_ends.size(); ++i)
+    for (unsigned int i = 0; i < contact_points.size(); ++i)
       {
         part[0] = vertical_part(i);
         contact_block(i).add_to_equation(row, part);

@@ -13,41 +13,35 @@ namespace ElastoPlastic
 {
   using namespace JohnsonMercier;
 
-  namespace
+  // The circumferential stress is a derivative of S, with rounding errors that
+  // grow as triangles become small: the component 33 follows from it.
+  void
+  StressProgram::add_stress(StressField          &field,
+                            const Vector<double> &values) const
   {
-    /// Adds the weighted stress of the next triangle, given by its @p values,
-    /// four components at each corner of the subtriangles.
-    void
-    add_stress(StressField          &field,
-               const PlaneBody      &body,
-               const unsigned int    t,
-               const Vector<double> &values)
-    {
-      field.in_plane.emplace_back(n_values);
-      field.out_of_plane.emplace_back();
-      for (unsigned int p = 0; p < n_points; ++p)
-        {
-          for (unsigned int c = 0; c < 3; ++c)
-            field.in_plane[t][3 * p + c] = values[n_stress_components * p + c];
-          field.out_of_plane[t][p] = values[n_stress_components * p + 3];
-        }
-      if (!body.is_axisymmetric())
-        return;
-      // It is a derivative of S, with rounding errors that grow as triangles
-      // become small: they must be the same at all corners.
-      const auto weights = LocalStresses::weights(body, t);
-      field.circumferential.emplace_back();
-      for (unsigned int k = 0; k < 3; ++k)
-        {
-          const unsigned int center = 3 * k + 2;
-          const double       stress = field.out_of_plane[t][center] /
-                                (weights[center] * body.weight_unit());
-          field.circumferential[t][k] = stress;
-          for (unsigned int p = 3 * k; p < 3 * k + 3; ++p)
-            field.out_of_plane[t][p] = weights[p] * body.weight_unit() * stress;
-        }
-    }
-  } // namespace
+    const unsigned int  t = field.in_plane.size();
+    std::vector<double> out_of_plane(n_points(degree));
+    field.in_plane.emplace_back(n_values(degree));
+    for (unsigned int p = 0; p < n_points(degree); ++p)
+      {
+        for (unsigned int c = 0; c < 3; ++c)
+          field.in_plane[t][3 * p + c] = values[n_stress_components * p + c];
+        out_of_plane[p] = values[n_stress_components * p + 3];
+      }
+    if (this->out_of_plane == OutOfPlaneStress::circumferential)
+      {
+        Vector<double> stress(n_points(degree - 1)), weighted(n_points(degree));
+        LocalStresses::circumferential_matrix(body, t, degree)
+          .vmult(stress, field.in_plane[t]);
+        LocalStresses::weighting_matrix(body, t, degree)
+          .vmult(weighted, stress);
+        stress /= body.length_unit;
+        weighted *= body.weight_unit() / body.length_unit;
+        field.circumferential.emplace_back(stress.begin(), stress.end());
+        out_of_plane.assign(weighted.begin(), weighted.end());
+      }
+    field.out_of_plane.push_back(out_of_plane);
+  }
 
 
 
@@ -58,7 +52,9 @@ namespace ElastoPlastic
     const ConicLayout   layout(program);
 
     StressField field;
-    field.pressure.resize(body.mesh.sides.size());
+    field.degree = degree;
+    field.pressure.assign(body.mesh.sides.size(),
+                          std::vector<double>(degree + 1));
     const unsigned int n_triangles = body.mesh.triangles.size();
     for (unsigned int t = 0; t < n_triangles; ++t)
       {
@@ -70,7 +66,7 @@ namespace ElastoPlastic
           strain_moments(t, values, solution.z.begin() + layout.rows[t]),
           solution.y));
         values *= body.stress_unit * body.weight_unit();
-        add_stress(field, body, t, values);
+        add_stress(field, values);
       }
     set_pressure(field, solution.x.begin() + layout.unknowns[n_triangles]);
     if (program.n_dense_rows > 0)
@@ -87,24 +83,26 @@ namespace ElastoPlastic
 
 
 
-  // From the axis on, the weighted pressure is in proportion to r: there, the
-  // pressure is that of the other end.
+  // Where it comes to the axis, the weighted pressure is zero: there, the
+  // pressure is that of the coefficient beside it.
   void
   StressProgram::set_pressure(StressField &field, const double *forces) const
   {
-    for (unsigned int i = 0; i < contact_ends.size(); ++i)
+    for (unsigned int i = 0; i < contact_points.size(); ++i)
       {
-        const auto [s, end]         = contact_ends[i];
-        const SplitMesh::Side &side = body.mesh.sides[s];
-        const auto             at   = [&](const unsigned int e) {
-          return body.mesh.vertices[side.vertices[e]];
-        };
-        const double pressure = 2. * forces[i] * body.stress_unit *
-                                body.length_unit * body.weight_unit() /
-                                (body.mesh.length(side) * body.weight(at(end)));
-        field.pressure[s][end] = pressure;
-        if (body.is_on_axis(at(1 - end)))
-          field.pressure[s][1 - end] = pressure;
+        const auto [s, point] = contact_points[i];
+        const auto    &ends   = body.mesh.sides[s].vertices;
+        const Point<2> a      = body.mesh.vertices[ends[0]],
+                       b      = body.mesh.vertices[ends[1]];
+        const double pressure =
+          forces[i] * body.stress_unit * body.weight_unit() /
+          (share_of_side(s) *
+           body.weight(Point<2>(a + 1. * point / degree * (b - a))));
+        field.pressure[s][point] = pressure;
+        if (point == 1 && is_on_axis(s, 0))
+          field.pressure[s][0] = pressure;
+        if (point + 1 == degree && is_on_axis(s, degree))
+          field.pressure[s][degree] = pressure;
         field.force += force_unit() * vertical_part(i) * forces[i];
       }
   }
@@ -128,15 +126,16 @@ namespace ElastoPlastic
         ConicBlock block(stress.size());
         ElastoPlastic::add_yield_conditions(block,
                                             LocalStresses::yield_points(body,
-                                                                        t),
+                                                                        t,
+                                                                        degree),
                                             /* radius = */ 1.);
         LocalAlgebra::add_transposed_product(moments.begin(),
                                              block.cone_matrix,
                                              z);
       }
 
-    Vector<double> in_plane(n_values);
-    for (unsigned int p = 0; p < n_points; ++p)
+    Vector<double> in_plane(n_values(degree));
+    for (unsigned int p = 0; p < n_points(degree); ++p)
       {
         const double *const of_point = &moments[n_stress_components * p];
         for (unsigned int c = 0; c < 3; ++c)
@@ -152,14 +151,14 @@ namespace ElastoPlastic
 
   double
   StressProgram::multiplier(const unsigned int    side,
-                            const unsigned int    end,
+                            const unsigned int    i,
                             const unsigned int    component,
                             const Vector<double> &y) const
   {
-    const unsigned int equation = equations[side][end][component];
+    const unsigned int equation = equations[side][i][component];
     if (equation != numbers::invalid_unsigned_int)
       return y[equation];
-    return has_energy ? given_multiplier(side, end, component) : 0.;
+    return has_energy ? given_multiplier(side, i, component) : 0.;
   }
 
 
@@ -167,40 +166,44 @@ namespace ElastoPlastic
   // For all stresses tau of the triangle, with the traces w of the displacement
   // on its sides,
   //   (strain, tau) + (u_h, div tau) - <w, tau n> = 0.
-  // Of these (at most 15) equations, those of the unknowns have been solved;
-  // least squares take out of the others the values of u_h at the centres of
-  // gravity of the subtriangles, where div tau is constant. Such a value is 4/9
-  // of those at the corners k and k + 1 and 1/9 of the third one.
+  // Of these (at most 15 or 36) equations, those of the unknowns have been
+  // solved; least squares take out of the others the moments of u_h for the
+  // coefficients of div tau, and thus its means over the subtriangles. Such a
+  // mean is, for a linear function, 4/9 of the values at the corners k and
+  // k + 1 and 1/9 of the third one.
   std::array<Tensor<1, 2>, 3>
   StressProgram::displacement_of(const unsigned int    t,
                                  const Vector<double> &strain_moments,
                                  const Vector<double> &y) const
   {
     const auto corners              = body.mesh.corners(body.mesh.triangles[t]);
-    const FullMatrix<double> shapes = LocalStresses::shape_functions(body, t);
-    FullMatrix<double>       divergence(6, shapes.n());
-    divergence_matrix(corners).mmult(divergence, shapes);
+    const FullMatrix<double> shapes = LocalStresses::basis(body, t, degree);
+    const unsigned int       n      = n_divergences(degree);
+    FullMatrix<double>       divergence(n, shapes.n());
+    divergence_matrix(corners, degree).mmult(divergence, shapes);
     divergence *= area(corners) / (3. * body.length_unit);
 
-    Vector<double> traction_moments(n_tractions);
+    Vector<double> traction_moments(n_tractions(degree));
     for (unsigned int k = 0; k < 3; ++k)
-      for (unsigned int end = 0; end < 2; ++end)
+      for (unsigned int i = 0; i <= degree; ++i)
         for (unsigned int c = 0; c < 2; ++c)
-          traction_moments.add(multiplier(sides[t][k].side, end, c, y),
-                               force_of_tractions(t, k, end, c));
+          traction_moments.add(multiplier(sides[t][k].side, i, c, y),
+                               force_of_tractions(t, k, i, c));
 
     Vector<double> moments = strain_moments;
-    traction_matrix(corners).Tvmult(moments, traction_moments, true);
+    traction_matrix(corners, degree).Tvmult(moments, traction_moments, true);
     Vector<double> residual(shapes.n());
     shapes.Tvmult(residual, moments);
 
-    FullMatrix<double> normal_matrix(6, 6);
+    FullMatrix<double> normal_matrix(n, n);
     divergence.mTmult(normal_matrix, divergence);
     normal_matrix.gauss_jordan();
-    Vector<double> weighted(6), at_centers(6);
+    Vector<double> weighted(n), of_coefficients(n), at_centers(6);
     divergence.vmult(weighted, residual);
-    normal_matrix.vmult(at_centers, weighted);
-    at_centers *= -body.strain_unit * body.length_unit;
+    normal_matrix.vmult(of_coefficients, weighted);
+    for (unsigned int i = 0; i < n; ++i)
+      at_centers[2 * (i / (n / 3)) + i % 2] -=
+        body.strain_unit * body.length_unit * of_coefficients[i];
 
     std::array<Tensor<1, 2>, 3> at_corners;
     for (unsigned int d = 0; d < 2; ++d)
