@@ -135,6 +135,57 @@ namespace
 
 
 
+  // A chain of bars that carry the same force lambda = x_0 and each a shear
+  // x_1 = 0.6 R, where R is the radius of its ball: the weakest bears 0.8. They
+  // are strong by very different amounts, and no rounding is as small as the
+  // tolerance. What the iteration has reached must be admissible to the last
+  // digits: then it bounds the solution from below.
+  void
+  test_early_end()
+  {
+    const std::vector<double> radii = {1e5, 1., 1e3, 1.0001, 1e7, 1e2};
+    ConicProgram              program;
+    program.right_hand_side.reinit(2 * radii.size());
+    program.growth.reinit(2 * radii.size());
+    for (unsigned int b = 0; b < radii.size(); ++b)
+      {
+        program.blocks.push_back(ball(3, radii[b]));
+        Vector<double> row(3);
+        row[1] = 1.;
+        program.blocks[b].add_to_equation(2 * b, row);
+        program.right_hand_side[2 * b] = 0.6 * radii[b];
+        row                            = 0.;
+        row[0]                         = 1.;
+        program.blocks[b].add_to_equation(2 * b + 1, row);
+        if (b > 0)
+          {
+            row[0] = -1.;
+            program.blocks[b - 1].add_to_equation(2 * b + 1, row);
+          }
+      }
+    program.growth[1] = 1.;
+
+    const ConicSolution solution = minimize(program, 1e-30);
+    output() << "Early end" << std::endl;
+    verify("not optimal", !solution.is_optimal);
+    verify("load factor", std::abs(solution.load_factor - 0.8), 1e-6);
+    verify("lower bound", solution.load_factor - 0.8, 1e-14);
+    double outside = 0, unbalanced = 0;
+    for (unsigned int b = 0; b < radii.size(); ++b)
+      {
+        const double *const x = solution.x.begin() + 3 * b;
+        outside =
+          std::max(outside, std::hypot(x[0], x[1], x[2]) / radii[b] - 1.);
+        unbalanced = std::max({unbalanced,
+                               std::abs(x[0] - solution.load_factor),
+                               std::abs(x[1] - 0.6 * radii[b]) / radii[b]});
+      }
+    verify("in the balls", outside, 1e-14);
+    verify("equations", unbalanced, 1e-13);
+  }
+
+
+
   void
   test_no_solution()
   {
@@ -181,6 +232,7 @@ main(int argc, char *argv[])
   test_linear_cost();
   test_quadratic_cost();
   test_load_factor();
+  test_early_end();
   test_no_solution();
   test_unbounded();
 }

@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "equilibrium/kkt_vector.h"
 #include "equilibrium/second_order_cone.h"
 
 namespace ElastoPlastic
@@ -121,19 +122,23 @@ namespace ElastoPlastic
 
 
 
+  /// P x
+  Vector<double>
+  quadratic_slope(const ConicProgram   &program,
+                  const ConicLayout    &layout,
+                  const Vector<double> &x);
+
+
+
   /// The solution of a ConicProgram: its unknowns x, what is left to the
   /// boundary of the cones, s, and the Lagrange multipliers y and z. They
   /// satisfy
   ///   P x + c + A^T y + G^T z = 0, A x = b + lambda d, -d^T y = 1,
   ///   G x + s = h, s^T z = 0
   /// with s and z in the cones.
-  struct ConicSolution
+  struct ConicSolution : KktVector
   {
-    Vector<double> x;               ///< see ConicLayout::unknowns
-    Vector<double> s;               ///< see ConicLayout::rows
-    Vector<double> z;               ///< see ConicLayout::rows
-    Vector<double> y;               ///< by equations
-    double         load_factor = 0; ///< lambda
+    Vector<double> s; ///< see ConicLayout::rows
 
     double       cost         = 0; ///< 1/2 x^T P x + c^T x - lambda
     double       relative_gap = 0; ///< s^T z, relative to the cost

@@ -14,10 +14,10 @@ namespace ElastoPlastic
   /// slack variables, or the residuals of these conditions.
   struct KktVector
   {
-    Vector<double> x; ///< see ConicLayout::unknowns
-    Vector<double> z; ///< see ConicLayout::rows
-    Vector<double> y; ///< by equations
-    double         load_factor = 0;
+    Vector<double> x;               ///< see ConicLayout::unknowns
+    Vector<double> z;               ///< see ConicLayout::rows
+    Vector<double> y;               ///< by equations
+    double         load_factor = 0; ///< lambda
   };
 } // namespace ElastoPlastic
 

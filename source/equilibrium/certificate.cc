@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "equilibrium/certificate.h"
-#include "equilibrium/local_algebra.h"
 
 namespace ElastoPlastic
 {
@@ -36,23 +35,17 @@ namespace ElastoPlastic
 
     Vector<double> multipliers_product(residual.x.size()), // A^T y + G^T z
       cone_residual(residual.z.size());                    // G x + s
-    double linear_cost = -iterate.load_factor, quadratic_cost = 0,
-           offset_product = 0, own_product = 0;
+    const Vector<double> slope = quadratic_slope(program, layout, iterate.x);
+    double               linear_cost = -iterate.load_factor, offset_product = 0;
     for (unsigned int b = 0; b < program.blocks.size(); ++b)
       {
-        const ConicBlock   &block = program.blocks[b];
-        const unsigned int  n     = block.linear_cost.size();
-        const double *const x     = iterate.x.begin() + layout.unknowns[b];
-        Vector<double>      slope(n);
-        LocalAlgebra::add_product(slope.begin(), block.quadratic_cost, x);
-        for (unsigned int j = 0; j < n; ++j)
+        const ConicBlock &block = program.blocks[b];
+        for (unsigned int j = 0; j < block.linear_cost.size(); ++j)
           {
             const unsigned int row = layout.unknowns[b] + j;
             multipliers_product[row] =
-              -residual.x[row] - slope[j] - block.linear_cost[j];
-            own_product += multipliers_product[row] * x[j];
-            linear_cost += block.linear_cost[j] * x[j];
-            quadratic_cost += slope[j] * x[j];
+              -residual.x[row] - slope[row] - block.linear_cost[j];
+            linear_cost += block.linear_cost[j] * iterate.x[row];
           }
         for (unsigned int i = 0; i < block.cone_offset.size(); ++i)
           {
@@ -72,10 +65,11 @@ namespace ElastoPlastic
     // mesh, all local products are small)
     if (std::max(multipliers_product.linfty_norm(), growth) <
           multiplier_tolerance * contradiction &&
-        std::abs(own_product) < 0.5 * contradiction)
+        std::abs(multipliers_product * iterate.x) < 0.5 * contradiction)
       throw NoSolutionError();
 
-    const double descent = -linear_cost;
+    const double descent        = -linear_cost;
+    const double quadratic_cost = slope * iterate.x;
     if (std::max({quadratic_cost, // (a slope would become small with the mesh)
                   product.linfty_norm(),
                   cone_residual.linfty_norm()}) < direction_tolerance * descent)

@@ -9,7 +9,6 @@
 
 #include "base/exceptions.h"
 #include "equilibrium/conic_evaluation.h"
-#include "equilibrium/local_algebra.h"
 
 namespace ElastoPlastic
 {
@@ -122,25 +121,21 @@ namespace ElastoPlastic
     residual.z.reinit(solution.z.size());
     residual.y = program.right_hand_side;
     residual.z -= solution.s;
-    residual.load_factor  = program.growth.size() > 0 ? 1. : 0.;
-    double quadratic_cost = 0, linear_cost = 0,
+    residual.load_factor       = program.growth.size() > 0 ? 1. : 0.;
+    const Vector<double> slope = quadratic_slope(program, layout, solution.x);
+    double               quadratic_cost = 0, linear_cost = 0,
            dual_size = residual.load_factor;
-    Vector<double> product;
     for (unsigned int b = 0; b < program.blocks.size(); ++b)
       {
-        const ConicBlock   &block = program.blocks[b];
-        const double *const x     = solution.x.begin() + layout.unknowns[b];
-        const unsigned int  n     = block.linear_cost.size();
-        product.reinit(n);
-        LocalAlgebra::add_product(product.begin(), block.quadratic_cost, x);
-        for (unsigned int i = 0; i < n; ++i)
+        const ConicBlock &block = program.blocks[b];
+        for (unsigned int i = 0; i < block.linear_cost.size(); ++i)
           {
-            residual.x[layout.unknowns[b] + i] = -block.linear_cost[i];
-            quadratic_cost += x[i] * product[i];
-            linear_cost += x[i] * block.linear_cost[i];
-            dual_size = std::max({dual_size,
-                                  std::abs(product[i]),
-                                  std::abs(block.linear_cost[i])});
+            const unsigned int j = layout.unknowns[b] + i;
+            residual.x[j]        = -block.linear_cost[i];
+            quadratic_cost += solution.x[j] * slope[j];
+            linear_cost += solution.x[j] * block.linear_cost[i];
+            dual_size = std::max(
+              {dual_size, std::abs(slope[j]), std::abs(block.linear_cost[i])});
           }
         for (unsigned int i = 0; i < block.cone_offset.size(); ++i)
           residual.z[layout.rows[b] + i] += block.cone_offset[i];
@@ -149,8 +144,7 @@ namespace ElastoPlastic
       {1.,
        program.right_hand_side.linfty_norm(),
        std::abs(solution.load_factor) * largest_entry(program.growth)});
-    system.subtract_product(
-      residual, {solution.x, solution.z, solution.y, solution.load_factor});
+    system.subtract_product(residual, solution);
 
     solution.cost = 0.5 * quadratic_cost + linear_cost - solution.load_factor;
     solution.relative_gap = (solution.s * solution.z) /

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "equilibrium/conic_program.h"
+#include "equilibrium/local_algebra.h"
 
 namespace ElastoPlastic
 {
@@ -95,5 +96,20 @@ namespace ElastoPlastic
         rows.push_back(begin);
         first_cones.push_back(cones.size());
       }
+  }
+
+
+
+  Vector<double>
+  quadratic_slope(const ConicProgram   &program,
+                  const ConicLayout    &layout,
+                  const Vector<double> &x)
+  {
+    Vector<double> slope(x.size());
+    for (unsigned int b = 0; b < program.blocks.size(); ++b)
+      LocalAlgebra::add_product(slope.begin() + layout.unknowns[b],
+                                program.blocks[b].quadratic_cost,
+                                x.begin() + layout.unknowns[b]);
+    return slope;
   }
 } // namespace ElastoPlastic
