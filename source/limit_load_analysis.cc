@@ -98,6 +98,23 @@ namespace ElastoPlastic
 
 
 
+    LimitLoad
+    bounds_of(const PlaneBody &body, const Parameters &parameters)
+    {
+      return bound_limit_load(
+        body, parameters.limit_load.degree_of_stresses(body.is_axisymmetric()));
+    }
+
+
+
+    SpaceLimitLoad
+    bounds_of(const SpaceBody &body, const Parameters &)
+    {
+      return bound_limit_load(body);
+    }
+
+
+
     EquilibriumFields
     fields_of(const PlaneBody &body, const LimitLoad &bounds)
     {
@@ -326,7 +343,7 @@ namespace ElastoPlastic
     rethrow_collectively(communicator, [&]() {
       if (!first_rank)
         return;
-      bounds      = bound_limit_load(body);
+      bounds      = bounds_of(body, parameters);
       are_optimal = bounds.stress.is_optimal && bounds.velocity.is_optimal;
       const double stress_error = require_admissible(body, bounds.stress);
       row                       = {cycle,

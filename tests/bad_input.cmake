@@ -46,6 +46,7 @@ add_entry_test(goal_strategy "entry 'Refinement/Goal' is 'force', but only 'Refi
 add_entry_test(error_bound_history "entry 'Analysis' is 'contact with error bound', but .*one step from the virgin state" "Analysis=contact with error bound" "Loading/Number of steps=2")
 add_message_test(error_bound_nonlinear 2 "entry 'Analysis' is 'contact with error bound', but .*linear hardening only" ${CMAKE_SOURCE_DIR}/parameter_files/cylinder_2d.prm --validate --set "Analysis=contact with error bound" --set "Material/Law=nonlinear hardening" --set "Material/Voce stress=100" --set "Material/Voce rate=10")
 add_message_test(limit_load_no_indenter 2 "entry 'Indenter/Type' is 'none', but .*largest force of an indenter" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --validate --set "Indenter/Type=none")
+add_message_test(limit_load_quadratic_in_space 2 "entry 'Limit load/Stresses' is 'quadratic', but stresses in space are linear" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/square_punch_3d.prm --validate --set "Limit load/Stresses=quadratic")
 add_message_test(limit_load_resume 2 "nothing to resume. Leave out --resume" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --resume)
 set(_full_width ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --quiet --overwrite
   --set "Indenter/Half width=10" --set "Boundary conditions/Free=" --set "Boundary conditions/Fixed=bottom, right")

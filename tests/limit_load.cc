@@ -103,15 +103,16 @@ namespace
 
 
 
-  void
-  test_bounds(const PlaneBody &body)
+  /// @return the lower bound.
+  double
+  test_bounds(const PlaneBody &body, const unsigned int degree)
   {
-    const LimitLoad bounds = bound_limit_load(body);
+    const LimitLoad bounds = bound_limit_load(body, degree);
     const double    lower = bounds.stress.force, upper = bounds.velocity.bound;
     output() << (body.kinematics == Kinematics::plane_stress ? "Plane stress" :
                                                                "Plane strain")
              << (body.indenter_surface == SurfaceFinish::rough ? ", rough" : "")
-             << std::endl;
+             << ", degree " << degree << std::endl;
     if (body.kinematics != Kinematics::plane_stress)
       {
         verify("lower bound", lower <= exact && lower > 0.96 * exact);
@@ -127,6 +128,20 @@ namespace
     verify("sum of the gaps",
            std::accumulate(bounds.gaps.begin(), bounds.gaps.end(), 0.) <
              upper - lower + 1e-6);
+    return lower;
+  }
+
+
+
+  // The linear stresses are among the quadratic ones.
+  void
+  test_degrees(const PlaneBody &body)
+  {
+    const double first = test_bounds(body, 1), second = test_bounds(body, 2);
+    verify("closer than the first degree",
+           body.kinematics == Kinematics::plane_stress ?
+             second > first :
+             exact - second < 0.6 * (exact - first));
   }
 
 
@@ -187,8 +202,8 @@ main(int argc, char *argv[])
   for (const SurfaceFinish surface :
        {SurfaceFinish::smooth, SurfaceFinish::rough})
     {
-      test_bounds(body_with(Kinematics::cartesian, surface));
-      test_bounds(body_with(Kinematics::plane_stress, surface));
+      test_degrees(body_with(Kinematics::cartesian, surface));
+      test_degrees(body_with(Kinematics::plane_stress, surface));
     }
   test_hencky(body_with(Kinematics::cartesian), 0.);
   test_hencky(body_with(Kinematics::cartesian), 10.);

@@ -22,7 +22,7 @@ namespace
     make_rectangle(mesh, MeshKind::regular, 2, 0., 1., 1.);
     const auto        conditions = on_rollers({"left", "bottom"}, {"right"});
     const PlaneBody   body       = make_body(mesh, conditions, everywhere);
-    const StressField field      = maximize_load(body);
+    const StressField field      = maximize_load(body, 2);
     const auto        error      = [&](const auto &damage) {
       StressField damaged = field;
       damage(damaged);

@@ -40,9 +40,9 @@ namespace ElastoPlastic
   void
   find_gaps(const PlaneBody &body, LimitLoad &bounds);
 
-  /// @throws ConvergenceError
+  /// @param degree of the stresses, 1 or 2. @throws ConvergenceError
   LimitLoad
-  bound_limit_load(const PlaneBody &body);
+  bound_limit_load(const PlaneBody &body, const unsigned int degree);
 } // namespace ElastoPlastic
 
 #endif

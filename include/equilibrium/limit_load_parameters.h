@@ -25,10 +25,32 @@ namespace ElastoPlastic
 
 
 
+  /// Of the stresses of the lower bound, times the distance from the axis of a
+  /// body of revolution.
+  enum class StressDegree
+  {
+    automatic, ///< quadratic in bodies of revolution, linear in other ones
+    linear,
+    quadratic
+  };
+
+  template <>
+  inline const EnumNames<StressDegree> enum_names<StressDegree> = {
+    {"automatic", StressDegree::automatic},
+    {"linear", StressDegree::linear},
+    {"quadratic", StressDegree::quadratic}};
+
+
+
   /// The entries of the section "Limit load".
   struct LimitLoadParameters
   {
-    GrowingLoad load = GrowingLoad::indenter;
+    GrowingLoad  load     = GrowingLoad::indenter;
+    StressDegree stresses = StressDegree::automatic;
+
+    /// In two dimensions.
+    unsigned int
+    degree_of_stresses(const bool is_axisymmetric) const;
 
     void
     add_parameters(ParameterHandler &prm);

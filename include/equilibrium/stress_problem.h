@@ -31,9 +31,10 @@ namespace ElastoPlastic
   /// The stresses with the largest load factor, or if no load grows, with the
   /// largest force of the indenter, that satisfy the yield condition
   /// everywhere. This is a lower bound of the limit load.
+  /// @param degree of the stresses, 1 or 2
   /// @throws ConvergenceError, in particular if there is no limit.
   StressField
-  maximize_load(const PlaneBody &body);
+  maximize_load(const PlaneBody &body, const unsigned int degree);
   SpaceStressField
   maximize_load(const SpaceBody &body,
                 const double     tolerance = usual_space_tolerance);

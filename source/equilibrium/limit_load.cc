@@ -101,10 +101,10 @@ namespace ElastoPlastic
 
 
   LimitLoad
-  bound_limit_load(const PlaneBody &body)
+  bound_limit_load(const PlaneBody &body, const unsigned int degree)
   {
     LimitLoad bounds;
-    bounds.stress      = maximize_load(body);
+    bounds.stress      = maximize_load(body, degree);
     bounds.velocity    = minimize_plastic_work(body);
     bounds.lower_bound = body.load_factor_unit > 0 ? bounds.stress.load_factor :
                                                      bounds.stress.force;

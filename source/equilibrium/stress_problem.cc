@@ -15,11 +15,8 @@ namespace ElastoPlastic
     constexpr double energy_tolerance = 1e-9;
     constexpr double limit_tolerance  = 1e-6;
 
-    /// Of the stresses. Close to the limit load, the second degree is several
-    /// times as accurate on the same mesh; the bounds of an error (ErrorBound)
-    /// are for the first.
+    /// Of the stresses with the least energy: ErrorBound is for linear ones.
     constexpr unsigned int energy_degree = 1;
-    constexpr unsigned int limit_degree  = 2;
 
     using OutOfPlaneStress = StressProgram::OutOfPlaneStress;
 
@@ -152,13 +149,13 @@ namespace ElastoPlastic
 
 
   StressField
-  maximize_load(const PlaneBody &body)
+  maximize_load(const PlaneBody &body, const unsigned int degree)
   {
     StressField field =
       largest_load(StressProgram(body,
                                  out_of_plane_stress(body.kinematics,
                                                      OutOfPlaneStress::mean),
-                                 limit_degree),
+                                 degree),
                    body,
                    limit_tolerance);
     for (auto &velocities : field.displacement)

@@ -255,6 +255,10 @@ namespace ElastoPlastic
                          " looks for the largest force of an indenter. "
                          "Choose one, for example strip punch, or set 'Limit "
                          "load/Load = tractions'.");
+    if (dimension == 3 && limit_load.stresses == StressDegree::quadratic)
+      throw InputError("Limit load/Stresses",
+                       "quadratic",
+                       "stresses in space are linear. Leave 'automatic'.");
     if (!body_force.components.empty() &&
         (analysis == Analysis::contact_with_error_bound ||
          discretization.kinematics == Kinematics::plane_stress))
