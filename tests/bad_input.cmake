@@ -53,7 +53,7 @@ set(_full_width ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm -
 add_message_test(limit_load_enclosed 3 "There is no limit load: the supports enclose the body, which bears any load, or the indenter reaches a point that is held. Let .Indenter/Reach. end before" ${_full_width} --output-directory limit_load_enclosed)
 add_message_test(limit_load_held_point 3 "No velocity moves the whole indenter down: it reaches a point that is held" ${_full_width} --output-directory limit_load_held_point --set "Kinematics=plane stress")
 add_message_test(limit_load_tractions 3 "The body does not even bear the given tractions" ${_files}/pulled_apart.prm --quiet --overwrite --output-directory limit_load_tractions)
-add_message_test(limit_load_tractions_in_space 2 "A traction of 'Boundary conditions/Traction' is not linear on the faces of the mesh"
+add_message_test(limit_load_tractions_in_space 2 "A traction or displacement of 'Boundary conditions' is not linear on the faces of the mesh"
   ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/square_punch_3d.prm --quiet --overwrite --output-directory limit_load_tractions_in_space
   --set "Boundary conditions/Free=back" --set "Boundary conditions/Traction=right: 0.1*y^2; 0; 0")
 

@@ -8,6 +8,7 @@
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/grid/grid_generator.h>
@@ -288,7 +289,11 @@ namespace
     const FESystem<3> fe(FE_Q<3>(2), 3);
     DoFHandler<3>     dof_handler(triangulation);
     dof_handler.distribute_dofs(fe);
-    VectorType values(dof_handler.locally_owned_dofs(), MPI_COMM_WORLD);
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    VectorType values(dof_handler.locally_owned_dofs(),
+                      relevant,
+                      MPI_COMM_WORLD);
     VectorTools::interpolate(dof_handler, Quadratic(), values);
     const SpaceQuadraticField field =
       interpolate_displacement(mesh, dof_handler, values);

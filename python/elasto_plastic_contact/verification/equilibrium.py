@@ -218,25 +218,26 @@ def error_bound_revolution(runner):
 
 def error_bound_space(runner):
     """Error bounds in space: above the errors, of order h^2; force and depth between their bounds; plane strain."""
-    case, adapted = "error_bound/paraboloid_3d.prm", "Refinement/Number of cycles=3"
-    fine = runner.tables(case, adapted)["error_bound"][-1]
-    rows = runner.tables(case, adapted, "Refinement/Strategy=global", "Discretization/Polynomial degree=1")["error_bound"]
-    verify_energies(runner, "linear elastic", rows, fine)
+    case, three, two = "error_bound/paraboloid_3d.prm", "Refinement/Number of cycles=3", "Refinement/Number of cycles=2"
+    adapted = runner.tables(case, three)["error_bound"]
+    rows = runner.tables(case, three, "Refinement/Strategy=global", "Discretization/Polynomial degree=1")["error_bound"]
+    verify_energies(runner, "linear elastic", rows, adapted[-1])
     runner.verify(f"order of the bound {order(rows, 'bound'):.2f}", order(rows, "bound") > 1.9)
 
     displacements = ("Analysis=contact", "Geometry/Initial refinements=3", "Refinement/Number of cycles=1")
-    for law, width in zip(LAWS, (0.27, 0.35, 0.38)):
+    for law, width in zip(LAWS, (0.24, 0.7, 0.8)):
         entries = (f"Material/Law={law}",)
         force = runner.run(case, *entries, *displacements)[-1]["force"]
-        rows = runner.tables(case, *entries, adapted, "Refinement/Goal=force")["error_bound"]
+        rows = adapted if law == LAWS[0] else runner.tables(case, *entries, two, "Refinement/Goal=force")["error_bound"]
         verify_interval(runner, f"{law}, force", rows, force, width)
         runner.compare("largest error of the stresses", max(row["stress_error"] for row in rows), 0, 1e-9, absolute=True)
-    rows = runner.tables(case, adapted, "Loading/Control=force", f"Loading/Force={fine['force']}")["error_bound"]
-    depth = runner.run(case, *displacements, "Loading/Control=force", f"Loading/Force={fine['force']}")[-1]["depth"]
-    verify_interval(runner, "linear elastic, depth", rows, depth, 0.27)
+    by_force = ("Loading/Control=force", f"Loading/Force={adapted[-1]['force']}")
+    rows = runner.tables(case, two, *by_force)["error_bound"]
+    depth = runner.run(case, *displacements, *by_force)[-1]["depth"]
+    verify_interval(runner, "linear elastic, depth", rows, depth, 0.35)
 
     thickness = 0.25
-    cylinder = ("Indenter/Type=cylinder", "Geometry/Initial refinements=0", adapted)
+    cylinder = ("Indenter/Type=cylinder", "Geometry/Initial refinements=0", three)
     slab = runner.tables(case, *cylinder, f"Geometry/Upper corner=1, {thickness}, 0", "Geometry/Repetitions=4, 1, 4",
                          "Boundary conditions/Roller=left, front, back", "Boundary conditions/Free=right")
     section = runner.tables("error_bound/elastic_cylinder.prm", *cylinder, "Indenter/Radius=4", "Loading/Control=depth",
@@ -246,7 +247,7 @@ def error_bound_space(runner):
         lower, upper = row["force_lower_bound"] / thickness, row["force_upper_bound"] / thickness
         runner.verify(f"slab: {lower:.6g} <= {section['force_upper_bound']:.6g}, {upper:.6g} >= {section['force_lower_bound']:.6g}",
                       lower <= section["force_upper_bound"] and upper >= section["force_lower_bound"])
-    runner.compare("slab: force", row["equilibrium_force"] / thickness, section["equilibrium_force"], 0.01)
+    runner.compare("slab: force", row["equilibrium_force"] / thickness, section["equilibrium_force"], 0.002)
 
 
 def verify_interval(runner, title, rows, exact, width):
