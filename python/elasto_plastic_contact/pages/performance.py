@@ -112,7 +112,7 @@ def cost_of_histories(runs):
 @measured_table(400)
 def cost_of_equilibrium(runs):
     """Interior point iterations and times of the equilibrium method, on the last mesh."""
-    hardening = (BOUND, "Refinement/Strategy=none", "Geometry/Initial refinements=1", "Geometry/Repetitions=25, 25")
+    hardening = (BOUND, N_CYCLES.format(1), "Geometry/Initial refinements=1", "Geometry/Repetitions=25, 25")
     bounds = (("limit_load/strip_punch.prm", N_CYCLES.format(7)), ("limit_load/strip_punch.prm", N_CYCLES.format(11)),
               ("limit_load/circular_punch.prm",), ("limit_load/square_punch_3d.prm",), ("cylinder_2d.prm", *hardening),
               ("error_bound/parabola.prm", N_CYCLES.format(6)))
