@@ -112,3 +112,16 @@ def sphere_force_bounds(runs):
         triangles, forces, difference = force_cells(row)
         rows.append([None, triangles, *(f"{force:.1f}" for force in forces), difference])
     return Content(rows)
+
+
+@table(600)
+def paraboloid_in_space(runs):
+    """A paraboloid on a block in space: forces, their bounds, and the bound of the energies."""
+    rows = []
+    for law in LAWS:
+        tables = runs.tables("error_bound/paraboloid_3d.prm", f"Material/Law={law}", N_CYCLES.format(4))["error_bound"]
+        for row in tables if law == LAWS[0] else tables[-1:]:
+            lower, upper = (f"{row[f'force_{side}_bound']:.0f}" for side in ("lower", "upper"))
+            rows.append([None, count(row["dofs"]), count(row["triangles"]), *decimals(row, force=1, equilibrium_force=1),
+                         f"{lower} and {upper}", percent(row["relative_bound"])])
+    return Content(rows)

@@ -4,7 +4,7 @@
 
 import math
 
-from .recipe import Content, count, percent, table
+from .recipe import Content, count, measured_table, percent, table
 
 N_CYCLES = "Refinement/Number of cycles={}"
 
@@ -56,10 +56,10 @@ def limit_load_benchmarks(runs):
 
 @table(400)
 def circular_punch(runs):
-    """Smooth and rough circular punch, every second mesh."""
-    smooth, rough = (meshes(runs.limit_load("circular_punch", N_CYCLES.format(n), *entries)[::2], math.pi)
-                     for n, entries in ((13, ()), (11, ("Indenter/Surface=rough",))))
-    return Content([left + right for left, right in zip(smooth, [*rough, [""] * 4])])
+    """Smooth and rough circular punch, some of the meshes and the last one."""
+    smooth = meshes(runs.limit_load("circular_punch"), math.pi)
+    rough = meshes(runs.limit_load("circular_punch", N_CYCLES.format(9), "Indenter/Surface=rough"), math.pi)
+    return Content([smooth[n] + rough[n] for n in (0, 4, 6, 8)] + [smooth[-1] + [""] * 4])
 
 
 @table(60)
@@ -73,3 +73,25 @@ def conical_pit(runs):
 def square_punch(runs):
     """A square punch in space."""
     return Content(meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(5)), 1))
+
+
+# Of the table: case, and numbers of cycles with linear and with quadratic stresses.
+DEGREES = (("circular_punch", 9, 8), ("circular_punch", 11, 10), ("strip_punch", 8, 6), ("strip_punch", None, 7),
+           ("strip_punch", None, 8), ("vertical_cut", 7, 6), ("plate_with_hole", 3, 3))
+
+
+@measured_table(250)
+def degrees_of_stresses(runs):
+    """Time and difference of the bounds with linear and with quadratic stresses."""
+    rows = []
+    for case, *numbers in DEGREES:
+        cells = []
+        for degree, n_cycles in zip(("linear", "quadratic"), numbers):
+            if n_cycles is None:
+                cells += [""] * 3
+                continue
+            tables, time = runs.timed(f"limit_load/{case}.prm", f"Limit load/Stresses={degree}", N_CYCLES.format(n_cycles))
+            row = tables["limit_load"][-1]
+            cells += [f"{n_cycles}, {count(row['triangles'])}", f"{time:.1f} s", percent(row["relative_difference"])]
+        rows.append([None, *cells])
+    return Content(rows)
