@@ -36,8 +36,9 @@ namespace ElastoPlastic
   /// with what the material remembers of those before. With friction, forces
   /// without an energy join in (ContactProblem).
   ///
-  /// This is the one class that sets up, solves, refines and writes. It owns
-  /// its parts in the order in which they depend on each other, so that
+  /// This is the one class that sets up, solves, refines and writes, by its
+  /// parts. It owns them in the order in which they depend on each other, so
+  /// that
   /// reading run() and the functions that it calls, from top to bottom, is
   /// reading the algorithm. The parts are small and know nothing of this class.
   template <int dim>

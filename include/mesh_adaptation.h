@@ -21,7 +21,7 @@ namespace ElastoPlastic
   {
   public:
     /// The present mesh of @p body is the first: its cells stay. All arguments
-    /// must outlive this object.
+    /// must outlive this object. @throws InputError if that mesh is too large.
     MeshAdaptation(const RefinementParameters &parameters,
                    DiscreteBody<dim>          &body,
                    Log                        &log);

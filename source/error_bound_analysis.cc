@@ -211,6 +211,8 @@ namespace ElastoPlastic
       remove_penetration(displacement, body, solution.depth);
       const ErrorBound bound =
         bound_error(body, displacement, solution.depth, stress);
+      if (!std::isfinite(bound.total()))
+        throw ConvergenceError("The energies on this mesh are not finite.");
       errors = bound.indicators(body.mesh);
       row    = {solution.cycle,
                 static_cast<unsigned int>(body.mesh.cells.size()),

@@ -13,7 +13,10 @@ namespace ElastoPlastic
     , body(body)
     , log(log)
     , finest_first_level(body.triangulation.n_global_levels() - 1)
-  {}
+  {
+    parameters.check_first_mesh(
+      estimated_unknowns(body.triangulation.n_global_active_cells(), body.fe));
+  }
 
 
 

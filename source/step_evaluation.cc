@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/utilities.h>
-
 #include <algorithm>
 
 #include "evaluation/element_quality.h"
@@ -72,12 +70,6 @@ namespace ElastoPlastic
         measure_elements(result, last_step.result);
     }
     check_force_balance(result, last_step.largest_forces);
-
-    Utilities::System::MemoryStats memory;
-    Utilities::System::get_memory_stats(memory);
-    result.memory_mb =
-      Utilities::MPI::sum(memory.VmHWM / 1024.,
-                          body.triangulation.get_communicator());
   }
 
 

@@ -23,6 +23,7 @@
 #include "equilibrium/evaluated_bounds.h"
 #include "equilibrium/face_gap.h"
 #include "equilibrium/hencky_material.h"
+#include "equilibrium/largest_error.h"
 #include "equilibrium/stress_problem.h"
 #include "equilibrium/tetrahedron_stress.h"
 #include "verdict.h"
@@ -230,7 +231,7 @@ namespace
                                      depth - v.value(position)[2];
             smallest = std::min(smallest, clearance);
             if (std::isfinite(clearance))
-              largest = std::max(largest, clearance);
+              enlarge(largest, clearance);
           });
         }
     return {smallest, largest};

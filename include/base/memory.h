@@ -6,8 +6,17 @@
 
 #include <string>
 
+#include <mpi.h>
+
 namespace ElastoPlastic
 {
+  /// The most memory that the processes have held until now, all together, in
+  /// MB. Collective.
+  double
+  peak_memory(const MPI_Comm communicator);
+
+
+
   /// Compares what somebody is about to ask for with the machine's memory, of
   /// which this process holds some already. Linux promises more than there is,
   /// and ends processes that use it.

@@ -59,9 +59,9 @@ namespace ElastoPlastic
                      const SpaceBody     &body,
                      const double         depth);
 
-  /// @p displacement must be zero at the supports, and not penetrate; @p stress
-  /// must satisfy equilibrium and yield condition. Tractions of the body that
-  /// are not linear on a side are taken as the linear ones with the same
+  /// @p displacement must be what the supports say, and not penetrate; @p
+  /// stress must satisfy equilibrium and yield condition. Tractions of the body
+  /// that are not linear on a side are taken as the linear ones with the same
   /// moments. The energy W, which is no polynomial, is bounded from above, as
   /// is the gap (see SideGap).
   ErrorBound

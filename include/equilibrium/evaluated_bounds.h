@@ -63,8 +63,9 @@ namespace ElastoPlastic
         "condition by " +
         Patterns::Tools::to_string(error) +
         " of the yield stress. If this is more than rounding, look at the "
-        "tractions: they must be linear on each side of a triangle, in a body "
-        "of revolution when multiplied by r.");
+        "tractions: on each side of a triangle, or face of a tetrahedron, they "
+        "must be polynomials of the degree of the stresses, in a body of "
+        "revolution when multiplied by r.");
     return error;
   }
 

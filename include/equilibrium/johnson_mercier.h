@@ -19,14 +19,12 @@
 /// or, of the second degree, quadratic. The tractions are continuous across the
 /// sides of the subtriangles.
 ///
-///              2             Subtriangle k has the corners k, k + 1 (modulo 3)
-///              and
-///             /|\            the centre of gravity c, in this order. Side k
-///            / | \           of K belongs to it.
+///              2             Subtriangle k has the corners k, k + 1 (of 3)
+///             /|\            and the centre of gravity c, in this order. Side
+///            / | \           k of K belongs to it.
 ///         2 / .c. \ 1
 ///          /.' 0 '.\         A stress is given by its Bernstein coefficients
-///          on
-///         0---------1        the subtriangles, see value_index().
+///         0---------1        on the subtriangles, see value_index().
 ///
 /// The coefficients that come first on a subtriangle are the values at its
 /// corners; those of the first degree are these alone.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <iomanip>
@@ -13,6 +14,16 @@
 
 namespace ElastoPlastic
 {
+  double
+  peak_memory(const MPI_Comm communicator)
+  {
+    dealii::Utilities::System::MemoryStats stats;
+    dealii::Utilities::System::get_memory_stats(stats);
+    return dealii::Utilities::MPI::sum(stats.VmHWM / 1024., communicator);
+  }
+
+
+
   void
   require_memory(const double bytes, const std::string &purpose)
   {

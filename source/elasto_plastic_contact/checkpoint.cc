@@ -84,10 +84,10 @@ namespace ElastoPlastic
       time_steps.end_step_at(last_step.result.time);
 
     coarsen_to_coarse_mesh(body.triangulation);
-    const CellValues values = load_mesh(body.triangulation, contents.mesh_file);
+    CellValues values = load_mesh(body.triangulation, contents.mesh_file);
     body.reinit(time_steps.next_time(), load_at_end_of_step());
     archive &body.contact.edge_memory();
-    body.set_states_and_fields(values, last_step);
+    body.set_states_and_fields(std::move(values), last_step);
     take_back_step();
     body.contact.restore_edge();
     evaluation.do_not_repeat(last_step.result);

@@ -36,8 +36,6 @@ namespace ElastoPlastic
     , output_directory(communicator, parameters.output.directory)
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
-    parameters.refinement.check_first_mesh(
-      estimated_unknowns(body.triangulation.n_global_active_cells(), body.fe));
     body.reinit(time_steps.next_time(), load_at_end_of_step());
     check_loads(model, load_program, time_steps, body.dof_handler);
     check_supports(model,

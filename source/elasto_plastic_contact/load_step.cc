@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "base/memory.h"
 #include "elasto_plastic_contact.h"
 
 namespace ElastoPlastic
@@ -93,6 +94,7 @@ namespace ElastoPlastic
                                 return displacement_at(depth);
                               });
 
+    result.memory_mb = peak_memory(communicator);
     wall_clock.stop();
     result.wall_seconds = wall_clock.wall_time();
     log.end_solve(result);

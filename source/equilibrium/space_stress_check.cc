@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "equilibrium/hencky_material.h"
+#include "equilibrium/largest_error.h"
 #include "equilibrium/space_stress.h"
 #include "equilibrium/tetrahedron_stress.h"
 
@@ -12,14 +13,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    void
-    raise(double &largest, const double error)
-    {
-      largest = std::max(largest, error);
-    }
-
-
-
     /// Of the stress on a part with these @p corners, by differences between
     /// the values at them.
     Tensor<1, 3>
@@ -61,13 +54,13 @@ namespace ElastoPlastic
         if (i != k && i != l)
           {
             face[n++] = corners[i];
-            raise(errors.traction_jump,
-                  ((field.at(t, k, i) - field.at(t, l, i)) *
-                   normal({{center, corners[i], corners[6 - i - k - l]}}))
-                    .norm());
+            enlarge(errors.traction_jump,
+                    ((field.at(t, k, i) - field.at(t, l, i)) *
+                     normal({{center, corners[i], corners[6 - i - k - l]}}))
+                      .norm());
           }
-      raise(errors.traction_jump,
-            ((field.at(t, k, k) - field.at(t, l, l)) * normal(face)).norm());
+      enlarge(errors.traction_jump,
+              ((field.at(t, k, k) - field.at(t, l, l)) * normal(face)).norm());
     }
 
 
@@ -82,15 +75,15 @@ namespace ElastoPlastic
       const double      size    = std::cbrt(volume(corners));
       for (unsigned int k = 0; k < 4; ++k)
         {
-          raise(errors.divergence,
-                size * divergence_of_part(
-                         TetrahedronStress::part_of(corners, k), field, t, k)
-                         .norm());
+          enlarge(errors.divergence,
+                  size * divergence_of_part(
+                           TetrahedronStress::part_of(corners, k), field, t, k)
+                           .norm());
           for (unsigned int i = 0; i < 4; ++i)
             if (!HenckyMaterial::hardens(body.materials[t]))
-              raise(errors.yield_excess,
-                    deviator(field.at(t, k, i)).norm() -
-                      body.materials[t].yield_radius);
+              enlarge(errors.yield_excess,
+                      deviator(field.at(t, k, i)).norm() -
+                        body.materials[t].yield_radius);
           for (unsigned int l = k + 1; l < 4; ++l)
             check_between_parts(errors, corners, field, t, k, l);
         }
@@ -141,12 +134,12 @@ namespace ElastoPlastic
               (outward_traction(body, field, f, 0, i) - pressure) *
               component.direction;
             if (component.type == SideConditionType::traction)
-              raise(errors.boundary_force,
-                    std::abs(traction - component.values[i] -
-                             field.load_factor * component.growths[i]));
+              enlarge(errors.boundary_force,
+                      std::abs(traction - component.values[i] -
+                               field.load_factor * component.growths[i]));
             if (component.type == SideConditionType::contact)
               {
-                raise(errors.tension, traction);
+                enlarge(errors.tension, traction);
                 force -= area_of_face / 3. * traction;
               }
           }
@@ -181,10 +174,10 @@ namespace ElastoPlastic
         force += check_boundary_face(errors, body, field, f);
       else
         for (unsigned int i = 0; i < 3; ++i)
-          raise(errors.traction_jump,
-                (outward_traction(body, field, f, 0, i) +
-                 outward_traction(body, field, f, 1, i))
-                  .norm());
+          enlarge(errors.traction_jump,
+                  (outward_traction(body, field, f, 0, i) +
+                   outward_traction(body, field, f, 1, i))
+                    .norm());
 
     for (double *error : {&errors.divergence,
                           &errors.traction_jump,

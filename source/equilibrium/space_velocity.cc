@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "equilibrium/evaluated_bounds.h"
+#include "equilibrium/largest_error.h"
 #include "equilibrium/space_velocity.h"
 
 namespace ElastoPlastic
@@ -32,13 +33,6 @@ namespace ElastoPlastic
       return result;
     }
 
-
-
-    void
-    enlarge_error(double &largest, const double error)
-    {
-      largest = std::max(largest, error);
-    }
   } // namespace
 
 
@@ -97,9 +91,9 @@ namespace ElastoPlastic
     for (unsigned int t = 0; t < body.mesh.tetrahedra.size(); ++t)
       {
         const Tetrahedron corners = body.mesh.corners(body.mesh.tetrahedra[t]);
-        enlarge_error(errors.divergence,
-                      std::cbrt(volume(corners)) *
-                        std::abs(trace(strain_rate(corners, velocity[t]))));
+        enlarge(errors.divergence,
+                std::cbrt(volume(corners)) *
+                  std::abs(trace(strain_rate(corners, velocity[t]))));
       }
     for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
       {
@@ -108,9 +102,9 @@ namespace ElastoPlastic
         for (const auto &jump : velocity_jumps(body, velocity, f))
           {
             if (face.is_inside() || body.support_of(f).is_closed)
-              enlarge_error(errors.separation, std::abs(jump * n));
+              enlarge(errors.separation, std::abs(jump * n));
             if (body.conditions[f].is_reached)
-              enlarge_error(errors.penetration, jump[2]);
+              enlarge(errors.penetration, jump[2]);
           }
       }
     return errors;

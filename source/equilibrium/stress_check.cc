@@ -7,6 +7,7 @@
 
 #include "equilibrium/hencky_material.h"
 #include "equilibrium/johnson_mercier.h"
+#include "equilibrium/largest_error.h"
 #include "equilibrium/stress_check.h"
 
 namespace ElastoPlastic
@@ -14,14 +15,6 @@ namespace ElastoPlastic
   namespace
   {
     using namespace JohnsonMercier;
-
-    void
-    enlarge(double &largest, const double error)
-    {
-      largest = std::max(largest, error);
-    }
-
-
 
     /// 1 / weight off the axis, 0 on it.
     double
@@ -262,6 +255,26 @@ namespace ElastoPlastic
 
 
 
+    /// The coefficient of the pressure of the body forces, multiplied by the
+    /// weight: both are linear along a side.
+    double
+    weighted_pressure(const PlaneBody   &body,
+                      const StressField &field,
+                      const unsigned int s,
+                      const unsigned int coefficient)
+    {
+      const auto product = [&](const unsigned int i, const unsigned int j) {
+        return body.weight(point_on_side(body, s, i, 1)) *
+               body.pressure_of_body_force(point_on_side(body, s, j, 1),
+                                           field.load_factor);
+      };
+      const unsigned int i = coefficient == field.degree;
+      const unsigned int j = coefficient > 0;
+      return 0.5 * (product(i, j) + product(j, i));
+    }
+
+
+
     /// That no coefficient of the pressure of the indenter is a tension.
     /// @return its force.
     double
@@ -274,19 +287,20 @@ namespace ElastoPlastic
       const auto &contact = body.conditions[s].components[1];
       if (contact.type != SideConditionType::contact)
         return 0.;
+      const Tensor<1, 2> direction = contact.direction;
+      const double cosine = body.mesh.normal(body.mesh.sides[s]) * direction;
       const double part =
         body.mesh.length(body.mesh.sides[s]) / (field.degree + 1.);
       double force = 0;
       for (unsigned int i = 0; i <= field.degree; ++i)
         {
-          const Point<2> point = point_on_side(body, s, i, field.degree);
-          const double   pressure =
-            body.pressure_of_body_force(point, field.load_factor) *
-            (body.mesh.normal(body.mesh.sides[s]) * contact.direction);
-          const double weighted =
-            tractions[i] * contact.direction - body.weight(point) * pressure;
-          enlarge(errors.tension, inverse_weight(body, point) * weighted);
-          force -= body.angle() * part * weighted * contact.direction[1];
+          const double weighted = tractions[i] * direction -
+                                  cosine * weighted_pressure(body, field, s, i);
+          enlarge(errors.tension,
+                  inverse_weight(body,
+                                 point_on_side(body, s, i, field.degree)) *
+                    weighted);
+          force -= body.angle() * part * weighted * direction[1];
         }
       return force;
     }
@@ -357,5 +371,4 @@ namespace ElastoPlastic
                                          body.weight_unit() * body.angle());
     return errors;
   }
-
 } // namespace ElastoPlastic

@@ -64,7 +64,7 @@ namespace ElastoPlastic
       std::vector<Bytef> block(compressBound(size));
       uLongf             length = block.size();
       const int ierr = compress2(block.data(), &length, data, size, level);
-      AssertThrow(ierr == Z_OK, ExcInternalError());
+      AssertThrow(ierr == Z_OK, ExcIO());
       block.resize(length);
       return block;
     }
@@ -170,7 +170,7 @@ namespace ElastoPlastic
   void
   AppendedVtu::finish()
   {
-    AssertThrow(!out || offsets.size() == places.size(), ExcInternalError());
+    Assert(!out || offsets.size() == places.size(), ExcInternalError());
     out << "\n</AppendedData>\n</VTKFile>\n" << std::setfill('0');
     for (unsigned int i = 0; i < offsets.size(); ++i)
       {
