@@ -193,7 +193,7 @@ namespace ElastoPlastic::LocalAlgebra
 
 
 
-  /// x := L^-1 x for each of @p n_together vectors, one after the other.
+  /// x := L^-1 x for each of @p n_vectors vectors, one after the other.
   template <unsigned int n_vectors, typename Number>
   void
   solve_lower(const Number *factor, const unsigned int n, Number *x)
