@@ -120,10 +120,9 @@ namespace ElastoPlastic
     void
     add_indenter();
 
-    /// The force at a @p point of side @p k of a triangle, in the direction of
-    /// a
-    /// @p component of its condition, as a linear function of the tractions
-    /// (see JohnsonMercier::traction_index()).
+    /// The force at a @p point of side @p k of a triangle, along a @p component
+    /// of its condition, as a linear function of the tractions (see
+    /// JohnsonMercier::traction_index()).
     Vector<double>
     force_of_tractions(const unsigned int triangle,
                        const unsigned int k,

@@ -20,15 +20,15 @@ namespace ElastoPlastic
                             const Vector<double> &values) const
   {
     const unsigned int  t = field.in_plane.size();
-    std::vector<double> out_of_plane(n_points(degree));
+    std::vector<double> across(n_points(degree));
     field.in_plane.emplace_back(n_values(degree));
     for (unsigned int p = 0; p < n_points(degree); ++p)
       {
         for (unsigned int c = 0; c < 3; ++c)
           field.in_plane[t][3 * p + c] = values[n_stress_components * p + c];
-        out_of_plane[p] = values[n_stress_components * p + 3];
+        across[p] = values[n_stress_components * p + 3];
       }
-    if (this->out_of_plane == OutOfPlaneStress::circumferential)
+    if (out_of_plane == OutOfPlaneStress::circumferential)
       {
         Vector<double> stress(n_points(degree - 1)), weighted(n_points(degree));
         LocalStresses::circumferential_matrix(body, t, degree)
@@ -38,9 +38,9 @@ namespace ElastoPlastic
         stress /= body.length_unit;
         weighted *= body.weight_unit() / body.length_unit;
         field.circumferential.emplace_back(stress.begin(), stress.end());
-        out_of_plane.assign(weighted.begin(), weighted.end());
+        across.assign(weighted.begin(), weighted.end());
       }
-    field.out_of_plane.push_back(out_of_plane);
+    field.out_of_plane.push_back(across);
   }
 
 
