@@ -66,9 +66,9 @@ namespace ElastoPlastic
     Tensor<1, 3> body_force;
     Tensor<1, 3> body_force_growth;
 
-    double stress_unit; ///< see HenckyMaterial::Units
-    double strain_unit; ///< likewise
-    double length_unit; ///< of the size of the body
+    double stress_unit;     ///< see HenckyMaterial::Units
+    double strain_unit;     ///< likewise
+    double length_unit = 0; ///< of the size of the body
     /// See PlaneBody; 0 if no load grows.
     double load_factor_unit = 0;
 

@@ -209,8 +209,8 @@ namespace ElastoPlastic
         for (unsigned int i = 0; i <= n_intervals; ++i)
           for (unsigned int j = 0; i + j <= n_intervals; ++j, ++n_points)
             {
-              const double a = i / static_cast<double>(n_intervals),
-                           b = j / static_cast<double>(n_intervals);
+              const double a = i / double(n_intervals),
+                           b = j / double(n_intervals);
               const Point<3> x(corners[0] + a * (corners[1] - corners[0]) +
                                b * (corners[2] - corners[0]));
               if (std::isfinite(gap(Point<3>(x + inset * (center - x)))))
@@ -381,7 +381,6 @@ namespace ElastoPlastic
     const auto [stress, strain] = HenckyMaterial::units_of(materials);
     body.stress_unit            = stress;
     body.strain_unit            = strain;
-    body.length_unit            = 0;
     for (const Point<3> &vertex : body.mesh.vertices)
       body.length_unit =
         std::max(body.length_unit, vertex.distance(body.mesh.vertices.front()));

@@ -61,7 +61,7 @@ def limit_load_revolution(runner):
 
 
 def limit_load_space(runner):
-    """Limit loads in space: a square punch against bounds on a finer mesh, a slab between rollers against plane strain."""
+    """Limit loads in space: a square punch against bounds on a finer mesh, slabs between rollers against (2 + pi) k and plane strain."""
     case, limit = "limit_load/square_punch_3d.prm", (2.976, 3.088)  # 17,170 tetrahedra, another program
     rows = runner.tables(case, "Refinement/Number of cycles=2")["limit_load"]
     for row in rows:
@@ -86,6 +86,17 @@ def limit_load_space(runner):
     for earlier, later in zip(slab, slab[1:]):
         runner.verify("slab: a finer mesh is closer", later["relative_difference"] < earlier["relative_difference"])
     runner.compare("slab: difference of the bounds", slab[-1]["relative_difference"], 0, 0.12, absolute=True)
+
+    held = runner.tables(case, "Refinement/Number of cycles=3", "Refinement/Refinement fraction=0.3",
+                         "Indenter/Type=strip punch", "Indenter/Half width=1", "Boundary conditions/Free=",
+                         "Boundary conditions/Fixed=bottom, right", "Boundary conditions/Roller=left, front, back",
+                         "Geometry/Lower corner=0, 0, -2", "Geometry/Upper corner=4, 1, 0",
+                         "Geometry/Repetitions=4, 1, 2")["limit_load"]
+    exact = PRANDTL / math.sqrt(3)
+    for row in held:
+        runner.verify(f"slab held at its sides: {row['lower_bound']:.6g} <= {exact:.6g} <= {row['upper_bound']:.6g}",
+                      row["lower_bound"] <= exact <= row["upper_bound"])
+    runner.compare("slab held at its sides: difference of the bounds", held[-1]["relative_difference"], 0, 0.05, absolute=True)
 
 
 def openblas_kernels():
