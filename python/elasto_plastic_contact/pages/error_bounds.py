@@ -26,7 +26,7 @@ def parabola(runs):
                     "high": percent(high["relative_bound"]).removesuffix(" %"), "high_depth": f"{high['depth']:.1f}"})
 
 
-@table(100)
+@table(55)
 def efficiency(runs):
     """The efficiency index and the orders of the bound on uniform meshes, in plane strain and of revolution."""
     numbers = {}

@@ -36,7 +36,7 @@ def padded(cells, n_cells):
     return [None, *cells, *[""] * (n_cells - len(cells))]
 
 
-@table(250)
+@table(130)
 def multigrid_iterations(runs):
     """Conjugate gradient steps on adaptive and uniform meshes, linear elements."""
     case = ADAPTIVE.format(1)
