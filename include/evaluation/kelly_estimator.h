@@ -26,10 +26,10 @@ namespace ElastoPlastic
   /// normal derivative in brackets. Not made for plasticity or contact, but
   /// finds the edge of the contact zone and of the plastic zone.
   ///
-  /// These are the numbers of deal.II's KellyErrorEstimator, which takes 2.5 to
-  /// 4 times as long: here, the shape functions' derivatives at the points of
-  /// all faces, in all orientations, are those of the reference cell, tabulated
-  /// once.
+  /// These are the numbers of deal.II's KellyErrorEstimator, which takes three
+  /// to four times as long: here, the shape functions' derivatives at the
+  /// points of all faces, in all orientations, are those of the reference cell,
+  /// tabulated once.
   template <int dim>
   class KellyEstimator
   {

@@ -53,6 +53,7 @@ namespace ElastoPlastic
     template <int dim>
     std::shared_ptr<const Triangulation<dim>>
     make_mesh(const parallel::distributed::Triangulation<dim> &original,
+              const std::vector<types::manifold_id>           &manifolds,
               const Forest<dim>                               &forest)
     {
       auto mesh = std::make_shared<parallel::distributed::Triangulation<dim>>(
@@ -60,7 +61,7 @@ namespace ElastoPlastic
       const auto [vertices, cells, boundary] =
         GridTools::get_coarse_mesh_description(original);
       mesh->create_triangulation(vertices, cells, boundary);
-      for (const auto id : original.get_manifold_ids())
+      for (const auto id : manifolds)
         if (id != numbers::flat_manifold_id)
           mesh->set_manifold(id, original.get_manifold(id));
       mesh->load(&forest);
@@ -78,7 +79,8 @@ namespace ElastoPlastic
     std::vector<std::shared_ptr<const Triangulation<dim>>> meshes = {
       {&mesh, [](const auto *) {
        }}};
-    auto &forest =
+    const auto manifolds = mesh.get_manifold_ids(); // looks at all faces
+    auto      &forest =
       *P4est<dim>::copy_forest(const_cast<Forest<dim> *>(mesh.get_p4est()),
                                /* copy data = */ 0);
     for (unsigned int level = mesh.n_global_levels() - 1;
@@ -86,7 +88,7 @@ namespace ElastoPlastic
          --level)
       {
         coarsen<dim>(forest);
-        meshes.push_back(make_mesh(mesh, forest));
+        meshes.push_back(make_mesh(mesh, manifolds, forest));
       }
     P4est<dim>::destroy(&forest);
     std::reverse(meshes.begin(), meshes.end());
