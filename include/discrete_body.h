@@ -13,7 +13,7 @@
 #include <set>
 #include <vector>
 
-#include "contact/contact_set.h"
+#include "contact/contact_evaluation.h"
 #include "contact/contact_zone.h"
 #include "contact/gap_function.h"
 #include "contact_problem.h"
@@ -89,6 +89,10 @@ namespace ElastoPlastic
 
     std::set<types::boundary_id>
     contact_boundaries() const;
+
+    /// What the contact amounts to now; this body must outlive it. Collective.
+    ContactEvaluation<dim>
+    contact_evaluation() const;
 
     /// The contact surface as it is now.
     ContactSurface<dim>

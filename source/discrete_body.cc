@@ -229,7 +229,7 @@ namespace ElastoPlastic
   VectorType
   DiscreteBody<dim>::total_slip(const LastStep &last_step) const
   {
-    VectorType slip = contact.slip(displacement);
+    VectorType slip = contact_evaluation().slip();
     if (!last_step.is_virgin())
       slip += last_step.slip;
     return slip;
@@ -259,6 +259,15 @@ namespace ElastoPlastic
   DiscreteBody<dim>::contact_boundaries() const
   {
     return model.boundary_conditions.ids(BoundaryConditionType::contact);
+  }
+
+
+
+  template <int dim>
+  ContactEvaluation<dim>
+  DiscreteBody<dim>::contact_evaluation() const
+  {
+    return {contact, displacement, residual};
   }
 
 

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "base/exceptions.h"
-#include "base/machine_error.h"
+#include "base/rethrow_collectively.h"
 #include "elasto_plastic_contact.h"
 #include "io/command_line.h"
 #include "io/parameters.h"

@@ -58,8 +58,7 @@ namespace ElastoPlastic
   void
   StepEvaluation<dim>::measure(SolveResult &result, LastStep &last_step) const
   {
-    static_cast<ContactState &>(result) =
-      body.contact.state(body.displacement, body.residual);
+    static_cast<ContactState &>(result) = body.contact_evaluation().state();
     static_cast<BodyState &>(result) =
       body_state(body.solid, body.displacement);
     result.depth = body.gap_function.has_indenter() ? body.contact.depth() : 0.;
@@ -155,7 +154,7 @@ namespace ElastoPlastic
   VectorType
   StepEvaluation<dim>::contact_forces() const
   {
-    return body.contact.forces_on_body(body.displacement, body.residual);
+    return body.contact_evaluation().forces_on_body();
   }
 
 

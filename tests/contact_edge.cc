@@ -8,11 +8,10 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/grid/grid_generator.h>
 
 #include <cmath>
 
-#include "contact/contact_set.h"
+#include "contact/contact_evaluation.h"
 #include "sample_mesh.h"
 #include "solver/reduced_unknowns.h"
 #include "verdict.h"
@@ -47,7 +46,7 @@ namespace
                 kinematics,
                 rule)
     {
-      GridGenerator::subdivided_hyper_cube(mesh, 12, 0., 1., true);
+      make_columns(mesh, 12);
       dof_handler.distribute_dofs(fe);
       IndexSet relevant;
       DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
@@ -66,7 +65,7 @@ namespace
     double
     area() const
     {
-      return contact.state(zero, zero).contact_area;
+      return ContactEvaluation<dim>(contact, zero, zero).state().contact_area;
     }
 
     void
@@ -85,8 +84,9 @@ namespace
       for (const double force : contact.vertical_forces_on_body(forces))
         all_forces -= force;
       verify("  the force of the indenter is that on nodes and neighbours",
-             std::abs(Utilities::MPI::sum(all_forces, MPI_COMM_WORLD) -
-                      contact.state(zero, forces).force),
+             std::abs(
+               Utilities::MPI::sum(all_forces, MPI_COMM_WORLD) -
+               ContactEvaluation<dim>(contact, zero, forces).state().force),
              1e-12);
     }
 

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "contact/contact_set.h"
+#include "contact/contact_evaluation.h"
 #include "sample_mesh.h"
 #include "verdict.h"
 
@@ -81,7 +81,9 @@ namespace
       contact.activate_touching(zero);
       contact.move_active(u);
       constraints.distribute(u);
-      return contact.state(u, zero).max_hanging_penetration;
+      return ContactEvaluation<dim>(contact, u, zero)
+        .state()
+        .max_hanging_penetration;
     }
 
     void
@@ -89,7 +91,8 @@ namespace
     {
       contact.place(1.);
       contact.activate_touching(zero);
-      const ContactState state = contact.state(zero, constant(1.));
+      const ContactState state =
+        ContactEvaluation<dim>(contact, zero, constant(1.)).state();
       verify("  areas add up to the surface",
              std::abs(state.contact_area - 1.),
              1e-12);
@@ -183,7 +186,8 @@ namespace
       contact.place(depth);
       contact.activate_touching(zero);
       const Vector       force = constant(2.);
-      const ContactState state = contact.state(zero, force);
+      const ContactState state =
+        ContactEvaluation<dim>(contact, zero, force).state();
       output() << "  contact area " << state.contact_area << std::endl;
       verify("  force is the sum of nodal forces",
              std::abs(state.force - 2. * contact.n_active()),
@@ -194,13 +198,15 @@ namespace
 
       Vector u = zero;
       contact.project(u);
-      const ContactState projected = contact.state(u, zero);
+      const ContactState projected =
+        ContactEvaluation<dim>(contact, u, zero).state();
       verify("  no penetration after projection",
              projected.max_penetration,
              1e-15);
 
       Vector gap = zero, pressure = zero, active = zero;
-      contact.surface_fields(gap, pressure, active, u, force);
+      ContactEvaluation<dim>(contact, u, force)
+        .surface_fields(gap, pressure, active);
       verify("  fields: no gap where active", std::abs(gap * active), 1e-13);
       verify("  fields: pressure only where active",
              std::abs(pressure.l1_norm() - pressure * active),

@@ -8,11 +8,11 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/grid/grid_generator.h>
 
 #include <cmath>
 
 #include "contact/contact_zone.h"
+#include "sample_mesh.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -47,8 +47,7 @@ namespace
   {
     output() << dim << "D, degree " << degree << std::endl;
     parallel::distributed::Triangulation<dim> mesh(MPI_COMM_WORLD);
-    GridGenerator::subdivided_hyper_cube(
-      mesh, n_cells / degree, 0., side, true);
+    make_columns(mesh, n_cells / degree);
     const FESystem<dim> fe(FE_Q<dim>(degree), dim);
     DoFHandler<dim>     dof_handler(mesh);
     dof_handler.distribute_dofs(fe);

@@ -18,8 +18,7 @@
 #include <sstream>
 
 #include "base/expression.h"
-#include "contact/decode_image.h"
-#include "contact/decode_matrix.h"
+#include "contact/height_file.h"
 #include "contact/indenter_library.h"
 #include "damage.h"
 #include "io/checkpoint.h"

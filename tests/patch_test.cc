@@ -138,7 +138,8 @@ namespace
     });
     stress_error = Utilities::MPI::max(stress_error, MPI_COMM_WORLD);
 
-    const ContactState state = contact.state(u, residual);
+    const ContactState state =
+      ContactEvaluation<dim>(contact, u, residual).state();
     output() << dim << "D, degree " << degree
              << (treatment == VolumetricTreatment::b_bar ? ", B-bar" : "")
              << (by_force ? ", force given" : "") << std::endl;

@@ -32,6 +32,24 @@ refine_corner(dealii::parallel::distributed::Triangulation<dim> &mesh)
 
 
 
+/// The unit square or cube in cells as high as itself: a mesh that is fine
+/// along the surface only.
+template <int dim>
+void
+make_columns(dealii::parallel::distributed::Triangulation<dim> &mesh,
+             const unsigned int                                 n_per_side)
+{
+  dealii::Point<dim>        upper;
+  std::vector<unsigned int> n_cells(dim, n_per_side);
+  n_cells[dim - 1] = 1;
+  for (unsigned int d = 0; d < dim; ++d)
+    upper[d] = 1.;
+  dealii::GridGenerator::subdivided_hyper_rectangle(
+    mesh, n_cells, dealii::Point<dim>(), upper, /* colorize = */ true);
+}
+
+
+
 /// A square below y = 0, divided once more where an indenter on its left end
 /// would touch it.
 inline void

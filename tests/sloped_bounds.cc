@@ -87,8 +87,8 @@ namespace
           lower[d] = -1.;
           upper[d] = d < dim - 1 ? 1. : 0.;
         }
-      std::vector<unsigned int> n_cells(dim, 12);
-      n_cells[dim - 1] = 3;
+      std::vector<unsigned int> n_cells(dim, 8);
+      n_cells[dim - 1] = 2;
       GridGenerator::subdivided_hyper_rectangle(
         mesh, n_cells, lower, upper, true);
       dof_handler.distribute_dofs(fe);

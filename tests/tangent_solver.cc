@@ -85,7 +85,7 @@ namespace
       , solid(std::make_unique<SolidOperator<dim>>(
           1, VolumetricTreatment::standard, material.materials()))
     {
-      GridGenerator::subdivided_hyper_cube(mesh, 12, 0., 1., true);
+      GridGenerator::subdivided_hyper_cube(mesh, 6, 0., 1., true);
       dof_handler.distribute_dofs(fe);
       IndexSet relevant;
       DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);

@@ -6,7 +6,11 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <exception>
 #include <functional>
+#include <optional>
+
+#include "base/exceptions.h"
 
 namespace ElastoPlastic
 {
@@ -24,6 +28,14 @@ namespace ElastoPlastic
   /// rethrow_collectively(), and where there are no other ranks.
   bool
   may_throw_alone();
+
+
+
+  /// What a user is told where the machine is at its limits, which the standard
+  /// library says by exceptions of its own: no memory, or a file or folder that
+  /// cannot be used. Nothing for any other exception, which is a bug.
+  std::optional<FileError>
+  machine_error(const std::exception &exception);
 } // namespace ElastoPlastic
 
 #endif

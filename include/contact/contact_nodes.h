@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/kinematics.h"
+#include "contact/coulomb_friction.h"
 #include "contact/indenter.h"
 
 namespace ElastoPlastic
@@ -58,6 +59,21 @@ namespace ElastoPlastic
     /// constrained otherwise, and a node without area (that of quadratic
     /// elements on the axis of an axisymmetric body).
     bool hanging;
+  };
+
+
+
+  /// A node with what it does in contact.
+  template <int dim>
+  struct ContactCandidate : ContactNode<dim>
+  {
+    bool active = false;
+
+    /// Which of its horizontal displacements no support holds.
+    std::array<bool, dim - 1> free = {};
+    /// The horizontal displacement with which it sticks.
+    TangentVector<dim> anchor;
+    FrictionState<dim> friction;
   };
 
 

@@ -27,6 +27,11 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
+  template <int dim>
+  class ContactEvaluation;
+
+
+
   /// The nodes of the contact surface that the indenter can reach, and which
   /// of them touch it.
   ///
@@ -257,51 +262,15 @@ namespace ElastoPlastic
     void
     set_candidate_entries(Vector &vector, const double value) const;
 
-    ContactState
-    state(const Vector &u, const Vector &residual) const;
-
-    /// How far the active nodes have slipped in the load step: the displacement
-    /// of the body relative to the indenter.
-    Vector
-    slip(const Vector &u) const;
-
-    /// For output, with friction: the shear traction of the indenter on the
-    /// body at the active nodes, and ones in the vertical component at those
-    /// that stick; zero elsewhere.
-    void
-    friction_fields(Vector       &shear,
-                    Vector       &stick,
-                    const Vector &u,
-                    const Vector &residual) const;
-
-    /// The nodal forces of the indenter on the body; and their vertical parts.
-    Vector
-    forces_on_body(const Vector &u, const Vector &residual) const;
+    /// The vertical nodal forces of the indenter on the body.
     Vector
     vertical_forces_on_body(const Vector &residual) const;
 
-    /// For output: the surface fields, in the vertical component of vectors in
-    /// the layout of displacements; zero elsewhere. Gaps are those of the
-    /// deformed surface to the indenter in its present position.
-    void
-    surface_fields(Vector       &gap,
-                   Vector       &pressure,
-                   Vector       &active,
-                   const Vector &u,
-                   const Vector &residual) const;
-
   private:
-    /// A node of the contact surface.
-    struct Node : ContactNode<dim>
-    {
-      bool active = false;
+    /// (It reads what is below.)
+    friend class ContactEvaluation<dim>;
 
-      /// Which of its horizontal displacements no support holds.
-      std::array<bool, dim - 1> free = {};
-      /// The horizontal displacement with which it sticks.
-      TangentVector<dim> anchor;
-      FrictionState<dim> friction;
-    };
+    using Node = ContactCandidate<dim>;
 
     /// An indenter that no force pushes does not press on any node, and has
     /// none to tell it its place: it follows the body without holding it.
@@ -360,19 +329,6 @@ namespace ElastoPlastic
     SlopedBound
     sloped_bound(const Node &node, const Vector &u) const;
 
-    /// Adds what is not vertical to @p state. Collective.
-    void
-    add_friction(ContactState &state,
-                 const Vector &u,
-                 const Vector &residual) const;
-
-    /// Sets a vector of the tangent plane of a node with this slope.
-    static void
-    set_tangent_vector(Vector                   &vector,
-                       const Node               &node,
-                       const TangentVector<dim> &value,
-                       const TangentVector<dim> &slope);
-
     double
     bound(const Node &node, const Vector &u) const
     {
@@ -409,21 +365,6 @@ namespace ElastoPlastic
     /// The shared rows of the present active set.
     void
     share_rows();
-
-    /// The faces that areas and pressures refer to.
-    ContactEdge<dim>
-    pressed_faces(const Vector &u) const;
-
-    /// The areas on which the active nodes press.
-    Vector
-    pressed_areas(const Vector &u) const;
-
-    /// The pressure at the active nodes; zero elsewhere.
-    Vector
-    pressures(const Vector &u, const Vector &residual) const;
-
-    double
-    touched_area(const Vector &u) const;
 
     /// The smallest distance from the undisplaced indenter down to a candidate.
     double

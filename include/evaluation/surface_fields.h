@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "contact/contact_set.h"
+#include "contact/contact_evaluation.h"
 #include "mechanics/ghosted_copy.h"
 
 namespace ElastoPlastic
@@ -46,9 +46,10 @@ namespace ElastoPlastic
     VectorType gap(u.get_partitioner()), pressure(gap), active(gap), shear(gap),
       stick(gap);
     gap = std::numeric_limits<double>::quiet_NaN();
-    contact.surface_fields(gap, pressure, active, u, residual);
+    const ContactEvaluation<dim> evaluation(contact, u, residual);
+    evaluation.surface_fields(gap, pressure, active);
     if (contact.has_friction())
-      contact.friction_fields(shear, stick, u, residual);
+      evaluation.friction_fields(shear, stick);
     for (VectorType *field : {&pressure, &active, &shear, &stick})
       constraints.distribute(*field);
     return {ghosted_copy(u, dof_handler),

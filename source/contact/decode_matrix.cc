@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/decode_matrix.h"
+#include "contact/height_file.h"
 
 namespace ElastoPlastic
 {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/decode_png.h"
+#include "contact/height_file.h"
 
 #include <png.h>
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "contact/decode_pnm.h"
+#include "contact/height_file.h"
 
 namespace ElastoPlastic
 {

@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "base/exceptions.h"
-#include "contact/decode_image.h"
-#include "contact/decode_matrix.h"
 #include "contact/decode_stl.h"
+#include "contact/height_file.h"
 #include "contact/indenter_expression.h"
 #include "contact/indenter_height_map.h"
 #include "contact/indenter_library.h"

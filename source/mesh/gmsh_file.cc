@@ -15,8 +15,7 @@
 #include "mesh/curved_boundaries.h"
 #include "mesh/gmsh_contents.h"
 #include "mesh/gmsh_file.h"
-#include "mesh/hanging_vertex.h"
-#include "mesh/pinched_vertices.h"
+#include "mesh/mesh_defects.h"
 
 namespace ElastoPlastic
 {

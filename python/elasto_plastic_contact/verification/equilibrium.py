@@ -51,8 +51,7 @@ def limit_load_revolution(runner):
     cases = {"smooth circular punch": ("circular_punch", 1, 3.0140, 3.0147, ()),
              "rough circular punch": ("circular_punch", 1, 3.1766, 3.189, ("Indenter/Surface=rough",)),
              "ring": ("ring_punch", 3, 2.967, 2.977, ()),
-             "cone in a pit": ("conical_pit", 1, 2.6233, 2.6307, ()),
-             "the same with weight": ("conical_pit", 1, 2.6233 + buoyancy, 2.6307 + buoyancy, ("Body force=0; -0.3",))}
+             "cone in a pit, with weight": ("conical_pit", 1, 2.6233 + buoyancy, 2.6307 + buoyancy, ("Body force=0; -0.3",))}
     for name, (case, area, lower, upper, entries) in cases.items():
         rows = runner.tables(f"limit_load/{case}.prm", "Refinement/Number of cycles=7", *entries)["limit_load"]
         for row in rows:
@@ -106,7 +105,7 @@ def openblas_kernels():
     """Names of some kernels of OpenBLAS that this processor can run; without OpenBLAS, they are ignored."""
     with open("/proc/cpuinfo", encoding="ascii") as file:
         flags = file.read().split()
-    return ["Prescott"] + ["Haswell", "Zen"] * ("avx2" in flags) + ["SkylakeX"] * ("avx512f" in flags)
+    return ["Prescott"] + ["Haswell"] * ("avx2" in flags) + ["SkylakeX"] * ("avx512f" in flags)
 
 
 def blas_kernels(runner):
@@ -115,7 +114,6 @@ def blas_kernels(runner):
     cases = {"two layers": ("limit_load/two_layer_block.prm", cycles),
              "two layers, edge of the punch inside a side":
                  ("limit_load/two_layer_block.prm", cycles, "Indenter/Half width=0.83"),
-             "parabola": ("error_bound/parabola.prm", cycles),
              "sphere": ("error_bound/sphere.prm", cycles),
              "paraboloid in space": ("error_bound/paraboloid_3d.prm", cycles)}
     for name, case in cases.items():
@@ -211,7 +209,7 @@ def error_bound_revolution(runner):
     case = "error_bound/sphere.prm"
     plastic = ("Loading/Control=depth", "Loading/Depth=0.1", "Material/Yield stress=2000",
                "Material/Isotropic hardening modulus=10000", "Geometry/Local refinements=3")
-    for law in LAWS:
+    for law in LAWS[::2]:
         entries = (f"Material/Law={law}", *plastic)
         (tables, _), (fine, _) = coarse_and_fine(runner, case, 3, *entries, "Geometry/Initial refinements=2")
         rows = tables["error_bound"]
@@ -239,7 +237,7 @@ def error_bound_space(runner):
     runner.verify(f"order of the bound {order(rows, 'bound'):.2f}", order(rows, "bound") > 1.9)
 
     displacements = ("Analysis=contact", "Geometry/Initial refinements=3", "Refinement/Number of cycles=1")
-    for law, width in zip(LAWS, (0.24, 0.7, 0.8)):
+    for law, width in ((LAWS[0], 0.24), (LAWS[2], 0.8)):
         entries = (f"Material/Law={law}",)
         force = runner.run(case, *entries, *displacements)[-1]["force"]
         rows = adapted if law == LAWS[0] else runner.tables(case, *entries, two, "Refinement/Goal=force")["error_bound"]
@@ -293,26 +291,26 @@ def order(rows, name):
 
 
 def error_bound_refinement(runner):
-    """Refinement by the bound against that by Kelly's estimator, in the bound per unknown."""
-    for law in LAWS[1:]:
-        rows = {}
-        for strategy in ("adaptive", "Kelly"):
-            tables = runner.tables("cylinder_2d.prm", BOUND, f"Material/Law={law}", f"Refinement/Strategy={strategy}",
-                                   "Geometry/Initial refinements=3", "Refinement/Number of cycles=5")
-            rows[strategy] = tables["error_bound"][-1]
-            runner.compare("estimated_error", tables["history"][-1]["estimated_error"],
-                           math.sqrt(2 * rows[strategy]["bound"]), 1e-12)
-        ratio = rows["Kelly"]["bound"] / rows["adaptive"]["bound"]
-        runner.verify(f"{law}: {rows['adaptive']['dofs']:.0f} unknowns by the bound, "
-                      f"{rows['Kelly']['dofs']:.0f} by Kelly, whose bound is {ratio:.2f} times as large",
-                      rows["adaptive"]["dofs"] < rows["Kelly"]["dofs"] and ratio > 1.1)
+    """A perfectly plastic body: refinement by the bound against that by Kelly's estimator, in the bound per unknown."""
+    rows = {}
+    for strategy in ("adaptive", "Kelly"):
+        tables = runner.tables("cylinder_2d.prm", BOUND, "Material/Law=perfectly plastic",
+                               f"Refinement/Strategy={strategy}", "Geometry/Initial refinements=3",
+                               "Refinement/Number of cycles=5")
+        rows[strategy] = tables["error_bound"][-1]
+        runner.compare("estimated_error", tables["history"][-1]["estimated_error"],
+                       math.sqrt(2 * rows[strategy]["bound"]), 1e-12)
+    ratio = rows["Kelly"]["bound"] / rows["adaptive"]["bound"]
+    runner.verify(f"{rows['adaptive']['dofs']:.0f} unknowns by the bound, "
+                  f"{rows['Kelly']['dofs']:.0f} by Kelly, whose bound is {ratio:.2f} times as large",
+                  rows["adaptive"]["dofs"] < rows["Kelly"]["dofs"] and ratio > 1.1)
 
 
 def error_bound_ranks(runner):
     """Bounds and the meshes that they make are the same on 1, 2 and 3 ranks."""
     for case in ("parabola", "sphere", "paraboloid_3d"):
         one, two, three = (Runner(runner.program, ranks).tables(f"error_bound/{case}.prm",
-                                                                "Refinement/Number of cycles=3")["error_bound"]
+                                                                "Refinement/Number of cycles=2")["error_bound"]
                            for ranks in (1, 2, 3))
         for alone, *others in zip(one, two, three):
             for row in others:

@@ -50,7 +50,7 @@ def largest_difference(rows, others):
 def imprint_ranks(runner):
     """Surface, radius, pile-up and probes of a body in space: the same on 1, 2 and 3 ranks."""
     case = ("indentation/sphere_3d.prm", "Loading/History=1: depth 0.005 | 2: force 0", "Loading/Number of steps=4",
-            "Output/Profile lines=0, 0; 2, 0 | 0, 0; 0.3, 0.3", "Nonlinear solver/Tolerance=1e-12",
+            "Refinement/Elements over contact radius=5", "Output/Profile lines=0, 0; 2, 0 | 0, 0; 0.3, 0.3", "Nonlinear solver/Tolerance=1e-12",
             "Output/Probe points=below: 0.01, 0.02, -0.05 | between: 0.5, 0.25, -0.5 | corner: 2, 2, 0")
     tables = [Runner(runner.program, n).tables(*case) for n in (1, 2, 3)]
     for n, others in zip((2, 3), tables[1:]):

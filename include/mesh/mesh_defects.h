@@ -1,17 +1,28 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef mesh_pinched_vertices_h
-#define mesh_pinched_vertices_h
+#ifndef mesh_mesh_defects_h
+#define mesh_mesh_defects_h
 
 #include <deal.II/base/point.h>
+#include <deal.II/grid/tria.h>
 #include <deal.II/grid/tria_description.h>
 
+#include <optional>
 #include <vector>
 
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+  /// A vertex of the coarse mesh @p mesh that lies inside an edge of a cell, if
+  /// there is one. Such cells touch each other without having a face in common,
+  /// and are not connected.
+  template <int dim>
+  std::optional<Point<dim>>
+  find_hanging_vertex(const Triangulation<dim> &mesh);
+
+
 
   /// Cells that meet at a corner or an edge only are not connected: a
   /// continuum passes no force there. Each group of cells around a vertex that
