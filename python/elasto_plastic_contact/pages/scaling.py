@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What limits the program: products against the machine, and messages on many ranks; see command."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+
+from ..errors import UserError
+from ..program import CASES, MPI_ENVIRONMENT, command_line
+from ..tables import read_table, read_tables
+from .performance import machine
+from .recipe import Content, count, measured_table, table
+
+# An elastic cube that is pulled askew: one Newton step, whatever the reduction.
+BLOCK = ("verification/uniaxial_stress.prm", {
+    "Material/Law": "linear elastic", "Loading/Number of steps": "1", "Output/Fields": "never",
+    "Linear solver/Type": "multigrid", "Nonlinear solver/Tolerance": "1e-2", "Boundary conditions/Roller": "",
+    "Boundary conditions/Fixed": "bottom", "Boundary conditions/Free": "left, right, front, back",
+    "Boundary conditions/Prescribed displacement": "", "Boundary conditions/Traction": "top: 0; 0; 100*x*y*t"})
+SMOOTHED = 13  # products on each level but the coarsest, and both transfers to it, in units of a product
+
+
+def built(runs, target):
+    """A program or library of the tests."""
+    path = pathlib.Path(runs.program).resolve().parent / "tests" / target
+    if not path.exists():
+        name = path.stem.removeprefix("lib")
+        raise UserError(f"there is no '{path}': cmake --build build/release --target {name}")
+    return str(path)
+
+
+@measured_table(40)
+def cost_of_products(runs):
+    """What a product takes, beside what the machine can do."""
+    output = subprocess.run(["mpirun", "-np", str(runs.ranks), built(runs, "cost_of_products")], check=True,
+                            stdout=subprocess.PIPE, text=True, env=os.environ | MPI_ENVIRONMENT).stdout
+    names, *lines = (line.split(",") for line in output.splitlines())
+    in_double, in_single, *kernels = (dict(zip(names, line)) for line in lines)
+    limits = {"8": in_double, "4": in_single}
+    times = [float(kernel["ns_per_cell"]) for kernel in kernels]
+    return Content([roofline_row(kernel, limits[kernel["bytes_of_number"]]) for kernel in kernels],
+                   {"machine": machine(runs), "bandwidth": f"{float(in_double['gb_per_s']):.2g}",
+                    "double": f"{float(in_double['gflops']):.2g}", "single": f"{float(in_single['gflops']):.2g}",
+                    "step": f"{1e-3 * (times[0] + 12 * 8 / 7 * times[1]):.2g}"})
+
+
+def roofline_row(kernel, machine_limits):
+    """Time, operations and bytes of a kernel, and the larger of its shares in what the machine can do."""
+    rates, limits = ([float(values[name]) for name in ("gflops", "gb_per_s")] for values in (kernel, machine_limits))
+    share, limit = max((rate / most, name) for rate, most, name in zip(rates, limits, ("operations", "bytes")))
+    return [None, f"{float(kernel['ns_per_cell']):.3g} ns",
+            *(f"{float(kernel[name]):.0f}" for name in ("operations", "bytes")),
+            *(f"{rate:.2g}" for rate in rates), f"{100 * share:.0f} % ({limit})"]
+
+
+@table(600)
+def message_counts(runs):
+    """What a conjugate gradient step sends, on as many ranks as the machine has no processors for."""
+    rows = []
+    for refinements, ranks in ((4, 2), (4, 8), (4, 64), (5, 8), (5, 64)):
+        loose, tight = (counted_run(runs, ranks, refinements, reduction) for reduction in ("1e-3", "1e-12"))
+        steps = tight["linear_iterations"] - loose["linear_iterations"]
+        messages, kilobytes, sums = ((tight[name] - loose[name]) / steps for name in ("messages", "bytes", "sums"))
+        n_levels = refinements - 2  # below the finest, down to at most 100 cells
+        expected = expected_neighbours(ranks) * (1 + SMOOTHED * n_levels)
+        rows.append([count(ranks), count(tight["dofs"]), f"{messages:.0f}", f"{expected:.0f}",
+                     f"{kilobytes / 1024:.0f} KB", f"{sums:.0f}"])
+    return Content(rows)
+
+
+def expected_neighbours(ranks):
+    """The most that a box has in a cube of as many boxes: at most three in each direction."""
+    sides = {2: (1, 1, 2), 8: (2, 2, 2), 64: (4, 4, 4)}[ranks]
+    a, b, c = (min(side, 3) for side in sides)
+    return a * b * c - 1
+
+
+def counted_run(runs, ranks, refinements, reduction):
+    """The last row of statistics.csv, and the most that any rank has sent in the whole run."""
+    case, entries = BLOCK
+    entries = entries | {"Geometry/Initial refinements": str(refinements),
+                         "Nonlinear solver/Loosest linear reduction": reduction}
+    with tempfile.TemporaryDirectory() as folder:
+        counts = pathlib.Path(folder) / "counts.csv"
+        launcher, *rest = command_line(runs.program, CASES / case, entries, pathlib.Path(folder) / "run", ranks=ranks)
+        subprocess.run([launcher, "-x", f"LD_PRELOAD={built(runs, 'libcount_messages.so')}", "-x", "MESSAGE_COUNTS", *rest],
+                       check=True, env=os.environ | MPI_ENVIRONMENT | {"OMPI_MCA_mpi_yield_when_idle": "1",
+                                                                       "MESSAGE_COUNTS": str(counts)})
+        return read_tables(pathlib.Path(folder) / "run")["statistics"][-1] | read_table(counts)[0]
