@@ -4,13 +4,14 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 
 from ..errors import UserError
 from ..program import CASES, MPI_ENVIRONMENT, command_line
 from ..tables import read_table, read_tables
-from .performance import machine
+from .performance import ADAPTIVE, UNIFORM, machine
 from .recipe import Content, count, measured_table, table
 
 # An elastic cube that is pulled askew: one Newton step, whatever the reduction.
@@ -53,6 +54,34 @@ def roofline_row(kernel, machine_limits):
     return [None, f"{float(kernel['ns_per_cell']):.3g} ns",
             *(f"{float(kernel[name]):.0f}" for name in ("operations", "bytes")),
             *(f"{rate:.2g}" for rate in rates), f"{100 * share:.0f} % ({limit})"]
+
+
+# Rows of the table, with the sections of the program's timer that each adds up.
+SECTIONS = (("Newton: solve linear system", "Newton: prepare linear solver"), ("Nonlinear solver",), ("Setup",), ("Output",),
+            ("Error estimator",), ("Refine mesh",), ("Evaluation",))
+
+
+@measured_table(60)
+def where_the_time_goes(runs):
+    """Shares of the parts of a run."""
+    columns = [shares(runs, case, n_cycles) for case, n_cycles in (
+        (UNIFORM.format(1), 4), (ADAPTIVE.format(1), 6), (ADAPTIVE.format(2), 5))]
+    return Content([[None, *cells] for cells in zip(*columns)], {"machine": machine(runs)})
+
+
+def shares(runs, case, n_cycles):
+    """One column: the shares of all SECTIONS in a run, where those of linear solves are not Newton's."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = command_line(runs.program, CASES / case, {"Refinement/Number of cycles": n_cycles}, folder,
+                               "--overwrite", ranks=runs.ranks)
+        log = subprocess.run([part for part in command if part != "--quiet"], check=True, stdout=subprocess.PIPE, text=True,
+                             env=os.environ | MPI_ENVIRONMENT).stdout
+    seconds = {name.strip(): float(time) for name, time in re.findall(r"^\| (.*?)\|[ 0-9]+\| +([0-9.e+-]+)s \|", log,
+                                                                      re.MULTILINE)}
+    whole = float(re.search(r"since start +\| +([0-9.e+-]+)s", log)[1])
+    parts = [sum(seconds.get(name, 0) for name in names) for names in SECTIONS]
+    parts[1] -= parts[0]
+    return [f"{100 * part / whole:.0f} %" for part in parts] + [f"{whole:.0f} s"]
 
 
 @table(600)
