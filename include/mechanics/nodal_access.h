@@ -4,6 +4,7 @@
 #ifndef mechanics_nodal_access_h
 #define mechanics_nodal_access_h
 
+#include <deal.II/matrix_free/hanging_nodes_internal.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
 #include <algorithm>
