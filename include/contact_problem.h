@@ -58,7 +58,7 @@ namespace ElastoPlastic
     Energy
     energy(const Vector &u) const override;
 
-    void
+    Energy
     compute_residual(Vector &residual, const Vector &u) override;
 
     /// The norm of the external forces, or if it is larger, the smallest that
@@ -123,6 +123,10 @@ namespace ElastoPlastic
     /// And the slopes of their bounds.
     void
     collect_slopes(const Vector &u, const Vector &residual);
+
+    /// Pi(u) of a body that has @p stored this energy.
+    Energy
+    total_energy(const double stored, const Vector &u) const;
 
     /// Hanging nodes follow their masters.
     void

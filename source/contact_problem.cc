@@ -102,9 +102,17 @@ namespace ElastoPlastic
   ContactProblem<dim>::energy(const Vector &u) const
   {
     TimerOutput::Scope scope(timer, "Newton: energy");
-    const double       stored         = solid.energy(u);
-    const double       external_work  = external_forces * u;
-    const double       indenters_work = contact.force() * contact.depth_at(u);
+    return total_energy(solid.energy(u), u);
+  }
+
+
+
+  template <int dim>
+  Energy
+  ContactProblem<dim>::total_energy(const double stored, const Vector &u) const
+  {
+    const double external_work  = external_forces * u;
+    const double indenters_work = contact.force() * contact.depth_at(u);
     return {stored - external_work - indenters_work,
             std::abs(stored) + std::abs(external_work) +
               std::abs(indenters_work)};
@@ -113,13 +121,14 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void
+  Energy
   ContactProblem<dim>::compute_residual(Vector &residual, const Vector &u)
   {
     TimerOutput::Scope scope(timer, "Newton: residual");
-    solid.internal_forces(residual, u);
+    const double       stored = solid.internal_forces(residual, u);
     residual.sadd(-1., 1., external_forces);
     collect_slopes(u, residual);
+    return total_energy(stored, u);
   }
 
 

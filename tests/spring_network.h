@@ -103,7 +103,7 @@ public:
     return scale;
   }
 
-  void
+  ElastoPlastic::Energy
   compute_residual(Vector &residual, const Vector &u) override
   {
     for (unsigned int i = 0; i < load.size(); ++i)
@@ -113,6 +113,7 @@ public:
           residual.local_element(i) -=
             springs(k, i) * law.force(elongation(k, u));
       }
+    return energy(u);
   }
 
   void

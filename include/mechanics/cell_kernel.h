@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/kinematics.h"
+#include "mechanics/nodal_access.h"
 #include "mechanics/tangents.h"
 
 namespace ElastoPlastic
@@ -108,6 +109,7 @@ namespace ElastoPlastic
 
     const StrainModel                                      strain_model;
     MatrixFree<dim, typename Tangents::value_type, Number> matrix_free;
+    NodalAccess<dim, Number>                               nodal_access;
     const AffineConstraints<double> *constraints = nullptr;
   };
 

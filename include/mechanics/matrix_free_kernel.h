@@ -73,6 +73,7 @@ namespace ElastoPlastic
 
     using Base::constraints;
     using Base::matrix_free;
+    using Base::nodal_access;
     using Base::strain_model;
 
     bool

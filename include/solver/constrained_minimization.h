@@ -67,8 +67,9 @@ namespace ElastoPlastic
     energy(const Vector &u) const = 0;
 
     /// -dPi/du at all unknowns, constrained ones included. Slopes of bounds, if
-    /// they depend on u, are those at this one from now on.
-    virtual void
+    /// they depend on u, are those at this one from now on. @return energy(),
+    /// which the same work yields.
+    virtual Energy
     compute_residual(Vector &residual, const Vector &u) = 0;
 
     /// A norm of forces, of the problem and not of any u, which is not zero

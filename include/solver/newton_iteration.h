@@ -49,7 +49,7 @@ namespace ElastoPlastic
                     Vector                  &u,
                     const NewtonParameters  &parameters);
 
-    /// Computes the residual at u and what is derived from it.
+    /// Computes residual and energy at u.
     void
     evaluate();
 
@@ -133,7 +133,7 @@ namespace ElastoPlastic
     /// the energy has not grown visibly and its slope along @p direction has
     /// shrunk @cite hager_zhang_2005.
     bool
-    slope_has_shrunk(const Vector &direction, const double slope);
+    slope_has_shrunk(const Vector &direction, const double slope) const;
 
     /// Projected Jacobi sweeps, the energy decreasing.
     void

@@ -15,6 +15,8 @@ namespace ElastoPlastic
   struct NewtonReport
   {
     std::vector<NewtonStep> steps;
+    /// At the solution; see ConstrainedMinimization::compute_residual().
+    ConstrainedMinimization::Vector residual;
 
     /// The number of linear systems solved.
     unsigned int

@@ -133,7 +133,7 @@ namespace ElastoPlastic
     ContactProblem<dim> problem =
       body.problem_with(body.contact, last_step.largest_forces);
     const NewtonReport report = newton.solve(problem, body.displacement);
-    problem.compute_residual(body.residual, body.displacement);
+    body.residual             = report.residual;
     body.contact.settle(body.displacement);
 
     result.newton_iterations = report.n_iterations();

@@ -27,6 +27,7 @@ namespace ElastoPlastic
                        new_constraints,
                        QGauss<1>(dof_handler.get_fe().degree + 1),
                        settings);
+    nodal_access.reinit(matrix_free, dof_handler.get_fe().dofs_per_cell / dim);
   }
 
 

@@ -149,12 +149,22 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void
+  double
   SolidOperator<dim>::find_stresses(const Strains &strains,
                                     Stresses      &stresses) const
   {
+    Number energies = 0.;
     for (unsigned int q = 0; q < n_points; ++q)
-      stresses[q] = response(strains, q).stress();
+      {
+        const auto at_point = response(strains, q);
+        stresses[q]         = at_point.stress();
+        energies +=
+          at_point.incremental_energy(has_energy()) * strains.volume[q];
+      }
+    double energy = 0;
+    for (unsigned int lane = 0; lane < kernel->n_cells(strains.batch); ++lane)
+      energy += energies[lane];
+    return energy;
   }
 
 
@@ -163,15 +173,10 @@ namespace ElastoPlastic
   double
   SolidOperator<dim>::energy(const VectorType &u) const
   {
-    double local_sum = 0;
+    double   local_sum = 0;
+    Stresses stresses;
     kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {
-      Number sum = 0.;
-      for (unsigned int q = 0; q < n_points; ++q)
-        sum += response(strains[0], q).incremental_energy(has_energy()) *
-               strains[0].volume[q];
-      for (unsigned int lane = 0; lane < kernel->n_cells(strains[0].batch);
-           ++lane)
-        local_sum += sum[lane];
+      local_sum += find_stresses(strains[0], stresses);
     });
     return Utilities::MPI::sum(local_sum, u.get_mpi_communicator());
   }
@@ -195,15 +200,17 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void
+  double
   SolidOperator<dim>::internal_forces(VectorType       &forces,
                                       const VectorType &u) const
   {
+    double local_energy = 0;
     kernel->integrate(forces,
                       u,
-                      [this](const Strains &strains, Stresses &stresses) {
-                        find_stresses(strains, stresses);
+                      [&](const Strains &strains, Stresses &stresses) {
+                        local_energy += find_stresses(strains, stresses);
                       });
+    return Utilities::MPI::sum(local_energy, u.get_mpi_communicator());
   }
 
 

@@ -41,10 +41,19 @@ namespace ElastoPlastic
     tangent.reinit(hierarchy.coarse_dof_handler(),
                    hierarchy.coarse_constraints());
     preconditioner =
-      double_rhs.size() > largest_direct_system ?
+      is_direct() ?
+        make_factorization() :
         make_algebraic_multigrid(
-          rigid_body_modes(hierarchy.coarse_dof_handler(), double_rhs)) :
-        make_factorization();
+          rigid_body_modes(hierarchy.coarse_dof_handler(), double_rhs));
+  }
+
+
+
+  template <int dim>
+  bool
+  MultigridPreconditioner<dim>::CoarseSolver::is_direct() const
+  {
+    return double_rhs.size() <= largest_direct_system;
   }
 
 
@@ -65,7 +74,9 @@ namespace ElastoPlastic
     const unsigned int, LevelVector &solution, const LevelVector &rhs) const
   {
     double_rhs.copy_locally_owned_data_from(rhs);
-    if (double_rhs.linfty_norm() > 0.)
+    if (is_direct())
+      preconditioner->vmult(double_solution, double_rhs);
+    else if (double_rhs.linfty_norm() > 0.)
       conjugate_gradients(tangent.matrix(),
                           double_solution,
                           double_rhs,

@@ -69,8 +69,7 @@ namespace ElastoPlastic
   void
   NewtonIteration::evaluate()
   {
-    problem.compute_residual(residual, u);
-    current_energy = problem.energy(u);
+    current_energy = problem.compute_residual(residual, u);
   }
 
 

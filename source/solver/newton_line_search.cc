@@ -47,14 +47,11 @@ namespace ElastoPlastic
         u = base;
         u.add(fraction, direction);
         problem.return_to_bounds(u);
-        current_energy = problem.energy(u);
+        evaluate();
         if (current_energy.value <= start.value + 1e-4 * fraction * slope ||
             (has_not_grown(current_energy, start) &&
              slope_has_shrunk(direction, slope)))
-          {
-            problem.compute_residual(residual, u);
-            return fraction;
-          }
+          return fraction;
       }
     u = base;
     evaluate();
@@ -78,10 +75,7 @@ namespace ElastoPlastic
         problem.return_to_bounds(u);
         if (trial_norm() <=
             std::max((1. - 1e-4 * fraction) * start_norm, negligible))
-          {
-            current_energy = problem.energy(u);
-            return fraction;
-          }
+          return fraction;
       }
     u = base;
     evaluate();
@@ -95,7 +89,7 @@ namespace ElastoPlastic
   {
     try
       {
-        problem.compute_residual(residual, u);
+        evaluate();
         return compute_free_norm();
       }
     catch (const ConvergenceError &)
@@ -107,9 +101,9 @@ namespace ElastoPlastic
 
 
   bool
-  NewtonIteration::slope_has_shrunk(const Vector &direction, const double slope)
+  NewtonIteration::slope_has_shrunk(const Vector &direction,
+                                    const double  slope) const
   {
-    problem.compute_residual(residual, u);
     return std::abs(problem.slope_along(residual, direction)) <=
            0.9 * std::abs(slope);
   }

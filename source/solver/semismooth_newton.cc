@@ -50,7 +50,10 @@ namespace ElastoPlastic
         report.steps.push_back(step);
         show_progress(step);
         if (iteration.has_converged())
-          return report;
+          {
+            report.residual = iteration.residual;
+            return report;
+          }
         if (step.iteration == parameters.maximum_iterations)
           break;
 
