@@ -123,7 +123,7 @@ namespace
       here.add_curvature(product, expanded);
       here.contract(product);
 
-      const double h        = 1e-5;
+      const double h        = 1e-7;
       VectorType   quotient = reduced_forces(expanded, -h);
       quotient -= reduced_forces(expanded, h);
       quotient /= 2. * h;
