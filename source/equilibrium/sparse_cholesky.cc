@@ -55,9 +55,16 @@ namespace ElastoPlastic
     factor.reset(cholmod_analyze(&matrix, &common));
     if (!factor)
       throw std::bad_alloc();
-    require_memory(factor->is_super ?
-                     sizeof(double) * static_cast<double>(factor->xsize) :
-                     (sizeof(double) + sizeof(int)) * common.lnz,
+    // The entries of the factor with their places, a permuted copy of the
+    // matrix, and the largest update of a supernode.
+    const double entry = sizeof(double) + sizeof(int);
+    require_memory(entry * columns.size() +
+                     (factor->is_super ?
+                        sizeof(int) * static_cast<double>(factor->ssize) +
+                          sizeof(double) *
+                            (static_cast<double>(factor->xsize) +
+                             static_cast<double>(factor->maxcsize)) :
+                        entry * common.lnz),
                    "to factorise the equations of the equilibrium method");
   }
 
