@@ -23,6 +23,14 @@ namespace ElastoPlastic
 {
   namespace
   {
+    /// In space the iteration stops where the bounds are closer to the best
+    /// ones of their mesh, relative, than this part of the last mesh's
+    /// difference.
+    constexpr double part_of_difference      = 0.01;
+    constexpr double largest_space_tolerance = 1e-3;
+
+
+
     void
     check_is_perfect(const std::vector<Material<double>> &materials)
     {
@@ -93,7 +101,7 @@ namespace ElastoPlastic
 
 
     LimitLoad
-    bounds_of(const PlaneBody &body, const Parameters &parameters)
+    bounds_of(const PlaneBody &body, const Parameters &parameters, const double)
     {
       return bound_limit_load(
         body, parameters.limit_load.degree_of_stresses(body.is_axisymmetric()));
@@ -101,10 +109,17 @@ namespace ElastoPlastic
 
 
 
+    // Bounds need not be much closer to the best ones of their mesh than the
+    // mesh allows, for which the last one gives an example.
     SpaceLimitLoad
-    bounds_of(const SpaceBody &body, const Parameters &)
+    bounds_of(const SpaceBody &body,
+              const Parameters &,
+              const double last_difference)
     {
-      return bound_limit_load(body);
+      return bound_limit_load(body,
+                              std::clamp(part_of_difference * last_difference,
+                                         usual_space_tolerance,
+                                         largest_space_tolerance));
     }
 
 
@@ -242,7 +257,9 @@ namespace ElastoPlastic
     rethrow_collectively(communicator, [&]() {
       if (!first_rank)
         return;
-      bounds      = bounds_of(body, parameters);
+      bounds      = bounds_of(body,
+                         parameters,
+                         cycle == 0 ? 1. : row.relative_difference());
       are_optimal = bounds.stress.is_optimal && bounds.velocity.is_optimal;
       const double stress_error = require_admissible(body, bounds.stress);
       row                       = {cycle,

@@ -10,14 +10,15 @@ namespace ElastoPlastic
 {
   /// Solves a ConicProgram by a primal-dual interior point method: Nesterov
   /// and Todd's scaling, Mehrotra's predictor and corrector
-  /// @cite vandenberghe_2010. The data should be of the order 1.
+  /// @cite vandenberghe_2010. The data should be of the order 1. A program that
+  /// is moved here is not held in memory twice.
   /// @param tolerance for the gap, relative to the cost. If rounding errors end
   /// the iteration before, the solution is the best iterate. In any case,
   /// make_admissible() has restored its equations.
   /// @throws ConvergenceError if the gap has not even come below 1 %, in
   /// particular if the program has no solution.
   ConicSolution
-  minimize(const ConicProgram &program, const double tolerance);
+  minimize(ConicProgram program, const double tolerance);
 } // namespace ElastoPlastic
 
 #endif

@@ -49,9 +49,10 @@ namespace ElastoPlastic
     void
     prescribe_force(const double force);
 
-    /// @throws ConvergenceError
+    /// Can be called once: the program goes to the solver, which frees its
+    /// memory. @throws ConvergenceError
     SpaceStressField
-    solve(const double tolerance) const;
+    solve(const double tolerance);
 
   private:
     struct CornerOfFace

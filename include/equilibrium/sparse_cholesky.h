@@ -10,6 +10,8 @@
 #include <memory>
 #include <vector>
 
+#include "equilibrium/multifrontal_factor.h"
+
 #include <suitesparse/cholmod.h>
 
 namespace ElastoPlastic
@@ -17,9 +19,10 @@ namespace ElastoPlastic
   using namespace dealii;
 
   /// Factorises a symmetric positive definite matrix on one process again and
-  /// again, always with the same sparsity pattern, by CHOLMOD
-  /// @cite chen_davis_hager_rajamanickam_2008. It takes about a third of the
-  /// time of UMFPACK, which deal.II offers.
+  /// again, always with the same sparsity pattern. CHOLMOD
+  /// @cite chen_davis_hager_rajamanickam_2008 finds the order of elimination
+  /// and the structure of the factor, and solves; MultifrontalFactor computes
+  /// its entries.
   class SparseCholesky
   {
   public:
@@ -52,15 +55,12 @@ namespace ElastoPlastic
       operator()(cholmod_factor *factor) const;
     };
 
-    /// The lower half, row by row: for CHOLMOD, the upper half by columns.
-    cholmod_sparse
-    view();
-
     mutable Common                                 common;
-    std::vector<int>                               row_begins;
-    std::vector<int>                               columns;
-    std::vector<double>                            values;
     std::unique_ptr<cholmod_factor, FactorDeleter> factor;
+    std::unique_ptr<MultifrontalFactor>            fronts;
+
+    /// Where the entries of the lower half are in the array of the factor.
+    std::vector<std::size_t> positions;
   };
 } // namespace ElastoPlastic
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/exceptions.h"
 #include "equilibrium/certificate.h"
@@ -23,6 +24,13 @@ namespace ElastoPlastic
     /// If rounding errors end the iteration early, its best iterate is returned
     /// unless the gap is larger than this.
     constexpr double largest_gap = 1e-2;
+
+    /// So large is s^T z expected to be, which the multipliers of the cones are
+    /// scaled to: somewhat larger than the cost, which is of the order 1. Much
+    /// larger multipliers take several iterations to come down; with smaller
+    /// ones the first iterate that satisfies the equations comes so late that
+    /// it is hardly inside the cones.
+    constexpr double expected_gap = 30.;
 
     /// How much of the way to the boundary of the cones a step goes.
     constexpr double largest_part = 0.99;
@@ -60,12 +68,14 @@ namespace ElastoPlastic
     class InteriorPoint
     {
     public:
-      InteriorPoint(const ConicProgram &program, const double tolerance);
+      InteriorPoint(ConicProgram program, const double tolerance);
 
       ConicSolution
       run();
 
     private:
+      void
+      scale_multipliers();
       void
       begin();
       bool
@@ -89,10 +99,9 @@ namespace ElastoPlastic
       double
       largest_step() const;
 
-      const ConicProgram &program;
-      const ConicLayout   layout;
+      ConicProgram        program; ///< without A and G, which the system has
+      ConicLayout         layout;
       const unsigned int  n_cones;
-      double              total_weight = 0;
       const double        tolerance;
       KktSystem           system;
       KktSystem::Scalings scalings;
@@ -110,21 +119,37 @@ namespace ElastoPlastic
 
 
 
-    InteriorPoint::InteriorPoint(const ConicProgram &program,
-                                 const double        tolerance)
-      : program(program)
+    InteriorPoint::InteriorPoint(ConicProgram the_program,
+                                 const double tolerance)
+      : program(std::move(the_program))
       , layout(program)
       , n_cones(layout.cones.size())
       , tolerance(tolerance)
       , system(program, layout)
     {
-      for (const ConeScale &scale : layout.scales)
-        total_weight += weight(scale);
+      scale_multipliers();
+      for (ConicBlock &block : program.blocks)
+        {
+          block.cone_matrix.reinit(0, 0);
+          block.coupling.reinit(0, 0);
+        }
       current.x.reinit(layout.unknowns.back());
       current.s.reinit(layout.rows.back());
       current.z.reinit(layout.rows.back());
       current.y.reinit(program.right_hand_side.size());
       scaled = scaled_s = scaled_z = current.z;
+    }
+
+
+
+    void
+    InteriorPoint::scale_multipliers()
+    {
+      double total_weight = 0;
+      for (const ConeScale &scale : layout.scales)
+        total_weight += weight(scale);
+      for (ConeScale &scale : layout.scales)
+        scale.multiplier *= expected_gap / total_weight;
     }
 
 
@@ -318,7 +343,7 @@ namespace ElastoPlastic
     {
       for (unsigned int c = 0; c < n_cones; ++c)
         layout.cone(values, c)[0] -=
-          gap * weight(layout.scales[c]) / total_weight;
+          gap * weight(layout.scales[c]) / expected_gap;
     }
 
 
@@ -377,8 +402,8 @@ namespace ElastoPlastic
 
 
   ConicSolution
-  minimize(const ConicProgram &program, const double tolerance)
+  minimize(ConicProgram program, const double tolerance)
   {
-    return InteriorPoint(program, tolerance).run();
+    return InteriorPoint(std::move(program), tolerance).run();
   }
 } // namespace ElastoPlastic

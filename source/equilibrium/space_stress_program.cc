@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <utility>
 
 #include "equilibrium/hencky_material.h"
 #include "equilibrium/interior_point.h"
@@ -173,12 +174,13 @@ namespace ElastoPlastic
 
 
   SpaceStressField
-  SpaceStressProgram::solve(const double tolerance) const
+  SpaceStressProgram::solve(const double tolerance)
   {
-    const ConicSolution solution = minimize(program, tolerance);
     const ConicLayout   layout(program);
-    const double        length = body.length_unit;
-    const double        force  = body.stress_unit * length * length;
+    const bool          force_is_given = program.n_dense_rows > 0;
+    const ConicSolution solution = minimize(std::move(program), tolerance);
+    const double        length   = body.length_unit;
+    const double        force    = body.stress_unit * length * length;
 
     SpaceStressField field;
     for (unsigned int t = 0; t < body.mesh.tetrahedra.size(); ++t)
@@ -200,7 +202,7 @@ namespace ElastoPlastic
         field.pressure[f][corner] = body.stress_unit * pressure;
         field.force += force * body.area_of_corner(f) * pressure;
       }
-    if (program.n_dense_rows > 0)
+    if (force_is_given)
       field.depth =
         -body.strain_unit * length * solution.y[solution.y.size() - 1];
     field.load_factor  = body.load_factor_unit * solution.load_factor;

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <utility>
+
 #include "equilibrium/flux_unknowns.h"
 #include "equilibrium/interior_point.h"
 #include "equilibrium/power_block.h"
@@ -17,8 +19,9 @@ namespace ElastoPlastic
     public:
       explicit SpaceVelocityProgram(const SpaceBody &body);
 
+      /// Can be called once.
       SpaceVelocityField
-      solve(const double tolerance) const;
+      solve(const double tolerance);
 
     private:
       void
@@ -220,9 +223,9 @@ namespace ElastoPlastic
 
 
     SpaceVelocityField
-    SpaceVelocityProgram::solve(const double tolerance) const
+    SpaceVelocityProgram::solve(const double tolerance)
     {
-      const ConicSolution solution = minimize(program, tolerance);
+      const ConicSolution solution = minimize(std::move(program), tolerance);
       SpaceVelocityField  field;
       field.bound = -solution.cost *
                     (body.load_factor_unit > 0 ?

@@ -6,18 +6,14 @@
 #include "base/memory.h"
 #include "equilibrium/sparse_cholesky.h"
 
-#include <omp.h>
-
 namespace ElastoPlastic
 {
   SparseCholesky::Common::Common()
   {
     cholmod_start(this);
     // Errors are reported by return values.
-    print = 0;
-    // CHOLMOD would start threads, for pieces that are too small for them,
-    // where another rank may be at work.
-    omp_set_max_active_levels(0);
+    print      = 0;
+    supernodal = CHOLMOD_SUPERNODAL;
   }
 
 
@@ -38,67 +34,60 @@ namespace ElastoPlastic
 
 
   SparseCholesky::SparseCholesky(const SparsityPattern &pattern)
-    : row_begins(1, 0)
-    , factor(nullptr, FactorDeleter{&common})
+    : factor(nullptr, FactorDeleter{&common})
   {
+    // The lower half by rows is, for CHOLMOD, the upper half by columns.
+    std::vector<int>                       row_begins(1, 0), columns;
+    std::vector<MultifrontalFactor::Entry> entries;
     for (unsigned int row = 0; row < pattern.n_rows(); ++row)
       {
         for (auto entry = pattern.begin(row); entry != pattern.end(row);
              ++entry)
           if (entry->column() <= row)
-            columns.push_back(entry->column());
+            {
+              columns.push_back(entry->column());
+              entries.push_back({static_cast<int>(row), columns.back()});
+            }
         std::sort(columns.begin() + row_begins.back(), columns.end());
         row_begins.push_back(columns.size());
       }
-    values.resize(columns.size());
-    cholmod_sparse matrix = view();
-    factor.reset(cholmod_analyze(&matrix, &common));
-    if (!factor)
-      throw std::bad_alloc();
-    require_memory(factor->is_super ?
-                     sizeof(double) * static_cast<double>(factor->xsize) :
-                     (sizeof(double) + sizeof(int)) * common.lnz,
-                   "to factorise the equations of the equilibrium method");
-  }
-
-
-
-  cholmod_sparse
-  SparseCholesky::view()
-  {
     cholmod_sparse matrix = {};
-    matrix.nrow = matrix.ncol = row_begins.size() - 1;
+    matrix.nrow = matrix.ncol = pattern.n_rows();
     matrix.nzmax              = columns.size();
     matrix.p                  = row_begins.data();
     matrix.i                  = columns.data();
-    matrix.x                  = values.data();
     matrix.stype              = 1;
     matrix.itype              = CHOLMOD_INT;
-    matrix.xtype              = CHOLMOD_REAL;
+    matrix.xtype              = CHOLMOD_PATTERN;
     matrix.dtype              = CHOLMOD_DOUBLE;
     matrix.sorted = matrix.packed = 1;
-    return matrix;
+    factor.reset(cholmod_analyze(&matrix, &common));
+    if (!factor)
+      throw std::bad_alloc();
+    fronts = std::make_unique<MultifrontalFactor>(*factor);
+    require_memory(sizeof(double) * static_cast<double>(factor->xsize) +
+                     fronts->workspace() + sizeof(std::size_t) * entries.size(),
+                   "to factorise the equations of the equilibrium method");
+    positions = fronts->positions(entries);
+    if (!cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor.get(), &common))
+      throw std::bad_alloc();
   }
 
 
 
+  // deal.II stores the diagonal first, then the rest in the order of columns.
   bool
   SparseCholesky::factorize(const SparseMatrix<double> &matrix)
   {
-    // deal.II stores the diagonal first, CHOLMOD wants it last.
+    auto *const values = static_cast<double *>(factor->x);
+    std::fill_n(values, factor->xsize, 0.);
+    auto position = positions.begin();
     for (unsigned int row = 0; row < matrix.m(); ++row)
-      {
-        auto      entry = matrix.begin(row);
-        const int last  = row_begins[row + 1] - 1;
-        values[last]    = entry->value();
-        for (int k = row_begins[row]; k < last; ++k)
-          values[k] = (++entry)->value();
-      }
-    cholmod_sparse lower = view();
-    cholmod_factorize(&lower, factor.get(), &common);
-    if (common.status == CHOLMOD_OUT_OF_MEMORY)
-      throw std::bad_alloc();
-    return common.status == CHOLMOD_OK;
+      for (auto entry = matrix.begin(row);
+           entry != matrix.end(row) && entry->column() <= row;
+           ++entry)
+        values[*position++] = entry->value();
+    return fronts->factorize();
   }
 
 

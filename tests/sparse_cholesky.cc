@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Cholesky factors of a sparse matrix with many fronts, some of which are
+// larger than the tiles that threads share.
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "equilibrium/sparse_cholesky.h"
+#include "verdict.h"
+
+#include <omp.h>
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  constexpr unsigned int n_points     = 12; // in each direction
+  constexpr unsigned int n_components = 3;
+  constexpr unsigned int size = n_points * n_points * n_points * n_components;
+
+  /// Calls the @p action for all pairs of unknowns at neighbours of a grid.
+  template <typename Action>
+  void
+  for_each_pair(const Action &action)
+  {
+    const auto distance = [](const int a, const int b, const int stride) {
+      return std::abs(a / stride % int(n_points) - b / stride % int(n_points));
+    };
+    for (unsigned int i = 0; i < size; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        {
+          const int a = i / n_components, b = j / n_components;
+          if (distance(a, b, 1) + distance(a, b, n_points) +
+                distance(a, b, n_points * n_points) <=
+              1)
+            action(i, j);
+        }
+  }
+
+
+
+  /// Diagonally dominant, without symmetries but its own.
+  void
+  fill(SparseMatrix<double> &matrix)
+  {
+    for_each_pair([&](const unsigned int i, const unsigned int j) {
+      matrix.set(i, j, i == j ? 25. : ((7 * i + 13 * j) % 11) / 11. - 0.7);
+    });
+  }
+
+
+
+  Vector<double>
+  solve(const SparseCholesky &factor)
+  {
+    Vector<double> right_hand_side(size), solution;
+    right_hand_side = 1.;
+    factor.vmult(solution, right_hand_side);
+    return solution;
+  }
+
+
+
+  double
+  largest_residual(const SparseMatrix<double> &lower, const Vector<double> &x)
+  {
+    Vector<double> residual(size);
+    residual = -1.;
+    for_each_pair([&](const unsigned int i, const unsigned int j) {
+      residual[i] += lower(i, j) * x[j];
+      if (i != j)
+        residual[j] += lower(i, j) * x[i];
+    });
+    return residual.linfty_norm();
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  DynamicSparsityPattern couplings(size, size);
+  for_each_pair(
+    [&](const unsigned int i, const unsigned int j) { couplings.add(i, j); });
+  SparsityPattern pattern;
+  pattern.copy_from(couplings);
+  SparseMatrix<double> matrix(pattern);
+  fill(matrix);
+
+  SparseCholesky factor(pattern);
+  omp_set_num_threads(1);
+  verify("positive definite", factor.factorize(matrix));
+  const Vector<double> x = solve(factor);
+  verify("residual", largest_residual(matrix, x), 1e-14);
+
+  omp_set_num_threads(3);
+  verify("by three threads", factor.factorize(matrix));
+  const Vector<double> again = solve(factor);
+  verify("the same numbers", std::equal(x.begin(), x.end(), again.begin()));
+
+  matrix.set(size / 2, size / 2, -25.);
+  verify("not positive definite", !factor.factorize(matrix));
+  fill(matrix);
+  verify("positive definite again", factor.factorize(matrix));
+  verify("its residual", largest_residual(matrix, solve(factor)), 1e-14);
+}
