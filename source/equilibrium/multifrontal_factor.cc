@@ -299,16 +299,27 @@ namespace ElastoPlastic
 
 
 
+  // (No exception may leave a part that threads share.)
   bool
   MultifrontalFactor::factorize()
   {
-    bool is_positive = true;
-#pragma omp parallel for schedule(dynamic) reduction(&& : is_positive)
+    bool is_positive = true, has_memory = true;
+#pragma omp parallel for schedule(dynamic) \
+  reduction(&& : is_positive, has_memory)
     for (unsigned int p = 0; p < parts.size(); ++p)
-      for (unsigned int f = fronts[parts[p]].first;
-           is_positive && f <= parts[p];
-           ++f)
-        is_positive = treat(f);
+      try
+        {
+          for (unsigned int f = fronts[parts[p]].first;
+               is_positive && f <= parts[p];
+               ++f)
+            is_positive = treat(f);
+        }
+      catch (const std::bad_alloc &)
+        {
+          has_memory = false;
+        }
+    if (!has_memory)
+      throw std::bad_alloc();
     for (unsigned int i = 0; is_positive && i < last_fronts.size(); ++i)
       is_positive = treat(last_fronts[i]);
     for (Update &update : updates)
