@@ -10,6 +10,7 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 
+#include "contact/contact_evaluation.h"
 #include "contact_problem.h"
 #include "make_tangent_solver.h"
 #include "material/material_parameters.h"
