@@ -25,13 +25,6 @@ namespace ElastoPlastic
     /// unless the gap is larger than this.
     constexpr double largest_gap = 1e-2;
 
-    /// So large is s^T z expected to be, which the multipliers of the cones are
-    /// scaled to: somewhat larger than the cost, which is of the order 1. Much
-    /// larger multipliers take several iterations to come down; with smaller
-    /// ones the first iterate that satisfies the equations comes so late that
-    /// it is hardly inside the cones.
-    constexpr double expected_gap = 30.;
-
     /// How much of the way to the boundary of the cones a step goes.
     constexpr double largest_part = 0.99;
 
@@ -75,8 +68,6 @@ namespace ElastoPlastic
 
     private:
       void
-      scale_multipliers();
-      void
       begin();
       bool
       converged() const;
@@ -100,8 +91,9 @@ namespace ElastoPlastic
       largest_step() const;
 
       ConicProgram        program; ///< without A and G, which the system has
-      ConicLayout         layout;
+      const ConicLayout   layout;
       const unsigned int  n_cones;
+      double              total_weight = 0;
       const double        tolerance;
       KktSystem           system;
       KktSystem::Scalings scalings;
@@ -127,7 +119,8 @@ namespace ElastoPlastic
       , tolerance(tolerance)
       , system(program, layout)
     {
-      scale_multipliers();
+      for (const ConeScale &scale : layout.scales)
+        total_weight += weight(scale);
       for (ConicBlock &block : program.blocks)
         {
           block.cone_matrix.reinit(0, 0);
@@ -138,18 +131,6 @@ namespace ElastoPlastic
       current.z.reinit(layout.rows.back());
       current.y.reinit(program.right_hand_side.size());
       scaled = scaled_s = scaled_z = current.z;
-    }
-
-
-
-    void
-    InteriorPoint::scale_multipliers()
-    {
-      double total_weight = 0;
-      for (const ConeScale &scale : layout.scales)
-        total_weight += weight(scale);
-      for (ConeScale &scale : layout.scales)
-        scale.multiplier *= expected_gap / total_weight;
     }
 
 
@@ -343,7 +324,7 @@ namespace ElastoPlastic
     {
       for (unsigned int c = 0; c < n_cones; ++c)
         layout.cone(values, c)[0] -=
-          gap * weight(layout.scales[c]) / expected_gap;
+          gap * weight(layout.scales[c]) / total_weight;
     }
 
 
