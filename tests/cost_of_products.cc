@@ -85,11 +85,13 @@ namespace
     x.fill(Batch(Number(1.)));
     const Batch  factor(Number(0.999)), summand(Number(0.001));
     const double time = seconds([&]() {
+      std::array<Batch, n_chains> in_registers = x;
       for (unsigned int i = 0; i < n_steps; ++i)
-        for (Batch &chain : x)
+        for (Batch &chain : in_registers)
           chain = chain * factor + summand;
+      x = in_registers;
     });
-    Number sum = 0.;
+    Number       sum  = 0.;
     for (const Batch &chain : x)
       sum += chain[0];
     AssertThrow(std::abs(sum - n_chains) < 1e-3, ExcInternalError());

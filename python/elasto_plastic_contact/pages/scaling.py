@@ -42,9 +42,9 @@ def cost_of_products(runs):
     limits = {"8": in_double, "4": in_single}
     times = [float(kernel["ns_per_cell"]) for kernel in kernels]
     return Content([roofline_row(kernel, limits[kernel["bytes_of_number"]]) for kernel in kernels],
-                   {"machine": machine(runs), "bandwidth": f"{float(in_double['gb_per_s']):.2g}",
-                    "double": f"{float(in_double['gflops']):.2g}", "single": f"{float(in_single['gflops']):.2g}",
-                    "step": f"{1e-3 * (times[0] + 12 * 8 / 7 * times[1]):.2g}"})
+                   {"machine": machine(runs), "bandwidth": f"{float(in_double['gb_per_s']):.0f}",
+                    "double": f"{float(in_double['gflops']):.0f}", "single": f"{float(in_single['gflops']):.0f}",
+                    "step": f"{1e-3 * (times[0] + 12 * 8 / 7 * times[1]):.1f}"})
 
 
 def roofline_row(kernel, machine_limits):
