@@ -69,10 +69,10 @@ def conical_pit(runs):
     return Content([[None] * 5, [None, *row]])
 
 
-@table(600)
+@table(1400)
 def square_punch(runs):
-    """A square punch in space (5 GB)."""
-    return Content(meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(6)), 1))
+    """A square punch in space (9 GB)."""
+    return Content(meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(7)), 1))
 
 
 # Of the table: case, and numbers of cycles with linear and with quadratic stresses.
