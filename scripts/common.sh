@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-readonly build_packages=(libdeal.ii-dev libsuitesparse-dev libopenblas0-serial libpng-dev libboost-program-options-dev cmake g++ make git)
+readonly build_packages=(libdeal.ii-dev libsuitesparse-dev libopenblas0-serial libpng-dev libboost-program-options-dev cmake g++ ninja-build git)
 readonly test_packages=(numdiff perl python3)
 readonly plot_packages=(python3 python3-matplotlib)
 readonly lint_packages=(clang-format-14 clang-tidy-14)
@@ -71,6 +71,17 @@ install_missing()
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
+# set_up SOURCE FOLDER [CMAKE_OPTION ...]
+# With Ninja, if FOLDER is a new one. (Every test of deal.II's kind asks the build
+# system whether its program is up to date, which takes make seconds.)
+set_up()
+{
+  local source=$1 folder=$2
+  shift 2
+  [ -e "$folder/CMakeCache.txt" ] || set -- -G Ninja "$@"
+  cmake -S "$source" -B "$folder" "$@"
+}
+
 # configure TYPE [CMAKE_OPTION ...]
 # Sets up build/release, build/debug or build/sanitize; TYPE is Release, Debug, or
 # Sanitize: Debug with sanitizers.
@@ -79,9 +90,9 @@ configure()
   local type=$1
   shift
   if [ "$type" = Sanitize ]; then
-    cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug -DSANITIZE=ON "$@"
+    set_up . build/sanitize -DCMAKE_BUILD_TYPE=Debug -DSANITIZE=ON "$@"
   else
-    cmake -S . -B "build/${type,,}" -DCMAKE_BUILD_TYPE="$type" "$@"
+    set_up . "build/${type,,}" -DCMAKE_BUILD_TYPE="$type" "$@"
   fi
 }
 

@@ -36,7 +36,7 @@ build Release
 
 folder=build/step-42
 [ -r "$folder/step-42.cc" ] || copy_step42 "$folder"
-cmake -S "$folder" -B "$folder/build" -DCMAKE_BUILD_TYPE=Release
+set_up "$folder" "$folder/build" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$folder/build"
 
 scripts/command.py compare_with_step42 build/release/elasto_plastic_contact "$folder/build/step-42" "$@"
