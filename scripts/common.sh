@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 readonly build_packages=(libdeal.ii-dev libsuitesparse-dev libopenblas0-serial libpng-dev libboost-program-options-dev cmake g++ ninja-build git)
-readonly test_packages=(numdiff perl python3)
+readonly test_packages=(numdiff perl python3 lld)
 readonly plot_packages=(python3 python3-matplotlib)
 readonly lint_packages=(clang-format-14 clang-tidy-14)
 
