@@ -75,6 +75,12 @@ def square_punch(runs):
     return Content(meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(6)), 1))
 
 
+@table(700)
+def circular_punch_in_space(runs):
+    """A circular punch in space, on a quarter of a block."""
+    return Content(meshes(runs.limit_load("circular_punch_3d", N_CYCLES.format(6)), math.pi / 4))
+
+
 # Of the table: case, and numbers of cycles with linear and with quadratic stresses.
 DEGREES = (("circular_punch", 9, 8), ("circular_punch", 11, 10), ("strip_punch", 8, 6), ("strip_punch", None, 7),
            ("strip_punch", None, 8), ("vertical_cut", 7, 6), ("plate_with_hole", 3, 3))
