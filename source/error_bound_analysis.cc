@@ -61,7 +61,9 @@ namespace ElastoPlastic
         model.boundary_conditions,
         model.materials,
         [&gap_function](const Point<3> &x) { return gap_function.value(x); },
-        time);
+        time,
+        SurfaceFinish::smooth,
+        gap_function.disc());
     }
 
 

@@ -95,7 +95,8 @@ namespace ElastoPlastic
         model.materials,
         [&](const Point<3> &x) { return gap_function.value(x); },
         loads,
-        parameters.indenter.surface);
+        parameters.indenter.surface,
+        gap_function.disc());
     }
 
 
@@ -139,18 +140,35 @@ namespace ElastoPlastic
 
 
 
+    const PlaneBody &
+    body_of_velocity(const PlaneBody &body, const LimitLoad &)
+    {
+      return body;
+    }
+
+
+
+    const SpaceBody &
+    body_of_velocity(const SpaceBody &, const SpaceLimitLoad &bounds)
+    {
+      return bounds.body_of_velocity;
+    }
+
+
+
     SpaceFields
     fields_of(const SpaceBody &body, const SpaceLimitLoad &bounds)
     {
       std::vector<std::array<Tensor<1, 3>, 5>> velocities;
       std::vector<double>                      work;
-      for (unsigned int t = 0; t < body.mesh.tetrahedra.size(); ++t)
+      const TetrahedralMesh &mesh = bounds.body_of_velocity.mesh;
+      for (unsigned int t = 0; t < mesh.tetrahedra.size(); ++t)
         {
           const CornerVelocities &v = bounds.velocity.velocity[t];
           velocities.push_back(
             {{v[0], v[1], v[2], v[3], 0.25 * (v[0] + v[1] + v[2] + v[3])}});
           work.push_back(bounds.velocity.dissipation[t] /
-                         volume(body.mesh.corners(body.mesh.tetrahedra[t])));
+                         volume(mesh.corners(mesh.tetrahedra[t])));
         }
       return {body, bounds.stress, velocities, bounds.gaps, work};
     }
@@ -303,7 +321,9 @@ namespace ElastoPlastic
         if (!first_rank)
           return;
         output.write(fields_of(body, bounds), cycle);
-        slip_output.write(body, bounds.velocity.velocity, cycle);
+        slip_output.write(body_of_velocity(body, bounds),
+                          bounds.velocity.velocity,
+                          cycle);
       });
   }
 

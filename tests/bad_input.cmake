@@ -207,6 +207,11 @@ add_entry_test(grading "'Geometry/Grading' is '0.5', but it must not be less tha
 add_entry_test(grading_centre_components "'Geometry/Grading centre' is '0, 0', but it must be empty or have one coordinate" "Geometry/Grading centre=0,0")
 add_entry_test(grading_centre_outside "'Geometry/Grading centre' is '2', but it must lie between" "Geometry/Grading centre=2")
 add_entry_test(grading_centre_repetitions "'Geometry/Grading centre' is '0.5', but .* needs at least 2 'Repetitions'" "Geometry/Grading centre=0.5" "Geometry/Repetitions=1")
+add_entry_test(circle_2d "'Geometry/Circle radius' is '0.5', but circles are for three dimensions" "Geometry/Circle radius=0.5")
+add_entry_test(circle_negative "'Geometry/Circle radius' is '-1', but it must not be negative" Dimension=3 "Geometry/Circle radius=-1")
+add_entry_test(circle_centre_components "'Geometry/Circle centre' is '0.5', but it must be empty or have the two coordinates" "Geometry/Circle centre=0.5")
+add_entry_test(circle_too_large "'Geometry/Circle radius' is '1', but it must be less than the sides of the cells" Dimension=3 "Geometry/Circle radius=1")
+add_entry_test(circle_between_cells "'Geometry/Circle radius' is '0.1', but .*'Circle centre', which must be a corner of cells" Dimension=3 "Geometry/Circle radius=0.1" "Geometry/Circle centre=0.6, 0.5")
 add_entry_test(ball_radius "'Geometry/Radius' is '0', but it must be greater than 0" "Geometry/Type=half ball" "Geometry/Radius=0")
 add_entry_test(ball_part "'Geometry/Part' is 'quarter', but in two dimensions" "Geometry/Type=half ball" "Geometry/Part=quarter")
 

@@ -224,6 +224,18 @@ namespace
                       "set Upper corner = 3, 2, 0\n"
                       "set Repetitions = 4\n set Grading = 5\n"
                       "set Grading centre = 0, -1");
+    print_geometry<3>("box with a quarter of a circle",
+                      "set Lower corner = 0, 0, -2\n"
+                      "set Upper corner = 4, 3, 0\n"
+                      "set Repetitions = 2\n set Circle radius = 1\n"
+                      "set Initial refinements = 2");
+    print_geometry<3>("box with a circle",
+                      "set Lower corner = -1, -1, -2\n"
+                      "set Upper corner = 3, 2, 0\n"
+                      "set Repetitions = 4, 3, 2\n set Grading = 2\n"
+                      "set Circle centre = 1, 0\n set Circle radius = 0.5\n"
+                      "set Grading centre = 1, 0\n"
+                      "set Initial refinements = 1");
     for (const std::string part : {"full", "half"})
       print_geometry<2>(part + " ball",
                         "set Type = half ball\n set Radius = 2\n set Part = " +

@@ -15,8 +15,11 @@
 #include <limits>
 #include <numeric>
 
+#include "contact/gap_function.h"
+#include "contact/indenter_library.h"
 #include "equilibrium/evaluated_bounds.h"
 #include "equilibrium/space_limit_load.h"
+#include "mesh/box.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -208,6 +211,41 @@ namespace
 
 
 
+  // The same disc, under a punch and under a sphere that is looked for no
+  // farther than its edge. The limits are those of a body of revolution.
+  void
+  test_circular_punch(const TetrahedralMesh &mesh)
+  {
+    auto parameters  = on_rollers({"left", "front"});
+    parameters.free  = {"right", "back"};
+    parameters.fixed = {"bottom"};
+    const BoundaryConditions<3> conditions(parameters, names);
+    for (const std::string type : {"circular punch", "sphere"})
+      {
+        IndenterParameters indenter;
+        indenter.type   = type;
+        indenter.radius = type == "sphere" ? 3. : 1.;
+        indenter.reach  = type == "sphere" ? 1. : 0.;
+        const GapFunction<3> gap(make_indenter<3>(indenter), 0.);
+        const SpaceBody      body = make_space_body(
+          mesh,
+          conditions,
+          {material()},
+          [&gap](const Point<3> &x) { return gap.value(x); },
+          0.,
+          SurfaceFinish::smooth,
+          gap.disc());
+        verify_bounds("Disc under a " + type,
+                      body,
+                      bound_limit_load(body, 1e-3),
+                      {numbers::PI_4 * 3.0127, numbers::PI_4 * 3.0156},
+                      0.8,
+                      1.2);
+      }
+  }
+
+
+
   void
   test_messages(const TetrahedralMesh &mesh)
   {
@@ -253,8 +291,19 @@ main(int argc, char *argv[])
     block, {2, 2, 2}, Point<3>(0, 0, -2), Point<3>(2, 2, 0), true);
   refine(block, [](const Point<3> &x) { return x.norm() < 1.; });
 
-  const TetrahedralMesh mesh_of_cube  = make_split_mesh(cube),
-                        mesh_of_block = make_split_mesh(block);
+  Mesh          block_with_circle(MPI_COMM_WORLD);
+  BoxParameters box;
+  box.lower_corner   = {0., 0., -5.};
+  box.upper_corner   = {5., 5., 0.};
+  box.repetitions    = {2, 2, 4};
+  box.grading        = 2.;
+  box.grading_centre = {0., 0.};
+  box.circle_radius  = 1.;
+  make_box(box, block_with_circle);
+
+  const TetrahedralMesh mesh_of_cube     = make_split_mesh(cube),
+                        mesh_of_block    = make_split_mesh(block),
+                        mesh_with_circle = make_split_mesh(block_with_circle);
   if (mesh_of_cube.tetrahedra.empty())
     return 0; // not the first rank
   verify_mesh(mesh_of_cube, 1.);
@@ -263,5 +312,6 @@ main(int argc, char *argv[])
   // (with 9,126 and 8,326 tetrahedra)
   test_square_punch(mesh_of_block, SurfaceFinish::smooth, {2.3354, 2.4395});
   test_square_punch(mesh_of_block, SurfaceFinish::rough, {2.3487, 2.4653});
+  test_circular_punch(mesh_with_circle);
   test_messages(mesh_of_cube);
 }

@@ -4,6 +4,9 @@
 #ifndef contact_gap_function_h
 #define contact_gap_function_h
 
+#include <optional>
+
+#include "contact/disc.h"
 #include "contact/indenter.h"
 
 namespace ElastoPlastic
@@ -35,6 +38,10 @@ namespace ElastoPlastic
     /// does not reach.
     double
     value(const Point<dim> &p) const;
+
+    /// Gamma_0 seen from above, if it is a disc.
+    std::optional<Disc<dim - 1>>
+    disc() const;
 
     /// The gap at @p p, and its derivatives with respect to the horizontal
     /// coordinates: the slope and curvature of the indenter above p, zero

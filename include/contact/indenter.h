@@ -8,6 +8,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <memory>
+#include <optional>
 
 #include "contact/tip_shape.h"
 
@@ -61,6 +62,13 @@ namespace ElastoPlastic
     /// false, unless a shape knows better.
     virtual bool
     is_convex() const;
+
+    /// The radius of the disc around the tip in which the profile is finite,
+    /// and outside of which it is not; +infinity if it is finite everywhere.
+    /// None if that is no disc, or not known, which it is not unless a shape
+    /// knows better.
+    virtual std::optional<double>
+    disc_radius() const;
 
     /// The length below which the profile is smooth, which a mesh should
     /// resolve: the distance of the pixels of a height map. 0, unless a shape

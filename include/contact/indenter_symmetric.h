@@ -39,6 +39,9 @@ namespace ElastoPlastic
     bool
     is_convex() const override;
 
+    std::optional<double>
+    disc_radius() const override;
+
     double
     depth_factor() const override;
 

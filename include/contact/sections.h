@@ -5,6 +5,7 @@
 #define contact_sections_h
 
 #include <functional>
+#include <limits>
 
 #include "contact/area_function.h"
 
@@ -31,6 +32,8 @@ namespace ElastoPlastic
     double depth_factor = 0.75;
     /// Indenter::is_convex().
     bool is_convex = true;
+    /// The height is infinite for larger r.
+    double edge = std::numeric_limits<double>::infinity();
   };
 
   namespace Sections

@@ -27,7 +27,7 @@ namespace ElastoPlastic
     /// this object.
     explicit MultifrontalFactor(cholmod_factor &factor);
 
-    /// The most bytes that a thread needs beside the factor.
+    /// The most bytes that all threads together can need beside the factor.
     double
     workspace() const;
 
@@ -79,6 +79,17 @@ namespace ElastoPlastic
       unsigned int begin;
       unsigned int end;
       unsigned int shift;
+    };
+
+    /// How many entries of updates are held while fronts are treated, one after
+    /// the other.
+    struct UpdatesHeld
+    {
+      double now  = 0;
+      double most = 0;
+
+      void
+      treat(const std::vector<Front> &fronts, const unsigned int front);
     };
 
     static std::vector<Rows>

@@ -5,8 +5,10 @@
 #define equilibrium_space_body_h
 
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "contact/disc.h"
 #include "contact/surface_finish.h"
 #include "equilibrium/plane_body.h"
 #include "equilibrium/tetrahedral_mesh.h"
@@ -16,6 +18,11 @@
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+  /// Cosine and sine below which directions are at right angles or parallel.
+  constexpr double small_angle = 1e-10;
+
+
 
   /// The condition of a face: for each of three directions at right angles.
   /// What SideCondition is in two dimensions.
@@ -60,6 +67,8 @@ namespace ElastoPlastic
     SurfaceFinish                 indenter_surface = SurfaceFinish::smooth;
     /// The gap between indenter and body, where the indenter can touch.
     std::function<double(const Point<3> &)> gap;
+    /// All that the indenter can touch, seen from above, if that is a disc.
+    std::optional<Disc<2>> disc;
 
     /// See PlaneBody.
     Tensor<1, 3> indenter_velocity = Tensor<1, 3>({0., 0., -1.});
@@ -122,8 +131,8 @@ namespace ElastoPlastic
 
 
   /// Puts a SpaceBody together. The indenter can touch a face of the contact
-  /// boundary where @p gap is finite in all of it. If there is one material
-  /// only, all cells are of it.
+  /// boundary where @p gap is finite in all of it, which it is in a @p disc if
+  /// there is one. If there is one material only, all cells are of it.
   /// @throws InputError for cells that cannot be cut into tetrahedra, and for
   /// tractions or displacements that are not linear on the faces.
   SpaceBody
@@ -132,7 +141,8 @@ namespace ElastoPlastic
                   const std::vector<Material<double>>           &materials,
                   const std::function<double(const Point<3> &)> &gap,
                   const Loads<3>                                &loads,
-                  const SurfaceFinish indenter_surface = SurfaceFinish::smooth);
+                  const SurfaceFinish indenter_surface = SurfaceFinish::smooth,
+                  const std::optional<Disc<2>> &disc   = {});
 } // namespace ElastoPlastic
 
 #endif

@@ -17,6 +17,8 @@ namespace ElastoPlastic
   {
     SpaceStressField   stress;
     SpaceVelocityField velocity;
+    /// What the velocities are those of: see circumscribe().
+    SpaceBody body_of_velocity;
 
     /// Forces of the indenter, or load factors if other loads grow.
     double lower_bound = 0;
@@ -26,7 +28,8 @@ namespace ElastoPlastic
     /// the mechanism less the power of the stresses. It is never negative, and
     /// zero where the two fields belong together; all together are the
     /// difference of the bounds at most, or that by the power of the loads that
-    /// grow.
+    /// grow. (Beside the edge of a disc, where both have meshes of their own,
+    /// they are indicators.)
     std::vector<double> gaps;
   };
 

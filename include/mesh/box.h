@@ -23,7 +23,9 @@ namespace ElastoPlastic
     std::vector<double>       upper_corner; ///< empty stands for (1, 1, 1)
     std::vector<unsigned int> repetitions = {1}; ///< or one for all directions
     double                    grading     = 1;
-    std::vector<double>       grading_centre; ///< horizontal; may be empty
+    std::vector<double>       grading_centre;    ///< horizontal; may be empty
+    double                    circle_radius = 0; ///< 0 stands for no circle
+    std::vector<double>       circle_centre; ///< empty stands for the origin
 
     /// Declare the entries in the current section.
     void
@@ -36,7 +38,10 @@ namespace ElastoPlastic
 
   /// Fill @p triangulation with the coarse mesh of a box, cells graded
   /// geometrically towards the top and the grading centre. Its boundaries are
-  /// left and right (x), front and back (y, 3D only), bottom and top.
+  /// left and right (x), front and back (y, 3D only), bottom and top. In three
+  /// dimensions, edges of cells may lie on a circle: see
+  /// divide_around_circle().
+  /// @throws InputError if there is no room for it.
   template <int dim>
   BoundaryNames
   make_box(const BoxParameters &parameters, Triangulation<dim> &triangulation);

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "contact/gap_function.h"
@@ -51,6 +53,22 @@ namespace ElastoPlastic
     const Point<dim - 1> x = offset(p);
     return reaches(x) ? indenter.shape->profile(x) + tip_height - p[dim - 1] :
                         std::numeric_limits<double>::infinity();
+  }
+
+
+
+  template <int dim>
+  std::optional<Disc<dim - 1>>
+  GapFunction<dim>::disc() const
+  {
+    const auto radius =
+      has_indenter() ? indenter.shape->disc_radius() : std::nullopt;
+    if (!radius)
+      return {};
+    const double smallest = std::min(*radius, indenter.reach);
+    return std::isinf(smallest) ?
+             std::nullopt :
+             std::make_optional(Disc<dim - 1>{present_position, smallest});
   }
 
 

@@ -114,6 +114,15 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  std::optional<double>
+  Indenter<dim>::disc_radius() const
+  {
+    return {};
+  }
+
+
+
+  template <int dim>
   bool
   Indenter<dim>::is_convex() const
   {

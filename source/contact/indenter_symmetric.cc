@@ -3,6 +3,8 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <cmath>
+
 #include "contact/indenter_symmetric.h"
 
 namespace ElastoPlastic
@@ -84,6 +86,18 @@ namespace ElastoPlastic
   IndenterSymmetric<dim>::is_convex() const
   {
     return section.is_convex;
+  }
+
+
+
+  template <int dim>
+  std::optional<double>
+  IndenterSymmetric<dim>::disc_radius() const
+  {
+    if (dim == 3 && symmetry == Symmetry::translation &&
+        !std::isinf(section.edge))
+      return {};
+    return section.edge;
   }
 
 

@@ -38,7 +38,10 @@ namespace ElastoPlastic
                 return height < radius ?
                          std::sqrt(height * (2 * radius - height)) :
                          radius;
-              }};
+              },
+              0.75,
+              true,
+              radius};
     }
 
 
@@ -79,7 +82,9 @@ namespace ElastoPlastic
           return within(r, half_width) ? SectionPoint{0., 0., 0.} : beyond_edge;
         },
         [half_width](const double) { return half_width; },
-        1.};
+        1.,
+        true,
+        half_width};
     }
 
 

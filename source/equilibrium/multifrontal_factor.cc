@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <new>
+#include <numeric>
 #include <utility>
 
 #include "equilibrium/dense_panels.h"
 #include "equilibrium/multifrontal_factor.h"
+
+#include <omp.h>
 
 namespace ElastoPlastic
 {
@@ -96,6 +100,21 @@ namespace ElastoPlastic
 
 
 
+  void
+  MultifrontalFactor::UpdatesHeld::treat(const std::vector<Front> &fronts,
+                                         const unsigned int        f)
+  {
+    const auto size = [&](const unsigned int i) {
+      return static_cast<double>(fronts[i].n_updated()) * fronts[i].n_updated();
+    };
+    now += size(f);
+    most = std::max(most, now);
+    for (const unsigned int child : fronts[f].children)
+      now -= size(child);
+  }
+
+
+
   // CHOLMOD numbers the fronts so that those below a front are all those
   // between its first one and itself.
   void
@@ -127,21 +146,28 @@ namespace ElastoPlastic
 
 
 
+  // Each thread treats one part at a time, and what parts leave behind for the
+  // last fronts is kept until all are done.
   double
   MultifrontalFactor::workspace() const
   {
-    double held = 0, largest = 0;
-    for (const Front &front : fronts)
+    double              left = 0;
+    std::vector<double> beside;
+    for (const unsigned int p : parts)
       {
-        const auto size = [](const Front &f) {
-          return static_cast<double>(f.n_updated()) * f.n_updated();
-        };
-        held += size(front);
-        largest = std::max(largest, held);
-        for (const unsigned int child : front.children)
-          held -= size(fronts[child]);
+        UpdatesHeld held;
+        for (unsigned int f = fronts[p].first; f <= p; ++f)
+          held.treat(fronts, f);
+        left += held.now;
+        beside.push_back(held.most - held.now);
       }
-    return sizeof(double) * largest;
+    std::sort(beside.begin(), beside.end(), std::greater<>());
+    beside.resize(std::min<std::size_t>(beside.size(), omp_get_max_threads()));
+
+    UpdatesHeld held{left, std::accumulate(beside.begin(), beside.end(), left)};
+    for (const unsigned int f : last_fronts)
+      held.treat(fronts, f);
+    return sizeof(double) * held.most;
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "equilibrium/circumscribed.h"
 #include "equilibrium/space_limit_load.h"
 #include "equilibrium/stress_problem.h"
 #include "equilibrium/tetrahedron_stress.h"
@@ -59,10 +60,14 @@ namespace ElastoPlastic
 
 
 
+    // Also of stresses on another mesh, the power in a tetrahedron or on a face
+    // is not more than the work of velocities that change no volume: that
+    // follows from the yield condition alone.
     void
-    find_gaps(const SpaceBody &body, SpaceLimitLoad &bounds)
+    find_gaps(SpaceLimitLoad &bounds)
     {
-      bounds.gaps = bounds.velocity.dissipation;
+      const SpaceBody &body = bounds.body_of_velocity;
+      bounds.gaps           = bounds.velocity.dissipation;
       for (unsigned int t = 0; t < bounds.gaps.size(); ++t)
         bounds.gaps[t] -= power_inside(body, bounds, t);
       for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
@@ -80,12 +85,13 @@ namespace ElastoPlastic
   bound_limit_load(const SpaceBody &body, const double tolerance)
   {
     SpaceLimitLoad bounds;
-    bounds.stress      = maximize_load(body, tolerance);
-    bounds.velocity    = minimize_plastic_work(body, tolerance);
+    bounds.stress           = maximize_load(body, tolerance);
+    bounds.body_of_velocity = circumscribe(body);
+    bounds.velocity = minimize_plastic_work(bounds.body_of_velocity, tolerance);
     bounds.lower_bound = body.load_factor_unit > 0 ? bounds.stress.load_factor :
                                                      bounds.stress.force;
     bounds.upper_bound = bounds.velocity.bound;
-    find_gaps(body, bounds);
+    find_gaps(bounds);
     return bounds;
   }
 } // namespace ElastoPlastic

@@ -11,6 +11,7 @@
 
 #include "base/exceptions.h"
 #include "mesh/box.h"
+#include "mesh/circle_in_box.h"
 
 namespace ElastoPlastic
 {
@@ -142,6 +143,63 @@ namespace ElastoPlastic
 
 
 
+    void
+    check_circle(const BoxParameters &p, const unsigned int dim)
+    {
+      if (!(p.circle_radius >= 0))
+        reject("Circle radius",
+               std::vector<double>{p.circle_radius},
+               "it must not be negative.");
+      if (p.circle_radius > 0 && dim != 3)
+        reject("Circle radius",
+               std::vector<double>{p.circle_radius},
+               "circles are for three dimensions. In two, a line of the coarse "
+               "mesh ('Repetitions') can end where a punch does.");
+      if (!p.circle_centre.empty() && p.circle_centre.size() != 2)
+        reject("Circle centre",
+               p.circle_centre,
+               "it must be empty or have the two coordinates x, y. " +
+                 decimal_point_hint);
+    }
+
+
+
+    /// Of three dimensions.
+    void
+    make_box_with_circle(const BoxParameters                    &p,
+                         const std::vector<std::vector<double>> &steps,
+                         const Point<3>                         &lower,
+                         const Point<3>                         &upper,
+                         Triangulation<3>                       &triangulation)
+    {
+      Disc<2> disc{Point<2>(), p.circle_radius};
+      std::copy(p.circle_centre.begin(),
+                p.circle_centre.end(),
+                disc.centre.begin_raw());
+
+      Triangulation<2> section;
+      GridGenerator::subdivided_hyper_rectangle(section,
+                                                {steps[0], steps[1]},
+                                                from_above(lower),
+                                                from_above(upper),
+                                                /* colorize = */ true);
+      std::vector<double> heights = {lower[2]};
+      for (const double step : steps[2])
+        heights.push_back(heights.back() + step);
+      heights.back() = upper[2];
+      if (!divide_around_circle(disc, section))
+        reject(
+          "Circle radius",
+          std::vector<double>{p.circle_radius},
+          "it must be less than the sides of the cells of the coarse mesh "
+          "around 'Circle centre', which must be a corner of cells. Choose "
+          "fewer 'Repetitions', or another 'Grading'.");
+      GridGenerator::extrude_triangulation(section, heights, triangulation);
+      follow_circle(disc, triangulation);
+    }
+
+
+
     std::vector<unsigned int>
     repetitions_per_direction(const BoxParameters &p, const unsigned int dim)
     {
@@ -190,6 +248,22 @@ namespace ElastoPlastic
       "pass through it. Empty stands for equal cells in the horizontal "
       "directions. Unit: length; allowed: inside the box.",
       Patterns::List(Patterns::Double(), 0, 2));
+    prm.add_parameter(
+      "Circle radius",
+      circle_radius,
+      "Type box, in three dimensions: the radius of a circle, seen from above, "
+      "that edges of cells lie on: the edge of a circular punch. Refinement "
+      "follows it. Each cell around the centre becomes five. 0 stands for no "
+      "circle. Unit: length; allowed: >= 0, and less than the sides of the "
+      "cells of the coarse mesh around the centre.",
+      Patterns::Double());
+    prm.add_parameter(
+      "Circle centre",
+      circle_centre,
+      "Type box, in three dimensions: the centre x, y of that circle, where "
+      "lines of the coarse mesh must meet; empty stands for the origin. Unit: "
+      "length.",
+      Patterns::List(Patterns::Double(), 0, 2));
   }
 
 
@@ -234,6 +308,7 @@ namespace ElastoPlastic
              "or 'Refinement'.");
 
     check_grading(*this, lower, upper, n_cells);
+    check_circle(*this, dim);
   }
 
 
@@ -264,6 +339,13 @@ namespace ElastoPlastic
     Point<dim> lower_point, upper_point;
     std::copy(lower.begin(), lower.end(), lower_point.begin_raw());
     std::copy(upper.begin(), upper.end(), upper_point.begin_raw());
+    if constexpr (dim == 3)
+      if (parameters.circle_radius > 0)
+        {
+          make_box_with_circle(
+            parameters, steps, lower_point, upper_point, triangulation);
+          return boundary_names<dim>();
+        }
     GridGenerator::subdivided_hyper_rectangle(
       triangulation, steps, lower_point, upper_point, /* colorize = */ true);
     for (const auto &cell : triangulation.active_cell_iterators())

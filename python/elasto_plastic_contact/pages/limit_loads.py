@@ -39,11 +39,14 @@ def strip_punch_variants(runs):
     return Content(numbers=numbers)
 
 
-@table(400)
+CIRCULAR_PUNCH_IN_SPACE = ("circular_punch_3d", math.pi / 4, 4, N_CYCLES.format(6))
+
+
+@table(700)
 def limit_load_benchmarks(runs):
-    """Limit loads of several bodies, with the cases' own meshes."""
+    """Limit loads of several bodies, most of them with the cases' own meshes."""
     strain, stress = "Kinematics=plane strain", "Kinematics=plane stress"
-    problems = (("strip_punch", 1, 4, N_CYCLES.format(11)), ("circular_punch", math.pi, 4),
+    problems = (("strip_punch", 1, 4, N_CYCLES.format(11)), ("circular_punch", math.pi, 4), CIRCULAR_PUNCH_IN_SPACE,
                 ("ring_punch", 3 * math.pi, 4), ("vertical_cut", 1, 4), ("plate_with_hole", 1, 5),
                 ("notched_bar", 1, 5, strain), ("notched_bar", 1, 5, stress), ("notched_bar", 1, 5))
     rows = []
@@ -73,6 +76,13 @@ def conical_pit(runs):
 def square_punch(runs):
     """A square punch in space (9 GB)."""
     return Content(meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(7)), 1))
+
+
+@table(300)
+def circular_punch_in_space(runs):
+    """A circular punch in space, on a quarter of a block (3 GB)."""
+    case, unit, _, *entries = CIRCULAR_PUNCH_IN_SPACE
+    return Content(meshes(runs.limit_load(case, *entries), unit))
 
 
 # Of the table: case, and numbers of cycles with linear and with quadratic stresses.

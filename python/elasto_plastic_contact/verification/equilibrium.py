@@ -10,6 +10,7 @@ from .runner import E, E_STAR, NU, Runner
 
 LAWS = ("linear elastic", "isotropic hardening", "perfectly plastic")
 PRANDTL = 2 + math.pi
+CIRCULAR_PUNCH = (3.0127, 3.0156)  # bounds as a body of revolution, over the yield stress
 BOUND = "Analysis=contact with error bound"
 QUADRATIC = ("Discretization/Polynomial degree=2", "Discretization/Volumetric treatment=standard")
 
@@ -64,7 +65,7 @@ def limit_load_revolution(runner):
 
 
 def limit_load_space(runner):
-    """Limit loads in space: a square punch against bounds on a finer mesh, slabs between rollers against (2 + pi) k and plane strain."""
+    """Limit loads in space: a square punch against bounds on a finer mesh, a circular one against those of a body of revolution, slabs between rollers against (2 + pi) k and plane strain."""
     case, limit = "limit_load/square_punch_3d.prm", (2.976, 3.088)  # 17,170 tetrahedra, another program
     rows = runner.tables(case, "Refinement/Number of cycles=2")["limit_load"]
     for row in rows:
@@ -73,6 +74,15 @@ def limit_load_space(runner):
     runner.compare("difference of the bounds", rows[-1]["relative_difference"], 0, 0.12, absolute=True)
     runner.compare("largest error of stresses and velocities",
                    max(max(row["stress_error"], row["velocity_error"]) for row in rows), 0, 1e-9, absolute=True)
+
+    circular = runner.tables("limit_load/circular_punch_3d.prm")["limit_load"]
+    for row in circular:
+        below, above = (4 * row[bound] / math.pi for bound in ("lower_bound", "upper_bound"))
+        runner.verify(f"circular punch: {below:.6g} <= {CIRCULAR_PUNCH[0]}, {CIRCULAR_PUNCH[1]} <= {above:.6g}",
+                      below <= CIRCULAR_PUNCH[0] and CIRCULAR_PUNCH[1] <= above)
+    runner.compare("circular punch: difference of the bounds", circular[-1]["relative_difference"], 0, 0.12, absolute=True)
+    runner.compare("circular punch: largest error of stresses and velocities",
+                   max(max(row["stress_error"], row["velocity_error"]) for row in circular), 0, 1e-9, absolute=True)
 
     block = {"Geometry/Lower corner": "0{}, -4", "Geometry/Upper corner": "4{}, 0", "Geometry/Repetitions": "4{}, 4"}
     entries = {dim: [f"{entry}={value.format(middle)}" for (entry, value), middle in zip(block.items(), thickness)]

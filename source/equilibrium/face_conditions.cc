@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/exceptions.h"
+#include "equilibrium/face_conditions.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    FaceCondition
+    along_axes(const std::array<SideConditionType, 3> &types)
+    {
+      FaceCondition condition;
+      for (unsigned int d = 0; d < 3; ++d)
+        condition.components[d] = {Point<3>::unit_vector(d), types[d]};
+      return condition;
+    }
+
+
+
+    FaceCondition
+    on_roller(const TriangleFace &corners)
+    {
+      const auto    across = tangents(corners);
+      FaceCondition condition;
+      condition.components = {
+        {{normal(corners), SideConditionType::displacement},
+         {across[0], SideConditionType::traction},
+         {across[1], SideConditionType::traction}}};
+      return condition;
+    }
+
+
+
+    std::array<double, 3>
+    values_at_corners(const TriangleFace                            &corners,
+                      const std::function<double(const Point<3> &)> &function)
+    {
+      constexpr double rounding = 1e-9;
+
+      std::array<double, 3> values;
+      double                largest = 0;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          values[i] = function(corners[i]);
+          largest   = std::max(largest, std::abs(values[i]));
+        }
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const unsigned int j = (i + 1) % 3;
+          const Point<3>     middle(0.5 * (corners[i] + corners[j]));
+          if (std::abs(function(middle) - 0.5 * (values[i] + values[j])) >
+              rounding * largest)
+            throw InputError(
+              "A traction or displacement of 'Boundary conditions' is not "
+              "linear on the faces of the mesh. In space, the equilibrium "
+              "method is for such that are linear functions of x, y and z.");
+        }
+      return values;
+    }
+  } // namespace
+
+
+
+  FaceConditions::FaceConditions(
+    const BoundaryConditions<3>                   &conditions,
+    const std::function<double(const Point<3> &)> &gap,
+    const std::optional<Disc<2>>                  &disc,
+    const Loads<3>                                &loads,
+    const SurfaceFinish                            indenter_surface)
+    : contact(conditions.ids(BoundaryConditionType::contact))
+    , fixed(conditions.ids(BoundaryConditionType::fixed))
+    , rollers(conditions.ids(BoundaryConditionType::roller))
+    , displacements(conditions.prescribed_displacements())
+    , tractions(conditions.tractions())
+    , gap(gap)
+    , disc(disc)
+    , loads(loads)
+    , indenter_surface(indenter_surface)
+  {}
+
+
+
+  FaceCondition
+  FaceConditions::operator()(const TriangleFace      &corners,
+                             const types::boundary_id id) const
+  {
+    using Type = SideConditionType;
+    if (id == numbers::internal_face_boundary_id)
+      return along_axes(
+        {{Type::continuous, Type::continuous, Type::continuous}});
+    if (fixed.count(id) > 0)
+      return along_axes(
+        {{Type::displacement, Type::displacement, Type::displacement}});
+    if (rollers.count(id) > 0)
+      return on_roller(corners);
+    FaceCondition condition =
+      along_axes({{Type::traction, Type::traction, Type::traction}});
+    if (contact.count(id) > 0)
+      press(condition, corners);
+    for (const auto &[type, values] :
+         {std::pair(Type::displacement, &displacements),
+          std::pair(Type::traction, &tractions)})
+      if (const auto found = values->find(id); found != values->end())
+        for (unsigned int d = 0; d < 3; ++d)
+          if (found->second[d])
+            {
+              condition.components[d].type = type;
+              prescribe(condition.components[d], *found->second[d], corners);
+            }
+    return condition;
+  }
+
+
+
+  void
+  FaceConditions::press(FaceCondition      &condition,
+                        const TriangleFace &corners) const
+  {
+    const Reach reach    = reach_of(corners);
+    condition.is_reached = reach != Reach::none;
+    const bool is_rough  = indenter_surface == SurfaceFinish::rough;
+    if (condition.is_reached && is_rough &&
+        std::hypot(normal(corners)[0], normal(corners)[1]) > small_angle)
+      throw InputError("Indenter/Surface",
+                       "rough",
+                       "the bounds of a rough indenter are for contact "
+                       "boundaries that are level where it can touch. "
+                       "Choose 'smooth', or reduce 'Indenter/Reach'.");
+    if (reach != Reach::whole)
+      return;
+    condition.components[2].type = SideConditionType::contact;
+    if (is_rough)
+      for (unsigned int d = 0; d < 2; ++d)
+        condition.components[d].type = SideConditionType::displacement;
+  }
+
+
+
+  void
+  FaceConditions::prescribe(FaceCondition::Component &component,
+                            const Expression<3>      &expression,
+                            const TriangleFace       &corners) const
+  {
+    const auto at = [&](const Point<3> &x) {
+      return [&expression, x](const double time) {
+        return expression.value(x, time);
+      };
+    };
+    component.values = values_at_corners(corners, [&](const auto &x) {
+      return loads.constant_part(at(x));
+    });
+    if (component.type == SideConditionType::traction)
+      component.growths = values_at_corners(corners, [&](const auto &x) {
+        return loads.growing_part(at(x));
+      });
+  }
+
+
+
+  // Points of the face must do where nothing else is known than the gap at
+  // points.
+  FaceConditions::Reach
+  FaceConditions::reach_of(const TriangleFace &corners) const
+  {
+    if (disc)
+      return contains(*disc, corners) ? Reach::whole :
+             overlaps(*disc, corners) ? Reach::part :
+                                        Reach::none;
+
+    constexpr unsigned int n_intervals = 8;
+    constexpr double       inset       = 1e-6;
+
+    const Point<3> center((corners[0] + corners[1] + corners[2]) / 3.);
+    unsigned int   n_finite = 0, n_points = 0;
+    for (unsigned int i = 0; i <= n_intervals; ++i)
+      for (unsigned int j = 0; i + j <= n_intervals; ++j, ++n_points)
+        {
+          const double a = i / double(n_intervals), b = j / double(n_intervals);
+          const Point<3> x(corners[0] + a * (corners[1] - corners[0]) +
+                           b * (corners[2] - corners[0]));
+          if (std::isfinite(gap(Point<3>(x + inset * (center - x)))))
+            ++n_finite;
+        }
+    return n_finite == 0       ? Reach::none :
+           n_finite < n_points ? Reach::part :
+                                 Reach::whole;
+  }
+} // namespace ElastoPlastic
