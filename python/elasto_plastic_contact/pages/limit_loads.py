@@ -72,10 +72,12 @@ def conical_pit(runs):
     return Content([[None] * 5, [None, *row]])
 
 
-@table(600)
+@table(900)
 def square_punch(runs):
-    """A square punch in space (5 GB)."""
-    return Content(meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(6)), 1))
+    """Smooth and rough square punch in space (5 GB)."""
+    smooth = meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(6)), 1)
+    rough = meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(5), "Indenter/Surface=rough"), 1)
+    return Content([left + right for left, right in zip(smooth, rough + [[""] * 4])])
 
 
 @table(300)
