@@ -72,10 +72,12 @@ def conical_pit(runs):
     return Content([[None] * 5, [None, *row]])
 
 
-@table(1400)
+@table(1700)
 def square_punch(runs):
-    """A square punch in space (9 GB)."""
-    return Content(meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(7)), 1))
+    """Smooth and rough square punch in space (9 GB)."""
+    smooth = meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(7)), 1)
+    rough = meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(5), "Indenter/Surface=rough"), 1)
+    return Content([left + right for left, right in zip(smooth, rough + 2 * [[""] * 4])])
 
 
 @table(300)
