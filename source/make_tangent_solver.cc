@@ -45,7 +45,9 @@ namespace ElastoPlastic
                                                               dof_handler,
                                                               constraints);
       },
-      std::min(parameters.maximum_iterations, patience_with_multigrid)};
+      std::min(parameters.maximum_iterations, patience_with_multigrid),
+      solid.is_nearly_incompressible() ? TangentForm::mixed :
+                                         TangentForm::displacements};
     const Method algebraic =
       with_matrix("algebraic multigrid", [layout, &dof_handler]() {
         return make_algebraic_multigrid(rigid_body_modes(dof_handler, layout));

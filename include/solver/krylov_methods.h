@@ -44,9 +44,9 @@ namespace ElastoPlastic
   /// @throws ConvergenceError if the result is not finite.
   template <typename Solver, typename Matrix, typename Preconditioner>
   unsigned int
-  krylov_method(const Matrix                                     &matrix,
-                LinearAlgebra::distributed::Vector<double>       &solution,
-                const LinearAlgebra::distributed::Vector<double> &rhs,
+  krylov_method(const Matrix                          &matrix,
+                typename Solver::vector_type          &solution,
+                const typename Solver::vector_type    &rhs,
                 const Preconditioner                  &preconditioner,
                 const double                           reduction,
                 const unsigned int                     maximum_iterations,
@@ -91,16 +91,16 @@ namespace ElastoPlastic
   /// krylov_method() for any regular matrix: flexible GMRES @cite saad_1993,
   /// restarted after 30 iterations. Flexible, because multigrid solves its
   /// coarsest systems by an iteration too.
-  template <typename Matrix, typename Preconditioner>
+  template <typename Matrix, typename Vector, typename Preconditioner>
   unsigned int
-  flexible_gmres(const Matrix                                     &matrix,
-                 LinearAlgebra::distributed::Vector<double>       &solution,
-                 const LinearAlgebra::distributed::Vector<double> &rhs,
+  flexible_gmres(const Matrix         &matrix,
+                 Vector               &solution,
+                 const Vector         &rhs,
                  const Preconditioner &preconditioner,
                  const double          reduction,
                  const unsigned int    maximum_iterations)
   {
-    using Solver = SolverFGMRES<LinearAlgebra::distributed::Vector<double>>;
+    using Solver = SolverFGMRES<Vector>;
     return krylov_method<Solver>(matrix,
                                  solution,
                                  rhs,
