@@ -89,7 +89,8 @@ namespace ElastoPlastic
 
 
   /// krylov_method() for any regular matrix: flexible GMRES @cite saad_1993,
-  /// restarted after 30 iterations. Flexible, because multigrid solves its
+  /// restarted after @p n_basis_vectors iterations, for each of which it keeps
+  /// two vectors. Flexible, because multigrid solves its
   /// coarsest systems by an iteration too.
   template <typename Matrix, typename Vector, typename Preconditioner>
   unsigned int
@@ -98,7 +99,8 @@ namespace ElastoPlastic
                  const Vector         &rhs,
                  const Preconditioner &preconditioner,
                  const double          reduction,
-                 const unsigned int    maximum_iterations)
+                 const unsigned int    maximum_iterations,
+                 const unsigned int    n_basis_vectors = 30)
   {
     using Solver = SolverFGMRES<Vector>;
     return krylov_method<Solver>(matrix,
@@ -107,7 +109,8 @@ namespace ElastoPlastic
                                  preconditioner,
                                  reduction,
                                  maximum_iterations,
-                                 typename Solver::AdditionalData(30));
+                                 typename Solver::AdditionalData(
+                                   n_basis_vectors));
   }
 } // namespace ElastoPlastic
 

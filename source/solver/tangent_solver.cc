@@ -6,6 +6,15 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// The mixed form needs more steps than a definite system, and restarts
+    /// cost it more.
+    constexpr unsigned int n_basis_vectors_of_mixed_form = 100;
+  } // namespace
+
+
+
   /// The tangent with ReducedUnknowns, on reduced vectors.
   class TangentSolver::ReducedTangent
   {
@@ -246,7 +255,8 @@ namespace ElastoPlastic
                                           mixed_rhs,
                                           Preconditioner{system, deflated},
                                           reduction / std::sqrt(2.),
-                                          method->maximum_iterations);
+                                          method->maximum_iterations,
+                                          n_basis_vectors_of_mixed_form);
     solution             = mixed_solution.block(0);
     return n;
   }
