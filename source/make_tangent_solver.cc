@@ -11,6 +11,9 @@ namespace ElastoPlastic
   {
     /// So many iterations tell that something is wrong.
     constexpr unsigned int patience_with_multigrid = 150;
+    /// Algebraic multigrid would not need fewer in a nearly incompressible
+    /// body.
+    constexpr unsigned int patience_with_mixed_form = 400;
   } // namespace
 
 
@@ -45,7 +48,11 @@ namespace ElastoPlastic
                                                               dof_handler,
                                                               constraints);
       },
-      std::min(parameters.maximum_iterations, patience_with_multigrid)};
+      std::min(parameters.maximum_iterations,
+               solid.is_nearly_incompressible() ? patience_with_mixed_form :
+                                                  patience_with_multigrid),
+      solid.is_nearly_incompressible() ? TangentForm::mixed :
+                                         TangentForm::displacements};
     const Method algebraic =
       with_matrix("algebraic multigrid", [layout, &dof_handler]() {
         return make_algebraic_multigrid(rigid_body_modes(dof_handler, layout));

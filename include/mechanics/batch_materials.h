@@ -37,6 +37,10 @@ namespace ElastoPlastic
     unsigned int
     n_back_stresses() const;
 
+    /// The largest ratio of the bulk to the shear modulus.
+    double
+    largest_bulk_to_shear() const;
+
     /// Whether a back stress recovers.
     bool
     recover() const;

@@ -89,9 +89,19 @@ namespace ElastoPlastic
     void
     average(AtPoints &values, const Evaluation &phi) const;
 
-    /// Makes nodal forces of the dof values of @p phi.
+    /// Makes nodal forces of the dof values of @p phi. @p volumetric_law may
+    /// put others in place of the volumetric strains of its current cells.
+    template <typename VolumetricLaw>
     void
-    apply_tangent(Evaluation &phi, const Tangents &tangents) const;
+    apply_tangent(Evaluation          &phi,
+                  const Tangents      &tangents,
+                  const VolumetricLaw &volumetric_law) const;
+
+    void
+    apply_tangent(Evaluation &phi, const Tangents &tangents) const
+    {
+      apply_tangent(phi, tangents, [](AtPoints &) {});
+    }
 
     /// The matrices of the current cells of @p phi, column by column.
     void

@@ -70,9 +70,12 @@ namespace ElastoPlastic
   // (Not inlined itself, but with all that it calls: there are so many kinds of
   // kernels that the compiler would not do so, and be a tenth slower.)
   template <int degree, typename StrainMeasure, typename Base>
+  template <typename VolumetricLaw>
   [[gnu::noinline, gnu::flatten]] void
   MatrixFreeKernel<degree, StrainMeasure, Base>::apply_tangent(
-    Evaluation &phi, const Tangents &tangents) const
+    Evaluation          &phi,
+    const Tangents      &tangents,
+    const VolumetricLaw &volumetric_law) const
   {
     const OfBatch of_cells(tangents, phi.get_current_cell_index());
     phi.evaluate(StrainMeasure::flags());
@@ -83,6 +86,7 @@ namespace ElastoPlastic
                                   q,
                                   StrainMeasure::increment_at(phi, q));
     average(volumetric, phi);
+    volumetric_law(volumetric);
     for (unsigned int q = 0; q < n_points; ++q)
       StrainMeasure::submit(
         phi,

@@ -4,6 +4,8 @@
 #ifndef mechanics_matrix_free_solid_kernel_h
 #define mechanics_matrix_free_solid_kernel_h
 
+#include <numeric>
+
 #include "mechanics/matrix_free_kernel.templates.h"
 #include "mechanics/solid_kernel.h"
 
@@ -44,6 +46,17 @@ namespace ElastoPlastic
               const Vector       &u,
               const Law          &law) const override;
 
+    unsigned int
+    n_pressures() const override
+    {
+      return this->is_b_bar() ? 1 : n_points;
+    }
+
+    void
+    mixed_vmult(BlockVectorType          &result,
+                const BlockVectorType    &vector,
+                const PointTangents<dim> &tangents) const override;
+
     void
     for_each_true_stress(
       const Vector                                                 &u,
@@ -61,6 +74,17 @@ namespace ElastoPlastic
     using Deformations =
       std::array<typename StrainMeasure::template Deformation<Number>,
                  n_points>;
+
+    /// In the mixed form of the tangent: makes of the @p volumetric strains of
+    /// the current cells of @p phi those that belong to the bulk modulus K
+    /// where the stress is that of the moderate one and the pressure. @p
+    /// dilatation becomes D u - q, @p pressures is q.
+    void
+    mix(AtPoints                 &volumetric,
+        double                   *dilatation,
+        const double             *pressures,
+        const Evaluation         &phi,
+        const PointTangents<dim> &tangents) const;
 
     /// Those of the current cells of @p phi, and the strains that belong to
     /// them.
@@ -194,6 +218,76 @@ namespace ElastoPlastic
               }
           }
       });
+  }
+
+
+
+  template <int degree, typename StrainMeasure>
+  void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::mixed_vmult(
+    BlockVectorType          &result,
+    const BlockVectorType    &vector,
+    const PointTangents<dim> &tangents) const
+  {
+    matrix_free.template cell_loop<Vector, Vector>(
+      [&](const auto &, auto &dst, const auto &src, const CellRange &range) {
+        Evaluation phi(matrix_free);
+        for (unsigned int batch = range.first; batch < range.second; ++batch)
+          {
+            const unsigned int first = batch * n_pressures() * Number::size();
+            phi.reinit(batch);
+            phi.read_dof_values(src);
+            this->apply_tangent(phi, tangents, [&](AtPoints &volumetric) {
+              mix(volumetric,
+                  result.block(1).begin() + first,
+                  vector.block(1).begin() + first,
+                  phi,
+                  tangents);
+            });
+            phi.distribute_local_to_global(dst);
+          }
+      },
+      result.block(0),
+      vector.block(0),
+      /* zero_dst_vector = */ true);
+  }
+
+
+
+  // (Nothing is written for lanes without a cell: their volume may be zero.)
+  template <int degree, typename StrainMeasure>
+  DEAL_II_ALWAYS_INLINE inline void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::mix(
+    AtPoints                 &volumetric,
+    double                   *dilatation,
+    const double             *pressures,
+    const Evaluation         &phi,
+    const PointTangents<dim> &tangents) const
+  {
+    const unsigned int batch    = phi.get_current_cell_index();
+    const unsigned int n_cells  = this->n_cells(batch);
+    const Number       bulk     = OfBatch(tangents, batch).bulk_modulus;
+    const Number       moderate = tangents.moderate_bulk_modulus(batch);
+
+    AtPoints volume;
+    for (unsigned int q = 0; q < n_points; ++q)
+      volume[q] = StrainMeasure::volume_at(phi, q);
+    if (this->is_b_bar())
+      volume[0] = std::accumulate(volume.begin() + 1, volume.end(), volume[0]);
+
+    for (unsigned int k = 0; k < n_pressures(); ++k)
+      {
+        Number pressure;
+        pressure.load(pressures + k * Number::size());
+        const Number excess     = std::sqrt((bulk - moderate) * volume[k]);
+        const Number difference = excess * volumetric[k] - pressure;
+        for (unsigned int lane = 0; lane < n_cells; ++lane)
+          dilatation[k * Number::size() + lane] = difference[lane];
+        volumetric[k] =
+          (moderate * volumetric[k] + excess / volume[k] * pressure) / bulk;
+      }
+    if (this->is_b_bar())
+      volumetric.fill(volumetric[0]);
   }
 
 

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "mechanics/cell_kernel.h"
+#include "solver/tangent_operator.h"
 
 namespace ElastoPlastic
 {
@@ -79,6 +80,19 @@ namespace ElastoPlastic
     linearize(PointTangents<dim> &tangents,
               const Vector       &u,
               const Law          &law) const = 0;
+
+    /// The number of pressures of a cell in the mixed form: one for each
+    /// volumetric strain, with B-bar a single one.
+    virtual unsigned int
+    n_pressures() const = 0;
+
+    /// The product of the mixed form of the tangent (TangentOperator) with a
+    /// vector of displacements and pressures. These belong to this rank's cell
+    /// batches, one pressure after the other, each for all lanes.
+    virtual void
+    mixed_vmult(BlockVectorType          &result,
+                const BlockVectorType    &vector,
+                const PointTangents<dim> &tangents) const = 0;
 
     /// Calls @p receive for all cell batches with the strains of @p u and the
     /// true stresses that belong to those of @p law.

@@ -141,6 +141,20 @@ namespace ElastoPlastic
     void
     vmult(VectorType &forces, const VectorType &increment) const override;
 
+    /// Not a sheet, which may change its thickness.
+    bool
+    is_nearly_incompressible() const override;
+
+    void
+    initialize_mixed_vector(BlockVectorType &vector) const override;
+
+    void
+    mixed_vmult(BlockVectorType       &result,
+                const BlockVectorType &vector) const override;
+
+    void
+    precondition_pressures(VectorType &pressures) const override;
+
     /// The diagonal of the stored tangent, see CellKernel.
     void
     diagonal(VectorType &values) const;
@@ -151,8 +165,10 @@ namespace ElastoPlastic
 
     /// Calls @p receive for all locally owned cells with the mean of the stored
     /// tangent, or of a definite approximation, as the numbers that
-    /// CellTangents wants. (The means of the two factors of the soft direction
-    /// make the mean stiffer than the tangent, and so positive definite.)
+    /// CellTangents wants. If the body is nearly incompressible, the bulk
+    /// modulus is the moderate one. (The means of the two factors of the soft
+    /// direction make the mean stiffer than the tangent, and so positive
+    /// definite.)
     void
     for_each_cell_tangent(
       const std::function<
@@ -188,6 +204,12 @@ namespace ElastoPlastic
     double
     find_stresses(const Strains &strains, Stresses &stresses) const;
 
+    /// Of the cells in the batch, the shear modulus that bounds the bulk
+    /// modulus of A in the mixed form: with B-bar what the stored tangent has
+    /// left of it, across the flow, on average; else that of the material.
+    Number
+    shear_modulus(const unsigned int batch) const;
+
     /// The mean tangent of a batch of cells, as values of CellTangents.
     std::vector<Number>
     mean_tangent(const unsigned int batch) const;
@@ -195,6 +217,7 @@ namespace ElastoPlastic
     BatchMaterials     materials;
     const bool         is_sheet;
     const bool         is_finite;
+    const bool         is_b_bar;
     const unsigned int n_points;
     /// Whether a back stress recovers.
     const bool recovers;

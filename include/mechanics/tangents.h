@@ -91,8 +91,12 @@ namespace ElastoPlastic
     void
     reinit(const unsigned int n_cell_batches)
     {
-      bulk_moduli.resize_fast(n_cell_batches);
-      bulk_moduli.fill(Number(0.));
+      for (AlignedVector<Number> *moduli :
+           {&bulk_moduli, &moderate_bulk_moduli})
+        {
+          moduli->resize_fast(n_cell_batches);
+          moduli->fill(Number(0.));
+        }
       tangents.reinit(n_points * n_cell_batches);
       flow_directions.reinit(n_points * n_cell_batches);
       if (recovers)
@@ -107,6 +111,20 @@ namespace ElastoPlastic
     set_bulk_modulus(const unsigned int batch, const Number &value)
     {
       bulk_moduli[batch] = value;
+    }
+
+    /// The smaller one that takes its place in the mixed form, see
+    /// TangentOperator.
+    void
+    set_moderate_bulk_modulus(const unsigned int batch, const Number &value)
+    {
+      moderate_bulk_moduli[batch] = value;
+    }
+
+    const Number &
+    moderate_bulk_modulus(const unsigned int batch) const
+    {
+      return moderate_bulk_moduli[batch];
     }
 
     void
@@ -247,7 +265,7 @@ namespace ElastoPlastic
     /// See DeviatoricTangent::product().
     const Number flow_share;
 
-    AlignedVector<Number> bulk_moduli;
+    AlignedVector<Number> bulk_moduli, moderate_bulk_moduli;
 
     /// Of all points. What recovering back stresses add to the flow of the
     /// tangents takes no memory if none does.

@@ -44,9 +44,9 @@ namespace ElastoPlastic
   /// @throws ConvergenceError if the result is not finite.
   template <typename Solver, typename Matrix, typename Preconditioner>
   unsigned int
-  krylov_method(const Matrix                                     &matrix,
-                LinearAlgebra::distributed::Vector<double>       &solution,
-                const LinearAlgebra::distributed::Vector<double> &rhs,
+  krylov_method(const Matrix                          &matrix,
+                typename Solver::vector_type          &solution,
+                const typename Solver::vector_type    &rhs,
                 const Preconditioner                  &preconditioner,
                 const double                           reduction,
                 const unsigned int                     maximum_iterations,
@@ -89,25 +89,28 @@ namespace ElastoPlastic
 
 
   /// krylov_method() for any regular matrix: flexible GMRES @cite saad_1993,
-  /// restarted after 30 iterations. Flexible, because multigrid solves its
+  /// restarted after @p n_basis_vectors iterations, for each of which it keeps
+  /// two vectors. Flexible, because multigrid solves its
   /// coarsest systems by an iteration too.
-  template <typename Matrix, typename Preconditioner>
+  template <typename Matrix, typename Vector, typename Preconditioner>
   unsigned int
-  flexible_gmres(const Matrix                                     &matrix,
-                 LinearAlgebra::distributed::Vector<double>       &solution,
-                 const LinearAlgebra::distributed::Vector<double> &rhs,
+  flexible_gmres(const Matrix         &matrix,
+                 Vector               &solution,
+                 const Vector         &rhs,
                  const Preconditioner &preconditioner,
                  const double          reduction,
-                 const unsigned int    maximum_iterations)
+                 const unsigned int    maximum_iterations,
+                 const unsigned int    n_basis_vectors = 30)
   {
-    using Solver = SolverFGMRES<LinearAlgebra::distributed::Vector<double>>;
+    using Solver = SolverFGMRES<Vector>;
     return krylov_method<Solver>(matrix,
                                  solution,
                                  rhs,
                                  preconditioner,
                                  reduction,
                                  maximum_iterations,
-                                 typename Solver::AdditionalData(30));
+                                 typename Solver::AdditionalData(
+                                   n_basis_vectors));
   }
 } // namespace ElastoPlastic
 

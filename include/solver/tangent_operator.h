@@ -5,6 +5,7 @@
 #define solver_tangent_operator_h
 
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_block_vector.h>
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -14,8 +15,18 @@ namespace ElastoPlastic
 
   using VectorType = LinearAlgebra::distributed::Vector<double>;
 
+  using BlockVectorType = LinearAlgebra::distributed::BlockVector<double>;
+
   /// A stored tangent, as the linear solvers want to see it: all unknowns are
   /// free, but for eliminated ones (hanging nodes, skew rollers).
+  ///
+  /// A nearly incompressible body has a mixed form (doc/theory.md, "Nearly
+  /// incompressible bodies"). Its tangent is T = A + D^T D, where A has
+  /// moderate bulk moduli, and D u are volumetric strains times the root of the
+  /// rest and of the volume. With the pressures q = D u beside the
+  /// displacements u, both in units of the root of an energy, the mixed form is
+  ///   [ A  D^T ]
+  ///   [ D  -1  ].
   class TangentOperator
   {
   public:
@@ -31,6 +42,26 @@ namespace ElastoPlastic
     /// condensed. Collective.
     virtual void
     vmult(VectorType &forces, const VectorType &increment) const = 0;
+
+    /// Whether the mixed form is to be solved: some material's bulk modulus is
+    /// large against its shear modulus.
+    virtual bool
+    is_nearly_incompressible() const = 0;
+
+    /// Makes a vector of the mixed form, displacements and pressures. Products
+    /// need no ghost values.
+    virtual void
+    initialize_mixed_vector(BlockVectorType &vector) const = 0;
+
+    /// The product with the mixed form; condensed. Collective.
+    virtual void
+    mixed_vmult(BlockVectorType       &result,
+                const BlockVectorType &vector) const = 0;
+
+    /// Multiplies @p pressures by an approximation of (1 + D A^-1 D^T)^-1,
+    /// which is diagonal.
+    virtual void
+    precondition_pressures(VectorType &pressures) const = 0;
 
     /// Adds the tangent to @p matrix, condensed with @p all_constraints, which
     /// contain at least its own. Collective.

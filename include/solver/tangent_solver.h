@@ -8,14 +8,24 @@
 #include <memory>
 #include <string>
 
+#include "solver/mixed_system.h"
 #include "solver/reduced_unknowns.h"
 #include "solver/tangent_preconditioner.h"
 
 namespace ElastoPlastic
 {
+  /// What a linear system is made of, and its preconditioner is for.
+  enum class TangentForm
+  {
+    displacements, ///< the tangent itself
+    mixed          ///< its mixed form: the part A of it, see TangentOperator
+  };
+
+
+
   /// Solves linear systems with a stored tangent, without a matrix, by
   /// preconditioned conjugate gradients, or GMRES if the tangent is
-  /// unsymmetric.
+  /// unsymmetric or its mixed form is solved.
   ///
   /// If some unknowns are coupled, all of them count as constrained in the
   /// preconditioner, and their common motion is treated by deflation
@@ -33,6 +43,7 @@ namespace ElastoPlastic
       std::string                                             name;
       std::function<std::unique_ptr<TangentPreconditioner>()> make;
       unsigned int maximum_iterations;
+      TangentForm  form = TangentForm::displacements;
     };
 
     /// @p tangent must outlive this object. The first of @p methods is used; it
@@ -76,11 +87,17 @@ namespace ElastoPlastic
     void
     prepare_preconditioner();
 
+    bool
+    is_mixed() const
+    {
+      return method->form == TangentForm::mixed;
+    }
+
     /// Whether conjugate gradients will do.
     bool
-    is_symmetric() const
+    is_definite() const
     {
-      return tangent.is_symmetric() && unknowns.is_symmetric();
+      return tangent.is_symmetric() && unknowns.is_symmetric() && !is_mixed();
     }
 
     bool
@@ -100,6 +117,13 @@ namespace ElastoPlastic
                  const VectorType &rhs,
                  const double      reduction);
 
+    /// The same for the mixed form: @p deflated is for A.
+    unsigned int
+    try_to_solve_mixed(VectorType                   &solution,
+                       const VectorType             &rhs,
+                       const DeflatedPreconditioner &deflated,
+                       const double                  reduction);
+
     /// Keeps @p solution as the response if it is better than the present one.
     void
     learn_response(const VectorType &solution, const VectorType &rhs);
@@ -114,8 +138,9 @@ namespace ElastoPlastic
     ReducedUnknowns unknowns;
 
     /// To a unit motion of the coupled unknowns: expanded, between the systems;
-    /// the tangent times the response; and their product, the response's
-    /// stiffness. By the minimum principle, the smaller the better.
+    /// the tangent (in the mixed form A) times the response; and their product,
+    /// the response's stiffness. By the minimum principle, the smaller the
+    /// better.
     VectorType response, tangent_times_response;
     double     response_stiffness = 0;
   };

@@ -26,6 +26,18 @@ namespace ElastoPlastic
 
 
 
+  double
+  BatchMaterials::largest_bulk_to_shear() const
+  {
+    double largest = 0.;
+    for (const Material<double> &material : materials)
+      largest =
+        std::max(largest, material.bulk_modulus / material.shear_modulus);
+    return largest;
+  }
+
+
+
   bool
   BatchMaterials::recover() const
   {

@@ -14,7 +14,8 @@ namespace ElastoPlastic
       type,
       "What preconditions the conjugate gradients (GMRES if back stresses "
       "recover). multigrid: geometric "
-      "multigrid, without a matrix. AMG: algebraic multigrid for an assembled "
+      "multigrid, without a matrix; for nearly incompressible bodies (Poisson's "
+      "ratio above 0.452) GMRES with pressures beside the displacements. AMG: algebraic multigrid for an assembled "
       "matrix, which knows the rigid body motions. direct: a sparse "
       "factorisation of the matrix, for small problems.");
     prm.add_parameter("Maximum number of iterations",

@@ -6,6 +6,15 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// The mixed form needs more steps than a definite system, and restarts
+    /// cost it more.
+    constexpr unsigned int n_basis_vectors_of_mixed_form = 100;
+  } // namespace
+
+
+
   /// The tangent with ReducedUnknowns, on reduced vectors.
   class TangentSolver::ReducedTangent
   {
@@ -135,11 +144,12 @@ namespace ElastoPlastic
   void
   TangentSolver::take_next_method()
   {
-    const std::string failed = method->name;
+    const std::string failed =
+      is_definite() ? "Conjugate gradients with " + method->name + " do" :
+                      "GMRES with " + method->name + " does";
     ++method;
-    warn((is_symmetric() ? "Conjugate gradients with " + failed + " do" :
-                           "GMRES with " + failed + " does") +
-         " not converge here: " + method->name + " takes over on this mesh.");
+    warn(failed + " not converge here: " + method->name +
+         " takes over on this mesh.");
     preconditioner = method->make();
   }
 
@@ -156,7 +166,11 @@ namespace ElastoPlastic
         tangent.initialize_vector(tangent_times_response);
       }
     unknowns.set_leading_value(response, 1.);
-    ReducedTangent(tangent, unknowns).vmult(tangent_times_response, response);
+    if (is_mixed())
+      MixedSystem(tangent, unknowns)
+        .vmult_moderate(tangent_times_response, response);
+    else
+      ReducedTangent(tangent, unknowns).vmult(tangent_times_response, response);
     response_stiffness = response * tangent_times_response;
   }
 
@@ -178,7 +192,7 @@ namespace ElastoPlastic
         catch (const ConvergenceError &)
           {}
         take_next_method();
-        prepare_preconditioner();
+        prepare(ReducedUnknowns(unknowns));
       }
     return try_to_solve(solution, rhs, reduction);
   }
@@ -194,12 +208,56 @@ namespace ElastoPlastic
     const DeflatedPreconditioner deflated(*this);
     const unsigned int           max_n = method->maximum_iterations;
     const unsigned int           n =
-      is_symmetric() ?
+      is_mixed() ?
+                  try_to_solve_mixed(solution, rhs, deflated, reduction) :
+                is_definite() ?
                   conjugate_gradients(
           reduced, solution, rhs, deflated, reduction, max_n) :
                   flexible_gmres(reduced, solution, rhs, deflated, reduction, max_n);
     if (unknowns.has_coupling())
       learn_response(solution, rhs);
+    return n;
+  }
+
+
+
+  unsigned int
+  TangentSolver::try_to_solve_mixed(VectorType                   &solution,
+                                    const VectorType             &rhs,
+                                    const DeflatedPreconditioner &deflated,
+                                    const double                  reduction)
+  {
+    // Krylov methods want a name for what preconditions.
+    struct Preconditioner
+    {
+      const MixedSystem            &system;
+      const DeflatedPreconditioner &deflated;
+
+      void
+      vmult(BlockVectorType &result, const BlockVectorType &vector) const
+      {
+        system.precondition(result,
+                            vector,
+                            [&](VectorType &u, const VectorType &forces) {
+                              deflated.vmult(u, forces);
+                            });
+      }
+    };
+
+    MixedSystem system(tangent, unknowns);
+    system.scale_pressures(rhs);
+    BlockVectorType mixed_solution, mixed_rhs;
+    system.initialize_vector(mixed_solution);
+    system.initialize_vector(mixed_rhs);
+    mixed_rhs.block(0)   = rhs;
+    const unsigned int n = flexible_gmres(system,
+                                          mixed_solution,
+                                          mixed_rhs,
+                                          Preconditioner{system, deflated},
+                                          reduction / std::sqrt(2.),
+                                          method->maximum_iterations,
+                                          n_basis_vectors_of_mixed_form);
+    solution             = mixed_solution.block(0);
     return n;
   }
 
