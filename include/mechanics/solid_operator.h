@@ -204,6 +204,10 @@ namespace ElastoPlastic
     double
     find_stresses(const Strains &strains, Stresses &stresses) const;
 
+    /// Sets those of the mixed form.
+    void
+    moderate_bulk_moduli();
+
     /// Of the cells in the batch, the shear modulus that bounds the bulk
     /// modulus of A in the mixed form: with B-bar what the stored tangent has
     /// left of it, across the flow, on average; else that of the material.
