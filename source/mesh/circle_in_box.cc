@@ -142,6 +142,8 @@ namespace ElastoPlastic
     std::vector<unsigned int> all;
     GridTools::delete_duplicated_vertices(
       vertices, cells, no_boundaries, all, 1e-10 * disc.radius);
+    // (What is extruded must not have lines of two senses.)
+    GridTools::consistently_order_cells(cells);
     mesh.clear();
     mesh.create_triangulation(vertices, cells, no_boundaries);
     set_boundary_ids(box, mesh);
