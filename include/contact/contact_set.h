@@ -291,10 +291,7 @@ namespace ElastoPlastic
 
     /// Whether friction holds the horizontal displacement @p d of a node.
     bool
-    is_held(const Node &node, const unsigned int d) const
-    {
-      return friction.exists() && node.friction.sticks && node.free[d];
-    }
+    is_held(const Node &node, const unsigned int d) const;
 
     /// The force of a node on the indenter.
     ContactForce<dim>
@@ -312,10 +309,7 @@ namespace ElastoPlastic
     /// By how much the force of a node on the indenter is larger than that on
     /// itself: by what it shares with others.
     double
-    share(const Node &node) const
-    {
-      return edge.rows() ? 1. + shared_parts.local_element(node.index) : 1.;
-    }
+    share(const Node &node) const;
 
     /// Whether a node that has come into contact sticks at first.
     void
@@ -330,10 +324,7 @@ namespace ElastoPlastic
     sloped_bound(const Node &node, const Vector &u) const;
 
     double
-    bound(const Node &node, const Vector &u) const
-    {
-      return bounds.value(node, u) - present_depth;
-    }
+    bound(const Node &node, const Vector &u) const;
 
     void
     move_active_to(Vector &u, const double depth) const;
@@ -376,8 +367,7 @@ namespace ElastoPlastic
     find_contact(const Vector &u);
 
     /// Sets the active flag of all candidates; @p u says where nodes are that
-    /// become active. @return whether any flag has
-    /// changed on any rank.
+    /// become active. @return whether any flag has changed on any rank.
     template <typename Predicate>
     bool
     set_active(const Vector &u, const Predicate &is_active);

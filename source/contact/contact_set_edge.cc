@@ -127,6 +127,15 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  double
+  ContactSet<dim>::share(const Node &node) const
+  {
+    return edge.rows() ? 1. + shared_parts.local_element(node.index) : 1.;
+  }
+
+
+
   template class ContactSet<2>;
   template class ContactSet<3>;
 } // namespace ElastoPlastic

@@ -85,6 +85,15 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  bool
+  ContactSet<dim>::is_held(const Node &node, const unsigned int d) const
+  {
+    return friction.exists() && node.friction.sticks && node.free[d];
+  }
+
+
+
+  template <int dim>
   std::vector<unsigned int>
   ContactSet<dim>::stuck_entries() const
   {
