@@ -83,6 +83,7 @@ namespace ElastoPlastic
     using Stress = std::conditional_t<dim == 2, StressField, SpaceStressField>;
     using Displacement =
       std::conditional_t<dim == 2, QuadraticField, SpaceQuadraticField>;
+    using Fields = std::conditional_t<dim == 2, EquilibriumFields, SpaceFields>;
 
     /// @throws ConvergenceError
     ErrorBoundRow

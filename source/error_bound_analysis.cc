@@ -81,33 +81,6 @@ namespace ElastoPlastic
       return values;
     }
 
-
-
-    EquilibriumFields
-    fields_of(const PlaneBody           &body,
-              const StressField         &stress,
-              const QuadraticField      &displacement,
-              const std::vector<double> &errors)
-    {
-      return {body,
-              stress,
-              all_values_at_vertices(body.mesh, displacement),
-              errors};
-    }
-
-
-
-    SpaceFields
-    fields_of(const SpaceBody           &body,
-              const SpaceStressField    &stress,
-              const SpaceQuadraticField &displacement,
-              const std::vector<double> &errors)
-    {
-      return {body,
-              stress,
-              all_values_at_vertices(body.mesh, displacement),
-              errors};
-    }
   } // namespace
 
 
@@ -390,7 +363,11 @@ namespace ElastoPlastic
     rethrow_collectively(communicator, [&]() {
       if (simplices_of(body.mesh).empty())
         return;
-      output.write(fields_of(body, stress, displacement, errors), cycle);
+      output.write(Fields{body,
+                          stress,
+                          all_values_at_vertices(body.mesh, displacement),
+                          errors},
+                   cycle);
     });
   }
 
