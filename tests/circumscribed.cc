@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "box_names.h"
 #include "equilibrium/circumscribed.h"
 #include "mesh/box.h"
 #include "verdict.h"
@@ -22,13 +23,6 @@ namespace
   using Mesh = parallel::distributed::Triangulation<3>;
 
   const Disc<2> unit_disc = {Point<2>(), 1.};
-
-  const BoundaryNames names = {{"left", 0},
-                               {"right", 1},
-                               {"front", 2},
-                               {"back", 3},
-                               {"bottom", 4},
-                               {"top", 5}};
 
 
 
@@ -78,7 +72,7 @@ namespace
     parameters.contact = {"top"};
     return make_space_body(
       mesh,
-      BoundaryConditions<3>(parameters, names),
+      BoundaryConditions<3>(parameters, names_of_box),
       materials,
       [](const Point<3> &) { return 0.; },
       0.,

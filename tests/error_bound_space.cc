@@ -43,10 +43,14 @@ namespace
                  const Material<double> &material)
   {
     BoundaryConditionParameters parameters;
-    for (const auto &name : names)
+    for (const auto &name : names_of_box)
       parameters.free.push_back(name.first);
-    const SpaceBody body = make_space_body(
-      mesh, BoundaryConditions<3>(parameters, names), {material}, flat, 0.);
+    const SpaceBody body =
+      make_space_body(mesh,
+                      BoundaryConditions<3>(parameters, names_of_box),
+                      {material},
+                      flat,
+                      0.);
     const SpaceQuadraticField field = make_field(mesh, [](const Point<3> &x) {
       return Tensor<1, 3>({0.01 * x[0] - 0.003 * x[1],
                            -0.004 * x[1] + 0.002 * x[2],

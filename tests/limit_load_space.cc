@@ -15,6 +15,7 @@
 #include <limits>
 #include <numeric>
 
+#include "box_names.h"
 #include "contact/gap_function.h"
 #include "contact/indenter_library.h"
 #include "equilibrium/evaluated_bounds.h"
@@ -34,13 +35,6 @@ namespace
   const Gap everywhere = [](const Point<3> &) {
     return 0.;
   };
-
-  const BoundaryNames names = {{"left", 0},
-                               {"right", 1},
-                               {"front", 2},
-                               {"back", 3},
-                               {"bottom", 4},
-                               {"top", 5}};
 
 
 
@@ -149,7 +143,7 @@ namespace
               const double                       exact)
   {
     constexpr double            error = 1e-8;
-    const BoundaryConditions<3> conditions(parameters, names);
+    const BoundaryConditions<3> conditions(parameters, names_of_box);
     const SpaceBody             body =
       make_space_body(mesh, conditions, {material()}, everywhere, 0.);
     verify_bounds(title,
@@ -192,7 +186,7 @@ namespace
     auto parameters  = on_rollers({"left", "front"});
     parameters.free  = {"right", "back"};
     parameters.fixed = {"bottom"};
-    const BoundaryConditions<3> conditions(parameters, names);
+    const BoundaryConditions<3> conditions(parameters, names_of_box);
     const Gap                   punch = [](const Point<3> &x) {
       return std::max(x[0], x[1]) <= 1. ?
                                  0. :
@@ -227,7 +221,7 @@ namespace
     const GapFunction<3> gap(make_indenter<3>(indenter), 0.);
     const SpaceBody      body = make_space_body(
       mesh,
-      BoundaryConditions<3>(parameters, names),
+      BoundaryConditions<3>(parameters, names_of_box),
       {material()},
       [&gap](const Point<3> &x) { return gap.value(x); },
       0.,
@@ -270,14 +264,14 @@ namespace
       parameters.free     = {};
       parameters.traction = "right: x*y^2; 0; 0";
       make_space_body(mesh,
-                      BoundaryConditions<3>(parameters, names),
+                      BoundaryConditions<3>(parameters, names_of_box),
                       {material()},
                       everywhere,
                       0.);
     });
 
     const BoundaryConditions<3> closed(
-      on_rollers({"left", "front", "back", "right", "bottom"}), names);
+      on_rollers({"left", "front", "back", "right", "bottom"}), names_of_box);
     const SpaceBody body =
       make_space_body(mesh, closed, {material()}, everywhere, 0.);
     TetrahedralMesh distorted = mesh;

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 
+#include "box_names.h"
 #include "equilibrium/growing_loads.h"
 #include "equilibrium/space_limit_load.h"
 #include "verdict.h"
@@ -21,13 +22,6 @@ using namespace ElastoPlastic;
 namespace
 {
   const double k = 1. / std::sqrt(3.); // the yield stress is 1
-
-  const BoundaryNames names = {{"left", 0},
-                               {"right", 1},
-                               {"front", 2},
-                               {"back", 3},
-                               {"bottom", 4},
-                               {"top", 5}};
 
   struct Problem
   {
@@ -55,7 +49,7 @@ namespace
                           const std::string              &name) {
       return std::count(list.begin(), list.end(), name) > 0;
     };
-    for (const auto &[name, id] : names)
+    for (const auto &[name, id] : names_of_box)
       if (problem.tractions.find(name) == std::string::npos &&
           !is_in(problem.free, name) && !is_in(problem.fixed, name))
         parameters.roller.push_back(name);
@@ -66,7 +60,7 @@ namespace
     material.yield_radius      = std::sqrt(2. / 3.);
     material.isotropic_modulus = 0.;
 
-    const BoundaryConditions<3> conditions(parameters, names);
+    const BoundaryConditions<3> conditions(parameters, names_of_box);
     const BodyForce<3>          body_force(problem.body_force);
     TetrahedralMesh             tetrahedra = make_split_mesh(mesh);
     const Loads<3> loads = growing_loads(tetrahedra, conditions, body_force);

@@ -11,6 +11,7 @@
 #include <functional>
 #include <limits>
 
+#include "box_names.h"
 #include "equilibrium/error_bound.h"
 #include "verdict.h"
 
@@ -26,13 +27,6 @@ namespace SpaceBlock
 
   using Gap  = std::function<double(const Point<3> &)>;
   using Mesh = parallel::distributed::Triangulation<3>;
-
-  const BoundaryNames names = {{"left", 0},
-                               {"right", 1},
-                               {"front", 2},
-                               {"back", 3},
-                               {"bottom", 4},
-                               {"top", 5}};
 
   const Gap flat = [](const Point<3> &) {
     return 0.;
@@ -78,7 +72,7 @@ namespace SpaceBlock
     if (displacement.empty())
       parameters.contact = {"top"};
     return make_space_body(mesh,
-                           BoundaryConditions<3>(parameters, names),
+                           BoundaryConditions<3>(parameters, names_of_box),
                            {material},
                            gap,
                            /* time = */ 1.);
