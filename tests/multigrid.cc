@@ -292,6 +292,7 @@ namespace
                  strain_model.kinematics == Kinematics::plane_stress ?
                    ", plane stress" :
                    "")
+             << (strain_model.is_finite() ? ", finite strains" : "")
              << std::endl;
   }
 
@@ -311,6 +312,18 @@ namespace
       Block<dim>(degree, strain_model, true, n_refinements).n_iterations();
     verify("  in at most 15 iterations", coarse <= 15 && fine <= 15);
     verify("  at most 30 % more on a finer mesh", fine <= 1.3 * coarse);
+  }
+
+
+
+  /// The mixed form where there are no bounds of the iterations: with a
+  /// pressure at each quadrature point, and with finite strains.
+  template <int dim>
+  void
+  check_mixed_form(const unsigned int degree, const StrainModel &strain_model)
+  {
+    describe<dim>(degree, strain_model);
+    Block<dim>(degree, strain_model, true, 1, 0.49).check_mixed_form();
   }
 
 
@@ -356,4 +369,10 @@ main(int argc, char *argv[])
   check_nearly_incompressible<2>(
     {VolumetricTreatment::b_bar, Kinematics::axisymmetric});
   check_nearly_incompressible<3>(VolumetricTreatment::b_bar);
+  check_mixed_form<2>(2, VolumetricTreatment::standard);
+  check_mixed_form<3>(2, VolumetricTreatment::standard);
+  check_mixed_form<2>(1,
+                      {VolumetricTreatment::b_bar,
+                       Kinematics::axisymmetric,
+                       Strain::logarithmic});
 }
