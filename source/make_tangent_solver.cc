@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+#include <utility>
+
 #include "make_tangent_solver.h"
 #include "mechanics/rigid_body_modes.h"
 #include "multigrid/multigrid_preconditioner.h"
@@ -40,6 +43,10 @@ namespace ElastoPlastic
               },
               parameters.maximum_iterations};
     };
+    const auto [form, patience] =
+      solid.is_nearly_incompressible() ?
+        std::pair(TangentForm::mixed, patience_with_mixed_form) :
+        std::pair(TangentForm::displacements, patience_with_multigrid);
     const Method geometric = {
       "geometric multigrid",
       [&model, &solid, &dof_handler, &constraints]() {
@@ -48,11 +55,8 @@ namespace ElastoPlastic
                                                               dof_handler,
                                                               constraints);
       },
-      std::min(parameters.maximum_iterations,
-               solid.is_nearly_incompressible() ? patience_with_mixed_form :
-                                                  patience_with_multigrid),
-      solid.is_nearly_incompressible() ? TangentForm::mixed :
-                                         TangentForm::displacements};
+      std::min(parameters.maximum_iterations, patience),
+      form};
     const Method algebraic =
       with_matrix("algebraic multigrid", [layout, &dof_handler]() {
         return make_algebraic_multigrid(rigid_body_modes(dof_handler, layout));

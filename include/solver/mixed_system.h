@@ -16,9 +16,8 @@ namespace ElastoPlastic
   ///   [ A    s D^T ]
   ///   [ s D  -s^2  ],
   /// where the pressures are q / s. They belong to forces then, and if s is not
-  /// less than the norm of D, the residual T u - f is at most sqrt(2) times
-  /// that of the mixed form: with that, r + D^T (D u - q), where r is the first
-  /// row's.
+  /// less than the norm of D, the residual T u - f = r + D^T (D u - q), where r
+  /// is the first row's, is at most sqrt(2) times that of the mixed form.
   class MixedSystem
   {
   public:
@@ -27,8 +26,7 @@ namespace ElastoPlastic
                 const ReducedUnknowns &unknowns);
 
     /// Makes s an estimate of the norm of D, by power iteration from the
-    /// reduced
-    /// @p forces.
+    /// reduced @p forces.
     void
     scale_pressures(const VectorType &forces);
 

@@ -13,10 +13,10 @@ namespace ElastoPlastic
       "Type",
       type,
       "What preconditions the conjugate gradients (GMRES if back stresses "
-      "recover). multigrid: geometric "
-      "multigrid, without a matrix; for nearly incompressible bodies (Poisson's "
-      "ratio above 0.452) GMRES with pressures beside the displacements. AMG: algebraic multigrid for an assembled "
-      "matrix, which knows the rigid body motions. direct: a sparse "
+      "recover). multigrid: geometric multigrid, without a matrix; for nearly "
+      "incompressible bodies (Poisson's ratio above 0.452) GMRES with "
+      "pressures beside the displacements. AMG: algebraic multigrid for an "
+      "assembled matrix, which knows the rigid body motions. direct: a sparse "
       "factorisation of the matrix, for small problems.");
     prm.add_parameter("Maximum number of iterations",
                       maximum_iterations,
