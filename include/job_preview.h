@@ -93,6 +93,10 @@ namespace ElastoPlastic
     double
     size_of_elements_within(const double radius) const;
 
+    /// Whether linear systems have pressures as well (SolidOperator).
+    bool
+    has_mixed_form() const;
+
     const Parameters  &parameters;
     const Model<dim>   quick;
     const unsigned int n_refinements_left_out;

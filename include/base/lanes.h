@@ -4,6 +4,7 @@
 #ifndef base_lanes_h
 #define base_lanes_h
 
+#include "base/inlining.h"
 #include "base/simd.h"
 
 namespace ElastoPlastic
@@ -35,7 +36,7 @@ namespace ElastoPlastic
 
 
   template <std::size_t width>
-  DEAL_II_ALWAYS_INLINE inline double &
+  ELASTO_PLASTIC_ALWAYS_INLINE inline double &
   lane_of(dealii::VectorizedArray<double, width> &number,
           const unsigned int                      lane)
   {
@@ -45,7 +46,7 @@ namespace ElastoPlastic
 
 
   template <std::size_t width>
-  DEAL_II_ALWAYS_INLINE inline const double &
+  ELASTO_PLASTIC_ALWAYS_INLINE inline const double &
   lane_of(const dealii::VectorizedArray<double, width> &number,
           const unsigned int                            lane)
   {

@@ -6,6 +6,8 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include "base/inlining.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -26,7 +28,7 @@ namespace ElastoPlastic
 
   /// The components of a three-dimensional @p tensor in the space of the mesh.
   template <int dim, typename Number>
-  DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, dim, Number>
+  ELASTO_PLASTIC_ALWAYS_INLINE inline SymmetricTensor<2, dim, Number>
   in_plane(const SymmetricTensor<2, 3, Number> &tensor)
   {
     if constexpr (dim == 3)
@@ -47,7 +49,7 @@ namespace ElastoPlastic
   /// components @p tensor in the space of the mesh and, in two dimensions, the
   /// out-of-plane component @p out_of_plane.
   template <int dim, typename Number>
-  DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
+  ELASTO_PLASTIC_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
   in_space(const SymmetricTensor<2, dim, Number> &tensor,
            [[maybe_unused]] const Number         &out_of_plane)
   {

@@ -7,6 +7,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/vectorization.h>
 
+#include "base/inlining.h"
 #include "base/tensors.h"
 
 namespace ElastoPlastic
@@ -29,7 +30,7 @@ namespace ElastoPlastic
     /// The deviatoric stress increment that belongs to the increment @p strain:
     /// a de - share m (l : de) - (1 - share) l (m : de), with the @p share 1/2
     /// if the tangent is symmetric, and else 0.
-    DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
     product(const SymmetricTensor<2, 3, Number> &strain,
             const Number                        &share) const
     {
@@ -56,7 +57,7 @@ namespace ElastoPlastic
   private:
     /// The product of a @p deviator with a strain. (In two dimensions, there is
     /// no shear out of plane.)
-    DEAL_II_ALWAYS_INLINE static inline Number
+    ELASTO_PLASTIC_ALWAYS_INLINE static inline Number
     contraction(const SymmetricTensor<2, dim, Number> &deviator,
                 const SymmetricTensor<2, 3, Number>   &strain)
     {

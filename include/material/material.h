@@ -66,6 +66,16 @@ namespace ElastoPlastic
 
 
 
+  /// Whether the material resists changes of volume so much (nu > 0.452) that
+  /// linear systems take fewer steps in the mixed form (SolidOperator).
+  inline bool
+  is_nearly_incompressible(const Material<double> &material)
+  {
+    return material.bulk_modulus > 10. * material.shear_modulus;
+  }
+
+
+
   inline bool
   has_recovery(const Material<double> &material)
   {

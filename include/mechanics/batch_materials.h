@@ -37,9 +37,9 @@ namespace ElastoPlastic
     unsigned int
     n_back_stresses() const;
 
-    /// The largest ratio of the bulk to the shear modulus.
-    double
-    largest_bulk_to_shear() const;
+    /// Whether a material hardly changes its volume.
+    bool
+    are_nearly_incompressible() const;
 
     /// Whether a back stress recovers.
     bool

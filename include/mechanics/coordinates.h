@@ -6,6 +6,7 @@
 
 #include <deal.II/matrix_free/fe_evaluation.h>
 
+#include "base/inlining.h"
 #include "base/kinematics.h"
 #include "base/tensors.h"
 #include "mechanics/displacement_gradient.h"
@@ -42,7 +43,7 @@ namespace ElastoPlastic
     }
 
     template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
+    ELASTO_PLASTIC_ALWAYS_INLINE static auto
     strain_at(const Evaluation &phi, const unsigned int point)
     {
       using Number = NumberOf<Evaluation>;
@@ -50,7 +51,7 @@ namespace ElastoPlastic
     }
 
     template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
+    ELASTO_PLASTIC_ALWAYS_INLINE static auto
     gradient_at(const Evaluation &phi, const unsigned int point)
     {
       GradientEntries<dim, NumberOf<Evaluation>> entries;
@@ -63,7 +64,7 @@ namespace ElastoPlastic
 
     /// What the point stands for: a volume, in plane strain an area.
     template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
+    ELASTO_PLASTIC_ALWAYS_INLINE static auto
     volume_at(const Evaluation &phi, const unsigned int point)
     {
       return phi.JxW(point);
@@ -72,7 +73,7 @@ namespace ElastoPlastic
     /// Hands in a stress, to be integrated against the strains of the shape
     /// functions.
     template <typename Evaluation, typename Stress>
-    DEAL_II_ALWAYS_INLINE static void
+    ELASTO_PLASTIC_ALWAYS_INLINE static void
     submit_stress(Evaluation        &phi,
                   const Stress      &stress,
                   const unsigned int point)
@@ -83,7 +84,7 @@ namespace ElastoPlastic
     /// Hands in a nominal stress, to be integrated against the gradients of the
     /// shape functions.
     template <typename Evaluation, typename Number>
-    DEAL_II_ALWAYS_INLINE static void
+    ELASTO_PLASTIC_ALWAYS_INLINE static void
     submit_nominal_stress(Evaluation                         &phi,
                           const GradientEntries<dim, Number> &stress,
                           const unsigned int                  point)
@@ -92,7 +93,7 @@ namespace ElastoPlastic
     }
 
     template <typename Evaluation, typename Number>
-    DEAL_II_ALWAYS_INLINE static Tensor<1, n_slopes, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE static Tensor<1, n_slopes, Number>
     slopes_at(const Evaluation &,
               const unsigned int,
               const Number &,
@@ -102,7 +103,7 @@ namespace ElastoPlastic
     }
 
     template <typename Number>
-    DEAL_II_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
     strain_of_slopes(const Tensor<1, n_slopes, Number> &slopes,
                      const unsigned int                 component)
     {
@@ -114,7 +115,7 @@ namespace ElastoPlastic
     }
 
     template <typename Number>
-    DEAL_II_ALWAYS_INLINE static GradientEntries<dim, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE static GradientEntries<dim, Number>
     gradient_of_slopes(const Tensor<1, n_slopes, Number> &slopes,
                        const unsigned int                 component)
     {
@@ -127,7 +128,7 @@ namespace ElastoPlastic
   protected:
     /// The entries in the space of the mesh, times a @p factor.
     template <typename Number>
-    DEAL_II_ALWAYS_INLINE static Tensor<1, dim, Tensor<1, dim, Number>>
+    ELASTO_PLASTIC_ALWAYS_INLINE static Tensor<1, dim, Tensor<1, dim, Number>>
     in_mesh(const GradientEntries<dim, Number> &entries, const Number &factor)
     {
       Tensor<1, dim, Tensor<1, dim, Number>> result;
@@ -160,7 +161,7 @@ namespace ElastoPlastic
     }
 
     template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
+    ELASTO_PLASTIC_ALWAYS_INLINE static auto
     strain_at(const Evaluation &phi, const unsigned int point)
     {
       return in_space<2>(phi.get_symmetric_gradient(point),
@@ -168,7 +169,7 @@ namespace ElastoPlastic
     }
 
     template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
+    ELASTO_PLASTIC_ALWAYS_INLINE static auto
     gradient_at(const Evaluation &phi, const unsigned int point)
     {
       auto entries = CartesianCoordinates<2>::gradient_at(phi, point);
@@ -178,14 +179,14 @@ namespace ElastoPlastic
 
     /// The volume of a ring.
     template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
+    ELASTO_PLASTIC_ALWAYS_INLINE static auto
     volume_at(const Evaluation &phi, const unsigned int point)
     {
       return phi.JxW(point) * ring(phi, point);
     }
 
     template <typename Evaluation, typename Stress>
-    DEAL_II_ALWAYS_INLINE static void
+    ELASTO_PLASTIC_ALWAYS_INLINE static void
     submit_stress(Evaluation        &phi,
                   const Stress      &stress,
                   const unsigned int point)
@@ -196,7 +197,7 @@ namespace ElastoPlastic
     }
 
     template <typename Evaluation, typename Number>
-    DEAL_II_ALWAYS_INLINE static void
+    ELASTO_PLASTIC_ALWAYS_INLINE static void
     submit_nominal_stress(Evaluation                       &phi,
                           const GradientEntries<2, Number> &stress,
                           const unsigned int                point)
@@ -206,7 +207,7 @@ namespace ElastoPlastic
     }
 
     template <typename Evaluation, typename Number>
-    DEAL_II_ALWAYS_INLINE static Tensor<1, n_slopes, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE static Tensor<1, n_slopes, Number>
     slopes_at(const Evaluation           &phi,
               const unsigned int          point,
               const Number               &value,
@@ -220,7 +221,7 @@ namespace ElastoPlastic
     }
 
     template <typename Number>
-    DEAL_II_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
     strain_of_slopes(const Tensor<1, n_slopes, Number> &slopes,
                      const unsigned int                 component)
     {
@@ -233,7 +234,7 @@ namespace ElastoPlastic
     }
 
     template <typename Number>
-    DEAL_II_ALWAYS_INLINE static GradientEntries<2, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE static GradientEntries<2, Number>
     gradient_of_slopes(const Tensor<1, n_slopes, Number> &slopes,
                        const unsigned int                 component)
     {
@@ -247,21 +248,21 @@ namespace ElastoPlastic
 
   private:
     template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
+    ELASTO_PLASTIC_ALWAYS_INLINE static auto
     hoop_strain(const Evaluation &phi, const unsigned int point)
     {
       return phi.get_value(point)[0] / phi.quadrature_point(point)[0];
     }
 
     template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
+    ELASTO_PLASTIC_ALWAYS_INLINE static auto
     ring(const Evaluation &phi, const unsigned int point)
     {
       return extent(phi.quadrature_point(point), Kinematics::axisymmetric);
     }
 
     template <typename Evaluation, typename Number>
-    DEAL_II_ALWAYS_INLINE static void
+    ELASTO_PLASTIC_ALWAYS_INLINE static void
     submit_hoop_stress(Evaluation        &phi,
                        const Number      &stress,
                        const unsigned int point)

@@ -8,6 +8,8 @@
 
 #include <array>
 
+#include "base/inlining.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -38,7 +40,7 @@ namespace ElastoPlastic
 
 
   template <int dim, typename Number>
-  DEAL_II_ALWAYS_INLINE inline Tensor<2, 3, Number>
+  ELASTO_PLASTIC_ALWAYS_INLINE inline Tensor<2, 3, Number>
   as_matrix(const GradientEntries<dim, Number> &entries)
   {
     Tensor<2, 3, Number> matrix;
@@ -53,7 +55,7 @@ namespace ElastoPlastic
 
 
   template <int dim, typename Number>
-  DEAL_II_ALWAYS_INLINE inline GradientEntries<dim, Number>
+  ELASTO_PLASTIC_ALWAYS_INLINE inline GradientEntries<dim, Number>
   as_entries(const Tensor<2, 3, Number> &matrix)
   {
     GradientEntries<dim, Number> entries;

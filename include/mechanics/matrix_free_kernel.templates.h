@@ -4,6 +4,7 @@
 #ifndef mechanics_matrix_free_kernel_templates_h
 #define mechanics_matrix_free_kernel_templates_h
 
+#include "base/inlining.h"
 #include "mechanics/matrix_free_kernel.h"
 #include "mechanics/strain_measures.h"
 
@@ -48,7 +49,7 @@ namespace ElastoPlastic
 
 
   template <int degree, typename StrainMeasure, typename Base>
-  DEAL_II_ALWAYS_INLINE inline void
+  ELASTO_PLASTIC_ALWAYS_INLINE inline void
   MatrixFreeKernel<degree, StrainMeasure, Base>::average(
     AtPoints &values, const Evaluation &phi) const
   {

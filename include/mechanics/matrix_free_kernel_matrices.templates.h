@@ -9,6 +9,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include "base/inlining.h"
 #include "mechanics/matrix_free_kernel.h"
 
 namespace ElastoPlastic
@@ -58,7 +59,7 @@ namespace ElastoPlastic
 
 
   template <int degree, typename StrainMeasure, typename Base>
-  DEAL_II_ALWAYS_INLINE inline void
+  ELASTO_PLASTIC_ALWAYS_INLINE inline void
   MatrixFreeKernel<degree, StrainMeasure, Base>::multiply(const Number *matrix,
                                                           Number *const values)
   {
@@ -155,7 +156,7 @@ namespace ElastoPlastic
 
 
   template <int degree, typename StrainMeasure, typename Base>
-  DEAL_II_ALWAYS_INLINE inline auto
+  ELASTO_PLASTIC_ALWAYS_INLINE inline auto
   MatrixFreeKernel<degree, StrainMeasure, Base>::shape_slopes(
     const Evaluation  &phi,
     const unsigned int point,

@@ -6,6 +6,7 @@
 
 #include <numeric>
 
+#include "base/inlining.h"
 #include "mechanics/matrix_free_kernel.templates.h"
 #include "mechanics/solid_kernel.h"
 
@@ -256,7 +257,7 @@ namespace ElastoPlastic
 
   // (Nothing is written for lanes without a cell: their volume may be zero.)
   template <int degree, typename StrainMeasure>
-  DEAL_II_ALWAYS_INLINE inline void
+  ELASTO_PLASTIC_ALWAYS_INLINE inline void
   MatrixFreeSolidKernel<degree, StrainMeasure>::mix(
     AtPoints                 &volumetric,
     double                   *dilatation,

@@ -12,6 +12,8 @@
 #include <cstring>
 #include <vector>
 
+#include "base/inlining.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -51,7 +53,7 @@ namespace ElastoPlastic
 
     /// The local entries of a vector begin at @p vector.
     template <unsigned int n_nodes>
-    DEAL_II_ALWAYS_INLINE inline void
+    ELASTO_PLASTIC_ALWAYS_INLINE inline void
     read(Number *const           values,
          const value_type *const vector,
          const unsigned int      batch) const
@@ -71,7 +73,7 @@ namespace ElastoPlastic
     }
 
     template <unsigned int n_nodes>
-    DEAL_II_ALWAYS_INLINE inline void
+    ELASTO_PLASTIC_ALWAYS_INLINE inline void
     add(value_type *const   vector,
         const Number *const values,
         const unsigned int  batch) const

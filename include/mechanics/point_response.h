@@ -4,6 +4,7 @@
 #ifndef mechanics_point_response_h
 #define mechanics_point_response_h
 
+#include "base/inlining.h"
 #include "material/radial_return.h"
 
 namespace ElastoPlastic
@@ -12,7 +13,7 @@ namespace ElastoPlastic
   /// where that is not known, what together with the @p deviatoric_stress
   /// leaves no stress out of plane.
   template <typename Number>
-  DEAL_II_ALWAYS_INLINE inline Number
+  ELASTO_PLASTIC_ALWAYS_INLINE inline Number
   mean_stress(const bool                           is_sheet,
               const Number                        &volumetric_stress,
               const SymmetricTensor<2, 3, Number> &deviatoric_stress)

@@ -4,6 +4,7 @@
 #ifndef mechanics_strain_measures_h
 #define mechanics_strain_measures_h
 
+#include "base/inlining.h"
 #include "mechanics/coordinates.h"
 #include "mechanics/logarithmic_strain.h"
 #include "mechanics/point_response.h"
@@ -37,7 +38,7 @@ namespace ElastoPlastic
     };
 
     template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
+    ELASTO_PLASTIC_ALWAYS_INLINE static auto
     deformation_at(const Evaluation &phi, const unsigned int point)
     {
       return Deformation<NumberOf<Evaluation>>{
@@ -46,7 +47,7 @@ namespace ElastoPlastic
 
     /// The conjugate of the stress that a material law has given.
     template <typename Number>
-    DEAL_II_ALWAYS_INLINE static const SymmetricTensor<2, 3, Number> &
+    ELASTO_PLASTIC_ALWAYS_INLINE static const SymmetricTensor<2, 3, Number> &
     conjugate(const Deformation<Number> &,
               const SymmetricTensor<2, 3, Number> &stress)
     {
@@ -54,7 +55,7 @@ namespace ElastoPlastic
     }
 
     template <typename Number>
-    DEAL_II_ALWAYS_INLINE static const SymmetricTensor<2, 3, Number> &
+    ELASTO_PLASTIC_ALWAYS_INLINE static const SymmetricTensor<2, 3, Number> &
     true_stress(const Deformation<Number> &,
                 const SymmetricTensor<2, 3, Number> &stress)
     {
@@ -62,14 +63,14 @@ namespace ElastoPlastic
     }
 
     template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
+    ELASTO_PLASTIC_ALWAYS_INLINE static auto
     increment_at(const Evaluation &phi, const unsigned int point)
     {
       return Coordinates::strain_at(phi, point);
     }
 
     template <typename Number>
-    DEAL_II_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
     increment_of_slopes(const Tensor<1, Coordinates::n_slopes, Number> &slopes,
                         const unsigned int component)
     {
@@ -79,7 +80,7 @@ namespace ElastoPlastic
     /// How much an @p increment changes the volumetric strain. @p tangents are
     /// Tangents::OfBatch.
     template <typename TangentsOfBatch, typename Number>
-    DEAL_II_ALWAYS_INLINE static Number
+    ELASTO_PLASTIC_ALWAYS_INLINE static Number
     volumetric(const TangentsOfBatch &,
                const unsigned int,
                const SymmetricTensor<2, 3, Number> &increment)
@@ -91,7 +92,7 @@ namespace ElastoPlastic
     /// sheet, the strain becomes that for which there is no stress out of
     /// plane.
     template <typename TangentsOfBatch, typename Number>
-    DEAL_II_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
     linear_conjugate(const TangentsOfBatch               &tangents,
                      const unsigned int                   point,
                      const SymmetricTensor<2, 3, Number> &increment,
@@ -106,7 +107,7 @@ namespace ElastoPlastic
     /// Hands in a @p conjugate, to be integrated against the increments that
     /// belong to the shape functions.
     template <typename Evaluation, typename Number>
-    DEAL_II_ALWAYS_INLINE static void
+    ELASTO_PLASTIC_ALWAYS_INLINE static void
     submit(Evaluation                          &phi,
            const SymmetricTensor<2, 3, Number> &conjugate,
            const unsigned int                   point)
@@ -115,7 +116,7 @@ namespace ElastoPlastic
     }
 
     template <typename Law, typename Number>
-    DEAL_II_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE static SymmetricTensor<2, 3, Number>
     linear_stress(const Law                           &deviatoric_stress,
                   const Number                        &bulk_modulus,
                   const SymmetricTensor<2, 3, Number> &strain,
@@ -150,14 +151,14 @@ namespace ElastoPlastic
     static constexpr int dim = Coordinates::dim;
 
     template <typename Evaluation>
-    DEAL_II_ALWAYS_INLINE static auto
+    ELASTO_PLASTIC_ALWAYS_INLINE static auto
     increment_at(const Evaluation &phi, const unsigned int point)
     {
       return Coordinates::gradient_at(phi, point);
     }
 
     template <typename Number>
-    DEAL_II_ALWAYS_INLINE static GradientEntries<dim, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE static GradientEntries<dim, Number>
     increment_of_slopes(const Tensor<1, Coordinates::n_slopes, Number> &slopes,
                         const unsigned int component)
     {
@@ -165,7 +166,7 @@ namespace ElastoPlastic
     }
 
     template <typename TangentsOfBatch, typename Number>
-    DEAL_II_ALWAYS_INLINE static Number
+    ELASTO_PLASTIC_ALWAYS_INLINE static Number
     volumetric(const TangentsOfBatch              &tangents,
                const unsigned int                  point,
                const GradientEntries<dim, Number> &increment)
@@ -174,7 +175,7 @@ namespace ElastoPlastic
     }
 
     template <typename TangentsOfBatch, typename Number>
-    DEAL_II_ALWAYS_INLINE static GradientEntries<dim, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE static GradientEntries<dim, Number>
     linear_conjugate(const TangentsOfBatch              &tangents,
                      const unsigned int                  point,
                      const GradientEntries<dim, Number> &increment,
@@ -186,7 +187,7 @@ namespace ElastoPlastic
     }
 
     template <typename Evaluation, typename Number>
-    DEAL_II_ALWAYS_INLINE static void
+    ELASTO_PLASTIC_ALWAYS_INLINE static void
     submit(Evaluation                         &phi,
            const GradientEntries<dim, Number> &conjugate,
            const unsigned int                  point)

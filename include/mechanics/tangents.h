@@ -6,6 +6,7 @@
 
 #include <deal.II/base/aligned_vector.h>
 
+#include "base/inlining.h"
 #include "base/simd.h"
 #include "base/single_precision_storage.h"
 #include "base/tensors.h"
@@ -52,7 +53,7 @@ namespace ElastoPlastic
     DeviatoricTangent<dim, Number> tangent;
     Number                         flow_share;
 
-    DEAL_II_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
     operator()(const SymmetricTensor<2, 3, Number> &strain) const
     {
       return tangent.product(strain, flow_share);
@@ -200,7 +201,7 @@ namespace ElastoPlastic
         , first_point(all.n_points * batch)
       {}
 
-      DEAL_II_ALWAYS_INLINE inline TangentLaw<dim, Number>
+      ELASTO_PLASTIC_ALWAYS_INLINE inline TangentLaw<dim, Number>
       law(const unsigned int point) const
       {
         return {all.complete(first_point + point), all.flow_share};
@@ -241,7 +242,7 @@ namespace ElastoPlastic
       Number                          flow_length;
     };
 
-    DEAL_II_ALWAYS_INLINE inline DeviatoricTangent<dim, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE inline DeviatoricTangent<dim, Number>
     without_recovery(const unsigned int i) const
     {
       const PointTangent tangent = tangents[i];
@@ -250,7 +251,7 @@ namespace ElastoPlastic
               tangent.flow_length * in_plane<dim>(flow_directions[i])};
     }
 
-    DEAL_II_ALWAYS_INLINE inline DeviatoricTangent<dim, Number>
+    ELASTO_PLASTIC_ALWAYS_INLINE inline DeviatoricTangent<dim, Number>
     complete(const unsigned int i) const
     {
       auto tangent = without_recovery(i);
@@ -331,7 +332,7 @@ namespace ElastoPlastic
         , nominal(all.nominal_tangents.data() + batch)
       {}
 
-      DEAL_II_ALWAYS_INLINE inline const TangentLaw<dim, Number> &
+      ELASTO_PLASTIC_ALWAYS_INLINE inline const TangentLaw<dim, Number> &
       law(const unsigned int) const
       {
         return of_all_points;

@@ -26,14 +26,12 @@ namespace ElastoPlastic
 
 
 
-  double
-  BatchMaterials::largest_bulk_to_shear() const
+  bool
+  BatchMaterials::are_nearly_incompressible() const
   {
-    double largest = 0.;
-    for (const Material<double> &material : materials)
-      largest =
-        std::max(largest, material.bulk_modulus / material.shear_modulus);
-    return largest;
+    return std::any_of(materials.begin(),
+                       materials.end(),
+                       is_nearly_incompressible);
   }
 
 

@@ -12,9 +12,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// From this ratio of bulk to shear modulus on, nu = 0.452, the mixed form
-    /// takes fewer steps.
-    constexpr double bulk_to_shear_of_mixed_form = 10.;
     /// With up to this ratio, multigrid converges well.
     constexpr double moderate_bulk_to_shear = 20.;
   } // namespace
@@ -25,8 +22,7 @@ namespace ElastoPlastic
   bool
   SolidOperator<dim>::is_nearly_incompressible() const
   {
-    return !is_sheet &&
-           materials.largest_bulk_to_shear() > bulk_to_shear_of_mixed_form;
+    return !is_sheet && materials.are_nearly_incompressible();
   }
 
 

@@ -133,6 +133,28 @@ namespace ElastoPlastic
 
 
 
+    /// As long as the ball of local refinement holds the whole mesh, all cells
+    /// are refined, so that this many are known before any is. Collective.
+    template <int dim>
+    double
+    n_cells_of_global_part(const GeometryParameters &parameters,
+                           const Point<dim>         &centre,
+                           const Triangulation<dim> &mesh)
+    {
+      double reach = 0;
+      for (const Point<dim> &vertex : mesh.get_vertices())
+        reach = std::max(reach, centre.distance(vertex));
+      reach = Utilities::MPI::max(reach, mesh.get_communicator());
+
+      const double n_times =
+        std::clamp(std::ceil(std::log2(parameters.local_radius / reach)),
+                   0.,
+                   static_cast<double>(parameters.local_refinements));
+      return mesh.n_global_active_cells() * std::pow(2., dim * n_times);
+    }
+
+
+
     /// A cell is as near to a point as the nearest point of the ball around it.
     template <int dim>
     void
@@ -143,6 +165,10 @@ namespace ElastoPlastic
       Point<dim> centre;
       for (unsigned int d = 0; d < parameters.local_centre.size(); ++d)
         centre[d] = parameters.local_centre[d];
+      check_n_cells("Geometry/Local refinements",
+                    parameters.local_refinements,
+                    n_cells_of_global_part(parameters, centre, triangulation),
+                    max_n_cells);
       constexpr unsigned int n_new_cells =
         GeometryInfo<dim>::max_children_per_cell - 1;
       double radius = parameters.local_radius;
@@ -262,10 +288,10 @@ namespace ElastoPlastic
   Geometry<dim>::Geometry(const GeometryParameters &parameters)
     : parameters(parameters)
   {
+    const bool check_for_distorted_cells = true;
     const auto mesh =
       std::make_shared<Triangulation<dim>>(Triangulation<dim>::none,
-                                           /* check_for_distorted_cells = */
-                                           true);
+                                           check_for_distorted_cells);
     names = make_coarse_mesh(
       parameters,
       [this](const std::string &warning) { warning_texts.push_back(warning); },

@@ -50,12 +50,12 @@ def limit_load_revolution(runner):
     """Limit loads of smooth and rough circular punches, of a ring, and of a cone in a pit, against strict bounds on finer meshes."""
     # A mechanism lifts as much weight as the pit would hold (Archimedes).
     buoyancy = 0.3 * math.tan(math.radians(30)) / 3
-    cases = {"smooth circular punch": ("circular_punch", 1, 3.0140, 3.0147, ()),
-             "rough circular punch": ("circular_punch", 1, 3.1766, 3.189, ("Indenter/Surface=rough",)),
-             "ring": ("ring_punch", 3, 2.967, 2.977, ()),
-             "cone in a pit, with weight": ("conical_pit", 1, 2.6233 + buoyancy, 2.6307 + buoyancy, ("Body force=0; -0.3",))}
-    for name, (case, area, lower, upper, entries) in cases.items():
-        rows = runner.tables(f"limit_load/{case}.prm", "Refinement/Number of cycles=5", *entries)["limit_load"]
+    cases = {"smooth circular punch": ("circular_punch", 5, 1, 3.0140, 3.0147, ()),
+             "rough circular punch": ("circular_punch", 5, 1, 3.1766, 3.189, ("Indenter/Surface=rough",)),
+             "ring": ("ring_punch", 4, 3, 2.967, 2.977, ()),
+             "cone in a pit, with weight": ("conical_pit", 4, 1, 2.6233 + buoyancy, 2.6307 + buoyancy, ("Body force=0; -0.3",))}
+    for name, (case, n_cycles, area, lower, upper, entries) in cases.items():
+        rows = runner.tables(f"limit_load/{case}.prm", f"Refinement/Number of cycles={n_cycles}", *entries)["limit_load"]
         for row in rows:
             below, above = (row[bound] / (area * math.pi) for bound in ("lower_bound", "upper_bound"))
             runner.verify(f"{name}: {below:.6g} <= limit load <= {above:.6g}", below <= upper and above >= lower)
@@ -67,20 +67,20 @@ def limit_load_revolution(runner):
 def limit_load_space(runner):
     """Limit loads in space: a square punch against bounds on a finer mesh, a circular one against those of a body of revolution, slabs between rollers against (2 + pi) k and plane strain."""
     case, limit = "limit_load/square_punch_3d.prm", (2.976, 3.088)  # 17,170 tetrahedra, another program
-    rows = runner.tables(case, "Refinement/Number of cycles=2")["limit_load"]
+    rows = runner.tables(case, "Refinement/Number of cycles=1")["limit_load"]
     for row in rows:
         runner.verify(f"{row['lower_bound']:.6g} <= limit load <= {row['upper_bound']:.6g}",
                       row["lower_bound"] <= limit[1] and row["upper_bound"] >= limit[0])
-    runner.compare("difference of the bounds", rows[-1]["relative_difference"], 0, 0.12, absolute=True)
+    runner.compare("difference of the bounds", rows[-1]["relative_difference"], 0, 0.2, absolute=True)
     runner.compare("largest error of stresses and velocities",
                    max(max(row["stress_error"], row["velocity_error"]) for row in rows), 0, 1e-9, absolute=True)
 
-    circular = runner.tables("limit_load/circular_punch_3d.prm")["limit_load"]
+    circular = runner.tables("limit_load/circular_punch_3d.prm", "Refinement/Number of cycles=2")["limit_load"]
     for row in circular:
         below, above = (4 * row[bound] / math.pi for bound in ("lower_bound", "upper_bound"))
         runner.verify(f"circular punch: {below:.6g} <= {CIRCULAR_PUNCH[0]}, {CIRCULAR_PUNCH[1]} <= {above:.6g}",
                       below <= CIRCULAR_PUNCH[0] and CIRCULAR_PUNCH[1] <= above)
-    runner.compare("circular punch: difference of the bounds", circular[-1]["relative_difference"], 0, 0.12, absolute=True)
+    runner.compare("circular punch: difference of the bounds", circular[-1]["relative_difference"], 0, 0.2, absolute=True)
     runner.compare("circular punch: largest error of stresses and velocities",
                    max(max(row["stress_error"], row["velocity_error"]) for row in circular), 0, 1e-9, absolute=True)
 
@@ -154,7 +154,7 @@ def safe_load(runner):
     So has a small one after a depth that is a larger number than the limit load.
     """
     lower = runner.tables("limit_load/strip_punch.prm",
-                          "Refinement/Number of cycles=6")["limit_load"][-1]["lower_bound"]
+                          "Refinement/Number of cycles=4")["limit_load"][-1]["lower_bound"]
     row = runner.run("limit_load/strip_punch.prm", "Analysis=contact", "Loading/Control=force",
                      f"Loading/Force={0.995 * lower}", "Refinement/Number of cycles=3", *QUADRATIC)[-1]
     runner.compare("force", row["force"], 0.995 * lower, 1e-9)
@@ -318,15 +318,14 @@ def error_bound_refinement(runner):
 
 
 def error_bound_ranks(runner):
-    """Bounds and the meshes that they make are the same on 1, 2 and 3 ranks."""
+    """Bounds and the meshes that they make are the same on 1 and 3 ranks."""
     for case in ("parabola", "sphere", "paraboloid_3d"):
-        one, two, three = (Runner(runner.program, ranks).tables(f"error_bound/{case}.prm",
-                                                                "Refinement/Number of cycles=2")["error_bound"]
-                           for ranks in (1, 2, 3))
-        for alone, *others in zip(one, two, three):
-            for row in others:
-                runner.compare(f"{case}, triangles", row["triangles"], alone["triangles"], 0)
-                runner.compare(f"{case}, bound", row["bound"], alone["bound"], 1e-9)
+        one, three = (Runner(runner.program, ranks).tables(f"error_bound/{case}.prm",
+                                                           "Refinement/Number of cycles=2")["error_bound"]
+                      for ranks in (1, 3))
+        for alone, row in zip(one, three):
+            runner.compare(f"{case}, triangles", row["triangles"], alone["triangles"], 0)
+            runner.compare(f"{case}, bound", row["bound"], alone["bound"], 1e-9)
 
 
 def equilibrium_hertz(runner):

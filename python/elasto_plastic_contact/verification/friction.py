@@ -60,7 +60,7 @@ def spence(runner):
 
 def mindlin_cylinder(runner):
     """A cylinder pushed to the side: stick width by Cattaneo and Mindlin; full slip."""
-    rows = runner.history(MINDLIN, *PUSHED, "Loading/Number of steps=10")
+    rows = runner.history(MINDLIN, *PUSHED, "Loading/Number of steps=6")
     for row in rows:
         ratio = row["tangential_force_x"] / (MU * row["force"])
         if row["time"] > 1:
