@@ -61,9 +61,9 @@ namespace ElastoPlastic
       return degree == 1 ? CostPerUnknown{1., 75.} : CostPerUnknown{0.6, 55.};
     }
 
-    /// The basis of nearly incompressible bodies' linear solver: per step, two
-    /// vectors of displacements and pressures.
-    constexpr double kilobytes_of_mixed_form = 1.3;
+    /// The basis of nearly incompressible bodies' linear solver: for each step,
+    /// two vectors of displacements and pressures.
+    constexpr double kilobytes_of_mixed_form = 2.;
   } // namespace
 
 
