@@ -72,7 +72,7 @@ def conical_pit(runs):
     return Content([[None] * 5, [None, *row]])
 
 
-@table(1700)
+@table(2400)
 def square_punch(runs):
     """Smooth and rough square punch in space (11 GB)."""
     smooth, rough = (meshes(runs.limit_load("square_punch_3d", N_CYCLES.format(7), f"Indenter/Surface={surface}"), 1)
