@@ -44,6 +44,9 @@ def job_preview(runner):
     with runner.results("cylinder_2d.prm", ()) as folder:
         runner.verify("results are noticed",
                       "holds results already" in runner.preview("cylinder_2d.prm", directory=folder)["Results"])
+    usual, incompressible = (numbers(runner.preview("sphere_3d.prm", f"Material/Poisson's ratio={nu}")["Memory"])[0]
+                             for nu in (0.3, 0.499))
+    runner.verify(f"pressures need memory, too: {usual} MB, {incompressible} MB", incompressible > 1.4 * usual)
     begin = time.monotonic()
     preview = runner.preview("step42/sphere_uniform_q1.prm", "Geometry/Initial refinements=7")
     runner.compare("unknowns of a mesh that is not made", numbers(preview["First mesh"].split(";")[0])[1],
