@@ -204,12 +204,23 @@ compare_and_apply_mask(const VectorizedArray<Number, width> &left,
                        const VectorizedArray<Number, width> &true_value,
                        const VectorizedArray<Number, width> &false_value)
 {
-  VectorizedArray<Number, width> result;
-  for (unsigned int lane = 0; lane < width; ++lane)
-    result[lane] = compare_and_apply_mask<predicate>(left[lane],
-                                                     right[lane],
-                                                     true_value[lane],
-                                                     false_value[lane]);
+  const auto holds = [](const auto &a, const auto &b) {
+    if constexpr (predicate == SIMDComparison::equal)
+      return a == b;
+    else if constexpr (predicate == SIMDComparison::not_equal)
+      return a != b;
+    else if constexpr (predicate == SIMDComparison::less_than)
+      return a < b;
+    else if constexpr (predicate == SIMDComparison::less_than_or_equal)
+      return a <= b;
+    else if constexpr (predicate == SIMDComparison::greater_than)
+      return a > b;
+    else
+      return a >= b;
+  };
+  VectorizedArray<Number, width> result = false_value;
+  std::experimental::where(holds(left.data, right.data), result.data) =
+    true_value.data;
   return result;
 }
 

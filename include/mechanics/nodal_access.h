@@ -7,12 +7,10 @@
 #include <deal.II/matrix_free/hanging_nodes_internal.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
-#include <algorithm>
-#include <array>
-#include <cstring>
 #include <vector>
 
 #include "base/inlining.h"
+#include "base/lane_packs.h"
 
 namespace ElastoPlastic
 {
@@ -43,8 +41,9 @@ namespace ElastoPlastic
         indices[batch] = nodes_of(batch, matrix_free.get_dof_info(), n_nodes);
     }
 
-    /// Whether @p batch can be treated here: it has a cell in each lane, and no
-    /// constraints. Otherwise there is FEEvaluation.
+    /// Whether @p batch can be treated here: it has a cell in each lane, no
+    /// constraints, and no node at the very end of vectors, beyond which
+    /// LanePacks would read. Otherwise there is FEEvaluation.
     bool
     covers(const unsigned int batch) const
     {
@@ -61,14 +60,10 @@ namespace ElastoPlastic
       const unsigned int *index = indices[batch];
       for (unsigned int node = 0; node < n_nodes; ++node, index += n_lanes)
         {
-          Together together;
-          for (unsigned int lane = 0; lane < n_lanes; ++lane)
-            std::memcpy(&together[dim * lane],
-                        vector + index[lane],
-                        dim * sizeof(value_type));
+          typename Packs::Batches of_node;
+          Packs::read(of_node, vector, index);
           for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int lane = 0; lane < n_lanes; ++lane)
-              values[c * n_nodes + node][lane] = together[dim * lane + c];
+            values[c * n_nodes + node] = of_node[c];
         }
     }
 
@@ -81,22 +76,18 @@ namespace ElastoPlastic
       const unsigned int *index = indices[batch];
       for (unsigned int node = 0; node < n_nodes; ++node, index += n_lanes)
         {
-          Together together;
+          typename Packs::Batches of_node;
           for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int lane = 0; lane < n_lanes; ++lane)
-              together[dim * lane + c] = values[c * n_nodes + node][lane];
-          for (unsigned int lane = 0; lane < n_lanes; ++lane)
-            for (unsigned int c = 0; c < dim; ++c)
-              vector[index[lane] + c] += together[dim * lane + c];
+            of_node[c] = values[c * n_nodes + node];
+          Packs::add(vector, of_node, index);
         }
     }
 
   private:
     static constexpr unsigned int n_lanes = Number::size();
 
-    /// The unknowns of a node in all lanes, lane by lane.
-    using Together = std::array<value_type, dim * n_lanes>;
-    using DoFInfo  = internal::MatrixFreeFunctions::DoFInfo;
+    using Packs   = LanePacks<dim, Number>;
+    using DoFInfo = internal::MatrixFreeFunctions::DoFInfo;
 
     /// Null if the batch cannot be treated.
     static const unsigned int *
@@ -120,6 +111,12 @@ namespace ElastoPlastic
         for (unsigned int i = 0; i < n_nodes * n_lanes; ++i)
           if (first[c * n_nodes * n_lanes + i] != first[i] + c)
             return nullptr;
+      const auto        &vectors = *dofs.vector_partitioner;
+      const unsigned int n_entries =
+        vectors.locally_owned_size() + vectors.n_ghost_indices();
+      for (unsigned int i = 0; i < n_nodes * n_lanes; ++i)
+        if (first[i] + Packs::pack_size > n_entries)
+          return nullptr;
       return first;
     }
 
