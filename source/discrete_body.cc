@@ -122,7 +122,7 @@ namespace ElastoPlastic
   {
     tangent_solver.reset();
     const bool                is_virgin = last_step.is_virgin();
-    EdgeMemory                edge      = contact.edge_memory();
+    EdgeMemory                edge      = std::move(contact.edge_memory());
     std::vector<VectorType *> fields    = {&displacement};
     if (!is_virgin)
       for (VectorType *field : {&last_step.displacement_rate, &last_step.slip})
@@ -159,7 +159,7 @@ namespace ElastoPlastic
       solid.set_states(state_transfer.take());
     reinit_contact(time, load);
     if (edge.n_steps > 0)
-      contact.edge_memory().take_over(edge);
+      contact.edge_memory().take_over(std::move(edge));
   }
 
 
@@ -307,7 +307,10 @@ namespace ElastoPlastic
   {
     std::vector<VectorType *> fields;
     if (model.contact.edge == EdgeRule::within_faces)
-      fields = contact.edge_memory().vectors();
+      {
+        contact.edge_memory().allocate(displacement);
+        fields = contact.edge_memory().vectors();
+      }
     for (VectorType *field : {&last_step.displacement,
                               &last_step.displacement_rate,
                               &last_step.slip,

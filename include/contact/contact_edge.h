@@ -12,6 +12,7 @@
 #include <array>
 #include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "base/enum_names.h"
@@ -35,7 +36,8 @@ namespace ElastoPlastic
 
 
   /// What is remembered of the edge of the contact at the ends of the last load
-  /// steps on a mesh, by nodes.
+  /// steps on a mesh, by nodes. The vectors are empty until allocate(): the
+  /// first step has nothing to remember.
   struct EdgeMemory
   {
     using Vector = LinearAlgebra::distributed::Vector<double>;
@@ -71,13 +73,23 @@ namespace ElastoPlastic
               &distances[2]};
     }
 
+    /// Makes the vectors that are empty zero, with the partition of @p layout.
+    void
+    allocate(const Vector &layout)
+    {
+      for (Vector *vector : vectors())
+        if (vector->size() == 0)
+          vector->reinit(layout);
+    }
+
     /// Goes on with the distances @p noted on another mesh, interpolated.
     void
-    take_over(const EdgeMemory &noted)
+    take_over(EdgeMemory &&noted)
     {
-      distances = noted.distances;
+      distances = std::move(noted.distances);
       depths    = noted.depths;
       n_steps   = noted.n_steps;
+      allocate(distances[0]);
     }
 
     /// What is not a vector, for checkpoints.

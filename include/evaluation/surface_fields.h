@@ -22,8 +22,8 @@ namespace ElastoPlastic
     VectorType gap;
     VectorType pressure;
     VectorType active;
-    /// With friction: the shear traction on the body, and ones at nodes that
-    /// stick, zero elsewhere.
+    /// With friction, else empty: the shear traction on the body, and ones at
+    /// nodes that stick, zero elsewhere.
     VectorType shear;
     VectorType stick;
     /// Whether the contact is where the deformation has brought the surface, or
@@ -43,22 +43,31 @@ namespace ElastoPlastic
                  const VectorType                &u,
                  const VectorType                &residual)
   {
-    VectorType gap(u.get_partitioner()), pressure(gap), active(gap), shear(gap),
-      stick(gap);
-    gap = std::numeric_limits<double>::quiet_NaN();
     const ContactEvaluation<dim> evaluation(contact, u, residual);
-    evaluation.surface_fields(gap, pressure, active);
+    const auto                   layout = u.get_partitioner();
+
+    SurfaceFields fields;
+    fields.at_present_place = contact.has_curved_bounds();
+    for (VectorType *field : {&fields.gap, &fields.pressure, &fields.active})
+      field->reinit(layout);
+    fields.gap = std::numeric_limits<double>::quiet_NaN();
+    evaluation.surface_fields(fields.gap, fields.pressure, fields.active);
     if (contact.has_friction())
-      evaluation.friction_fields(shear, stick);
-    for (VectorType *field : {&pressure, &active, &shear, &stick})
-      constraints.distribute(*field);
-    return {ghosted_copy(u, dof_handler),
-            ghosted_copy(gap, dof_handler),
-            ghosted_copy(pressure, dof_handler),
-            ghosted_copy(active, dof_handler),
-            ghosted_copy(shear, dof_handler),
-            ghosted_copy(stick, dof_handler),
-            contact.has_curved_bounds()};
+      {
+        fields.shear.reinit(layout);
+        fields.stick.reinit(layout);
+        evaluation.friction_fields(fields.shear, fields.stick);
+      }
+    for (VectorType *field :
+         {&fields.pressure, &fields.active, &fields.shear, &fields.stick})
+      if (field->size() > 0)
+        {
+          constraints.distribute(*field);
+          *field = ghosted_copy(*field, dof_handler);
+        }
+    fields.gap          = ghosted_copy(fields.gap, dof_handler);
+    fields.displacement = ghosted_copy(u, dof_handler);
+    return fields;
   }
 } // namespace ElastoPlastic
 

@@ -111,9 +111,10 @@ namespace ElastoPlastic
     /// The rollers that are normal to an axis, with that axis.
     std::map<types::boundary_id, unsigned int> level_rollers;
 
-    AffineConstraints<double> hanging;
-    AffineConstraints<double> combined;
-    Values                    fixed_values;
+    /// Of hanging nodes; and of them and skew rollers, if there are any.
+    AffineConstraints<double>                  hanging;
+    std::unique_ptr<AffineConstraints<double>> with_skew_rollers;
+    Values                                     fixed_values;
 
     /// Those of rollers and the axis of revolution, which nothing else moves.
     Values fixed_at_zero;

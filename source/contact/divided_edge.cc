@@ -33,9 +33,7 @@ namespace ElastoPlastic
   {
     unite();
     all_faces.reinit(dof_handler, constraints, boundaries, kinematics, layout);
-    for (Vector *vector : memory.vectors())
-      vector->reinit(layout);
-    memory.n_steps = 0;
+    memory = EdgeMemory();
   }
 
 
@@ -53,7 +51,8 @@ namespace ElastoPlastic
       if (neighbors.local_element(i) == 1.)
         {
           const double distance = distances.local_element(i);
-          const double noted    = memory.gaps_at_edge.local_element(i);
+          const double noted =
+            memory.n_steps > 0 ? memory.gaps_at_edge.local_element(i) : 0.;
           levels.local_element(i) =
             distance <= 0. ?
               0. :
@@ -153,6 +152,7 @@ namespace ElastoPlastic
                          const Vector &distances,
                          const double  depth)
   {
+    memory.allocate(distances);
     std::rotate(memory.distances.begin(),
                 memory.distances.end() - 1,
                 memory.distances.end());

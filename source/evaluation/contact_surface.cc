@@ -143,6 +143,7 @@ namespace ElastoPlastic
     const auto                     pairs = neighboring_nodes<dim>(fe.degree);
     FEFaceValues<dim>              values(fe, nodes, update_quadrature_points);
     std::vector<SurfacePoint<dim>> points(nodes.size());
+    const bool                     has_friction = fields.shear.size() > 0;
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
 
     for (const auto &cell : dof_handler.active_cell_iterators())
@@ -159,14 +160,16 @@ namespace ElastoPlastic
                     fe.face_system_to_component_index(i);
                   auto &point = points[to_lexicographic[node]];
                   point.displacement[component] = fields.displacement(dofs[i]);
-                  point.shear[component]        = fields.shear(dofs[i]);
+                  if (has_friction)
+                    point.shear[component] = fields.shear(dofs[i]);
                   if (component == dim - 1)
                     {
                       point.position = values.quadrature_point(node);
                       point.gap      = fields.gap(dofs[i]);
                       point.pressure = fields.pressure(dofs[i]);
                       point.active   = fields.active(dofs[i]);
-                      point.stick    = fields.stick(dofs[i]);
+                      if (has_friction)
+                        point.stick = fields.stick(dofs[i]);
                     }
                 }
               for (const auto &[begin, end] : pairs)

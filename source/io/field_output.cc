@@ -192,13 +192,12 @@ namespace ElastoPlastic
                                   const std::string &name,
                                   const double       time)
   {
-    const SurfaceFields fields = surface_fields(solution.dof_handler,
-                                                solution.constraints,
-                                                solution.contact,
-                                                solution.displacement,
-                                                solution.residual);
-    VectorType          gap    = fields.gap;
-    const double        limit  = replace_missing_entries(gap);
+    SurfaceFields       fields = surface_fields(solution.dof_handler,
+                                          solution.constraints,
+                                          solution.contact,
+                                          solution.displacement,
+                                          solution.residual);
+    const double        limit  = replace_missing_entries(fields.gap);
     BoundaryOutput<dim> output(solution.contact_boundaries);
     output.add_vector(solution.dof_handler,
                       fields.displacement,
@@ -207,7 +206,7 @@ namespace ElastoPlastic
     const VerticalComponent<dim> gap_component("gap", limit);
     const VerticalComponent<dim> pressure_component("contact_pressure");
     const VerticalComponent<dim> active_component("active");
-    output.add_data_vector(solution.dof_handler, gap, gap_component);
+    output.add_data_vector(solution.dof_handler, fields.gap, gap_component);
     output.add_data_vector(solution.dof_handler,
                            fields.pressure,
                            pressure_component);
@@ -215,12 +214,13 @@ namespace ElastoPlastic
                            fields.active,
                            active_component);
 
-    VectorType slip = solution.slip;
-    solution.constraints.distribute(slip);
-    slip = ghosted_copy(slip, solution.dof_handler);
+    VectorType                   slip;
     const VerticalComponent<dim> stick_component("stick");
     if (solution.contact.has_friction())
       {
+        slip = solution.slip;
+        solution.constraints.distribute(slip);
+        slip = ghosted_copy(slip, solution.dof_handler);
         output.add_vector(solution.dof_handler, fields.shear, "contact_shear");
         output.add_vector(solution.dof_handler, slip, "slip");
         output.add_data_vector(solution.dof_handler,

@@ -134,14 +134,12 @@ namespace ElastoPlastic
     hanging.reinit(relevant);
     DoFTools::make_hanging_node_constraints(*dof_handler, hanging);
     hanging.close();
-    combined.reinit(relevant);
-    combined.merge(hanging);
+    with_skew_rollers.reset();
 
     const auto skew_rollers = sort_rollers();
     find_fixed_values(time);
     if (!skew_rollers.empty())
       add_skew_rollers(skew_rollers);
-    combined.close();
     drop_constrained_values();
   }
 
@@ -268,8 +266,8 @@ namespace ElastoPlastic
   Supports<dim>::drop_constrained_values()
   {
     for (auto dof = fixed_values.begin(); dof != fixed_values.end();)
-      dof = combined.is_constrained(dof->first) ? fixed_values.erase(dof) :
-                                                  std::next(dof);
+      dof = constraints().is_constrained(dof->first) ? fixed_values.erase(dof) :
+                                                       std::next(dof);
   }
 
 
@@ -280,7 +278,7 @@ namespace ElastoPlastic
   void
   Supports<dim>::add_skew_rollers(const std::set<types::boundary_id> &rollers)
   {
-    const IndexSet           &relevant = combined.get_local_lines();
+    const IndexSet           &relevant = hanging.get_local_lines();
     const IndexSet           &owned    = dof_handler->locally_owned_dofs();
     AffineConstraints<double> sliding(relevant), conditions(relevant);
     VectorTools::compute_no_normal_flux_constraints(
@@ -292,7 +290,10 @@ namespace ElastoPlastic
     conditions.make_consistent_in_parallel(owned,
                                            relevant,
                                            dof_handler->get_communicator());
-    combined.merge(conditions);
+    with_skew_rollers = std::make_unique<AffineConstraints<double>>(relevant);
+    with_skew_rollers->merge(hanging);
+    with_skew_rollers->merge(conditions);
+    with_skew_rollers->close();
   }
 
 
@@ -301,7 +302,7 @@ namespace ElastoPlastic
   const AffineConstraints<double> &
   Supports<dim>::constraints() const
   {
-    return combined;
+    return with_skew_rollers ? *with_skew_rollers : hanging;
   }
 
 
@@ -333,7 +334,7 @@ namespace ElastoPlastic
   IndexSet
   Supports<dim>::fixed_dofs() const
   {
-    IndexSet dofs(combined.get_local_lines().size());
+    IndexSet dofs(constraints().get_local_lines().size());
     for (const auto &dof_and_value : fixed_values)
       dofs.add_index(dof_and_value.first);
     return dofs;
