@@ -4,23 +4,104 @@
 #ifndef mechanics_logarithm_h
 #define mechanics_logarithm_h
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/lanes.h"
+
 namespace ElastoPlastic
 {
   /// f(c) = ln(1 + c) / 2, the logarithm of a stretch whose square is 1 + c,
   /// and its divided differences, which without cancellation tend to its
-  /// derivatives when their arguments, all above -1, tend to each other.
+  /// derivatives when their arguments, all above -1, tend to each other. Number
+  /// is double, or a batch of them: as long as the arguments in each lane are
+  /// close to each other, all lanes take the same series at once.
   namespace HalfLogarithm
   {
-    double
-    value(const double c);
+    /// Where atanh(x) / x is 1 + x^2/3 + ... + x^8/9 in double precision.
+    constexpr double small_square = 1e-3;
 
-    /// f[a, b] = (f(b) - f(a)) / (b - a)
-    double
-    difference(const double a, const double b);
+    /// Where three arguments are as close as this, relative to 1 + c, their
+    /// divided difference is taken from the series about their mean.
+    constexpr double       close   = 0.1;
+    constexpr unsigned int n_terms = 14;
+
+    inline double
+    value(const double c)
+    {
+      return 0.5 * std::log1p(c);
+    }
+
+
+
+    /// f[a, b] = (f(b) - f(a)) / (b - a); with x = (a - b) / (2 + a + b):
+    /// (atanh(x) / x) / (2 + a + b).
+    template <typename Number>
+    Number
+    difference(const Number &a, const Number &b)
+    {
+      const Number sum    = 2. + a + b;
+      const Number x      = (a - b) / sum;
+      const Number square = x * x;
+      Number       ratio =
+        1. + square * (1. / 3. +
+                       square * (1. / 5. + square * (1. / 7. + square / 9.)));
+      for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+        if (!(lane_of(square, lane) < small_square))
+          lane_of(ratio, lane) =
+            std::atanh(lane_of(x, lane)) / lane_of(x, lane);
+      return ratio / sum;
+    }
+
+
+
+    /// sum_n f^(n+2)(m) / (n+2)! h_n(d_1, d_2, d_3), with the complete
+    /// homogeneous polynomials h_n of the distances d_i from the mean m.
+    template <typename Number>
+    Number
+    series_about_mean(const Number &a, const Number &b, const Number &c)
+    {
+      const Number mean = (a + b + c) * (1. / 3.);
+      const Number m    = 1. + mean;
+      const Number x = (a - mean) / m, y = (b - mean) / m, z = (c - mean) / m;
+      const Number e_2 = x * y + y * z + z * x, e_3 = x * y * z;
+
+      // h_n = -e_2 h_(n-2) + e_3 h_(n-3), since x + y + z = 0
+      std::array<Number, n_terms> h;
+      h[0]       = Number(1.);
+      h[1]       = Number(0.);
+      h[2]       = -e_2;
+      Number sum = h[0] * (-1. / 2.) + h[2] * (-1. / 4.);
+      for (unsigned int n = 3; n < n_terms; ++n)
+        {
+          h[n] = e_3 * h[n - 3] - e_2 * h[n - 2];
+          sum += h[n] * ((n % 2 == 0 ? -1. : 1.) / (n + 2.));
+        }
+      return 0.5 * sum / (m * m);
+    }
+
+
 
     /// f[a, b, c] = (f[b, c] - f[a, b]) / (c - a)
-    double
-    difference(const double a, const double b, const double c);
+    template <typename Number>
+    Number
+    difference(const Number &a, const Number &b, const Number &c)
+    {
+      Number result = series_about_mean(a, b, c);
+      for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+        {
+          std::array<double, 3> sorted = {
+            {lane_of(a, lane), lane_of(b, lane), lane_of(c, lane)}};
+          std::sort(sorted.begin(), sorted.end());
+          const auto &[low, middle, high] = sorted;
+          if (!(high - low <= close * (1. + middle)))
+            lane_of(result, lane) =
+              (difference(middle, high) - difference(low, middle)) /
+              (high - low);
+        }
+      return result;
+    }
   } // namespace HalfLogarithm
 } // namespace ElastoPlastic
 

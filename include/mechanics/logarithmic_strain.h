@@ -49,19 +49,18 @@ namespace ElastoPlastic
       jacobian   = determinant(deformation);
       directions = deformation * frame.vectors;
       sharpen_small_stretches();
-      for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
-        for (unsigned int a = 0; a < 3; ++a)
-          {
-            // (a body that has been turned inside out has no strain)
+      for (unsigned int a = 0; a < 3; ++a)
+        {
+          // (a body that has been turned inside out has no strain)
+          for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
             lane_of(logarithms[a], lane) =
               lane_of(jacobian, lane) > 0 ?
                 HalfLogarithm::value(lane_of(frame.values[a], lane)) :
                 std::numeric_limits<double>::quiet_NaN();
-            for (unsigned int b = 0; b <= a; ++b)
-              lane_of(f_1[a][b], lane) =
-                HalfLogarithm::difference(lane_of(frame.values[a], lane),
-                                          lane_of(frame.values[b], lane));
-          }
+          for (unsigned int b = 0; b <= a; ++b)
+            f_1[a][b] =
+              HalfLogarithm::difference(frame.values[a], frame.values[b]);
+        }
     }
 
     /// E; not a number if the determinant of F is not positive.
@@ -120,14 +119,12 @@ namespace ElastoPlastic
         , stress(strain.frame.to_principal(stress))
         , second_stress(strain.second_stress(this->stress))
       {
-        for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
-          for (unsigned int a = 0; a < 3; ++a)
-            for (unsigned int b = 0; b <= a; ++b)
-              for (unsigned int c = 0; c <= b; ++c)
-                lane_of(f_2[a][b][c], lane) = HalfLogarithm::difference(
-                  lane_of(strain.frame.values[a], lane),
-                  lane_of(strain.frame.values[b], lane),
-                  lane_of(strain.frame.values[c], lane));
+        const auto &values = strain.frame.values;
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = 0; b <= a; ++b)
+            for (unsigned int c = 0; c <= b; ++c)
+              f_2[a][b][c] =
+                HalfLogarithm::difference(values[a], values[b], values[c]);
       }
 
       /// dP for the increment @p dF, where dT = law(dE).

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/lanes.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -33,7 +35,8 @@ namespace ElastoPlastic
       if constexpr (dim == 2)
         rotate(rotated, 0, 1);
       else
-        for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
+        for (unsigned int sweep = 0; sweep < n_sweeps && !is_diagonal(rotated);
+             ++sweep)
           {
             rotate(rotated, 0, 1);
             rotate(rotated, 0, 2);
@@ -65,6 +68,21 @@ namespace ElastoPlastic
     /// The off-diagonal entries fall at least quadratically from the third
     /// sweep on.
     static constexpr unsigned int n_sweeps = 6;
+
+    /// In all lanes, up to rounding errors.
+    static bool
+    is_diagonal(const Tensor3 &tensor)
+    {
+      const Number off_diagonal = std::abs(tensor[0][1]) +
+                                  std::abs(tensor[0][2]) +
+                                  std::abs(tensor[1][2]);
+      const Number diagonal = std::abs(tensor[0][0]) + std::abs(tensor[1][1]) +
+                              std::abs(tensor[2][2]);
+      for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+        if (lane_of(off_diagonal, lane) > 1e-18 * lane_of(diagonal, lane))
+          return false;
+      return true;
+    }
 
     /// Annihilates the entry (@p p, @p q).
     void
