@@ -63,6 +63,9 @@ namespace ElastoPlastic
     /// have to come from the memory.)
     static constexpr bool keeps_cell_matrices =
       Tangents::constant_on_cells && dim == 2 && degree == 1;
+    /// Trilinear ones that are boxes are treated mode by mode.
+    static constexpr bool has_modes =
+      Tangents::constant_on_cells && dim == 3 && degree == 1;
     /// Of a symmetric matrix, row by row from the diagonal on.
     static constexpr unsigned int n_matrix_entries = n_dofs * (n_dofs + 1) / 2;
 
@@ -98,10 +101,11 @@ namespace ElastoPlastic
                   const VolumetricLaw &volumetric_law) const;
 
     void
-    apply_tangent(Evaluation &phi, const Tangents &tangents) const
-    {
-      apply_tangent(phi, tangents, [](AtPoints &) {});
-    }
+    apply_tangent(Evaluation &phi, const Tangents &tangents) const;
+
+    /// The same for cells that are boxes.
+    void
+    apply_tangent_by_modes(Evaluation &phi, const Tangents &tangents) const;
 
     /// The matrices of the current cells of @p phi, column by column.
     void

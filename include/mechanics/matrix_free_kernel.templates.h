@@ -96,6 +96,53 @@ namespace ElastoPlastic
         q);
     phi.integrate(StrainMeasure::flags());
   }
+
+
+
+  template <int degree, typename StrainMeasure, typename Base>
+  void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::apply_tangent(
+    Evaluation &phi, const Tangents &tangents) const
+  {
+    if constexpr (has_modes)
+      if (matrix_free.get_mapping_info().get_cell_type(
+            phi.get_current_cell_index()) ==
+          internal::MatrixFreeFunctions::cartesian)
+        {
+          apply_tangent_by_modes(phi, tangents);
+          return;
+        }
+    apply_tangent(phi, tangents, [](AtPoints &) {});
+  }
+
+
+
+  // (The mean volumetric strain is that of the constant mode.)
+  template <int degree, typename StrainMeasure, typename Base>
+  [[gnu::noinline, gnu::flatten]] void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::apply_tangent_by_modes(
+    Evaluation &phi, const Tangents &tangents) const
+  {
+    if constexpr (has_modes)
+      {
+        const OfBatch of_cells(tangents, phi.get_current_cell_index());
+        const auto    to_reference = phi.inverse_jacobian(0);
+        std::array<Number, dim> reciprocals;
+        Number                  volume = 1.;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            reciprocals[d] = to_reference[d][d];
+            volume /= to_reference[d][d];
+          }
+        BoxModes<dim, Number>(reciprocals, volume)
+          .apply(phi.begin_dof_values(),
+                 [&](const auto mode, const auto &gradient) {
+                   using Set = std::decay_t<decltype(mode)>;
+                   return StrainMeasure::template stress_of_mode<Set>(
+                     of_cells, gradient, Set::value == 0 || !is_b_bar());
+                 });
+      }
+  }
 } // namespace ElastoPlastic
 
 #include "mechanics/matrix_free_kernel_matrices.templates.h"

@@ -25,6 +25,43 @@ namespace ElastoPlastic
     SymmetricTensor<2, n, Number> stiffness;
     Tensor<1, n, Number>          volumetric_slope;
 
+    /// Adds to @p stress the product of the stiffness with @p gradient, both
+    /// with n entries, or of the parts of all three without the entries that
+    /// @p is_zero tells of. (deal.II's product searches the place of each entry
+    /// of so large a tensor; here, all is known to the compiler.)
+    template <typename IsZero>
+    ELASTO_PLASTIC_ALWAYS_INLINE inline void
+    add_stiffness_times(Number *const       stress,
+                        const Number *const gradient,
+                        const IsZero       &is_zero) const
+    {
+      unsigned int entry = n;
+#pragma GCC unroll 9
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          if (!is_zero(i))
+            stress[i] += stiffness.access_raw_entry(i) * gradient[i];
+#pragma GCC unroll 9
+          for (unsigned int j = i + 1; j < n; ++j, ++entry)
+            if (!is_zero(i) && !is_zero(j))
+              {
+                const Number &k_ij = stiffness.access_raw_entry(entry);
+                stress[i] += k_ij * gradient[j];
+                stress[j] += k_ij * gradient[i];
+              }
+        }
+    }
+
+    ELASTO_PLASTIC_ALWAYS_INLINE inline Tensor<1, n, Number>
+    stiffness_times(const Tensor<1, n, Number> &gradient) const
+    {
+      Tensor<1, n, Number> stress;
+      add_stiffness_times(stress.begin_raw(),
+                          gradient.begin_raw(),
+                          [](const unsigned int) { return false; });
+      return stress;
+    }
+
     /// One of the n_values numbers that it consists of.
     Number &
     value(const unsigned int i)

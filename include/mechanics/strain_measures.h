@@ -5,6 +5,7 @@
 #define mechanics_strain_measures_h
 
 #include "base/inlining.h"
+#include "mechanics/box_modes.h"
 #include "mechanics/coordinates.h"
 #include "mechanics/logarithmic_strain.h"
 #include "mechanics/point_response.h"
@@ -104,6 +105,35 @@ namespace ElastoPlastic
                            volumetric);
     }
 
+    /// The stress of the displacement gradient @p entries of the mode @p Set,
+    /// see BoxModes, with a tangent that is the same at all points.
+    template <typename Set, typename TangentsOfBatch, typename Entries>
+    ELASTO_PLASTIC_ALWAYS_INLINE static Entries
+    stress_of_mode(const TangentsOfBatch &tangents,
+                   const Entries         &entries,
+                   const bool             has_volumetric_strain)
+    {
+      constexpr int dim = Coordinates::dim;
+      using Number      = typename Entries::value_type;
+      SymmetricTensor<2, 3, Number> strain;
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          strain[i][i] = entries[dim * i + i];
+          for (unsigned int j = i + 1; j < dim; ++j)
+            strain[i][j] = 0.5 * (entries[dim * i + j] + entries[dim * j + i]);
+        }
+      const auto stress =
+        linear_conjugate(tangents,
+                         0,
+                         strain,
+                         has_volumetric_strain ? trace(strain) : Number(0.));
+      Entries result;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          result[dim * i + j] = stress[i][j];
+      return result;
+    }
+
     /// Hands in a @p conjugate, to be integrated against the increments that
     /// belong to the shape functions.
     template <typename Evaluation, typename Number>
@@ -184,6 +214,37 @@ namespace ElastoPlastic
       return tangents.nominal_stress(point, increment) +
              (tangents.bulk_modulus * volumetric) *
                tangents.volumetric_slope(point);
+    }
+
+    template <typename Set, typename TangentsOfBatch, typename Entries>
+    ELASTO_PLASTIC_ALWAYS_INLINE static Entries
+    stress_of_mode(const TangentsOfBatch &tangents,
+                   const Entries         &entries,
+                   const bool             has_volumetric_strain)
+    {
+      using Number       = typename Entries::value_type;
+      const auto is_zero = [](const unsigned int entry) {
+        return BoxModes<dim, Number>::contains(Set::value, entry % dim);
+      };
+      const auto &slope    = tangents.volumetric_slope(0);
+      Number      pressure = 0.;
+      if (has_volumetric_strain)
+        {
+#pragma GCC unroll 9
+          for (unsigned int i = 0; i < dim * dim; ++i)
+            if (!is_zero(i))
+              pressure += slope[i] * entries[i];
+          pressure *= tangents.bulk_modulus;
+        }
+      Entries stress;
+#pragma GCC unroll 9
+      for (unsigned int i = 0; i < dim * dim; ++i)
+        if (!is_zero(i))
+          stress[i] = pressure * slope[i];
+      tangents.nominal_tangent().add_stiffness_times(stress.data(),
+                                                     entries.data(),
+                                                     is_zero);
+      return stress;
     }
 
     template <typename Evaluation, typename Number>

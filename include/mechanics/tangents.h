@@ -213,7 +213,7 @@ namespace ElastoPlastic
                      const GradientEntries<dim, Number> &increment) const
       {
         const unsigned int i = first_point + point;
-        auto stress          = all.nominal_tangents[i].stiffness * increment;
+        auto stress = all.nominal_tangents[i].stiffness_times(increment);
         if (all.recovers)
           stress += all.skew_parts[i] * increment;
         return stress;
@@ -343,7 +343,13 @@ namespace ElastoPlastic
       nominal_stress(const unsigned int,
                      const GradientEntries<dim, Number> &increment) const
       {
-        return nominal->stiffness * increment;
+        return nominal->stiffness_times(increment);
+      }
+
+      const NominalTangent<dim, Number> &
+      nominal_tangent() const
+      {
+        return *nominal;
       }
 
       const GradientEntries<dim, Number> &
