@@ -13,6 +13,7 @@
 #include "mechanics/box_modes.h"
 #include "verdict.h"
 
+using namespace dealii;
 using namespace ElastoPlastic;
 
 namespace
