@@ -158,8 +158,9 @@ namespace
 
 
 int
-main()
+main(int argc, char *argv[])
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check<2>();
   check<3>();
 }

@@ -55,8 +55,9 @@ namespace
 
 
 int
-main()
+main(int argc, char *argv[])
 {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   check<2, Simd<float>>("2D, single precision");
   check<3, Simd<float>>("3D, single precision");
   check<2, Simd<double>>("2D, double precision");
