@@ -61,6 +61,7 @@ namespace ElastoPlastic
   void
   DiscreteBody<dim>::reinit(const double time, const Load &load)
   {
+    tangent_solver.reset();
     reinit_unknowns(time);
     reinit_contact(time, load);
   }

@@ -5,6 +5,7 @@
 // batches and added from there, against single numbers; also if lanes have
 // places in common.
 
+#include <array>
 #include <vector>
 
 #include "base/lane_packs.h"
@@ -15,6 +16,19 @@ using namespace ElastoPlastic;
 
 namespace
 {
+  /// As many numbers as other processors take at a time.
+  template <typename T, unsigned int n>
+  struct Lanes : std::array<T, n>
+  {
+    static constexpr std::size_t
+    size()
+    {
+      return n;
+    }
+  };
+
+
+
   template <int dim, typename Number>
   void
   check(const std::string &name)
@@ -62,4 +76,10 @@ main(int argc, char *argv[])
   check<3, Simd<float>>("3D, single precision");
   check<2, Simd<double>>("2D, double precision");
   check<3, Simd<double>>("3D, double precision");
+  check<2, Lanes<float, 4>>("2D, 4 lanes");
+  check<3, Lanes<float, 4>>("3D, 4 lanes");
+  check<3, Lanes<double, 2>>("3D, 2 lanes");
+  check<3, Lanes<double, 4>>("3D, 4 lanes, double precision");
+  check<3, Lanes<double, 8>>("3D, 8 lanes, double precision");
+  check<3, Lanes<float, 16>>("3D, 16 lanes");
 }

@@ -8,6 +8,7 @@
 // unknowns are coupled, after a number of iterations that depends neither on
 // the mesh nor on Poisson's ratio.
 
+#include <deal.II/base/tensor_function.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
@@ -56,6 +57,18 @@ namespace
       solid->linearize(zero);
       held = zero;
       supports.set_fixed_entries(held, 1.);
+    }
+
+    /// Linearises about a displacement with the same gradient everywhere.
+    void
+    deform()
+    {
+      VectorType u = zero;
+      VectorTools::interpolate(
+        dof_handler,
+        VectorFunctionFromTensorFunction<dim>(LinearField(), 0, dim),
+        u);
+      solid->linearize(u);
     }
 
     void
@@ -234,6 +247,20 @@ namespace
       return n;
     }
 
+    class LinearField : public TensorFunction<1, dim>
+    {
+    public:
+      Tensor<1, dim>
+      value(const Point<dim> &x) const override
+      {
+        Tensor<1, dim> u;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            u[i] += 0.1 * std::sin(1. + 2. * i + 5. * j) * x[j];
+        return u;
+      }
+    };
+
     static BoundaryConditions<dim>
     conditions()
     {
@@ -316,6 +343,20 @@ namespace
 
 
 
+  /// A finite deformation that is the same everywhere, so that one tangent for
+  /// each cell is all of it.
+  template <int dim>
+  void
+  check_deformed(const StrainModel &strain_model)
+  {
+    describe<dim>(1, strain_model);
+    Block<dim> block(1, strain_model, false, 1);
+    block.deform();
+    block.check_finest_level();
+  }
+
+
+
   /// The mixed form where there are no bounds of the iterations: with a
   /// pressure at each quadrature point, and with finite strains.
   template <int dim>
@@ -363,6 +404,15 @@ main(int argc, char *argv[])
         check<2>(degree, {treatment, Kinematics::plane_stress});
         check<3>(degree, treatment);
       }
+
+  for (const auto treatment :
+       {VolumetricTreatment::standard, VolumetricTreatment::b_bar})
+    {
+      check_deformed<2>(
+        {treatment, Kinematics::cartesian, Strain::logarithmic});
+      check_deformed<3>(
+        {treatment, Kinematics::cartesian, Strain::logarithmic});
+    }
 
   output() << "Nearly incompressible" << std::endl;
   check_nearly_incompressible<2>(VolumetricTreatment::b_bar);

@@ -17,8 +17,9 @@ namespace ElastoPlastic
   /// with the processor's shuffles of whole registers in place of moves number
   /// by number. @p Number is a Simd.
   ///
-  /// Numbers are read in packs of two or, in three dimensions, four, so that
-  /// one more than needed must be readable there: pack_size counts it.
+  /// Numbers are read in packs of pack_size: in three dimensions, read() also
+  /// reads the number that follows the three, which must exist. add() touches
+  /// the three only.
   template <int dim, typename Number>
   class LanePacks
   {

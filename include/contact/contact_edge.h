@@ -12,7 +12,6 @@
 #include <array>
 #include <memory>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "base/enum_names.h"
@@ -73,6 +72,20 @@ namespace ElastoPlastic
               &distances[2]};
     }
 
+    /// Forgets everything.
+    void
+    clear()
+    {
+      // (an assignment would keep the partition on ranks without unknowns)
+      for (Vector *vector : vectors())
+        {
+          Vector empty;
+          vector->swap(empty);
+        }
+      n_steps    = 0;
+      is_divided = false;
+    }
+
     /// Makes the vectors that are empty zero, with the partition of @p layout.
     void
     allocate(const Vector &layout)
@@ -86,9 +99,10 @@ namespace ElastoPlastic
     void
     take_over(EdgeMemory &&noted)
     {
-      distances = std::move(noted.distances);
-      depths    = noted.depths;
-      n_steps   = noted.n_steps;
+      for (unsigned int i = 0; i < distances.size(); ++i)
+        distances[i].swap(noted.distances[i]);
+      depths  = noted.depths;
+      n_steps = noted.n_steps;
       allocate(distances[0]);
     }
 

@@ -61,12 +61,16 @@ namespace ElastoPlastic
     for (VectorType *field :
          {&fields.pressure, &fields.active, &fields.shear, &fields.stick})
       if (field->size() > 0)
-        {
-          constraints.distribute(*field);
-          *field = ghosted_copy(*field, dof_handler);
-        }
-    fields.gap          = ghosted_copy(fields.gap, dof_handler);
-    fields.displacement = ghosted_copy(u, dof_handler);
+        constraints.distribute(*field);
+    fields.displacement = u;
+    for (VectorType *field : {&fields.displacement,
+                              &fields.gap,
+                              &fields.pressure,
+                              &fields.active,
+                              &fields.shear,
+                              &fields.stick})
+      if (field->size() > 0)
+        replace_by_ghosted_copy(*field, dof_handler);
     return fields;
   }
 } // namespace ElastoPlastic

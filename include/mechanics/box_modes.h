@@ -18,10 +18,10 @@ namespace ElastoPlastic
   ///   sum_k G_k phi_k(xi),   phi_k = product of xi_e over e in k,
   /// with sets k of directions, but not all of them: the column d of G_k, the
   /// derivative along x_d, is zero if d is in k. Over the box, the phi_k are
-  /// orthogonal, with the mean square 1 / 12^|k|. So in a law that is the same
-  /// at all points, each mode has a stress of its own: there is one less of
-  /// them than quadrature points, with less in each, and what makes them of
-  /// nodal values and forces of them are sums and differences.
+  /// orthogonal, with the mean square 1 / 12^|k|. So in a linear law that
+  /// is the same at all points, each mode has a stress of its own: there is one
+  /// less of them than quadrature points, and most have fewer entries. Nodal
+  /// values become modes, and stresses become forces, by sums and differences.
   template <int dim, typename Number>
   class BoxModes
   {
@@ -48,8 +48,9 @@ namespace ElastoPlastic
     {}
 
     /// Makes nodal forces of nodal displacements, component by component and
-    /// the nodes in lexicographic order: law(Set<k>(), G_k) is the stress of
-    /// G_k, both Entries; its columns that are in k do not matter.
+    /// the nodes in lexicographic order: law(Set<k>(), G) is the stress of
+    /// G, which is G_k but for a factor, both Entries; the law must be linear.
+    /// The columns of the stress that are in k do not matter.
     template <typename Law>
     ELASTO_PLASTIC_ALWAYS_INLINE inline void
     apply(Number *const values, const Law &law) const
@@ -110,8 +111,8 @@ namespace ElastoPlastic
       (add_forces_of_mode(forces, values, law, Set<sets>()), ...);
     }
 
-    // A sum is twice the mean, which G_k has: that is in the factor, as both
-    // the gradient and the virtual one have it.
+    // A sum is twice the mean, which G_k has. Both the gradient and the virtual
+    // one are larger by that; the factor makes up for it.
     template <typename Law, unsigned int set>
     ELASTO_PLASTIC_ALWAYS_INLINE inline void
     add_forces_of_mode(std::array<Number, dim * n_nodes> &forces,

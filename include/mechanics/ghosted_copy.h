@@ -32,6 +32,18 @@ namespace ElastoPlastic
 
 
 
+  /// (An assignment would keep the ghosts that @p vector has.)
+  template <int dim>
+  void
+  replace_by_ghosted_copy(VectorType            &vector,
+                          const DoFHandler<dim> &dof_handler)
+  {
+    VectorType copy = ghosted_copy(vector, dof_handler);
+    vector.swap(copy);
+  }
+
+
+
   /// Such copies of several vectors, as deal.II's SolutionTransfer wants them.
   template <int dim>
   class GhostedCopies

@@ -4,7 +4,11 @@
 #ifndef mechanics_matrix_free_kernel_templates_h
 #define mechanics_matrix_free_kernel_templates_h
 
+#include <array>
+#include <type_traits>
+
 #include "base/inlining.h"
+#include "mechanics/box_modes.h"
 #include "mechanics/matrix_free_kernel.h"
 #include "mechanics/strain_measures.h"
 
@@ -105,9 +109,7 @@ namespace ElastoPlastic
     Evaluation &phi, const Tangents &tangents) const
   {
     if constexpr (has_modes)
-      if (matrix_free.get_mapping_info().get_cell_type(
-            phi.get_current_cell_index()) ==
-          internal::MatrixFreeFunctions::cartesian)
+      if (phi.get_cell_type() == internal::MatrixFreeFunctions::cartesian)
         {
           apply_tangent_by_modes(phi, tangents);
           return;

@@ -26,9 +26,9 @@ namespace ElastoPlastic
     Tensor<1, n, Number>          volumetric_slope;
 
     /// Adds to @p stress the product of the stiffness with @p gradient, both
-    /// with n entries, or of the parts of all three without the entries that
-    /// @p is_zero tells of. (deal.II's product searches the place of each entry
-    /// of so large a tensor; here, all is known to the compiler.)
+    /// with n entries; those for which @p is_zero holds are left out of all
+    /// three. (deal.II's product searches the place of each entry of so large a
+    /// tensor; here, the compiler knows it.)
     template <typename IsZero>
     ELASTO_PLASTIC_ALWAYS_INLINE inline void
     add_stiffness_times(Number *const       stress,

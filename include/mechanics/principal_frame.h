@@ -65,8 +65,8 @@ namespace ElastoPlastic
     Matrix vectors;
 
   private:
-    /// The off-diagonal entries fall at least quadratically from the third
-    /// sweep on.
+    /// At most. The off-diagonal entries fall at least quadratically from the
+    /// third sweep on: four are enough, mostly.
     static constexpr unsigned int n_sweeps = 6;
 
     /// In all lanes, up to rounding errors.

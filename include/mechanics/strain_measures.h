@@ -106,7 +106,8 @@ namespace ElastoPlastic
     }
 
     /// The stress of the displacement gradient @p entries of the mode @p Set,
-    /// see BoxModes, with a tangent that is the same at all points.
+    /// see BoxModes, with a tangent that is the same at all points. (What is
+    /// zero in a gradient makes hardly a difference for small strains.)
     template <typename Set, typename TangentsOfBatch, typename Entries>
     ELASTO_PLASTIC_ALWAYS_INLINE static Entries
     stress_of_mode(const TangentsOfBatch &tangents,

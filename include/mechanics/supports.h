@@ -10,6 +10,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <map>
+#include <memory>
 
 #include "model/model.h"
 
@@ -47,6 +48,7 @@ namespace ElastoPlastic
     void
     set_time(const double time);
 
+    /// Valid until the next reinit().
     const AffineConstraints<double> &
     constraints() const;
 

@@ -33,7 +33,7 @@ namespace ElastoPlastic
   {
     unite();
     all_faces.reinit(dof_handler, constraints, boundaries, kinematics, layout);
-    memory = EdgeMemory();
+    memory.clear();
   }
 
 

@@ -220,7 +220,7 @@ namespace ElastoPlastic
       {
         slip = solution.slip;
         solution.constraints.distribute(slip);
-        slip = ghosted_copy(slip, solution.dof_handler);
+        replace_by_ghosted_copy(slip, solution.dof_handler);
         output.add_vector(solution.dof_handler, fields.shear, "contact_shear");
         output.add_vector(solution.dof_handler, slip, "slip");
         output.add_data_vector(solution.dof_handler,
