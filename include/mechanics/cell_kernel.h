@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/kinematics.h"
+#include "mechanics/eliminated_unknowns.h"
 #include "mechanics/nodal_access.h"
 #include "mechanics/tangents.h"
 
@@ -49,12 +50,10 @@ namespace ElastoPlastic
     virtual ~CellKernel() = default;
 
     /// Prepares everything that depends on the mesh. The first two arguments
-    /// must outlive this object or the next call. Cells of the same one of
-    /// @p categories, if given, form batches of their own.
+    /// must outlive this object or the next call.
     void
     reinit(const DoFHandler<dim>           &dof_handler,
-           const AffineConstraints<double> &constraints,
-           const std::vector<unsigned int> &categories = {});
+           const AffineConstraints<double> &constraints);
 
     void
     initialize_vector(Vector &vector) const;
@@ -110,6 +109,7 @@ namespace ElastoPlastic
     const StrainModel                                      strain_model;
     MatrixFree<dim, typename Tangents::value_type, Number> matrix_free;
     NodalAccess<dim, Number>                               nodal_access;
+    EliminatedUnknowns<typename Tangents::value_type>      eliminated;
     const AffineConstraints<double> *constraints = nullptr;
   };
 

@@ -75,6 +75,7 @@ namespace ElastoPlastic
       std::array<SymmetricTensor<2, n_slopes, Number>, dim>;
 
     using Base::constraints;
+    using Base::eliminated;
     using Base::matrix_free;
     using Base::nodal_access;
     using Base::strain_model;

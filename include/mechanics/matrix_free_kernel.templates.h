@@ -14,40 +14,43 @@
 
 namespace ElastoPlastic
 {
+  // (The eliminated entries of increment are others for the time of the loop.)
   template <int degree, typename StrainMeasure, typename Base>
   void
   MatrixFreeKernel<degree, StrainMeasure, Base>::vmult(
     Vector &forces, const Vector &increment, const Tangents &tangents) const
   {
-    matrix_free.template cell_loop<Vector, Vector>(
-      [&](const auto &, auto &dst, const auto &src, const CellRange &range) {
-        Evaluation phi(matrix_free);
-        for (unsigned int batch = range.first; batch < range.second; ++batch)
-          {
-            phi.reinit(batch);
-            const bool has_nodal_access = nodal_access.covers(batch);
-            if (has_nodal_access)
-              nodal_access.template read<n_points>(phi.begin_dof_values(),
-                                                   src.begin(),
-                                                   batch);
-            else
-              phi.read_dof_values(src);
-            if constexpr (keeps_cell_matrices)
-              multiply(&tangents.cell_matrices[batch * n_matrix_entries],
-                       phi.begin_dof_values());
-            else
-              apply_tangent(phi, tangents);
-            if (has_nodal_access)
-              nodal_access.template add<n_points>(dst.begin(),
-                                                  phi.begin_dof_values(),
-                                                  batch);
-            else
-              phi.distribute_local_to_global(dst);
-          }
-      },
-      forces,
-      increment,
-      /* zero_dst_vector = */ true);
+    Vector &source = const_cast<Vector &>(increment);
+    source.update_ghost_values();
+    eliminated.expand(source);
+    forces = 0.;
+    Evaluation phi(matrix_free);
+    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+      {
+        phi.reinit(batch);
+        const bool has_nodal_access = nodal_access.covers(batch);
+        if (has_nodal_access)
+          nodal_access.template read<n_points>(phi.begin_dof_values(),
+                                               source.begin(),
+                                               batch);
+        else
+          phi.read_dof_values(source);
+        if constexpr (keeps_cell_matrices)
+          multiply(&tangents.cell_matrices[batch * n_matrix_entries],
+                   phi.begin_dof_values());
+        else
+          apply_tangent(phi, tangents);
+        if (has_nodal_access)
+          nodal_access.template add<n_points>(forces.begin(),
+                                              phi.begin_dof_values(),
+                                              batch);
+        else
+          phi.distribute_local_to_global(forces);
+      }
+    eliminated.condense(forces);
+    forces.compress(VectorOperation::add);
+    eliminated.restore(source);
+    source.zero_out_ghost_values();
   }
 
 

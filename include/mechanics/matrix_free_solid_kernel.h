@@ -87,10 +87,24 @@ namespace ElastoPlastic
         const Evaluation         &phi,
         const PointTangents<dim> &tangents) const;
 
+    /// Whether the dof values of @p phi are.
+    static bool
+    is_zero(const Evaluation &phi);
+
     /// Those of the current cells of @p phi, and the strains that belong to
     /// them.
     Deformations
     deformations(Strains &strains, const Evaluation &phi) const;
+
+    /// Those of @p u in a batch of cells, with the strains and the stresses of
+    /// @p law. @p phi is for the evaluation, and is left at these cells.
+    Deformations
+    evaluate(Evaluation        &phi,
+             Strains           &strains,
+             Stresses          &stresses,
+             const unsigned int batch,
+             const Vector      &u,
+             const Law         &law) const;
 
     /// Calls @p receive for all cell batches with the deformations of @p u, the
     /// strains and the stresses of @p law. @p phi is for the evaluation.
@@ -144,11 +158,8 @@ namespace ElastoPlastic
         Stresses   stresses;
         for (unsigned int batch = range.first; batch < range.second; ++batch)
           {
-            phi.reinit(batch);
-            phi.read_dof_values_plain(src);
-            phi.evaluate(StrainMeasure::flags());
-            const auto deformation = deformations(strains, phi);
-            law(strains, stresses);
+            const auto deformation =
+              evaluate(phi, strains, stresses, batch, src, law);
             for (unsigned int q = 0; q < n_points; ++q)
               StrainMeasure::submit(
                 phi, StrainMeasure::conjugate(deformation[q], stresses[q]), q);
@@ -164,6 +175,21 @@ namespace ElastoPlastic
 
 
   template <int degree, typename StrainMeasure>
+  bool
+  MatrixFreeSolidKernel<degree, StrainMeasure>::is_zero(const Evaluation &phi)
+  {
+    Number largest = 0.;
+    for (unsigned int i = 0; i < Base::n_dofs; ++i)
+      largest = std::max(largest, std::abs(phi.begin_dof_values()[i]));
+    return std::all_of(largest.begin(), largest.end(), [](const double value) {
+      return value == 0.;
+    });
+  }
+
+
+
+  // (A motion of the supports moves few cells.)
+  template <int degree, typename StrainMeasure>
   double
   MatrixFreeSolidKernel<degree, StrainMeasure>::work(const Vector &u,
                                                      const Vector &w,
@@ -171,20 +197,28 @@ namespace ElastoPlastic
   {
     double     sum = 0;
     Evaluation phi(matrix_free), direction(matrix_free);
+    Strains    strains;
+    Stresses   stresses;
+    u.update_ghost_values();
     w.update_ghost_values();
-    for_each_deformation(
-      phi, u, law, [&](const auto &deformation, auto &strains, auto &stresses) {
-        direction.reinit(strains.batch);
+    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+      {
+        direction.reinit(batch);
         direction.read_dof_values_plain(w);
+        if (is_zero(direction))
+          continue;
         direction.evaluate(StrainMeasure::flags());
+        const auto deformation =
+          evaluate(phi, strains, stresses, batch, u, law);
         Number of_batch = 0.;
         for (unsigned int q = 0; q < n_points; ++q)
           of_batch += (StrainMeasure::conjugate(deformation[q], stresses[q]) *
                        StrainMeasure::increment_at(direction, q)) *
                       strains.volume[q];
-        for (unsigned int lane = 0; lane < this->n_cells(strains.batch); ++lane)
+        for (unsigned int lane = 0; lane < this->n_cells(batch); ++lane)
           sum += of_batch[lane];
-      });
+      }
+    u.zero_out_ghost_values();
     w.zero_out_ghost_values();
     return sum;
   }
@@ -312,6 +346,26 @@ namespace ElastoPlastic
 
 
   template <int degree, typename StrainMeasure>
+  auto
+  MatrixFreeSolidKernel<degree, StrainMeasure>::evaluate(
+    Evaluation        &phi,
+    Strains           &strains,
+    Stresses          &stresses,
+    const unsigned int batch,
+    const Vector      &u,
+    const Law         &law) const -> Deformations
+  {
+    phi.reinit(batch);
+    phi.read_dof_values_plain(u);
+    phi.evaluate(StrainMeasure::flags());
+    const auto result = deformations(strains, phi);
+    law(strains, stresses);
+    return result;
+  }
+
+
+
+  template <int degree, typename StrainMeasure>
   template <typename Receive>
   void
   MatrixFreeSolidKernel<degree, StrainMeasure>::for_each_deformation(
@@ -325,11 +379,8 @@ namespace ElastoPlastic
     u.update_ghost_values();
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {
-        phi.reinit(batch);
-        phi.read_dof_values_plain(u);
-        phi.evaluate(StrainMeasure::flags());
-        const auto deformation = deformations(strains, phi);
-        law(strains, stresses);
+        const auto deformation =
+          evaluate(phi, strains, stresses, batch, u, law);
         receive(deformation, strains, stresses);
       }
     u.zero_out_ghost_values();

@@ -109,6 +109,7 @@ namespace ElastoPlastic
 
     const Model<dim>      &model;
     const DoFHandler<dim> *dof_handler = nullptr;
+    double                 time_of_values;
 
     /// The rollers that are normal to an axis, with that axis.
     std::map<types::boundary_id, unsigned int> level_rollers;

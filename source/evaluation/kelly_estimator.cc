@@ -115,13 +115,13 @@ namespace ElastoPlastic
     for (const unsigned int v : cell->vertex_indices())
       field.vertices[v] = cell->vertex(v);
 
-    dealii::Vector<double> values(shape_functions.size());
-    cell->get_dof_values(ghosted_u, values);
+    field.dof_values.reinit(shape_functions.size(), true);
+    cell->get_dof_values(ghosted_u, field.dof_values);
     field.values.resize(shape_functions.size() / dim);
-    for (unsigned int i = 0; i < values.size(); ++i)
+    for (unsigned int i = 0; i < shape_functions.size(); ++i)
       {
         const auto &[node, component] = shape_functions[i];
-        field.values[node][component] = values(i);
+        field.values[node][component] = field.dof_values(i);
       }
   }
 
@@ -193,9 +193,10 @@ namespace ElastoPlastic
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          float &estimate = estimates(cell->active_cell_index());
+          float       &estimate = estimates(cell->active_cell_index());
+          const double factor   = cell->diameter() / 24.;
           for (const double integral : integrals[cell->active_cell_index()])
-            estimate += cell->diameter() / 24. * integral;
+            estimate += factor * integral;
           estimate = std::sqrt(estimate);
         }
     return estimates;

@@ -12,22 +12,21 @@ namespace ElastoPlastic
   void
   CellKernel<dim, Tangents>::reinit(
     const DoFHandler<dim>           &dof_handler,
-    const AffineConstraints<double> &new_constraints,
-    const std::vector<unsigned int> &categories)
+    const AffineConstraints<double> &new_constraints)
   {
     constraints = &new_constraints;
     typename decltype(matrix_free)::AdditionalData settings;
     settings.mapping_update_flags = update_gradients | update_JxW_values;
     if (strain_model.kinematics == Kinematics::axisymmetric)
       settings.mapping_update_flags |= update_quadrature_points;
-    settings.tasks_parallel_scheme       = settings.none;
-    settings.cell_vectorization_category = categories;
+    settings.tasks_parallel_scheme = settings.none;
     matrix_free.reinit(MappingQ1<dim>(),
                        dof_handler,
                        new_constraints,
                        QGauss<1>(dof_handler.get_fe().degree + 1),
                        settings);
     nodal_access.reinit(matrix_free, dof_handler.get_fe().dofs_per_cell / dim);
+    eliminated.reinit(new_constraints, *matrix_free.get_vector_partitioner());
   }
 
 

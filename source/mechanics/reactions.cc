@@ -72,20 +72,23 @@ namespace ElastoPlastic
                           const VectorType         &contact_forces,
                           const double              time) const
   {
-    const auto loads          = loads_on_body(contact_forces, time);
-    const auto all_components = components();
-    VectorType n_boundaries;
+    const auto            loads = loads_on_body(contact_forces, time);
+    std::vector<IndexSet> unknowns_of_components;
+    VectorType            n_boundaries;
     solid.initialize_vector(n_boundaries);
-    for (const Component &component : all_components)
-      for (const auto dof : unknowns(component))
-        n_boundaries(dof) += 1.;
+    for (const Component &component : components())
+      {
+        unknowns_of_components.push_back(unknowns(component));
+        for (const auto dof : unknowns_of_components.back())
+          n_boundaries(dof) += 1.;
+      }
 
     std::vector<double> forces;
     VectorType          translation;
-    for (const Component &component : all_components)
+    for (const IndexSet &held : unknowns_of_components)
       {
         solid.initialize_vector(translation);
-        for (const auto dof : unknowns(component))
+        for (const auto dof : held)
           translation(dof) = 1. / n_boundaries(dof);
         forces.push_back(work(solid, displacement, loads, translation));
       }

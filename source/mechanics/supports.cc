@@ -13,30 +13,45 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// One component of a prescribed displacement at a time, for
-    /// interpolate_boundary_values().
     template <int dim>
-    class ComponentFunction : public Function<dim>
+    using Components = typename BoundaryConditions<dim>::Components;
+
+
+
+    /// A prescribed displacement at a time, for interpolate_boundary_values().
+    /// Components that are free have no values.
+    template <int dim>
+    class DisplacementFunction : public Function<dim>
     {
     public:
-      ComponentFunction(const Expression<dim> &expression,
-                        const unsigned int     component,
-                        const double           time)
+      DisplacementFunction(const Components<dim> &components, const double time)
         : Function<dim>(dim, time)
-        , expression(expression)
-        , component(component)
+        , components(components)
       {}
 
       double
       value(const Point<dim> &point, const unsigned int c) const override
       {
-        return c == component ? expression.value(point, this->get_time()) : 0.;
+        return components[c] ? components[c]->value(point, this->get_time()) :
+                               0.;
       }
 
     private:
-      const Expression<dim> &expression;
-      const unsigned int     component;
+      const Components<dim> &components;
     };
+
+
+
+    /// The components that are not free.
+    template <std::size_t dim, typename Component>
+    ComponentMask
+    mask_of_given(const std::array<Component, dim> &components)
+    {
+      ComponentMask mask(dim, false);
+      for (unsigned int d = 0; d < dim; ++d)
+        mask.set(d, components[d] != nullptr);
+      return mask;
+    }
 
 
 
@@ -128,7 +143,8 @@ namespace ElastoPlastic
   Supports<dim>::reinit(const DoFHandler<dim> &new_dof_handler,
                         const double           time)
   {
-    dof_handler = &new_dof_handler;
+    dof_handler    = &new_dof_handler;
+    time_of_values = time;
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(*dof_handler, relevant);
     hanging.reinit(relevant);
@@ -149,6 +165,9 @@ namespace ElastoPlastic
   void
   Supports<dim>::set_time(const double time)
   {
+    if (time == time_of_values)
+      return;
+    time_of_values = time;
     for (const auto &[dof, value] : prescribed_values(time))
       if (const auto fixed = fixed_values.find(dof);
           fixed != fixed_values.end() && fixed_at_zero.count(dof) == 0)
@@ -183,15 +202,13 @@ namespace ElastoPlastic
     rethrow_collectively(dof_handler->get_communicator(), [&]() {
       for (const auto &[id, displacement] :
            model.boundary_conditions.prescribed_displacements())
-        for (unsigned int d = 0; d < dim; ++d)
-          if (displacement[d])
-            VectorTools::interpolate_boundary_values(
-              MappingQ1<dim>(),
-              *dof_handler,
-              id,
-              ComponentFunction<dim>(*displacement[d], d, time),
-              values,
-              mask_of_component<dim>(d));
+        VectorTools::interpolate_boundary_values(
+          MappingQ1<dim>(),
+          *dof_handler,
+          id,
+          DisplacementFunction<dim>(displacement, time),
+          values,
+          mask_of_given(displacement));
     });
     return values;
   }
@@ -359,13 +376,10 @@ namespace ElastoPlastic
                  mask_of_component<dim>(level_roller->second) :
                  ComponentMask(dim, true);
       }
-    ComponentMask held(dim, false);
     if (is_of_type(Type::prescribed_displacement))
-      for (unsigned int d = 0; d < dim; ++d)
-        held.set(d,
-                 model.boundary_conditions.prescribed_displacements().at(
-                   boundary)[d] != nullptr);
-    return held;
+      return mask_of_given(
+        model.boundary_conditions.prescribed_displacements().at(boundary));
+    return ComponentMask(dim, false);
   }
 
 

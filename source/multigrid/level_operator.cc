@@ -6,30 +6,6 @@
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    /// For each active cell, a bit for each of its vertices that is
-    /// constrained. A hanging node makes work for the whole batch of cells that
-    /// it is in; with these numbers as categories, cells that have the same
-    /// pattern of hanging nodes form batches of their own.
-    template <int dim>
-    std::vector<unsigned int>
-    hanging_node_patterns(const DoFHandler<dim>           &dof_handler,
-                          const AffineConstraints<double> &constraints)
-    {
-      std::vector<unsigned int> patterns(
-        dof_handler.get_triangulation().n_active_cells(), 0);
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int v : cell->vertex_indices())
-            if (constraints.is_constrained(cell->vertex_dof_index(v, 0)))
-              patterns[cell->active_cell_index()] |= 1 << v;
-      return patterns;
-    }
-  } // namespace
-
-
-
   template <int dim>
   LevelOperator<dim>::LevelOperator(
     const StrainModel               &strain_model,
@@ -38,9 +14,7 @@ namespace ElastoPlastic
     : kernel(make_level_kernel<dim>(dof_handler.get_fe().degree, strain_model))
     , tangents(strain_model.is_finite())
   {
-    kernel->reinit(dof_handler,
-                   constraints,
-                   hanging_node_patterns(dof_handler, constraints));
+    kernel->reinit(dof_handler, constraints);
     cut_off_indices = kernel->eliminated_entries();
 
     tangents.reinit(kernel->n_batches());
