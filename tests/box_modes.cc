@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The forces of a bi- or trilinear box whose stress is linear in the
+// The forces of a box of degree 1 or 2 whose stress is linear in the
 // displacement gradient, mode by mode, against quadrature; with all of the
 // gradient, and with the mean of its trace in place of the trace.
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_tools.h>
 
 #include <cmath>
 
@@ -18,11 +19,11 @@ using namespace ElastoPlastic;
 
 namespace
 {
-  template <int dim>
+  template <int dim, int degree>
   class Box
   {
   public:
-    using Modes   = BoxModes<dim, double>;
+    using Modes   = BoxModes<dim, degree, double>;
     using Entries = typename Modes::Entries;
     using Values  = std::array<double, dim * Modes::n_nodes>;
 
@@ -75,7 +76,7 @@ namespace
       Values values = some_displacements();
       Modes(reciprocals, volume)
         .apply(values.data(), [&](const auto mode, const Entries &gradient) {
-          const bool has_trace = mode.value == 0 || !takes_mean_of_trace;
+          const bool has_trace = mode.is_constant || !takes_mean_of_trace;
           return stress(gradient, has_trace ? trace(gradient) : 0.);
         });
       return values;
@@ -84,8 +85,10 @@ namespace
     Values
     forces_by_quadrature(const bool takes_mean_of_trace) const
     {
-      const QGauss<dim>    points(2);
-      const FE_Q<dim>      fe(1);
+      const QGauss<dim> points(degree + 1);
+      const FE_Q<dim>   fe(degree);
+      const auto        numbers =
+        FETools::lexicographic_to_hierarchic_numbering<dim>(degree);
       const Values         values = some_displacements();
       std::vector<Entries> gradients(points.size());
       double               mean = 0;
@@ -94,7 +97,8 @@ namespace
           for (unsigned int i = 0; i < values.size(); ++i)
             for (unsigned int d = 0; d < dim; ++d)
               gradients[q][dim * (i / Modes::n_nodes) + d] +=
-                slope(fe, i, d, points.point(q)) * values[i];
+                slope(fe, numbers[i % Modes::n_nodes], d, points.point(q)) *
+                values[i];
           mean += points.weight(q) * trace(gradients[q]);
         }
 
@@ -107,9 +111,10 @@ namespace
                    takes_mean_of_trace ? mean : trace(gradients[q]));
           for (unsigned int i = 0; i < forces.size(); ++i)
             for (unsigned int d = 0; d < dim; ++d)
-              forces[i] += points.weight(q) * volume *
-                           slope(fe, i, d, points.point(q)) *
-                           of_point[dim * (i / Modes::n_nodes) + d];
+              forces[i] +=
+                points.weight(q) * volume *
+                slope(fe, numbers[i % Modes::n_nodes], d, points.point(q)) *
+                of_point[dim * (i / Modes::n_nodes) + d];
         }
       return forces;
     }
@@ -117,11 +122,11 @@ namespace
   private:
     double
     slope(const FE_Q<dim>   &fe,
-          const unsigned int i,
+          const unsigned int node,
           const unsigned int d,
           const Point<dim>  &point) const
     {
-      return reciprocals[d] * fe.shape_grad(i % Modes::n_nodes, point)[d];
+      return reciprocals[d] * fe.shape_grad(node, point)[d];
     }
 
     std::array<double, dim> reciprocals;
@@ -130,15 +135,15 @@ namespace
 
 
 
-  template <int dim>
+  template <int dim, int degree>
   void
   check()
   {
     for (const bool takes_mean_of_trace : {false, true})
       {
-        const Box<dim> box;
-        const auto     by_modes = box.forces_by_modes(takes_mean_of_trace);
-        const auto     by_quadrature =
+        const Box<dim, degree> box;
+        const auto by_modes = box.forces_by_modes(takes_mean_of_trace);
+        const auto by_quadrature =
           box.forces_by_quadrature(takes_mean_of_trace);
         double largest = 0, difference = 0;
         for (unsigned int i = 0; i < by_modes.size(); ++i)
@@ -147,8 +152,8 @@ namespace
             difference =
               std::max(difference, std::abs(by_modes[i] - by_quadrature[i]));
           }
-        verify(std::to_string(dim) + "D, " +
-                 (takes_mean_of_trace ? "mean trace" : "whole gradient"),
+        verify(std::to_string(dim) + "D, degree " + std::to_string(degree) +
+                 ", " + (takes_mean_of_trace ? "mean trace" : "whole gradient"),
                difference / largest,
                1e-13);
       }
@@ -161,6 +166,8 @@ int
 main(int argc, char *argv[])
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  check<2>();
-  check<3>();
+  check<2, 1>();
+  check<2, 2>();
+  check<3, 1>();
+  check<3, 2>();
 }

@@ -63,9 +63,10 @@ namespace ElastoPlastic
     /// have to come from the memory.)
     static constexpr bool keeps_cell_matrices =
       Tangents::constant_on_cells && dim == 2 && degree == 1;
-    /// Trilinear ones that are boxes are treated mode by mode.
-    static constexpr bool has_modes =
-      Tangents::constant_on_cells && dim == 3 && degree == 1;
+    /// Others that are boxes are treated mode by mode.
+    static constexpr bool has_modes = Tangents::constant_on_cells &&
+                                      !keeps_cell_matrices &&
+                                      StrainMeasure::has_modes;
     /// Of a symmetric matrix, row by row from the diagonal on.
     static constexpr unsigned int n_matrix_entries = n_dofs * (n_dofs + 1) / 2;
 

@@ -139,12 +139,12 @@ namespace ElastoPlastic
             reciprocals[d] = to_reference[d][d];
             volume /= to_reference[d][d];
           }
-        BoxModes<dim, Number>(reciprocals, volume)
+        BoxModes<dim, degree, Number>(reciprocals, volume)
           .apply(phi.begin_dof_values(),
                  [&](const auto mode, const auto &gradient) {
-                   using Set = std::decay_t<decltype(mode)>;
-                   return StrainMeasure::template stress_of_mode<Set>(
-                     of_cells, gradient, Set::value == 0 || !is_b_bar());
+                   using Mode = std::decay_t<decltype(mode)>;
+                   return StrainMeasure::template stress_of_mode<Mode>(
+                     of_cells, gradient, Mode::is_constant || !is_b_bar());
                  });
       }
   }

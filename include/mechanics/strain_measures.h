@@ -25,6 +25,9 @@ namespace ElastoPlastic
     /// Whether tangents are NominalTangents, which linearize() makes.
     static constexpr bool has_nominal_tangents = false;
 
+    /// Whether there is a stress_of_mode(): gradients are those of BoxModes.
+    static constexpr bool has_modes = Coordinates::n_slopes == Coordinates::dim;
+
     /// What is known of the deformation at a point.
     template <typename Number>
     struct Deformation
@@ -105,10 +108,10 @@ namespace ElastoPlastic
                            volumetric);
     }
 
-    /// The stress of the displacement gradient @p entries of the mode @p Set,
-    /// see BoxModes, with a tangent that is the same at all points. (What is
+    /// The stress of the displacement gradient @p entries of a @p Mode, see
+    /// BoxModes, with a tangent that is the same at all points. (What is
     /// zero in a gradient makes hardly a difference for small strains.)
-    template <typename Set, typename TangentsOfBatch, typename Entries>
+    template <typename Mode, typename TangentsOfBatch, typename Entries>
     ELASTO_PLASTIC_ALWAYS_INLINE static Entries
     stress_of_mode(const TangentsOfBatch &tangents,
                    const Entries         &entries,
@@ -181,6 +184,9 @@ namespace ElastoPlastic
   {
     static constexpr int dim = Coordinates::dim;
 
+    /// (In a plane body, gradients have an entry out of plane.)
+    static constexpr bool has_modes = dim == 3;
+
     template <typename Evaluation>
     ELASTO_PLASTIC_ALWAYS_INLINE static auto
     increment_at(const Evaluation &phi, const unsigned int point)
@@ -217,7 +223,7 @@ namespace ElastoPlastic
                tangents.volumetric_slope(point);
     }
 
-    template <typename Set, typename TangentsOfBatch, typename Entries>
+    template <typename Mode, typename TangentsOfBatch, typename Entries>
     ELASTO_PLASTIC_ALWAYS_INLINE static Entries
     stress_of_mode(const TangentsOfBatch &tangents,
                    const Entries         &entries,
@@ -225,7 +231,7 @@ namespace ElastoPlastic
     {
       using Number       = typename Entries::value_type;
       const auto is_zero = [](const unsigned int entry) {
-        return BoxModes<dim, Number>::contains(Set::value, entry % dim);
+        return Mode::is_zero(entry);
       };
       const auto &slope    = tangents.volumetric_slope(0);
       Number      pressure = 0.;

@@ -46,12 +46,13 @@ namespace ElastoPlastic
 
 
   /// What makes deviatoric stresses of strains, see
-  /// DeviatoricTangent::product().
-  template <int dim, typename Number>
+  /// DeviatoricTangent::product(). @p StoredTangent is a DeviatoricTangent, or
+  /// a reference to one that is stored elsewhere.
+  template <int dim, typename Number, typename StoredTangent>
   struct TangentLaw
   {
-    DeviatoricTangent<dim, Number> tangent;
-    Number                         flow_share;
+    StoredTangent tangent;
+    Number        flow_share;
 
     ELASTO_PLASTIC_ALWAYS_INLINE inline SymmetricTensor<2, 3, Number>
     operator()(const SymmetricTensor<2, 3, Number> &strain) const
@@ -201,7 +202,10 @@ namespace ElastoPlastic
         , first_point(all.n_points * batch)
       {}
 
-      ELASTO_PLASTIC_ALWAYS_INLINE inline TangentLaw<dim, Number>
+      ELASTO_PLASTIC_ALWAYS_INLINE inline TangentLaw<
+        dim,
+        Number,
+        DeviatoricTangent<dim, Number>>
       law(const unsigned int point) const
       {
         return {all.complete(first_point + point), all.flow_share};
@@ -328,14 +332,17 @@ namespace ElastoPlastic
     public:
       OfBatch(const CellTangents &all, const unsigned int batch)
         : bulk_modulus(all.tangents[batch].bulk_modulus)
-        , of_all_points{all.tangents[batch].deviatoric, Number(0.5)}
+        , tangent(all.tangents[batch].deviatoric)
         , nominal(all.nominal_tangents.data() + batch)
       {}
 
-      ELASTO_PLASTIC_ALWAYS_INLINE inline const TangentLaw<dim, Number> &
+      ELASTO_PLASTIC_ALWAYS_INLINE inline TangentLaw<
+        dim,
+        Number,
+        const DeviatoricTangent<dim, Number> &>
       law(const unsigned int) const
       {
-        return of_all_points;
+        return {tangent, Number(0.5)};
       }
 
       /// See NominalTangent.
@@ -361,8 +368,8 @@ namespace ElastoPlastic
       const Number bulk_modulus;
 
     private:
-      const TangentLaw<dim, Number>      of_all_points;
-      const NominalTangent<dim, Number> *nominal;
+      const DeviatoricTangent<dim, Number> &tangent;
+      const NominalTangent<dim, Number>    *nominal;
     };
 
     /// What CellKernel::prepare_products() has computed of the tangents.
