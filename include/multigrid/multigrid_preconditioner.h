@@ -69,6 +69,11 @@ namespace ElastoPlastic
     void
     prepare_smoother();
 
+    /// Of tangents that it has been prepared for; and, level by level, what the
+    /// smoother takes for the largest eigenvalue.
+    unsigned int        n_tangents = 0;
+    std::vector<double> largest_eigenvalues;
+
     const SolidOperator<dim> &solid;
     LevelHierarchy<dim>       hierarchy;
     CoarseSolver              coarse_solver;

@@ -21,9 +21,15 @@ namespace ElastoPlastic
     /// The part of the spectrum that the smoother damps. Elastic bodies need
     /// half of it; but where the body yields, it stiffly resists changes of
     /// volume only, and waves as short as a few cells have small eigenvalues.
-    constexpr double       smoothing_range         = 24.;
-    constexpr unsigned int smoother_degree         = 6;
+    constexpr double       smoothing_range = 24.;
+    constexpr unsigned int smoother_degree = 6;
+
+    /// The largest eigenvalues hardly change from one tangent to the next
+    /// (doc/performance.md, "Iterations"), and the estimates are raised by a
+    /// fifth anyway. They are made for the first two tangents on a mesh, of
+    /// which the first one often is elastic, and then for each one in so many.
     constexpr unsigned int n_eigenvalue_iterations = 8;
+    constexpr unsigned int n_tangents_per_estimate = 4;
   } // namespace
 
 
@@ -128,18 +134,28 @@ namespace ElastoPlastic
   void
   MultigridPreconditioner<dim>::prepare_smoother()
   {
+    const bool needs_estimates =
+      n_tangents < 2 || n_tangents % n_tangents_per_estimate == 0;
+    ++n_tangents;
     smoother.resize(0, hierarchy.max_level());
+    largest_eigenvalues.resize(hierarchy.max_level() + 1);
     for (unsigned int level = 1; level <= hierarchy.max_level(); ++level)
       {
         const LevelOperator<dim> &matrix = *hierarchy.operators()[level];
         typename Smoother::AdditionalData settings;
-        settings.degree              = smoother_degree;
-        settings.smoothing_range     = smoothing_range;
-        settings.eig_cg_n_iterations = n_eigenvalue_iterations;
+        settings.degree          = smoother_degree;
+        settings.smoothing_range = smoothing_range;
         settings.preconditioner =
           std::make_shared<DiagonalMatrix<LevelVector>>();
-        matrix.inverse_diagonal(settings.preconditioner->get_vector());
+        LevelVector &inverse_diagonal = settings.preconditioner->get_vector();
+        matrix.inverse_diagonal(inverse_diagonal);
+        settings.eig_cg_n_iterations =
+          needs_estimates ? n_eigenvalue_iterations : 0;
+        settings.max_eigenvalue = largest_eigenvalues[level];
         smoother[level].initialize(matrix, settings);
+        largest_eigenvalues[level] = smoother[level]
+                                       .estimate_eigenvalues(inverse_diagonal)
+                                       .max_eigenvalue_estimate;
       }
   }
 
