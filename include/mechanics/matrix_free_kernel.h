@@ -49,7 +49,6 @@ namespace ElastoPlastic
                                     dim,
                                     typename Tangents::value_type,
                                     Number>;
-    using CellRange  = std::pair<unsigned int, unsigned int>;
     using OfBatch    = typename Tangents::OfBatch;
 
     static constexpr unsigned int n_1d     = degree + 1;
@@ -86,6 +85,23 @@ namespace ElastoPlastic
     {
       return strain_model.treatment == VolumetricTreatment::b_bar;
     }
+
+    /// Reads the values of a batch of cells, eliminated ones and those of
+    /// other ranks included.
+    void
+    read(Evaluation &phi, const unsigned int batch, const Vector &vector) const;
+
+    /// Adds the dof values of @p phi.
+    void
+    add(Vector &forces, Evaluation &phi) const;
+
+    /// Makes nodal forces of @p vector: on each batch of cells, @p make_forces
+    /// does so with the dof values that it finds.
+    template <typename MakeForces>
+    void
+    integrate_cells(Vector           &forces,
+                    const Vector     &vector,
+                    const MakeForces &make_forces) const;
 
     using AtPoints = std::array<Number, n_points>;
 

@@ -14,43 +14,78 @@
 
 namespace ElastoPlastic
 {
-  // (The eliminated entries of increment are others for the time of the loop.)
   template <int degree, typename StrainMeasure, typename Base>
-  void
-  MatrixFreeKernel<degree, StrainMeasure, Base>::vmult(
-    Vector &forces, const Vector &increment, const Tangents &tangents) const
+  ELASTO_PLASTIC_ALWAYS_INLINE inline void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::read(
+    Evaluation &phi, const unsigned int batch, const Vector &vector) const
   {
-    Vector &source = const_cast<Vector &>(increment);
+    phi.reinit(batch);
+    if (nodal_access.covers(batch))
+      nodal_access.template read<n_points>(phi.begin_dof_values(),
+                                           vector.begin(),
+                                           batch);
+    else
+      phi.read_dof_values_plain(vector);
+  }
+
+
+
+  // (deal.II's function hands the forces to masters right away.)
+  template <int degree, typename StrainMeasure, typename Base>
+  ELASTO_PLASTIC_ALWAYS_INLINE inline void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::add(Vector     &forces,
+                                                     Evaluation &phi) const
+  {
+    const unsigned int batch = phi.get_current_cell_index();
+    if (nodal_access.covers(batch))
+      nodal_access.template add<n_points>(forces.begin(),
+                                          phi.begin_dof_values(),
+                                          batch);
+    else
+      phi.distribute_local_to_global(forces);
+  }
+
+
+
+  // (The eliminated entries of vector are others for the time of the loop.)
+  template <int degree, typename StrainMeasure, typename Base>
+  template <typename MakeForces>
+  void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::integrate_cells(
+    Vector &forces, const Vector &vector, const MakeForces &make_forces) const
+  {
+    Vector &source = const_cast<Vector &>(vector);
     source.update_ghost_values();
     eliminated.expand(source);
     forces = 0.;
     Evaluation phi(matrix_free);
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {
-        phi.reinit(batch);
-        const bool has_nodal_access = nodal_access.covers(batch);
-        if (has_nodal_access)
-          nodal_access.template read<n_points>(phi.begin_dof_values(),
-                                               source.begin(),
-                                               batch);
-        else
-          phi.read_dof_values(source);
-        if constexpr (keeps_cell_matrices)
-          multiply(&tangents.cell_matrices[batch * n_matrix_entries],
-                   phi.begin_dof_values());
-        else
-          apply_tangent(phi, tangents);
-        if (has_nodal_access)
-          nodal_access.template add<n_points>(forces.begin(),
-                                              phi.begin_dof_values(),
-                                              batch);
-        else
-          phi.distribute_local_to_global(forces);
+        read(phi, batch, source);
+        make_forces(phi);
+        add(forces, phi);
       }
     eliminated.condense(forces);
     forces.compress(VectorOperation::add);
     eliminated.restore(source);
     source.zero_out_ghost_values();
+  }
+
+
+
+  template <int degree, typename StrainMeasure, typename Base>
+  void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::vmult(
+    Vector &forces, const Vector &increment, const Tangents &tangents) const
+  {
+    integrate_cells(forces, increment, [&](Evaluation &phi) {
+      if constexpr (keeps_cell_matrices)
+        multiply(&tangents.cell_matrices[phi.get_current_cell_index() *
+                                         n_matrix_entries],
+                 phi.begin_dof_values());
+      else
+        apply_tangent(phi, tangents);
+    });
   }
 
 

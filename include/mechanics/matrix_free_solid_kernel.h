@@ -69,7 +69,6 @@ namespace ElastoPlastic
     using Base::matrix_free;
     using Base::n_points;
     using typename Base::AtPoints;
-    using typename Base::CellRange;
     using typename Base::Evaluation;
     using typename Base::OfBatch;
     using Deformations =
@@ -96,15 +95,13 @@ namespace ElastoPlastic
     Deformations
     deformations(Strains &strains, const Evaluation &phi) const;
 
-    /// Those of @p u in a batch of cells, with the strains and the stresses of
-    /// @p law. @p phi is for the evaluation, and is left at these cells.
+    /// Those of the dof values of @p phi, with the strains and the stresses of
+    /// @p law.
     Deformations
-    evaluate(Evaluation        &phi,
-             Strains           &strains,
-             Stresses          &stresses,
-             const unsigned int batch,
-             const Vector      &u,
-             const Law         &law) const;
+    evaluate(Evaluation &phi,
+             Strains    &strains,
+             Stresses   &stresses,
+             const Law  &law) const;
 
     /// Calls @p receive for all cell batches with the deformations of @p u, the
     /// strains and the stresses of @p law. @p phi is for the evaluation.
@@ -130,10 +127,9 @@ namespace ElastoPlastic
       field->update_ghost_values();
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {
-        phi.reinit(batch);
         for (unsigned int f = 0; f < fields.size(); ++f)
           {
-            phi.read_dof_values_plain(*fields[f]);
+            this->read(phi, batch, *fields[f]);
             phi.evaluate(StrainMeasure::flags());
             deformations(strains[f], phi);
           }
@@ -151,25 +147,15 @@ namespace ElastoPlastic
                                                           const Vector &u,
                                                           const Law &law) const
   {
-    matrix_free.template cell_loop<Vector, Vector>(
-      [&](const auto &, auto &dst, const auto &src, const CellRange &range) {
-        Evaluation phi(matrix_free);
-        Strains    strains;
-        Stresses   stresses;
-        for (unsigned int batch = range.first; batch < range.second; ++batch)
-          {
-            const auto deformation =
-              evaluate(phi, strains, stresses, batch, src, law);
-            for (unsigned int q = 0; q < n_points; ++q)
-              StrainMeasure::submit(
-                phi, StrainMeasure::conjugate(deformation[q], stresses[q]), q);
-            phi.integrate(StrainMeasure::flags());
-            phi.distribute_local_to_global(dst);
-          }
-      },
-      forces,
-      u,
-      /* zero_dst_vector = */ true);
+    Strains  strains;
+    Stresses stresses;
+    this->integrate_cells(forces, u, [&](Evaluation &phi) {
+      const auto deformation = evaluate(phi, strains, stresses, law);
+      for (unsigned int q = 0; q < n_points; ++q)
+        StrainMeasure::submit(
+          phi, StrainMeasure::conjugate(deformation[q], stresses[q]), q);
+      phi.integrate(StrainMeasure::flags());
+    });
   }
 
 
@@ -203,14 +189,13 @@ namespace ElastoPlastic
     w.update_ghost_values();
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {
-        direction.reinit(batch);
-        direction.read_dof_values_plain(w);
+        this->read(direction, batch, w);
         if (is_zero(direction))
           continue;
         direction.evaluate(StrainMeasure::flags());
-        const auto deformation =
-          evaluate(phi, strains, stresses, batch, u, law);
-        Number of_batch = 0.;
+        this->read(phi, batch, u);
+        const auto deformation = evaluate(phi, strains, stresses, law);
+        Number     of_batch    = 0.;
         for (unsigned int q = 0; q < n_points; ++q)
           of_batch += (StrainMeasure::conjugate(deformation[q], stresses[q]) *
                        StrainMeasure::increment_at(direction, q)) *
@@ -264,27 +249,18 @@ namespace ElastoPlastic
     const BlockVectorType    &vector,
     const PointTangents<dim> &tangents) const
   {
-    matrix_free.template cell_loop<Vector, Vector>(
-      [&](const auto &, auto &dst, const auto &src, const CellRange &range) {
-        Evaluation phi(matrix_free);
-        for (unsigned int batch = range.first; batch < range.second; ++batch)
-          {
-            const unsigned int first = batch * n_pressures() * Number::size();
-            phi.reinit(batch);
-            phi.read_dof_values(src);
-            this->apply_tangent(phi, tangents, [&](AtPoints &volumetric) {
-              mix(volumetric,
-                  result.block(1).begin() + first,
-                  vector.block(1).begin() + first,
-                  phi,
-                  tangents);
-            });
-            phi.distribute_local_to_global(dst);
-          }
-      },
-      result.block(0),
-      vector.block(0),
-      /* zero_dst_vector = */ true);
+    this->integrate_cells(
+      result.block(0), vector.block(0), [&](Evaluation &phi) {
+        const unsigned int first =
+          phi.get_current_cell_index() * n_pressures() * Number::size();
+        this->apply_tangent(phi, tangents, [&](AtPoints &volumetric) {
+          mix(volumetric,
+              result.block(1).begin() + first,
+              vector.block(1).begin() + first,
+              phi,
+              tangents);
+        });
+      });
   }
 
 
@@ -347,16 +323,12 @@ namespace ElastoPlastic
 
   template <int degree, typename StrainMeasure>
   auto
-  MatrixFreeSolidKernel<degree, StrainMeasure>::evaluate(
-    Evaluation        &phi,
-    Strains           &strains,
-    Stresses          &stresses,
-    const unsigned int batch,
-    const Vector      &u,
-    const Law         &law) const -> Deformations
+  MatrixFreeSolidKernel<degree, StrainMeasure>::evaluate(Evaluation &phi,
+                                                         Strains    &strains,
+                                                         Stresses   &stresses,
+                                                         const Law  &law) const
+    -> Deformations
   {
-    phi.reinit(batch);
-    phi.read_dof_values_plain(u);
     phi.evaluate(StrainMeasure::flags());
     const auto result = deformations(strains, phi);
     law(strains, stresses);
@@ -379,8 +351,8 @@ namespace ElastoPlastic
     u.update_ghost_values();
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {
-        const auto deformation =
-          evaluate(phi, strains, stresses, batch, u, law);
+        this->read(phi, batch, u);
+        const auto deformation = evaluate(phi, strains, stresses, law);
         receive(deformation, strains, stresses);
       }
     u.zero_out_ghost_values();

@@ -29,7 +29,7 @@ namespace ElastoPlastic
     /// fifth anyway. They are made for the first two tangents on a mesh, of
     /// which the first one often is elastic, and then for each one in so many.
     constexpr unsigned int n_eigenvalue_iterations = 8;
-    constexpr unsigned int n_tangents_per_estimate = 4;
+    constexpr unsigned int n_tangents_per_estimate = 8;
   } // namespace
 
 
