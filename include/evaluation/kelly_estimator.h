@@ -57,15 +57,17 @@ namespace ElastoPlastic
     };
     static constexpr int whole_face = -1;
 
-    /// What one side of a face needs: its cell's vertices and values of u_h,
-    /// all and node by node; at the quadrature points of the face, du_h/dn for
-    /// the cell's own outer normal, and what the point stands for in integrals.
+    /// What one side of a face needs: its cell's vertices, and whether the
+    /// Jacobian of the mapping is the same everywhere; the values of u_h, all
+    /// and node by node; at the quadrature points of the face, du_h/dn for the
+    /// cell's own outer normal, and what the point stands for in integrals.
     struct SideField
     {
       Cell                                                         cell;
       std::array<Point<dim>, GeometryInfo<dim>::vertices_per_cell> vertices;
-      dealii::Vector<double>                                       dof_values;
-      std::vector<Tensor<1, dim>>                                  values;
+      bool                        is_parallelepiped;
+      dealii::Vector<double>      dof_values;
+      std::vector<Tensor<1, dim>> values;
       std::vector<Tensor<1, dim>> normal_derivatives;
       std::vector<double>         areas;
     };

@@ -69,10 +69,14 @@ namespace ElastoPlastic
     void
     prepare_smoother();
 
-    /// Of tangents that it has been prepared for; and, level by level, what the
-    /// smoother takes for the largest eigenvalue.
-    unsigned int        n_tangents = 0;
-    std::vector<double> largest_eigenvalues;
+    /// What the smoother of a level takes for the largest eigenvalue, estimated
+    /// when the inverse diagonal was this one.
+    struct EigenvalueEstimate
+    {
+      std::shared_ptr<DiagonalMatrix<LevelVector>> inverse_diagonal;
+      double                                       largest;
+    };
+    std::vector<EigenvalueEstimate> estimates;
 
     const SolidOperator<dim> &solid;
     LevelHierarchy<dim>       hierarchy;

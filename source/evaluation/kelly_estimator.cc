@@ -11,6 +11,28 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    template <int dim, std::size_t n_vertices>
+    bool
+    is_parallelepiped(const std::array<Point<dim>, n_vertices> &vertices)
+    {
+      for (unsigned int v = 0; v < n_vertices; ++v)
+        {
+          Tensor<1, dim> deviation = vertices[v] - vertices[0];
+          for (unsigned int d = 0; d < dim; ++d)
+            if ((v >> d) % 2 == 1)
+              deviation -= vertices[1U << d] - vertices[0];
+          if (deviation.norm_square() >
+              1e-24 * (vertices[n_vertices - 1] - vertices[0]).norm_square())
+            return false;
+        }
+      return true;
+    }
+  } // namespace
+
+
+
   template <int dim>
   KellyEstimator<dim>::KellyEstimator(const FiniteElement<dim> &fe)
     : quadrature(fe.degree + 1)
@@ -114,6 +136,7 @@ namespace ElastoPlastic
     field.cell = cell;
     for (const unsigned int v : cell->vertex_indices())
       field.vertices[v] = cell->vertex(v);
+    field.is_parallelepiped = is_parallelepiped(field.vertices);
 
     field.dof_values.reinit(shape_functions.size(), true);
     cell->get_dof_values(ghosted_u, field.dof_values);
@@ -144,19 +167,24 @@ namespace ElastoPlastic
     const Tensor<1, dim> reference_normal =
       GeometryInfo<dim>::unit_normal_vector[side.face];
     const unsigned int begin = first_point(side);
+    Tensor<1, dim>     direction;
+    double             area = 0;
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       {
-        Tensor<2, dim> jacobian;
-        for (unsigned int v = 0; v < field.vertices.size(); ++v)
-          jacobian +=
-            outer_product(field.vertices[v], vertex_gradients[begin + q][v]);
-        const Tensor<2, dim> inverse   = invert(jacobian);
-        const Tensor<1, dim> normal    = reference_normal * inverse;
-        const double         length    = normal.norm();
-        const Tensor<1, dim> direction = inverse * (normal / length);
+        if (q == 0 || !field.is_parallelepiped)
+          {
+            Tensor<2, dim> jacobian;
+            for (unsigned int v = 0; v < field.vertices.size(); ++v)
+              jacobian += outer_product(field.vertices[v],
+                                        vertex_gradients[begin + q][v]);
+            const Tensor<2, dim> inverse = invert(jacobian);
+            const Tensor<1, dim> normal  = reference_normal * inverse;
+            const double         length  = normal.norm();
 
-        field.areas[q] =
-          std::abs(determinant(jacobian)) * length * quadrature.weight(q);
+            direction = inverse * (normal / length);
+            area      = std::abs(determinant(jacobian)) * length;
+          }
+        field.areas[q] = area * quadrature.weight(q);
         for (unsigned int i = 0; i < field.values.size(); ++i)
           field.normal_derivatives[q] +=
             (node_gradients[begin + q][i] * direction) * field.values[i];

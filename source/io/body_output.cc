@@ -138,8 +138,14 @@ namespace ElastoPlastic
     constexpr unsigned char vtk_quad = 9, vtk_hexahedron = 12;
     const unsigned int      n_subcells = Utilities::fixed_power<dim>(degree);
 
+    const std::size_t  n_points = n_cells * reference_points.size();
     AppendedVtu::Piece piece;
-    piece.fields.resize(vtu_fields().size());
+    piece.points.reserve(3 * n_points);
+    for (const AppendedVtu::Field &field : vtu_fields())
+      {
+        piece.fields.emplace_back();
+        piece.fields.back().reserve(field.n_components * n_points);
+      }
     piece.types.assign(n_cells * n_subcells,
                        dim == 2 ? vtk_quad : vtk_hexahedron);
     for (unsigned int cell = 0; cell < n_cells; ++cell)

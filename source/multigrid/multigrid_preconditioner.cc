@@ -21,15 +21,29 @@ namespace ElastoPlastic
     /// The part of the spectrum that the smoother damps. Elastic bodies need
     /// half of it; but where the body yields, it stiffly resists changes of
     /// volume only, and waves as short as a few cells have small eigenvalues.
-    constexpr double       smoothing_range = 24.;
-    constexpr unsigned int smoother_degree = 6;
-
-    /// The largest eigenvalues hardly change from one tangent to the next
-    /// (doc/performance.md, "Iterations"), and the estimates are raised by a
-    /// fifth anyway. They are made for the first two tangents on a mesh, of
-    /// which the first one often is elastic, and then for each one in so many.
+    constexpr double       smoothing_range         = 24.;
+    constexpr unsigned int smoother_degree         = 6;
     constexpr unsigned int n_eigenvalue_iterations = 8;
-    constexpr unsigned int n_tangents_per_estimate = 8;
+
+    /// An estimate of the largest eigenvalue holds for other tangents, too, as
+    /// long as no entry of the diagonal has changed by more than this part:
+    /// from one Newton step to the next, it changes by some per cent at most
+    /// (doc/performance.md, "Iterations"), and is raised by a fifth anyway.
+    constexpr float tolerated_change = 0.1f;
+
+
+
+    /// Of the entries of @p a against those of @p b. Collective.
+    float
+    largest_relative_change(const LevelVector &a, const LevelVector &b)
+    {
+      float largest = 0.f;
+      for (unsigned int i = 0; i < a.locally_owned_size(); ++i)
+        largest =
+          std::max(largest,
+                   std::abs(a.local_element(i) / b.local_element(i) - 1.f));
+      return Utilities::MPI::max(largest, a.get_mpi_communicator());
+    }
   } // namespace
 
 
@@ -134,11 +148,8 @@ namespace ElastoPlastic
   void
   MultigridPreconditioner<dim>::prepare_smoother()
   {
-    const bool needs_estimates =
-      n_tangents < 2 || n_tangents % n_tangents_per_estimate == 0;
-    ++n_tangents;
     smoother.resize(0, hierarchy.max_level());
-    largest_eigenvalues.resize(hierarchy.max_level() + 1);
+    estimates.resize(hierarchy.max_level() + 1);
     for (unsigned int level = 1; level <= hierarchy.max_level(); ++level)
       {
         const LevelOperator<dim> &matrix = *hierarchy.operators()[level];
@@ -147,15 +158,27 @@ namespace ElastoPlastic
         settings.smoothing_range = smoothing_range;
         settings.preconditioner =
           std::make_shared<DiagonalMatrix<LevelVector>>();
-        LevelVector &inverse_diagonal = settings.preconditioner->get_vector();
-        matrix.inverse_diagonal(inverse_diagonal);
-        settings.eig_cg_n_iterations =
-          needs_estimates ? n_eigenvalue_iterations : 0;
-        settings.max_eigenvalue = largest_eigenvalues[level];
-        smoother[level].initialize(matrix, settings);
-        largest_eigenvalues[level] = smoother[level]
-                                       .estimate_eigenvalues(inverse_diagonal)
-                                       .max_eigenvalue_estimate;
+        const LevelVector &inverse = settings.preconditioner->get_vector();
+        matrix.inverse_diagonal(settings.preconditioner->get_vector());
+
+        auto &[diagonal, largest_eigenvalue] = estimates[level];
+        if (diagonal &&
+            largest_relative_change(inverse, diagonal->get_vector()) <=
+              tolerated_change)
+          {
+            settings.eig_cg_n_iterations = 0;
+            settings.max_eigenvalue      = largest_eigenvalue;
+            smoother[level].initialize(matrix, settings);
+          }
+        else
+          {
+            settings.eig_cg_n_iterations = n_eigenvalue_iterations;
+            smoother[level].initialize(matrix, settings);
+            diagonal           = settings.preconditioner;
+            largest_eigenvalue = smoother[level]
+                                   .estimate_eigenvalues(inverse)
+                                   .max_eigenvalue_estimate;
+          }
       }
   }
 
