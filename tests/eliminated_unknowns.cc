@@ -55,7 +55,7 @@ namespace
     {
       Vector vector = field(0);
       vector.update_ghost_values();
-      EliminatedUnknowns<double> eliminated;
+      EliminatedUnknowns<dim, double> eliminated;
       eliminated.reinit(constraints, *vector.get_partitioner());
 
       Vector expected = vector;

@@ -108,7 +108,7 @@ public:
     level.inverse_diagonal(level_product);
     solid->diagonal(diagonal);
     for (double &value : diagonal)
-      value = 1. / value;
+      value = (value == 0. ? 1. : 1. / value);
     verify("  its diagonal", difference(diagonal, level_product), 1e-5);
   }
 

@@ -109,7 +109,7 @@ namespace ElastoPlastic
     const StrainModel                                      strain_model;
     MatrixFree<dim, typename Tangents::value_type, Number> matrix_free;
     NodalAccess<dim, Number>                               nodal_access;
-    EliminatedUnknowns<typename Tangents::value_type>      eliminated;
+    EliminatedUnknowns<dim, typename Tangents::value_type> eliminated;
     const AffineConstraints<double> *constraints = nullptr;
   };
 
