@@ -15,6 +15,7 @@
 #include "base/kinematics.h"
 #include "mechanics/eliminated_unknowns.h"
 #include "mechanics/nodal_access.h"
+#include "mechanics/point_tangents.h"
 #include "mechanics/tangents.h"
 
 namespace ElastoPlastic

@@ -62,10 +62,11 @@ namespace ElastoPlastic
     /// have to come from the memory.)
     static constexpr bool keeps_cell_matrices =
       Tangents::constant_on_cells && dim == 2 && degree == 1;
-    /// Others that are boxes are treated mode by mode.
-    static constexpr bool has_modes = Tangents::constant_on_cells &&
-                                      !keeps_cell_matrices &&
-                                      StrainMeasure::has_modes;
+    /// Others that are boxes, and whose tangents are constant, are treated mode
+    /// by mode.
+    static constexpr bool has_modes = StrainMeasure::has_modes &&
+                                      !StrainMeasure::has_nominal_tangents &&
+                                      !keeps_cell_matrices;
     /// Of a symmetric matrix, row by row from the diagonal on.
     static constexpr unsigned int n_matrix_entries = n_dofs * (n_dofs + 1) / 2;
 
@@ -121,7 +122,7 @@ namespace ElastoPlastic
     void
     apply_tangent(Evaluation &phi, const Tangents &tangents) const;
 
-    /// The same for cells that are boxes.
+    /// The same for boxes with constant tangents.
     void
     apply_tangent_by_modes(Evaluation &phi, const Tangents &tangents) const;
 

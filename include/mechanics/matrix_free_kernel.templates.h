@@ -147,7 +147,8 @@ namespace ElastoPlastic
     Evaluation &phi, const Tangents &tangents) const
   {
     if constexpr (has_modes)
-      if (phi.get_cell_type() == internal::MatrixFreeFunctions::cartesian)
+      if (phi.get_cell_type() == internal::MatrixFreeFunctions::cartesian &&
+          tangents.are_constant(phi.get_current_cell_index()))
         {
           apply_tangent_by_modes(phi, tangents);
           return;
@@ -165,8 +166,9 @@ namespace ElastoPlastic
   {
     if constexpr (has_modes)
       {
-        const OfBatch of_cells(tangents, phi.get_current_cell_index());
-        const auto    to_reference = phi.inverse_jacobian(0);
+        const typename Tangents::OfConstantBatch of_cells(
+          tangents, phi.get_current_cell_index());
+        const auto              to_reference = phi.inverse_jacobian(0);
         std::array<Number, dim> reciprocals;
         Number                  volume = 1.;
         for (unsigned int d = 0; d < dim; ++d)

@@ -20,7 +20,7 @@ from ..errors import UserError
 TABLE = re.compile(r"<!-- table: (?P<name>\w+) -->\n(?P<text>.*?)(?=^[ ]*<!-- end of table -->$)",
                    re.DOTALL | re.MULTILINE)
 NUMBER = re.compile(r"(?P<text>[^\s|(]+)(?P<mark><!-- (?P<name>\w+)\.(?P<key>\w+) -->)")
-DIGITS = re.compile(r"[-+]?\d[\d,]*(?:\.(?P<decimals>\d+))?(?:e(?P<exponent>[-+]?\d+))?")
+DIGITS = re.compile(r"[-+]?\d[\d,]*(?:\.(?P<decimals>\d+))?(?:e(?P<exponent>[-+]?\d+)\b)?")
 
 
 def names(text):
