@@ -58,6 +58,7 @@ public:
     supports.reinit(dof_handler, 0.);
     solid->reinit(dof_handler, supports.constraints());
     solid->initialize_vector(zero);
+    u = zero;
     solid->linearize(zero);
     held = zero;
     supports.set_fixed_entries(held, 1.);
@@ -67,7 +68,6 @@ public:
   void
   deform()
   {
-    VectorType u = zero;
     VectorTools::interpolate(
       dof_handler,
       VectorFunctionFromTensorFunction<dim>(LinearField(), 0, dim),
@@ -86,16 +86,19 @@ public:
     const LevelOperator<dim> &level =
       *hierarchy.operators()[hierarchy.max_level()];
 
-    VectorType  v = field(), product = zero, diagonal;
+    VectorType  v = field(), product = derivative_of_forces(v), diagonal;
     LevelVector level_v, level_product;
     level.initialize_vector(level_v);
     level.initialize_vector(level_product);
     level_v.copy_locally_owned_data_from(v);
     level.vmult(level_product, level_v);
-    solid->vmult(product, v);
     // (on constrained unknowns, the level operator is the identity)
     supports.constraints().set_zero(level_product);
     verify("  the finest level is the tangent",
+           difference(product, level_product),
+           1e-5);
+    solid->vmult(product, v);
+    verify("  the problem's product, too",
            difference(product, level_product),
            1e-5);
 
@@ -295,6 +298,21 @@ private:
     return vector;
   }
 
+  /// At u, in the direction @p v: at quadrature points, never mode by mode.
+  VectorType
+  derivative_of_forces(const VectorType &v) const
+  {
+    const double step  = 1e-5;
+    VectorType   there = u, forces = zero, derivative = zero;
+    there.add(step, v);
+    solid->internal_forces(derivative, there);
+    there.add(-2. * step, v);
+    solid->internal_forces(forces, there);
+    derivative -= forces;
+    derivative /= 2. * step;
+    return derivative;
+  }
+
   static double
   difference(const VectorType &expected, const LevelVector &found)
   {
@@ -310,7 +328,7 @@ private:
   DoFHandler<dim>                           dof_handler;
   Supports<dim>                             supports;
   std::unique_ptr<SolidOperator<dim>>       solid;
-  VectorType                                zero, held;
+  VectorType                                zero, u, held;
 };
 
 

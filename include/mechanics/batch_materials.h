@@ -8,6 +8,7 @@
 
 #include "material/material.h"
 #include "mechanics/cell_kernel.h"
+#include "mechanics/point_tangents.h"
 
 namespace ElastoPlastic
 {

@@ -7,7 +7,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <array>
-#include <type_traits>
 #include <utility>
 
 #include "base/inlining.h"

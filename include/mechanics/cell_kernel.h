@@ -15,7 +15,6 @@
 #include "base/kinematics.h"
 #include "mechanics/eliminated_unknowns.h"
 #include "mechanics/nodal_access.h"
-#include "mechanics/point_tangents.h"
 #include "mechanics/tangents.h"
 
 namespace ElastoPlastic
@@ -23,8 +22,8 @@ namespace ElastoPlastic
   using namespace dealii;
 
   /// What the finite element method does with the tangent of a body, on the
-  /// cells of one mesh, with one class of tangents (tangents.h). The weak form
-  /// is
+  /// cells of one mesh, with one class of tangents (tangents.h,
+  /// point_tangents.h). The weak form is
   ///   int s(u) : strain(v) + p(u) tr(v) dx,
   /// with the volumetric strain tr, point by point or, for B-bar, its mean.
   ///
@@ -32,8 +31,9 @@ namespace ElastoPlastic
   /// elements, which are fixed when it is made: what depends on them is
   /// virtual here, but nothing is within a loop.
   ///
-  /// Vectors passed in need no ghost values; displacements must satisfy the
-  /// constraints. Forces come out condensed, and zero at eliminated unknowns.
+  /// Vectors passed in need no ghost values, and have none afterwards;
+  /// displacements must satisfy the constraints. Forces come out condensed, and
+  /// zero at eliminated unknowns.
   template <int dim, typename TangentsType>
   class CellKernel
   {

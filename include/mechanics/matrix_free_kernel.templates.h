@@ -19,6 +19,9 @@ namespace ElastoPlastic
   MatrixFreeKernel<degree, StrainMeasure, Base>::read(
     Evaluation &phi, const unsigned int batch, const Vector &vector) const
   {
+    Assert(vector.partitioners_are_compatible(
+             *matrix_free.get_vector_partitioner()),
+           ExcInternalError());
     phi.reinit(batch);
     if (nodal_access.covers(batch))
       nodal_access.template read<n_points>(phi.begin_dof_values(),
@@ -36,6 +39,9 @@ namespace ElastoPlastic
   MatrixFreeKernel<degree, StrainMeasure, Base>::add(Vector     &forces,
                                                      Evaluation &phi) const
   {
+    Assert(forces.partitioners_are_compatible(
+             *matrix_free.get_vector_partitioner()),
+           ExcInternalError());
     const unsigned int batch = phi.get_current_cell_index();
     if (nodal_access.covers(batch))
       nodal_access.template add<n_points>(forces.begin(),

@@ -82,8 +82,6 @@ namespace ElastoPlastic
 
 
 
-  // (MatrixFreeTools::compute_matrix() of deal.II 9.4 takes the categories of
-  // cells for indices of finite elements.)
   template <int degree, typename StrainMeasure, typename Base>
   void
   MatrixFreeKernel<degree, StrainMeasure, Base>::add_matrix(

@@ -4,6 +4,8 @@
 #ifndef mechanics_matrix_free_solid_kernel_h
 #define mechanics_matrix_free_solid_kernel_h
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "base/inlining.h"
@@ -86,7 +88,7 @@ namespace ElastoPlastic
         const Evaluation         &phi,
         const PointTangents<dim> &tangents) const;
 
-    /// Whether the dof values of @p phi are.
+    /// Whether the dof values of @p phi are zero.
     static bool
     is_zero(const Evaluation &phi);
 
@@ -104,11 +106,10 @@ namespace ElastoPlastic
              const Law  &law) const;
 
     /// Calls @p receive for all cell batches with the deformations of @p u, the
-    /// strains and the stresses of @p law. @p phi is for the evaluation.
+    /// strains and the stresses of @p law.
     template <typename Receive>
     void
-    for_each_deformation(Evaluation    &phi,
-                         const Vector  &u,
+    for_each_deformation(const Vector  &u,
                          const Law     &law,
                          const Receive &receive) const;
   };
@@ -215,9 +216,8 @@ namespace ElastoPlastic
   MatrixFreeSolidKernel<degree, StrainMeasure>::linearize(
     PointTangents<dim> &tangents, const Vector &u, const Law &law) const
   {
-    Evaluation phi(matrix_free);
     for_each_deformation(
-      phi, u, law, [&](const auto &deformation, auto &strains, auto &stresses) {
+      u, law, [&](const auto &deformation, auto &strains, auto &stresses) {
         if constexpr (StrainMeasure::has_nominal_tangents)
           {
             const OfBatch of_cells(tangents, strains.batch);
@@ -310,9 +310,8 @@ namespace ElastoPlastic
     const Law                                                    &law,
     const std::function<void(const Strains &, const Stresses &)> &receive) const
   {
-    Evaluation phi(matrix_free);
     for_each_deformation(
-      phi, u, law, [&](const auto &deformation, auto &strains, auto &stresses) {
+      u, law, [&](const auto &deformation, auto &strains, auto &stresses) {
         for (unsigned int q = 0; q < n_points; ++q)
           stresses[q] = StrainMeasure::true_stress(deformation[q], stresses[q]);
         receive(strains, stresses);
@@ -341,13 +340,11 @@ namespace ElastoPlastic
   template <typename Receive>
   void
   MatrixFreeSolidKernel<degree, StrainMeasure>::for_each_deformation(
-    Evaluation    &phi,
-    const Vector  &u,
-    const Law     &law,
-    const Receive &receive) const
+    const Vector &u, const Law &law, const Receive &receive) const
   {
-    Strains  strains;
-    Stresses stresses;
+    Evaluation phi(matrix_free);
+    Strains    strains;
+    Stresses   stresses;
     u.update_ghost_values();
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {

@@ -7,6 +7,7 @@
 #include <deal.II/matrix_free/hanging_nodes_internal.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
+#include <utility>
 #include <vector>
 
 #include "base/inlining.h"

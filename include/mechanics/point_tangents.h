@@ -86,13 +86,10 @@ namespace ElastoPlastic
         const OpenTangent<Number> &tangent)
     {
       const unsigned int i = n_points * batch + point;
-      elastic[batch] =
-        (point == 0 || elastic[batch]) && !recovers &&
-        std::all_of(tangent.flow_length.begin(),
-                    tangent.flow_length.end(),
-                    [](const double length) { return length == 0.; });
       tangents.set(
         i, {tangent.shear, in_plane<dim>(tangent.normal), tangent.flow_length});
+      elastic[batch] = (point == 0 || elastic[batch]) && !recovers &&
+                       is_elastic_as(i, n_points * batch);
       if (recovers)
         recoveries.set(i, in_plane<dim>(tangent.recovery));
     }
@@ -232,6 +229,19 @@ namespace ElastoPlastic
       SymmetricTensor<2, dim, Number> normal;
       Number                          flow_length;
     };
+
+    /// Whether there is no flow at point @p i, and its shear modulus that of
+    /// @p other.
+    bool
+    is_elastic_as(const unsigned int i, const unsigned int other) const
+    {
+      const PointTangent a = tangents[i], b = tangents[other];
+      bool               result = true;
+      for (unsigned int lane = 0; lane < Number::size(); ++lane)
+        result =
+          result && a.flow_length[lane] == 0. && a.shear[lane] == b.shear[lane];
+      return result;
+    }
 
     ELASTO_PLASTIC_ALWAYS_INLINE inline DeviatoricTangent<dim, Number>
     without_recovery(const unsigned int i) const

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "mechanics/cell_kernel.h"
+#include "mechanics/point_tangents.h"
 #include "solver/tangent_operator.h"
 
 namespace ElastoPlastic

@@ -5,7 +5,6 @@
 #define mechanics_strain_measures_h
 
 #include "base/inlining.h"
-#include "mechanics/box_modes.h"
 #include "mechanics/coordinates.h"
 #include "mechanics/logarithmic_strain.h"
 #include "mechanics/point_response.h"

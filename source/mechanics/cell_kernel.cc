@@ -5,6 +5,7 @@
 #include <deal.II/fe/mapping_q1.h>
 
 #include "mechanics/cell_kernel.h"
+#include "mechanics/point_tangents.h"
 
 namespace ElastoPlastic
 {

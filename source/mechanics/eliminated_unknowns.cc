@@ -28,7 +28,7 @@ namespace ElastoPlastic
     unknowns.push_back(layout.global_to_local(line.index));
     for (const auto &[master, weight] : line.entries)
       {
-        Assert(is_local(master, layout), ExcInternalError());
+        AssertThrow(is_local(master, layout), ExcInternalError());
         AssertDimension(layout.global_to_local(master + n - 1),
                         layout.global_to_local(master) + n - 1);
         entries.push_back(

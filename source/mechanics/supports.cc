@@ -7,6 +7,7 @@
 
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
+#include "mechanics/roller_conditions.h"
 #include "mechanics/supports.h"
 
 namespace ElastoPlastic
@@ -63,70 +64,6 @@ namespace ElastoPlastic
       mask.set(component, true);
       return mask;
     }
-
-
-
-    /// The axis that all faces of a boundary are normal to, or dim.
-    template <int dim>
-    unsigned int
-    common_normal_axis(const DoFHandler<dim>   &dof_handler,
-                       const types::boundary_id boundary)
-    {
-      std::array<double, dim> largest_deviation;
-      largest_deviation.fill(0.);
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() &&
-                cell->face(f)->boundary_id() == boundary)
-              for (unsigned int d = 0; d < dim; ++d)
-                for (const unsigned int v : cell->face(f)->vertex_indices())
-                  largest_deviation[d] =
-                    std::max(largest_deviation[d],
-                             std::abs(cell->face(f)->vertex(v)[d] -
-                                      cell->face(f)->vertex(0)[d]) /
-                               cell->face(f)->diameter());
-      for (unsigned int d = 0; d < dim; ++d)
-        if (Utilities::MPI::max(largest_deviation[d],
-                                dof_handler.get_communicator()) < 1e-10)
-          return d;
-      return dim;
-    }
-
-
-
-    /// Adds the condition that @p line states to @p constraints, solved for the
-    /// degree of freedom with the largest coefficient of those that neither
-    /// another support nor @p hanging_nodes hold. Where there is none, the
-    /// other supports decide.
-    void
-    add_sliding_condition(
-      const AffineConstraints<double>::ConstraintLine &line,
-      const std::map<types::global_dof_index, double> &fixed_values,
-      const AffineConstraints<double>                 &hanging_nodes,
-      AffineConstraints<double>                       &constraints)
-    {
-      const double rounding_noise = 1e-10;
-      auto         terms          = line.entries; // sum of all terms = 0
-      terms.emplace_back(line.index, -1.);
-
-      std::pair<types::global_dof_index, double> solved_for(line.index, 0.);
-      for (const auto &[dof, coefficient] : terms)
-        if (std::abs(coefficient) > std::abs(solved_for.second) &&
-            fixed_values.count(dof) == 0 &&
-            !hanging_nodes.is_constrained(dof) &&
-            !constraints.is_constrained(dof))
-          solved_for = {dof, coefficient};
-      if (std::abs(solved_for.second) < rounding_noise)
-        return;
-
-      constraints.add_line(solved_for.first);
-      for (const auto &[dof, coefficient] : terms)
-        if (dof != solved_for.first)
-          constraints.add_entry(solved_for.first,
-                                dof,
-                                -coefficient / solved_for.second);
-    }
   } // namespace
 
 
@@ -157,6 +94,7 @@ namespace ElastoPlastic
     if (!skew_rollers.empty())
       add_skew_rollers(skew_rollers);
     drop_constrained_values();
+    time_of_values = time;
   }
 
 
@@ -167,11 +105,11 @@ namespace ElastoPlastic
   {
     if (time == time_of_values)
       return;
-    time_of_values = time;
     for (const auto &[dof, value] : prescribed_values(time))
       if (const auto fixed = fixed_values.find(dof);
           fixed != fixed_values.end() && fixed_at_zero.count(dof) == 0)
         fixed->second = value;
+    time_of_values = time;
   }
 
 
