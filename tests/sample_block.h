@@ -72,6 +72,7 @@ public:
       dof_handler,
       VectorFunctionFromTensorFunction<dim>(LinearField(), 0, dim),
       u);
+    solid->predict_flow(u, u);
     solid->linearize(u);
   }
 
