@@ -7,8 +7,9 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <array>
 #include <vector>
+
+#include "base/nodal_interpolation.h"
 
 namespace ElastoPlastic
 {
@@ -48,45 +49,9 @@ namespace ElastoPlastic
     condense(Vector &forces) const;
 
   private:
-    using Line = AffineConstraints<double>::ConstraintLine;
-
-    struct Entry
-    {
-      unsigned int master;
-      Number       weight;
-    };
-
-    /// Rows of the interpolation for n unknowns that follow each other, as do
-    /// their masters, with the same weights. Local indices, of the first one
-    /// each; row k has the entries from row_starts[k] to row_starts[k + 1].
-    template <int n>
-    struct Rows
-    {
-      std::vector<unsigned int>                  unknowns;
-      std::vector<unsigned int>                  row_starts = {0};
-      std::vector<Entry>                         entries;
-      mutable std::vector<std::array<Number, n>> remembered;
-
-      void
-      add(const Line &line, const Utilities::MPI::Partitioner &layout);
-
-      void
-      expand(Number *vector) const;
-
-      void
-      restore(Number *vector) const;
-
-      void
-      condense(Number *forces) const;
-    };
-
-    /// Whether the unknowns of @p line and those that follow it are those of a
-    /// node, all interpolated from the same nodes.
-    static bool
-    is_of_node(const Line *line, const Line *end);
-
-    Rows<dim> of_nodes;
-    Rows<1>   others;
+    /// Of local indices.
+    NodalInterpolation<dim, Number> interpolation;
+    mutable std::vector<Number>     remembered;
   };
 } // namespace ElastoPlastic
 

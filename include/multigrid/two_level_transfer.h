@@ -6,6 +6,7 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include "base/nodal_interpolation.h"
 #include "multigrid/level_operator.h"
 
 namespace ElastoPlastic
@@ -15,10 +16,11 @@ namespace ElastoPlastic
   /// transpose, and data of nodes and cells.
   ///
   /// The interpolation is stored as a sparse matrix in single precision, with
-  /// the constraints of the coarse level (hanging nodes, skew rollers) already
-  /// resolved and without rows for the eliminated unknowns of the fine
-  /// one: 3.4 entries per row for trilinear elements on a uniform mesh. The two
-  /// levels may be partitioned in different ways.
+  /// one row for all unknowns of a node, with the constraints of the coarse
+  /// level (hanging nodes, skew rollers) already resolved and without rows for
+  /// the eliminated unknowns of the fine one: 3.4 entries per row for trilinear
+  /// elements on a uniform mesh. The two levels may be partitioned in different
+  /// ways.
   ///
   /// (deal.II's MGTwoLevelTransfer finds out who needs what with a table of all
   /// cells that there would be if the mesh were uniformly fine. Local
@@ -53,20 +55,17 @@ namespace ElastoPlastic
     average_cells(LevelVector &coarse, const LevelVector &fine) const;
 
   private:
-    struct Entry
+    /// Of the fine unknowns from coarse_values, in local indices.
+    NodalInterpolation<dim, float> interpolation;
+
+    struct Parent
     {
-      unsigned int index; // in coarse_values
-      float        weight;
+      unsigned int index; // in coarse_cell_values
+      float        share;
     };
 
-    /// The rows of the interpolation matrix, with the fine unknowns they belong
-    /// to; row k has the entries from row_starts[k] to row_starts[k + 1].
-    std::vector<unsigned int> rows;
-    std::vector<unsigned int> row_starts;
-    std::vector<Entry>        entries;
-
     /// For each fine cell, the coarse one, and its share in that.
-    std::vector<Entry> parents;
+    std::vector<Parent> parents;
 
     /// Coarse entries, with the ghosts that the matrices need.
     mutable LevelVector coarse_values;

@@ -20,120 +20,28 @@ namespace ElastoPlastic
 
 
   template <int dim, typename Number>
-  template <int n>
-  void
-  EliminatedUnknowns<dim, Number>::Rows<n>::add(
-    const Line &line, const Utilities::MPI::Partitioner &layout)
-  {
-    unknowns.push_back(layout.global_to_local(line.index));
-    for (const auto &[master, weight] : line.entries)
-      {
-        AssertThrow(is_local(master, layout), ExcInternalError());
-        AssertDimension(layout.global_to_local(master + n - 1),
-                        layout.global_to_local(master) + n - 1);
-        entries.push_back(
-          {layout.global_to_local(master), static_cast<Number>(weight)});
-      }
-    row_starts.push_back(entries.size());
-    remembered.emplace_back();
-  }
-
-
-
-  template <int dim, typename Number>
-  template <int n>
-  void
-  EliminatedUnknowns<dim, Number>::Rows<n>::expand(Number *const vector) const
-  {
-    for (unsigned int k = 0; k < unknowns.size(); ++k)
-      {
-        std::array<Number, n> sums{};
-        for (unsigned int j = row_starts[k]; j < row_starts[k + 1]; ++j)
-          for (unsigned int c = 0; c < n; ++c)
-            sums[c] += entries[j].weight * vector[entries[j].master + c];
-        for (unsigned int c = 0; c < n; ++c)
-          remembered[k][c] = std::exchange(vector[unknowns[k] + c], sums[c]);
-      }
-  }
-
-
-
-  template <int dim, typename Number>
-  template <int n>
-  void
-  EliminatedUnknowns<dim, Number>::Rows<n>::restore(Number *const vector) const
-  {
-    for (unsigned int k = 0; k < unknowns.size(); ++k)
-      for (unsigned int c = 0; c < n; ++c)
-        vector[unknowns[k] + c] = remembered[k][c];
-  }
-
-
-
-  template <int dim, typename Number>
-  template <int n>
-  void
-  EliminatedUnknowns<dim, Number>::Rows<n>::condense(Number *const forces) const
-  {
-    for (unsigned int k = 0; k < unknowns.size(); ++k)
-      {
-        std::array<Number, n> of_unknowns;
-        for (unsigned int c = 0; c < n; ++c)
-          of_unknowns[c] = std::exchange(forces[unknowns[k] + c], Number(0.));
-        for (unsigned int j = row_starts[k]; j < row_starts[k + 1]; ++j)
-          for (unsigned int c = 0; c < n; ++c)
-            forces[entries[j].master + c] += entries[j].weight * of_unknowns[c];
-      }
-  }
-
-
-
-  template <int dim, typename Number>
-  bool
-  EliminatedUnknowns<dim, Number>::is_of_node(const Line *const line,
-                                              const Line *const end)
-  {
-    if (end - line < dim)
-      return false;
-    for (unsigned int c = 1; c < dim; ++c)
-      {
-        if (line[c].index != line->index + c ||
-            line[c].entries.size() != line->entries.size())
-          return false;
-        for (unsigned int j = 0; j < line->entries.size(); ++j)
-          if (line[c].entries[j].first != line->entries[j].first + c ||
-              line[c].entries[j].second != line->entries[j].second)
-            return false;
-      }
-    return true;
-  }
-
-
-
-  template <int dim, typename Number>
   void
   EliminatedUnknowns<dim, Number>::reinit(
     const AffineConstraints<double>   &constraints,
     const Utilities::MPI::Partitioner &layout)
   {
-    of_nodes         = {};
-    others           = {};
-    const auto lines = constraints.get_lines();
-    if (lines.empty())
-      return;
-    const Line *const end = &*lines.begin() + lines.size();
-    for (const Line *line = &*lines.begin(); line != end;)
-      {
-        const bool is_node = is_of_node(line, end);
-        if (is_local(line->index, layout))
-          {
-            if (is_node)
-              of_nodes.add(*line, layout);
-            else
-              others.add(*line, layout);
-          }
-        line += is_node ? dim : 1;
-      }
+    using Entry   = typename NodalInterpolation<dim, Number>::Entry;
+    interpolation = {};
+    std::vector<Entry> entries;
+    for (const auto &line : constraints.get_lines())
+      if (is_local(line.index, layout))
+        {
+          entries.clear();
+          for (const auto &[master, weight] : line.entries)
+            {
+              AssertThrow(is_local(master, layout), ExcInternalError());
+              entries.push_back(
+                {layout.global_to_local(master), static_cast<Number>(weight)});
+            }
+          interpolation.add(layout.global_to_local(line.index), entries);
+        }
+    interpolation.finish();
+    remembered.resize(interpolation.n_unknowns());
   }
 
 
@@ -142,8 +50,12 @@ namespace ElastoPlastic
   void
   EliminatedUnknowns<dim, Number>::expand(Vector &vector) const
   {
-    of_nodes.expand(vector.begin());
-    others.expand(vector.begin());
+    Number *const values = vector.begin();
+    auto          kept   = remembered.begin();
+    interpolation.interpolate(values,
+                              [&](const unsigned int i, const Number value) {
+                                *kept++ = std::exchange(values[i], value);
+                              });
   }
 
 
@@ -152,8 +64,10 @@ namespace ElastoPlastic
   void
   EliminatedUnknowns<dim, Number>::restore(Vector &vector) const
   {
-    of_nodes.restore(vector.begin());
-    others.restore(vector.begin());
+    Number *const values = vector.begin();
+    auto          kept   = remembered.begin();
+    interpolation.for_each_unknown(
+      [&](const unsigned int i) { values[i] = *kept++; });
   }
 
 
@@ -162,8 +76,10 @@ namespace ElastoPlastic
   void
   EliminatedUnknowns<dim, Number>::condense(Vector &forces) const
   {
-    of_nodes.condense(forces.begin());
-    others.condense(forces.begin());
+    Number *const values = forces.begin();
+    interpolation.add_transpose(values, [&](const unsigned int i) {
+      return std::exchange(values[i], Number(0.));
+    });
   }
 
 

@@ -39,16 +39,23 @@ namespace ElastoPlastic
                                 fine_constraints,
                                 coarse,
                                 coarse_constraints);
-    rows       = std::move(matching.rows);
-    row_starts = std::move(matching.row_starts);
 
     const MPI_Comm communicator = coarse.get_communicator();
     coarse_values =
       vector_for(coarse.locally_owned_dofs(), matching.entries, communicator);
-    entries.reserve(matching.entries.size());
-    for (const auto &[dof, weight] : matching.entries)
-      entries.push_back(
-        {coarse_values.get_partitioner()->global_to_local(dof), weight});
+    const auto &layout = *coarse_values.get_partitioner();
+    std::vector<typename NodalInterpolation<dim, float>::Entry> entries;
+    for (unsigned int k = 0; k < matching.rows.size(); ++k)
+      {
+        entries.clear();
+        for (unsigned int e = matching.row_starts[k];
+             e < matching.row_starts[k + 1];
+             ++e)
+          entries.push_back({layout.global_to_local(matching.entries[e].first),
+                             matching.entries[e].second});
+        interpolation.add(matching.rows[k], entries);
+      }
+    interpolation.finish();
 
     coarse_cell_values =
       vector_for(OwnedCells<dim>(coarse.get_triangulation()).global_indices(),
@@ -69,14 +76,11 @@ namespace ElastoPlastic
   {
     coarse_values.copy_locally_owned_data_from(coarse);
     coarse_values.update_ghost_values();
-    const float *const values = coarse_values.begin();
-    for (unsigned int k = 0; k < rows.size(); ++k)
-      {
-        float sum = 0.f;
-        for (unsigned int e = row_starts[k]; e < row_starts[k + 1]; ++e)
-          sum += entries[e].weight * values[entries[e].index];
-        fine.local_element(rows[k]) += sum;
-      }
+    float *const values = fine.begin();
+    interpolation.interpolate(coarse_values.begin(),
+                              [&](const unsigned int i, const float value) {
+                                values[i] += value;
+                              });
     coarse_values.zero_out_ghost_values();
   }
 
@@ -87,14 +91,12 @@ namespace ElastoPlastic
   TwoLevelTransfer<dim>::restrict_and_add(LevelVector       &coarse,
                                           const LevelVector &fine) const
   {
-    coarse_values       = 0.f;
-    float *const values = coarse_values.begin();
-    for (unsigned int k = 0; k < rows.size(); ++k)
-      {
-        const float value = fine.local_element(rows[k]);
-        for (unsigned int e = row_starts[k]; e < row_starts[k + 1]; ++e)
-          values[entries[e].index] += entries[e].weight * value;
-      }
+    coarse_values             = 0.f;
+    const float *const values = fine.begin();
+    interpolation.add_transpose(coarse_values.begin(),
+                                [&](const unsigned int i) {
+                                  return values[i];
+                                });
     coarse_values.compress(VectorOperation::add);
     for (unsigned int i = 0; i < coarse.locally_owned_size(); ++i)
       coarse.local_element(i) += coarse_values.local_element(i);
@@ -110,11 +112,10 @@ namespace ElastoPlastic
                                 const LevelVector &fine) const
   {
     coarse_values = 0.f;
-    for (unsigned int k = 0; k < rows.size(); ++k)
-      if (row_starts[k + 1] == row_starts[k] + 1 &&
-          entries[row_starts[k]].weight > 1.f - 1e-6f)
-        coarse_values.local_element(entries[row_starts[k]].index) =
-          fine.local_element(rows[k]);
+    interpolation.for_each_copy(
+      [&](const unsigned int i, const unsigned int j) {
+        coarse_values.local_element(j) = fine.local_element(i);
+      });
     coarse_values.compress(VectorOperation::add);
     coarse.copy_locally_owned_data_from(coarse_values);
   }
@@ -129,7 +130,7 @@ namespace ElastoPlastic
     coarse_cell_values = 0.f;
     for (unsigned int cell = 0; cell < parents.size(); ++cell)
       coarse_cell_values.local_element(parents[cell].index) +=
-        parents[cell].weight * fine.local_element(cell);
+        parents[cell].share * fine.local_element(cell);
     coarse_cell_values.compress(VectorOperation::add);
     coarse = coarse_cell_values;
   }
