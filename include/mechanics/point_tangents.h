@@ -4,9 +4,11 @@
 #ifndef mechanics_point_tangents_h
 #define mechanics_point_tangents_h
 
-#include <algorithm>
+#include <deal.II/base/aligned_vector.h>
+
 #include <vector>
 
+#include "base/inlining.h"
 #include "base/single_precision_storage.h"
 #include "base/tensors.h"
 #include "mechanics/tangents.h"
@@ -16,7 +18,7 @@ namespace ElastoPlastic
   /// The tangents of the problem: at all quadrature points of all cell batches,
   /// rounded to single precision. The flow directions are those of the
   /// prediction (doc/theory.md, "Newton's method for plasticity"). If the
-  /// strains are finite, the products take what CellKernel::linearize() makes
+  /// strains are finite, the products take what SolidKernel::linearize() makes
   /// of them, the nominal tangents.
   template <int dim>
   class PointTangents
@@ -146,7 +148,8 @@ namespace ElastoPlastic
     }
 
     /// Whether the tangents of a batch of cells are the same at all points of a
-    /// cell: there is no flow.
+    /// cell, because there is no flow. (Where back stresses recover, always
+    /// no.)
     bool
     are_constant(const unsigned int batch) const
     {

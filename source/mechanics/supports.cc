@@ -80,8 +80,7 @@ namespace ElastoPlastic
   Supports<dim>::reinit(const DoFHandler<dim> &new_dof_handler,
                         const double           time)
   {
-    dof_handler    = &new_dof_handler;
-    time_of_values = time;
+    dof_handler = &new_dof_handler;
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(*dof_handler, relevant);
     hanging.reinit(relevant);
