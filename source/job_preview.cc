@@ -57,8 +57,8 @@ namespace ElastoPlastic
     cost_per_unknown(const unsigned int dim, const unsigned int degree)
     {
       if (dim == 2)
-        return degree == 1 ? CostPerUnknown{1., 50.} : CostPerUnknown{0.6, 40.};
-      return degree == 1 ? CostPerUnknown{1., 75.} : CostPerUnknown{0.6, 55.};
+        return degree == 1 ? CostPerUnknown{1., 10.} : CostPerUnknown{0.6, 12.};
+      return degree == 1 ? CostPerUnknown{1., 25.} : CostPerUnknown{0.6, 18.};
     }
 
     /// The basis of nearly incompressible bodies' linear solver: for each step,

@@ -36,8 +36,10 @@ namespace
         coarse.check_mixed_form();
         const Block<dim> fine(
           1, strain_model, true, n_refinements, poisson_ratio);
-        verify("  in at most 60 iterations",
-               coarse.n_iterations() <= 60 && fine.n_iterations() <= 60);
+        verify("  in at most 30 iterations",
+               coarse.n_iterations() <= 30 && fine.n_iterations() <= 30);
+        verify("  the pressures alone in at most 10",
+               coarse.n_pressure_iterations() <= 10);
       }
   }
 } // namespace

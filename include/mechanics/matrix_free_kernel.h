@@ -96,6 +96,16 @@ namespace ElastoPlastic
     void
     add(Vector &forces, Evaluation &phi) const;
 
+    /// Calls @p use with @p vector, eliminated entries and those of other ranks
+    /// included.
+    template <typename Use>
+    void
+    with_eliminated(const Vector &vector, const Use &use) const;
+
+    /// Hands the forces that cells have added to masters and other ranks.
+    void
+    collect(Vector &forces) const;
+
     /// Makes nodal forces of @p vector: on each batch of cells, @p make_forces
     /// does so with the dof values that it finds.
     template <typename MakeForces>

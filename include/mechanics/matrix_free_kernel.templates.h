@@ -53,28 +53,51 @@ namespace ElastoPlastic
 
 
 
-  // (The eliminated entries of vector are others for the time of the loop.)
+  // (The eliminated entries of vector are others for this time.)
+  template <int degree, typename StrainMeasure, typename Base>
+  template <typename Use>
+  void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::with_eliminated(
+    const Vector &vector, const Use &use) const
+  {
+    Vector &complete = const_cast<Vector &>(vector);
+    complete.update_ghost_values();
+    eliminated.expand(complete);
+    use(vector);
+    eliminated.restore(complete);
+    complete.zero_out_ghost_values();
+  }
+
+
+
+  template <int degree, typename StrainMeasure, typename Base>
+  void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::collect(Vector &forces) const
+  {
+    eliminated.condense(forces);
+    forces.compress(VectorOperation::add);
+  }
+
+
+
   template <int degree, typename StrainMeasure, typename Base>
   template <typename MakeForces>
   void
   MatrixFreeKernel<degree, StrainMeasure, Base>::integrate_cells(
     Vector &forces, const Vector &vector, const MakeForces &make_forces) const
   {
-    Vector &source = const_cast<Vector &>(vector);
-    source.update_ghost_values();
-    eliminated.expand(source);
-    forces = 0.;
     Evaluation phi(matrix_free);
-    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
-      {
-        read(phi, batch, source);
-        make_forces(phi);
-        add(forces, phi);
-      }
-    eliminated.condense(forces);
-    forces.compress(VectorOperation::add);
-    eliminated.restore(source);
-    source.zero_out_ghost_values();
+    forces = 0.;
+    with_eliminated(vector, [&](const Vector &complete) {
+      for (unsigned int batch = 0; batch < matrix_free.n_cell_batches();
+           ++batch)
+        {
+          read(phi, batch, complete);
+          make_forces(phi);
+          add(forces, phi);
+        }
+    });
+    collect(forces);
   }
 
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/inlining.h"
 #include "mechanics/matrix_free_kernel.templates.h"
@@ -25,6 +24,7 @@ namespace ElastoPlastic
     using Base =
       MatrixFreeKernel<degree, StrainMeasure, SolidKernel<StrainMeasure::dim>>;
     using Base::dim;
+    using typename Base::CellRows;
     using typename Base::Law;
     using typename Base::Number;
     using typename Base::Strains;
@@ -56,9 +56,32 @@ namespace ElastoPlastic
     }
 
     void
+    initialize_pressures(Vector &pressures) const override;
+
+    void
     mixed_vmult(BlockVectorType          &result,
                 const BlockVectorType    &vector,
                 const PointTangents<dim> &tangents) const override;
+
+    unsigned int
+    n_cell_dofs() const override
+    {
+      return Base::n_dofs;
+    }
+
+    void
+    pressure_rows(CellRows                 &rows,
+                  const PointTangents<dim> &tangents) const override;
+
+    void
+    multiply_rows(Vector         &pressures,
+                  const CellRows &rows,
+                  const Vector   &u) const override;
+
+    void
+    multiply_transposed_rows(Vector         &forces,
+                             const CellRows &rows,
+                             const Vector   &pressures) const override;
 
     void
     for_each_true_stress(
@@ -244,67 +267,6 @@ namespace ElastoPlastic
 
   template <int degree, typename StrainMeasure>
   void
-  MatrixFreeSolidKernel<degree, StrainMeasure>::mixed_vmult(
-    BlockVectorType          &result,
-    const BlockVectorType    &vector,
-    const PointTangents<dim> &tangents) const
-  {
-    this->integrate_cells(
-      result.block(0), vector.block(0), [&](Evaluation &phi) {
-        const unsigned int first =
-          phi.get_current_cell_index() * n_pressures() * Number::size();
-        this->apply_tangent(phi, tangents, [&](AtPoints &volumetric) {
-          mix(volumetric,
-              result.block(1).begin() + first,
-              vector.block(1).begin() + first,
-              phi,
-              tangents);
-        });
-      });
-  }
-
-
-
-  // (Nothing is written for lanes without a cell: their volume may be zero.)
-  template <int degree, typename StrainMeasure>
-  ELASTO_PLASTIC_ALWAYS_INLINE inline void
-  MatrixFreeSolidKernel<degree, StrainMeasure>::mix(
-    AtPoints                 &volumetric,
-    double                   *dilatation,
-    const double             *pressures,
-    const Evaluation         &phi,
-    const PointTangents<dim> &tangents) const
-  {
-    const unsigned int batch    = phi.get_current_cell_index();
-    const unsigned int n_cells  = this->n_cells(batch);
-    const Number       bulk     = OfBatch(tangents, batch).bulk_modulus;
-    const Number       moderate = tangents.moderate_bulk_modulus(batch);
-
-    AtPoints volume;
-    for (unsigned int q = 0; q < n_points; ++q)
-      volume[q] = StrainMeasure::volume_at(phi, q);
-    if (this->is_b_bar())
-      volume[0] = std::accumulate(volume.begin() + 1, volume.end(), volume[0]);
-
-    for (unsigned int k = 0; k < n_pressures(); ++k)
-      {
-        Number pressure;
-        pressure.load(pressures + k * Number::size());
-        const Number excess     = std::sqrt((bulk - moderate) * volume[k]);
-        const Number difference = excess * volumetric[k] - pressure;
-        for (unsigned int lane = 0; lane < n_cells; ++lane)
-          dilatation[k * Number::size() + lane] = difference[lane];
-        volumetric[k] =
-          (moderate * volumetric[k] + excess / volume[k] * pressure) / bulk;
-      }
-    if (this->is_b_bar())
-      volumetric.fill(volumetric[0]);
-  }
-
-
-
-  template <int degree, typename StrainMeasure>
-  void
   MatrixFreeSolidKernel<degree, StrainMeasure>::for_each_true_stress(
     const Vector                                                 &u,
     const Law                                                    &law,
@@ -378,5 +340,7 @@ namespace ElastoPlastic
     return result;
   }
 } // namespace ElastoPlastic
+
+#include "mechanics/matrix_free_solid_kernel_mixed.templates.h"
 
 #endif

@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 
+#include "base/single_precision_storage.h"
 #include "mechanics/cell_kernel.h"
 #include "mechanics/point_tangents.h"
 #include "solver/tangent_operator.h"
@@ -87,13 +88,41 @@ namespace ElastoPlastic
     virtual unsigned int
     n_pressures() const = 0;
 
-    /// The product of the mixed form of the tangent (TangentOperator) with a
-    /// vector of displacements and pressures. These belong to this rank's cell
+    /// Makes a vector of all pressures. These belong to this rank's cell
     /// batches, one pressure after the other, each for all lanes.
+    virtual void
+    initialize_pressures(Vector &pressures) const = 0;
+
+    /// The product of the mixed form of the tangent (TangentOperator) with a
+    /// vector of displacements and pressures.
     virtual void
     mixed_vmult(BlockVectorType          &result,
                 const BlockVectorType    &vector,
                 const PointTangents<dim> &tangents) const = 0;
+
+    /// The number of unknowns of a cell.
+    virtual unsigned int
+    n_cell_dofs() const = 0;
+
+    /// For each cell a vector of so many entries, batch by batch.
+    using CellRows = SinglePrecisionStorage<Number>;
+
+    /// If there is one pressure for each cell, its row of D in the mixed form
+    /// (TangentOperator), for the unknowns of the cell.
+    virtual void
+    pressure_rows(CellRows &rows, const PointTangents<dim> &tangents) const = 0;
+
+    /// The products of the cells' @p rows with @p u, one for each cell; and the
+    /// transpose, the @p forces of such @p pressures.
+    virtual void
+    multiply_rows(Vector         &pressures,
+                  const CellRows &rows,
+                  const Vector   &u) const = 0;
+
+    virtual void
+    multiply_transposed_rows(Vector         &forces,
+                             const CellRows &rows,
+                             const Vector   &pressures) const = 0;
 
     /// Calls @p receive for all cell batches with the strains of @p u and the
     /// true stresses that belong to those of @p law.

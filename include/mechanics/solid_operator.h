@@ -152,8 +152,8 @@ namespace ElastoPlastic
     mixed_vmult(BlockVectorType       &result,
                 const BlockVectorType &vector) const override;
 
-    void
-    precondition_pressures(VectorType &pressures) const override;
+    std::unique_ptr<const PressurePreconditioner>
+    make_pressure_preconditioner(const VectorType &held) const override;
 
     /// The diagonal of the stored tangent, see CellKernel.
     void

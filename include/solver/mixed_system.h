@@ -41,14 +41,15 @@ namespace ElastoPlastic
     vmult_moderate(VectorType &forces, const VectorType &increment) const;
 
     /// Solves approximately with the mixed form, as by elimination of the
-    /// displacements: with @p solve_moderate for A, and for what is left of the
-    /// pressures with a diagonal (TangentOperator::precondition_pressures()).
+    /// displacements: with @p solve_moderate for A, and with @p
+    /// solve_pressures for what is left of the pressures.
     void
     precondition(
       BlockVectorType       &result,
       const BlockVectorType &vector,
       const std::function<void(VectorType &result, const VectorType &forces)>
-        &solve_moderate) const;
+                                   &solve_moderate,
+      const PressurePreconditioner &solve_pressures) const;
 
   private:
     const TangentOperator &tangent;

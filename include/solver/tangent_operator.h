@@ -9,6 +9,8 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <memory>
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -16,6 +18,20 @@ namespace ElastoPlastic
   using VectorType = LinearAlgebra::distributed::Vector<double>;
 
   using BlockVectorType = LinearAlgebra::distributed::BlockVector<double>;
+
+  /// Solves approximately with the Schur complement 1 + D A^-1 D^T of the mixed
+  /// form of a tangent, see TangentOperator.
+  class PressurePreconditioner
+  {
+  public:
+    virtual ~PressurePreconditioner() = default;
+
+    /// Collective. Not quite linear: it may iterate.
+    virtual void
+    vmult(VectorType &result, const VectorType &pressures) const = 0;
+  };
+
+
 
   /// A stored tangent, as the linear solvers want to see it: all unknowns are
   /// free, but for eliminated ones (hanging nodes, skew rollers).
@@ -58,10 +74,10 @@ namespace ElastoPlastic
     mixed_vmult(BlockVectorType       &result,
                 const BlockVectorType &vector) const = 0;
 
-    /// Multiplies @p pressures by an approximation of (1 + D A^-1 D^T)^-1,
-    /// which is diagonal.
-    virtual void
-    precondition_pressures(VectorType &pressures) const = 0;
+    /// For the tangent that is stored now, with displacements held where @p
+    /// held is not 0. It must not outlive this object. Collective.
+    virtual std::unique_ptr<const PressurePreconditioner>
+    make_pressure_preconditioner(const VectorType &held) const = 0;
 
     /// Adds the tangent to @p matrix, condensed with @p all_constraints, which
     /// contain at least its own. Collective.

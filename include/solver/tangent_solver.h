@@ -134,6 +134,8 @@ namespace ElastoPlastic
 
     std::vector<Method>::const_iterator    method;
     std::unique_ptr<TangentPreconditioner> preconditioner;
+    /// Of the mixed form.
+    std::unique_ptr<const PressurePreconditioner> pressure_preconditioner;
 
     ReducedUnknowns unknowns;
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "mechanics/pressure_model.h"
 #include "mechanics/solid_operator.h"
 
 namespace ElastoPlastic
@@ -60,11 +61,7 @@ namespace ElastoPlastic
   {
     vector.reinit(2);
     initialize_vector(vector.block(0));
-    const types::global_dof_index n_local =
-      kernel->n_batches() * kernel->n_pressures() * Number::size();
-    vector.block(1).reinit(n_local,
-                           types::global_dof_index(0),
-                           vector.block(0).get_mpi_communicator());
+    kernel->initialize_pressures(vector.block(1));
     vector.collect_sizes();
   }
 
@@ -80,27 +77,20 @@ namespace ElastoPlastic
 
 
 
-  // Longitudinal waves have the modulus K + 4/3 G, and so D A^-1 D^T is about
-  // the quotient of what K exceeds that of A by, and this modulus of A.
   template <int dim>
-  void
-  SolidOperator<dim>::precondition_pressures(VectorType &pressures) const
+  std::unique_ptr<const PressurePreconditioner>
+  SolidOperator<dim>::make_pressure_preconditioner(const VectorType &held) const
   {
-    double *values = pressures.begin();
-    for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
-      {
-        const Number shear  = (4. / 3.) * shear_modulus(batch);
-        const Number factor = (tangents.moderate_bulk_modulus(batch) + shear) /
-                              (materials[batch].bulk_modulus + shear);
-        for (unsigned int k = 0; k < kernel->n_pressures();
-             ++k, values += Number::size())
-          {
-            Number pressure;
-            pressure.load(values);
-            pressure *= factor;
-            pressure.store(values);
-          }
-      }
+    std::vector<typename PressureModel<dim>::Moduli> moduli(
+      kernel->n_batches());
+    for (unsigned int batch = 0; batch < moduli.size(); ++batch)
+      moduli[batch] = {materials[batch].bulk_modulus,
+                       tangents.moderate_bulk_modulus(batch),
+                       shear_modulus(batch)};
+    return std::make_unique<PressureModel<dim>>(*kernel,
+                                                tangents,
+                                                moduli,
+                                                held);
   }
 
 

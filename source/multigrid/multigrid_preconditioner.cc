@@ -23,9 +23,13 @@ namespace ElastoPlastic
     /// The part of the spectrum that the smoother damps. Elastic bodies need
     /// half of it; but where the body yields, it stiffly resists changes of
     /// volume only, and waves as short as a few cells have small eigenvalues.
-    constexpr double       smoothing_range         = 24.;
-    constexpr unsigned int smoother_degree         = 6;
-    constexpr unsigned int n_eigenvalue_iterations = 8;
+    constexpr double       smoothing_range = 24.;
+    constexpr unsigned int smoother_degree = 6;
+    /// Of a nearly incompressible body (of the mixed form, A), this is all of
+    /// the body.
+    constexpr double       smoothing_range_of_mixed_form = 60.;
+    constexpr unsigned int smoother_degree_of_mixed_form = 9;
+    constexpr unsigned int n_eigenvalue_iterations       = 8;
 
     /// An estimate of the largest eigenvalue holds for other tangents, too, as
     /// long as no entry of the diagonal's inverse has changed by more than this
@@ -158,8 +162,12 @@ namespace ElastoPlastic
       {
         const LevelOperator<dim> &matrix = *hierarchy.operators()[level];
         typename Smoother::AdditionalData settings;
-        settings.degree          = smoother_degree;
-        settings.smoothing_range = smoothing_range;
+        settings.degree          = solid.is_nearly_incompressible() ?
+                                     smoother_degree_of_mixed_form :
+                                     smoother_degree;
+        settings.smoothing_range = solid.is_nearly_incompressible() ?
+                                     smoothing_range_of_mixed_form :
+                                     smoothing_range;
         settings.preconditioner =
           std::make_shared<DiagonalMatrix<LevelVector>>();
         const LevelVector &inverse = settings.preconditioner->get_vector();

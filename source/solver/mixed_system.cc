@@ -94,14 +94,14 @@ namespace ElastoPlastic
     BlockVectorType       &result,
     const BlockVectorType &vector,
     const std::function<void(VectorType &result, const VectorType &forces)>
-      &solve_moderate) const
+                                 &solve_moderate,
+    const PressurePreconditioner &solve_pressures) const
   {
     solve_moderate(result.block(0), vector.block(0));
     result.block(1) = 0.;
     vmult(product, result);
-    result.block(1) = product.block(1);
-    result.block(1) -= vector.block(1);
-    result.block(1) *= 1. / (pressure_unit * pressure_unit);
-    tangent.precondition_pressures(result.block(1));
+    product.block(1) -= vector.block(1);
+    product.block(1) *= 1. / (pressure_unit * pressure_unit);
+    solve_pressures.vmult(result.block(1), product.block(1));
   }
 } // namespace ElastoPlastic

@@ -29,9 +29,9 @@ namespace ElastoPlastic
       "Loosest linear reduction",
       loosest_linear_reduction,
       "Newton's method chooses how accurately each linear system is solved; at "
-      "least its residual falls by this factor. A small number, such as 1e-8, "
-      "makes all solves accurate, to compare linear solvers. Between 1e-12 and "
-      "0.5. No unit.",
+      "least its residual falls by this factor (for nearly incompressible "
+      "bodies, by 1e-4). A small number, such as 1e-8, makes all solves "
+      "accurate, to compare linear solvers. Between 1e-12 and 0.5. No unit.",
       Patterns::Double());
     prm.leave_subsection();
   }

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+
 #include "solver/krylov_methods.h"
 #include "solver/tangent_solver.h"
 
@@ -11,6 +13,11 @@ namespace ElastoPlastic
     /// The mixed form needs more steps than a definite system, and restarts
     /// cost it more.
     constexpr unsigned int n_basis_vectors_of_mixed_form = 100;
+
+    /// Forces that change the volume are so large that what has been left of
+    /// them by a mere hundredth would exceed those that change the shape, and
+    /// the contact would follow them.
+    constexpr double loosest_reduction_of_mixed_form = 1e-4;
   } // namespace
 
 
@@ -129,6 +136,9 @@ namespace ElastoPlastic
       try
         {
           preconditioner->prepare(held);
+          if (is_mixed())
+            pressure_preconditioner =
+              tangent.make_pressure_preconditioner(held.constrained);
           return;
         }
       catch (const ConvergenceError &)
@@ -232,15 +242,18 @@ namespace ElastoPlastic
     {
       const MixedSystem            &system;
       const DeflatedPreconditioner &deflated;
+      const PressurePreconditioner &solve_pressures;
 
       void
       vmult(BlockVectorType &result, const BlockVectorType &vector) const
       {
-        system.precondition(result,
-                            vector,
-                            [&](VectorType &u, const VectorType &forces) {
-                              deflated.vmult(u, forces);
-                            });
+        system.precondition(
+          result,
+          vector,
+          [&](VectorType &u, const VectorType &forces) {
+            deflated.vmult(u, forces);
+          },
+          solve_pressures);
       }
     };
 
@@ -249,15 +262,17 @@ namespace ElastoPlastic
     BlockVectorType mixed_solution, mixed_rhs;
     system.initialize_vector(mixed_solution);
     system.initialize_vector(mixed_rhs);
-    mixed_rhs.block(0)   = rhs;
-    const unsigned int n = flexible_gmres(system,
-                                          mixed_solution,
-                                          mixed_rhs,
-                                          Preconditioner{system, deflated},
-                                          reduction / std::sqrt(2.),
-                                          method->maximum_iterations,
-                                          n_basis_vectors_of_mixed_form);
-    solution             = mixed_solution.block(0);
+    mixed_rhs.block(0) = rhs;
+    const unsigned int n =
+      flexible_gmres(system,
+                     mixed_solution,
+                     mixed_rhs,
+                     Preconditioner{system, deflated, *pressure_preconditioner},
+                     std::min(reduction, loosest_reduction_of_mixed_form) /
+                       std::sqrt(2.),
+                     method->maximum_iterations,
+                     n_basis_vectors_of_mixed_form);
+    solution = mixed_solution.block(0);
     return n;
   }
 

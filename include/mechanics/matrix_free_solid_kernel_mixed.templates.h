@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mechanics_matrix_free_solid_kernel_mixed_templates_h
+#define mechanics_matrix_free_solid_kernel_mixed_templates_h
+
+// The part of MatrixFreeSolidKernel that is for the mixed form; see
+// matrix_free_solid_kernel.h.
+
+#include <numeric>
+
+#include "base/inlining.h"
+#include "mechanics/matrix_free_solid_kernel.h"
+
+namespace ElastoPlastic
+{
+  template <int degree, typename StrainMeasure>
+  void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::initialize_pressures(
+    Vector &pressures) const
+  {
+    const types::global_dof_index n_local =
+      matrix_free.n_cell_batches() * n_pressures() * Number::size();
+    pressures.reinit(
+      n_local,
+      types::global_dof_index(0),
+      matrix_free.get_vector_partitioner()->get_mpi_communicator());
+  }
+
+
+
+  template <int degree, typename StrainMeasure>
+  void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::mixed_vmult(
+    BlockVectorType          &result,
+    const BlockVectorType    &vector,
+    const PointTangents<dim> &tangents) const
+  {
+    this->integrate_cells(
+      result.block(0), vector.block(0), [&](Evaluation &phi) {
+        const unsigned int first =
+          phi.get_current_cell_index() * n_pressures() * Number::size();
+        this->apply_tangent(phi, tangents, [&](AtPoints &volumetric) {
+          mix(volumetric,
+              result.block(1).begin() + first,
+              vector.block(1).begin() + first,
+              phi,
+              tangents);
+        });
+      });
+  }
+
+
+
+  // (Nothing is written for lanes without a cell: their volume may be zero.)
+  template <int degree, typename StrainMeasure>
+  ELASTO_PLASTIC_ALWAYS_INLINE inline void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::mix(
+    AtPoints                 &volumetric,
+    double                   *dilatation,
+    const double             *pressures,
+    const Evaluation         &phi,
+    const PointTangents<dim> &tangents) const
+  {
+    const unsigned int batch    = phi.get_current_cell_index();
+    const unsigned int n_cells  = this->n_cells(batch);
+    const Number       bulk     = OfBatch(tangents, batch).bulk_modulus;
+    const Number       moderate = tangents.moderate_bulk_modulus(batch);
+
+    AtPoints volume;
+    for (unsigned int q = 0; q < n_points; ++q)
+      volume[q] = StrainMeasure::volume_at(phi, q);
+    if (this->is_b_bar())
+      volume[0] = std::accumulate(volume.begin() + 1, volume.end(), volume[0]);
+
+    for (unsigned int k = 0; k < n_pressures(); ++k)
+      {
+        Number pressure;
+        pressure.load(pressures + k * Number::size());
+        const Number excess     = std::sqrt((bulk - moderate) * volume[k]);
+        const Number difference = excess * volumetric[k] - pressure;
+        for (unsigned int lane = 0; lane < n_cells; ++lane)
+          dilatation[k * Number::size() + lane] = difference[lane];
+        volumetric[k] =
+          (moderate * volumetric[k] + excess / volume[k] * pressure) / bulk;
+      }
+    if (this->is_b_bar())
+      volumetric.fill(volumetric[0]);
+  }
+
+
+
+  // (the forces of unit pressures)
+  template <int degree, typename StrainMeasure>
+  void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::pressure_rows(
+    CellRows &rows, const PointTangents<dim> &tangents) const
+  {
+    AssertDimension(n_pressures(), 1);
+    std::array<double, Number::size()> dilatation, unit;
+    unit.fill(1.);
+    rows.reinit(matrix_free.n_cell_batches() * Base::n_dofs);
+    Evaluation phi(matrix_free);
+    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+      {
+        phi.reinit(batch);
+        std::fill_n(phi.begin_dof_values(), Base::n_dofs, Number(0.));
+        this->apply_tangent(phi, tangents, [&](AtPoints &volumetric) {
+          mix(volumetric, dilatation.data(), unit.data(), phi, tangents);
+        });
+        for (unsigned int i = 0; i < Base::n_dofs; ++i)
+          {
+            Number entry = phi.begin_dof_values()[i];
+            for (unsigned int lane = this->n_cells(batch);
+                 lane < Number::size();
+                 ++lane)
+              entry[lane] = 0.;
+            rows.set(batch * Base::n_dofs + i, entry);
+          }
+      }
+  }
+
+
+
+  template <int degree, typename StrainMeasure>
+  void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::multiply_rows(
+    Vector &pressures, const CellRows &rows, const Vector &u) const
+  {
+    Evaluation phi(matrix_free);
+    this->with_eliminated(u, [&](const Vector &complete) {
+      for (unsigned int batch = 0; batch < matrix_free.n_cell_batches();
+           ++batch)
+        {
+          this->read(phi, batch, complete);
+          Number sum = 0.;
+          for (unsigned int i = 0; i < Base::n_dofs; ++i)
+            sum += rows[batch * Base::n_dofs + i] * phi.begin_dof_values()[i];
+          sum.store(pressures.begin() + batch * Number::size());
+        }
+    });
+  }
+
+
+
+  template <int degree, typename StrainMeasure>
+  void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::multiply_transposed_rows(
+    Vector &forces, const CellRows &rows, const Vector &pressures) const
+  {
+    Evaluation phi(matrix_free);
+    forces = 0.;
+    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+      {
+        Number pressure;
+        pressure.load(pressures.begin() + batch * Number::size());
+        phi.reinit(batch);
+        for (unsigned int i = 0; i < Base::n_dofs; ++i)
+          phi.begin_dof_values()[i] = rows[batch * Base::n_dofs + i] * pressure;
+        this->add(forces, phi);
+      }
+    this->collect(forces);
+  }
+} // namespace ElastoPlastic
+
+#endif
