@@ -16,8 +16,8 @@ namespace ElastoPlastic
   ///   S^-1 = 1 - e + e (e + F)^-1 e,   F = D A_G^-1 D^T,
   /// where A_G is A without a bulk modulus.
   ///
-  /// If each cell has one pressure, F = Z P Z^T. P are the compliances of nodes
-  /// that hang on springs each for itself, and the cells' rows of Z are those
+  /// If each cell has one pressure, F = R P R^T. P are the compliances of nodes
+  /// that hang on springs each for itself, and the cells' rows of R are those
   /// of D, plus a constant that lets a pressure drag all nodes of its cell
   /// along: it makes a pressure that hardly changes from cell to cell as
   /// effective as it is in A_G, without being effective where D^T is not, at
@@ -34,8 +34,8 @@ namespace ElastoPlastic
       Number bulk, moderate_bulk, shear;
     };
 
-    /// For the @p moduli of all cell batches. No displacement is held where
-    /// @p held is 0. @p kernel must outlive this object.
+    /// For the @p moduli of all cell batches. Displacements are held where
+    /// @p held is not 0. @p kernel must outlive this object.
     PressureModel(const SolidKernel<dim>    &kernel,
                   const PointTangents<dim>  &tangents,
                   const std::vector<Moduli> &moduli,
@@ -48,7 +48,7 @@ namespace ElastoPlastic
     void
     set_diagonals(const std::vector<Moduli> &moduli);
 
-    /// Sets Z and P.
+    /// Sets R and P.
     void
     couple(const PointTangents<dim>  &tangents,
            const std::vector<Moduli> &moduli,

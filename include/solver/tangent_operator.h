@@ -75,7 +75,8 @@ namespace ElastoPlastic
                 const BlockVectorType &vector) const = 0;
 
     /// For the tangent that is stored now, with displacements held where @p
-    /// held is not 0. It must not outlive this object. Collective.
+    /// held is not 0 (at their place: slopes are left out). The result must not
+    /// outlive this operator. Collective.
     virtual std::unique_ptr<const PressurePreconditioner>
     make_pressure_preconditioner(const VectorType &held) const = 0;
 

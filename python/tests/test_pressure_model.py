@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The model of the pressures' Schur complement (doc/theory.md, "Nearly incompressible bodies") on endless lattices of
-bilinear squares or trilinear cubes with edges of 1: the Fourier symbols of F and of Z P Z^T, at all wave lengths."""
+bilinear squares or trilinear cubes with edges of 1: the Fourier symbols of F and of R P R^T, at all wave lengths. Only the two constants are
+the program's: what it makes of them, tests/mixed_form checks."""
 
 import itertools
 import math
@@ -19,7 +20,7 @@ def constant(name):
 
 
 def quotients(dim, n_waves):
-    """Z P Z^T over F, with the shear modulus 1 and an excess of the bulk modulus of 1. The waves avoid those at which
+    """R P R^T over F, with the shear modulus 1 and an excess of the bulk modulus of 1. The waves avoid those at which
     both are zero."""
     waves = [2 * math.pi * (i + 0.37) / n_waves for i in range(n_waves)]
     for wave in itertools.product(waves, repeat=dim):
@@ -32,7 +33,7 @@ def quotients(dim, n_waves):
         # A_G has 2 G dev(strain), whose longitudinal waves have the modulus 4/3 G
         exact = beta_square / (1 + beta_square / 3)
 
-        entry = 0.5 ** (dim - 1)  # of D; Z is odd in it, and even in the constant
+        entry = 0.5 ** (dim - 1)  # of D; R is odd in it, and even in the constant
         row = divergence + dim * (2 ** dim * constant("drag") * entry) ** 2 * math.prod(cosines)
         stiffness = 2 ** dim * constant("spring") * 2 ** (dim - 1) * entry ** 2
         yield row / stiffness / exact

@@ -10,7 +10,7 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// The constant in a row of Z, over the root mean square of that of D. On
+    /// The constant in a row of R, over the root mean square of that of D. On
     /// an endless lattice of bilinear squares or trilinear cubes, F is what it
     /// stands for up to a factor between 0.4 and 2.1, at all wave lengths.
     constexpr double drag = 1. / 3.;

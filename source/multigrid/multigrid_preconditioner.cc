@@ -25,8 +25,8 @@ namespace ElastoPlastic
     /// volume only, and waves as short as a few cells have small eigenvalues.
     constexpr double       smoothing_range = 24.;
     constexpr unsigned int smoother_degree = 6;
-    /// Of a nearly incompressible body (of the mixed form, A), this is all of
-    /// the body.
+    /// In the mixed form of a nearly incompressible body, all of the body is
+    /// like that.
     constexpr double       smoothing_range_of_mixed_form = 60.;
     constexpr unsigned int smoother_degree_of_mixed_form = 9;
     constexpr unsigned int n_eigenvalue_iterations       = 8;
