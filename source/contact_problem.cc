@@ -9,6 +9,16 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// Forces that change the volume are so large in nearly incompressible
+    /// bodies that what has been left of them by a mere hundredth would exceed
+    /// those that change the shape, and the contact would follow them.
+    constexpr double loosest_reduction_if_incompressible = 1e-4;
+  } // namespace
+
+
+
   template <int dim>
   ContactProblem<dim>::ContactProblem(SolidOperator<dim>  &solid,
                                       const Supports<dim> &supports,
@@ -194,7 +204,12 @@ namespace ElastoPlastic
     }
     TimerOutput::Scope scope(timer, "Newton: solve linear system");
     const unsigned int n_iterations =
-      tangent_solver.solve(increment, rhs, reduction);
+      tangent_solver.solve(increment,
+                           rhs,
+                           solid.is_nearly_incompressible() ?
+                             std::min(reduction,
+                                      loosest_reduction_if_incompressible) :
+                             reduction);
     downward_motion =
       unknowns.has_coupling() ? -unknowns.leading_value(increment) : 0.;
     unknowns.expand(increment);

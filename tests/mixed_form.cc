@@ -24,22 +24,24 @@ namespace
 
   template <int dim>
   void
-  check_nearly_incompressible(const StrainModel &strain_model)
+  check_nearly_incompressible(const unsigned int degree,
+                              const StrainModel &strain_model)
   {
-    describe<dim>(1, strain_model);
-    for (const double poisson_ratio : {0.46, 0.49, 0.499, 0.4999})
+    describe<dim>(degree, strain_model);
+    for (const double poisson_ratio : {0.48, 0.49, 0.499, 0.4999})
       {
         output() << " Poisson's ratio " << poisson_ratio << std::endl;
-        const unsigned int n_refinements = (dim == 2 ? 4 : 2);
+        const unsigned int n_refinements = (dim == 2 ? 5 - degree : 2);
         const Block<dim>   coarse(
-          1, strain_model, true, n_refinements - 1, poisson_ratio);
+          degree, strain_model, true, n_refinements - 1, poisson_ratio);
         coarse.check_mixed_form();
         const Block<dim> fine(
-          1, strain_model, true, n_refinements, poisson_ratio);
+          degree, strain_model, true, n_refinements, poisson_ratio);
         verify("  in at most 30 iterations",
                coarse.n_iterations() <= 30 && fine.n_iterations() <= 30);
+        const unsigned int n_alone = coarse.n_pressure_iterations();
         verify("  the pressures alone in at most 10",
-               coarse.n_pressure_iterations() <= 10);
+               n_alone > 0 && n_alone <= 10);
       }
   }
 } // namespace
@@ -50,10 +52,12 @@ int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  check_nearly_incompressible<2>(VolumetricTreatment::b_bar);
-  check_nearly_incompressible<2>(
-    {VolumetricTreatment::b_bar, Kinematics::axisymmetric});
-  check_nearly_incompressible<3>(VolumetricTreatment::b_bar);
+  check_nearly_incompressible<2>(1, VolumetricTreatment::b_bar);
+  check_nearly_incompressible<2>(2, VolumetricTreatment::b_bar);
+  check_nearly_incompressible<2>(1,
+                                 {VolumetricTreatment::b_bar,
+                                  Kinematics::axisymmetric});
+  check_nearly_incompressible<3>(1, VolumetricTreatment::b_bar);
   check_mixed_form<2>(2, VolumetricTreatment::standard);
   check_mixed_form<3>(2, VolumetricTreatment::standard);
   check_mixed_form<2>(1,

@@ -70,8 +70,8 @@ namespace ElastoPlastic
     }
 
     void
-    pressure_rows(CellRows                 &rows,
-                  const PointTangents<dim> &tangents) const override;
+    volumetric_rows(CellRows                 &rows,
+                    const PointTangents<dim> &tangents) const override;
 
     void
     multiply_rows(Vector         &pressures,
@@ -82,6 +82,9 @@ namespace ElastoPlastic
     multiply_transposed_rows(Vector         &forces,
                              const CellRows &rows,
                              const Vector   &pressures) const override;
+
+    void
+    diagonal_of_multiples(Vector &values, const Vector &factors) const override;
 
     void
     for_each_true_stress(

@@ -7,6 +7,8 @@
 // The part of MatrixFreeSolidKernel that is for the mixed form; see
 // matrix_free_solid_kernel.h.
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "base/inlining.h"
@@ -90,15 +92,13 @@ namespace ElastoPlastic
 
 
 
-  // (the forces of unit pressures)
+  // (the forces of the stress 1 / root of the volume)
   template <int degree, typename StrainMeasure>
   void
-  MatrixFreeSolidKernel<degree, StrainMeasure>::pressure_rows(
+  MatrixFreeSolidKernel<degree, StrainMeasure>::volumetric_rows(
     CellRows &rows, const PointTangents<dim> &tangents) const
   {
-    AssertDimension(n_pressures(), 1);
-    std::array<double, Number::size()> dilatation, unit;
-    unit.fill(1.);
+    Assert(this->is_b_bar(), ExcInternalError());
     rows.reinit(matrix_free.n_cell_batches() * Base::n_dofs);
     Evaluation phi(matrix_free);
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
@@ -106,7 +106,11 @@ namespace ElastoPlastic
         phi.reinit(batch);
         std::fill_n(phi.begin_dof_values(), Base::n_dofs, Number(0.));
         this->apply_tangent(phi, tangents, [&](AtPoints &volumetric) {
-          mix(volumetric, dilatation.data(), unit.data(), phi, tangents);
+          Number volume = 0.;
+          for (unsigned int q = 0; q < n_points; ++q)
+            volume += StrainMeasure::volume_at(phi, q);
+          volumetric.fill(
+            1. / (OfBatch(tangents, batch).bulk_modulus * std::sqrt(volume)));
         });
         for (unsigned int i = 0; i < Base::n_dofs; ++i)
           {
@@ -160,6 +164,27 @@ namespace ElastoPlastic
         this->add(forces, phi);
       }
     this->collect(forces);
+  }
+
+
+
+  template <int degree, typename StrainMeasure>
+  void
+  MatrixFreeSolidKernel<degree, StrainMeasure>::diagonal_of_multiples(
+    Vector &values, const Vector &factors) const
+  {
+    Evaluation phi(matrix_free);
+    values = 0.;
+    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+      {
+        Number factor;
+        factor.load(factors.begin() + batch * Number::size());
+        phi.reinit(batch);
+        std::fill_n(phi.begin_dof_values(), Base::n_dofs, factor);
+        this->add(values, phi);
+      }
+    values.compress(VectorOperation::add);
+    this->hand_to_masters(values);
   }
 } // namespace ElastoPlastic
 

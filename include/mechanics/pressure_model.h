@@ -4,6 +4,8 @@
 #ifndef mechanics_pressure_model_h
 #define mechanics_pressure_model_h
 
+#include <deal.II/lac/diagonal_matrix.h>
+
 #include <vector>
 
 #include "mechanics/solid_kernel.h"
@@ -14,7 +16,7 @@ namespace ElastoPlastic
   /// mixed form (doc/theory.md, "Nearly incompressible bodies"). With the bulk
   /// modulus K, that of A, K_A, and e = 1 - K_A / K,
   ///   S^-1 = 1 - e + e (e + F)^-1 e,   F = D A_G^-1 D^T,
-  /// where A_G is A without a bulk modulus.
+  /// where A_G is A without the bulk modulus wherever K > K_A.
   ///
   /// If each cell has one pressure, F = R P R^T. P are the compliances of nodes
   /// that hang on springs each for itself, and the cells' rows of R are those
@@ -63,7 +65,8 @@ namespace ElastoPlastic
     VectorType                          compliances;
 
     /// Of the pressures: e, and the reciprocals of a diagonal for e + F.
-    VectorType excess, inverse_diagonal;
+    VectorType                 excess;
+    DiagonalMatrix<VectorType> inverse_diagonal;
 
     mutable VectorType rhs, displacements;
   };

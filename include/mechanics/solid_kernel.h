@@ -107,10 +107,11 @@ namespace ElastoPlastic
     /// For each cell a vector of so many entries, batch by batch.
     using CellRows = SinglePrecisionStorage<Number>;
 
-    /// If there is one pressure for each cell, its row of D in the mixed form
-    /// (TangentOperator), for the unknowns of the cell.
+    /// With B-bar, the changes of the mean volumetric strain with the unknowns
+    /// of each cell, times the root of its volume.
     virtual void
-    pressure_rows(CellRows &rows, const PointTangents<dim> &tangents) const = 0;
+    volumetric_rows(CellRows                 &rows,
+                    const PointTangents<dim> &tangents) const = 0;
 
     /// The products of the cells' @p rows with @p u, one for each cell; and the
     /// transpose, the @p forces of such @p pressures.
@@ -123,6 +124,11 @@ namespace ElastoPlastic
     multiply_transposed_rows(Vector         &forces,
                              const CellRows &rows,
                              const Vector   &pressures) const = 0;
+
+    /// The diagonal of a tangent that is a multiple of the identity on each
+    /// cell, see diagonal(). @p factors has one entry for each cell.
+    virtual void
+    diagonal_of_multiples(Vector &values, const Vector &factors) const = 0;
 
     /// Calls @p receive for all cell batches with the strains of @p u and the
     /// true stresses that belong to those of @p law.

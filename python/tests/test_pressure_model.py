@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The model of the pressures' Schur complement (doc/theory.md, "Nearly incompressible bodies") on endless lattices of
-bilinear squares or trilinear cubes with edges of 1: the Fourier symbols of F and of R P R^T, at all wave lengths. Only the two constants are
-the program's: what it makes of them, tests/mixed_form checks."""
+bilinear squares or trilinear cubes with edges of 1: the Fourier symbols of F and of R P R^T, at all wave lengths. Only
+the two constants are the program's: what it makes of them, tests/mixed_form checks."""
 
 import itertools
 import math

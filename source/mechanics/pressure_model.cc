@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/base/utilities.h>
+
+#include <cmath>
 
 #include "mechanics/pressure_model.h"
 #include "solver/krylov_methods.h"
@@ -16,13 +18,13 @@ namespace ElastoPlastic
     constexpr double drag = 1. / 3.;
 
     /// Around a node of such a lattice are 2^dim cells. With the shear modulus
-    /// G, the excess E of the bulk modulus and the mean square d^2 of the
-    /// entries of D, each adds about 1.3 2^(dim-1) G d^2 / E to the diagonal of
+    /// G and the mean square d^2 of the entries of a row of B, times the root
+    /// of the volume, each adds about 1.3 2^(dim-1) G d^2 to the diagonal of
     /// A_G.
     constexpr double spring = 1.3;
 
-    /// More would hardly save steps of the mixed form; less accuracy is enough
-    /// but where pressures change their sign from cell to cell.
+    /// More iterations would hardly save steps of the mixed form. (Only the
+    /// pressures that hardly move a node would profit.)
     constexpr double       reduction      = 0.1;
     constexpr unsigned int max_iterations = 30;
 
@@ -65,7 +67,8 @@ namespace ElastoPlastic
   void
   PressureModel<dim>::set_diagonals(const std::vector<Moduli> &moduli)
   {
-    double *e = excess.begin(), *inverse = inverse_diagonal.begin();
+    double *e       = excess.begin(),
+           *inverse = inverse_diagonal.get_vector().begin();
     for (const auto &[bulk, moderate_bulk, shear] : moduli)
       for (unsigned int k = 0; k < kernel.n_pressures();
            ++k, e += Number::size(), inverse += Number::size())
@@ -80,18 +83,17 @@ namespace ElastoPlastic
 
 
 
+  // (Where A has all of the bulk modulus, A_G does, too.)
   template <int dim>
   void
   PressureModel<dim>::couple(const PointTangents<dim>  &tangents,
                              const std::vector<Moduli> &moduli,
                              const VectorType          &held)
   {
-    const unsigned int n_dofs = kernel.n_cell_dofs();
-    const double       factor = spring * Utilities::fixed_power<dim - 1>(2);
-    kernel.pressure_rows(rows, tangents);
-    typename SolidKernel<dim>::CellRows ones;
-    ones.reinit(moduli.size() * n_dofs);
-    VectorType stiffness(rhs);
+    const unsigned int n_dofs   = kernel.n_cell_dofs();
+    const double       of_shear = spring * Utilities::fixed_power<dim - 1>(2);
+    VectorType         stiffness(rhs);
+    kernel.volumetric_rows(rows, tangents);
     for (unsigned int batch = 0; batch < moduli.size(); ++batch)
       {
         const auto &[bulk, moderate_bulk, shear] = moduli[batch];
@@ -99,19 +101,23 @@ namespace ElastoPlastic
         Number             mean_square           = 0.;
         for (unsigned int i = first; i < first + n_dofs; ++i)
           mean_square += rows[i] * rows[i] * (1. / n_dofs);
-        const Number constant = drag * std::sqrt(mean_square);
+
+        const Number root   = std::sqrt(bulk - moderate_bulk);
+        const Number moving = drag * std::sqrt(mean_square);
         for (unsigned int i = first; i < first + n_dofs; ++i)
-          {
-            rows.set(i, rows[i] + constant);
-            ones.set(i, Number(1.));
-          }
-        quotient(factor * shear * mean_square, bulk - moderate_bulk)
+          rows.set(i, root * (rows[i] + moving));
+
+        Number modulus = of_shear * shear;
+        for (unsigned int lane = 0; lane < Number::size(); ++lane)
+          if (root[lane] == 0.)
+            modulus[lane] += bulk[lane];
+        (modulus * mean_square)
           .store(stiffness.begin() + batch * Number::size());
       }
 
     compliances.reinit(held, true);
     displacements.reinit(held, true);
-    kernel.multiply_transposed_rows(compliances, ones, stiffness);
+    kernel.diagonal_of_multiples(compliances, stiffness);
     for (unsigned int i = 0; i < held.locally_owned_size(); ++i)
       {
         double    &value   = compliances.local_element(i);
@@ -156,13 +162,11 @@ namespace ElastoPlastic
 
     rhs = pressures;
     rhs.scale(excess);
-    DiagonalMatrix<VectorType> diagonal;
-    diagonal.reinit(inverse_diagonal);
     if (kernel.n_pressures() > 1 || rhs.linfty_norm() == 0.)
-      diagonal.vmult(result, rhs);
+      inverse_diagonal.vmult(result, rhs);
     else
       conjugate_gradients(
-        Sum{*this}, result, rhs, diagonal, reduction, max_iterations);
+        Sum{*this}, result, rhs, inverse_diagonal, reduction, max_iterations);
     for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
       {
         const double e = excess.local_element(i);

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
-
 #include "solver/krylov_methods.h"
 #include "solver/tangent_solver.h"
 
@@ -13,11 +11,6 @@ namespace ElastoPlastic
     /// The mixed form needs more steps than a definite system, and restarts
     /// cost it more.
     constexpr unsigned int n_basis_vectors_of_mixed_form = 100;
-
-    /// Forces that change the volume are so large that what has been left of
-    /// them by a mere hundredth would exceed those that change the shape, and
-    /// the contact would follow them.
-    constexpr double loosest_reduction_of_mixed_form = 1e-4;
   } // namespace
 
 
@@ -158,6 +151,7 @@ namespace ElastoPlastic
       is_definite() ? "Conjugate gradients with " + method->name + " do" :
                       "GMRES with " + method->name + " does";
     ++method;
+    pressure_preconditioner.reset();
     warn(failed + " not converge here: " + method->name +
          " takes over on this mesh.");
     preconditioner = method->make();
@@ -268,8 +262,7 @@ namespace ElastoPlastic
                      mixed_solution,
                      mixed_rhs,
                      Preconditioner{system, deflated, *pressure_preconditioner},
-                     std::min(reduction, loosest_reduction_of_mixed_form) /
-                       std::sqrt(2.),
+                     reduction / std::sqrt(2.),
                      method->maximum_iterations,
                      n_basis_vectors_of_mixed_form);
     solution = mixed_solution.block(0);
