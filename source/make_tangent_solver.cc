@@ -12,10 +12,13 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// So many iterations tell that something is wrong.
-    constexpr unsigned int patience_with_multigrid = 150;
-    /// Algebraic multigrid would not need fewer in a nearly incompressible
-    /// body.
+    /// In the plane, a factorisation takes as long as so many iterations with
+    /// geometric multigrid, and 4 to 5 KB for each unknown.
+    constexpr unsigned int            patience_in_plane     = 60;
+    constexpr types::global_dof_index largest_factorization = 1000000;
+    /// Algebraic multigrid would not need fewer.
+    constexpr unsigned int patience_in_space = 150;
+    /// Nor here, in a nearly incompressible body.
     constexpr unsigned int patience_with_mixed_form = 400;
   } // namespace
 
@@ -43,10 +46,13 @@ namespace ElastoPlastic
               },
               parameters.maximum_iterations};
     };
-    const auto [form, patience] =
-      solid.is_nearly_incompressible() ?
-        std::pair(TangentForm::mixed, patience_with_mixed_form) :
-        std::pair(TangentForm::displacements, patience_with_multigrid);
+    const bool is_mixed = solid.is_nearly_incompressible();
+    const bool can_factorize =
+      dim == 2 && dof_handler.n_dofs() <= largest_factorization;
+    const unsigned int patience = can_factorize ? patience_in_plane :
+                                  is_mixed      ? patience_with_mixed_form :
+                                                  patience_in_space;
+
     const Method geometric = {
       "geometric multigrid",
       [&model, &solid, &dof_handler, &constraints]() {
@@ -56,23 +62,24 @@ namespace ElastoPlastic
                                                               constraints);
       },
       std::min(parameters.maximum_iterations, patience),
-      form};
+      is_mixed ? TangentForm::mixed : TangentForm::displacements};
     const Method algebraic =
       with_matrix("algebraic multigrid", [layout, &dof_handler]() {
         return make_algebraic_multigrid(rigid_body_modes(dof_handler, layout));
       });
+    const Method direct = with_matrix("a factorisation", make_factorization);
 
     std::vector<Method> methods;
     switch (parameters.type)
       {
         case Preconditioner::multigrid:
-          methods = {geometric, algebraic};
+          methods = {geometric, can_factorize ? direct : algebraic};
           break;
         case Preconditioner::amg:
           methods = {algebraic};
           break;
         case Preconditioner::direct:
-          methods = {with_matrix("a factorisation", make_factorization)};
+          methods = {direct};
           break;
       }
     return std::make_unique<TangentSolver>(solid, methods, warn);

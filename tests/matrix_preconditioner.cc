@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// With both preconditioners, conjugate gradients reduce the residual of an
-// elastic block as they promise, and give up as documented.
+// With all preconditioners, conjugate gradients reduce the residual of an
+// elastic block as they promise, and give up as documented; a singular matrix
+// is refused.
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -22,21 +23,21 @@ using namespace ElastoPlastic;
 
 namespace
 {
-  /// The matrix of an elastic block whose bottom is held, large enough for
-  /// several levels of multigrid.
+  /// The matrix of an elastic block of @p n_cells in each direction, whose
+  /// bottom is held.
   class Block
   {
   public:
     static constexpr unsigned int dim = 3;
 
-    Block()
+    explicit Block(const unsigned int n_cells)
       : mesh(MPI_COMM_WORLD)
       , fe(FE_Q<dim>(1), dim)
       , dof_handler(mesh)
       , solid(std::make_unique<SolidOperator<dim>>(
           1, VolumetricTreatment::standard, MaterialParameters().materials()))
     {
-      GridGenerator::subdivided_hyper_cube(mesh, 9, 0., 1., true);
+      GridGenerator::subdivided_hyper_cube(mesh, n_cells, 0., 1., true);
       refine_corner(mesh);
       dof_handler.distribute_dofs(fe);
       IndexSet relevant;
@@ -97,6 +98,37 @@ namespace
     TangentMatrix<dim>                        tangent;
     VectorType                                rhs;
   };
+
+
+
+  /// Of @p n unknowns; one row is zero.
+  bool
+  is_singular_refused(const unsigned int n)
+  {
+    const IndexSet all = complete_index_set(n);
+    const IndexSet owned =
+      Utilities::MPI::create_evenly_distributed_partitioning(MPI_COMM_WORLD, n);
+    TrilinosWrappers::SparseMatrix matrix(owned, MPI_COMM_WORLD, 1);
+    for (const auto i : owned)
+      matrix.set(i, i, i == n / 2 ? 0. : 1.);
+    matrix.compress(VectorOperation::insert);
+
+    LinearAlgebra::distributed::Vector<double> rhs(owned, MPI_COMM_WORLD),
+      solution(owned, MPI_COMM_WORLD);
+    rhs                       = 1.;
+    const auto preconditioner = make_factorization();
+    try
+      {
+        preconditioner->initialize(matrix);
+        preconditioner->vmult(solution, rhs);
+        check_finite(solution.l2_norm());
+      }
+    catch (const ConvergenceError &)
+      {
+        return true;
+      }
+    return false;
+  }
 } // namespace
 
 
@@ -106,16 +138,25 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  const Block  block;
+  // large enough for several levels of multigrid
+  const Block  block(9);
   unsigned int n_iterations = 0;
   verify("AMG reaches the tolerance",
          block.reached_reduction(block.make_amg(), 1000, n_iterations),
          1.01e-10);
   verify("  in 5 to 30 iterations", n_iterations >= 5 && n_iterations <= 30);
-  verify("direct reaches the tolerance",
+  verify("KLU reaches the tolerance",
          block.reached_reduction(make_factorization(), 1000, n_iterations),
          1e-10);
   verify("  in one iteration", n_iterations == 1);
+  verify("MUMPS reaches the tolerance",
+         Block(12).reached_reduction(make_factorization(), 1000, n_iterations),
+         1e-10);
+  verify("  in one iteration", n_iterations == 1);
+  verify("a small singular matrix is refused", is_singular_refused(10));
+  std::cerr.setstate(std::ios::failbit); // Amesos has something to say there
+  verify("a large singular matrix is refused", is_singular_refused(6000));
+  std::cerr.clear();
 
   const double reached =
     block.reached_reduction(block.make_amg(), 3, n_iterations);

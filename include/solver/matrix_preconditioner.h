@@ -24,7 +24,9 @@ namespace ElastoPlastic
 
     virtual ~MatrixPreconditioner() = default;
 
-    /// Prepares for @p matrix, which must outlive the products.
+    /// Prepares for @p matrix, which must outlive this object. If it is that
+    /// of the last call, its pattern must be the same.
+    /// @throws ConvergenceError if it is found to be singular.
     virtual void
     initialize(const TrilinosWrappers::SparseMatrix &matrix) = 0;
 

@@ -118,8 +118,8 @@ namespace ElastoPlastic
 
   private:
     const TangentOperator                      &tangent;
-    const std::unique_ptr<MatrixPreconditioner> preconditioner;
     TangentMatrix<dim>                          matrix;
+    const std::unique_ptr<MatrixPreconditioner> preconditioner;
   };
 } // namespace ElastoPlastic
 

@@ -17,7 +17,10 @@ namespace ElastoPlastic
       "incompressible bodies (Poisson's ratio above 0.452) GMRES with "
       "pressures beside the displacements. AMG: algebraic multigrid for an "
       "assembled matrix, which knows the rigid body motions. direct: a sparse "
-      "factorisation of the matrix, for small problems.");
+      "factorisation of the matrix, for small problems and plane ones that are "
+      "hard, such as collapse. Where multigrid does not converge in the "
+      "iterations that are worth while, a factorisation takes over (in two "
+      "dimensions, up to a million unknowns), or AMG.");
     prm.add_parameter("Maximum number of iterations",
                       maximum_iterations,
                       "The steps allowed per linear system. "
