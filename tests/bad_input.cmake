@@ -443,7 +443,7 @@ add_message_test(sinks_without_end 3 "The indenter sinks without end: its depth 
 add_message_test(step_is_cut 3 "Warning: The step from t = 0 has not converged. trying half of it"
   ${_base} --output-directory step_is_cut --overwrite --quiet --set "Loading/Number of steps=2" --set "Loading/Maximum number of cuts=1"
   --set "Nonlinear solver/Maximum number of iterations=1" --set Loading/Depth=0.1)
-add_message_test(multigrid_fails 0 "Warning: Conjugate gradients with geometric multigrid do not converge here: algebraic multigrid takes over on this mesh"
+add_message_test(multigrid_fails 0 "Warning: Conjugate gradients with geometric multigrid do not converge here: a factorisation takes over on this mesh"
   ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --output-directory multigrid_fails --overwrite --quiet
   --set "Geometry/Initial refinements=2" --set "Refinement/Number of cycles=1" --set "Linear solver/Type=multigrid" --set "Linear solver/Maximum number of iterations=40")
 
