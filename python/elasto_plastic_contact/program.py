@@ -16,7 +16,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 CASES = ROOT / "parameter_files"
 PROGRAM_VARIABLE = "ELASTO_PLASTIC_CONTACT"
 
-# One thread a rank, also as root, on fewer cores than ranks, and in a container.
+# One thread a rank, also as root, on fewer cores than ranks, and in a container; on one machine, so that Open MPI need
+# not look for fast networks at each start.
 MPI_ENVIRONMENT = {
     "OMP_NUM_THREADS": "1",
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
@@ -24,6 +25,7 @@ MPI_ENVIRONMENT = {
     "OMPI_MCA_rmaps_base_oversubscribe": "1",
     "OMPI_MCA_ess_singleton_isolated": "1",
     "OMPI_MCA_sharedfp": "^sm",
+    "OMPI_MCA_pml": "ob1",
 }
 
 
