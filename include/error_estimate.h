@@ -9,6 +9,7 @@
 
 #include "discrete_body.h"
 #include "error_bound_analysis.h"
+#include "evaluation/kelly_estimator.h"
 #include "io/log.h"
 #include "io/parameters.h"
 
@@ -62,6 +63,7 @@ namespace ElastoPlastic
     DiscreteBody<dim>                     &body;
     Log                                   &log;
     TimerOutput                           &timer;
+    const KellyEstimator<dim>              kelly_estimator;
     std::optional<ErrorBoundAnalysis<dim>> error_bound;
   };
 } // namespace ElastoPlastic

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "error_estimate.h"
-#include "evaluation/kelly_estimator.h"
 
 namespace ElastoPlastic
 {
@@ -17,6 +16,7 @@ namespace ElastoPlastic
     , body(body)
     , log(log)
     , timer(timer)
+    , kelly_estimator(body.fe)
   {
     if (parameters.analysis == Analysis::contact_with_error_bound)
       error_bound.emplace(body.model,
@@ -51,8 +51,7 @@ namespace ElastoPlastic
   {
     TimerOutput::Scope scope(timer, "Error estimator");
     body.error_indicators =
-      KellyEstimator<dim>(body.fe).estimate(body.dof_handler,
-                                            body.displacement);
+      kelly_estimator.estimate(body.dof_handler, body.displacement);
   }
 
 

@@ -114,9 +114,10 @@ namespace ElastoPlastic
                             "Amesos_Klu" :
                             "Amesos_Mumps",
                           problem));
-        Teuchos::ParameterList quiet;
-        quiet.set("OutputLevel", 0);
-        solver->SetParameters(quiet);
+        Teuchos::ParameterList list;
+        list.set("OutputLevel", 0);
+        list.set("Refactorize", true); // with the pivots of the last matrix
+        solver->SetParameters(list);
         if (solver->SymbolicFactorization() != 0)
           throw_singular();
       }
