@@ -5,9 +5,11 @@
 #define base_shared_rows_h
 
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <memory>
+#include <vector>
+
+#include "base/nodal_interpolation.h"
 
 namespace ElastoPlastic
 {
@@ -21,13 +23,42 @@ namespace ElastoPlastic
   {
   public:
     using Vector = LinearAlgebra::distributed::Vector<double>;
-    using Matrix = TrilinosWrappers::SparseMatrix;
+
+    /// A sparse matrix most of whose rows are zero: it needs no memory for
+    /// these.
+    class Weights
+    {
+    public:
+      struct Entry
+      {
+        types::global_dof_index row, column;
+        double                  value;
+      };
+
+      /// The sum of the @p entries of all ranks. Each rank has its rows and
+      /// columns in @p layout, as its own or as ghosts.
+      Weights(const std::vector<Entry>                                 &entries,
+              const std::shared_ptr<const Utilities::MPI::Partitioner> &layout);
+
+      /// Both vectors have the partition of the layout, without ghosts.
+      /// Collective.
+      void
+      vmult(Vector &result, const Vector &vector) const;
+
+      /// The same for the transpose. Collective.
+      void
+      Tvmult(Vector &result, const Vector &vector) const;
+
+    private:
+      NodalInterpolation<1, double>                      rows;
+      std::shared_ptr<const Utilities::MPI::Partitioner> layout;
+    };
 
     /// t_kj = @p scale_k * @p weights_kj. There are ones in @p active at the
     /// active unknowns, zeros elsewhere.
-    SharedRows(const std::shared_ptr<const Matrix> &weights,
-               const std::shared_ptr<const Vector> &scale,
-               const Vector                        &active);
+    SharedRows(const std::shared_ptr<const Weights> &weights,
+               const std::shared_ptr<const Vector>  &scale,
+               const Vector                         &active);
 
     /// sum_j t_kj u_j at all unknowns k that have a row, active or not.
     /// Collective.
@@ -40,9 +71,9 @@ namespace ElastoPlastic
     shares(const Vector &forces) const;
 
   private:
-    std::shared_ptr<const Matrix> weights;
-    std::shared_ptr<const Vector> scale;
-    Vector                        active;
+    std::shared_ptr<const Weights> weights;
+    std::shared_ptr<const Vector>  scale;
+    Vector                         active;
   };
 } // namespace ElastoPlastic
 

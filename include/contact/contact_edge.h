@@ -7,7 +7,6 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <array>
 #include <memory>
@@ -16,6 +15,7 @@
 
 #include "base/enum_names.h"
 #include "base/kinematics.h"
+#include "base/shared_rows.h"
 
 namespace ElastoPlastic
 {
@@ -136,7 +136,6 @@ namespace ElastoPlastic
   {
   public:
     using Vector = LinearAlgebra::distributed::Vector<double>;
-    using Matrix = TrilinosWrappers::SparseMatrix;
 
     /// Which nodes a vector of kinds tells apart.
     enum Kind
@@ -176,7 +175,7 @@ namespace ElastoPlastic
       Vector missing;
       /// Row by row, for touching nodes: what they take over of the open nodes
       /// (columns).
-      std::shared_ptr<Matrix> taken_over;
+      std::shared_ptr<const SharedRows::Weights> taken_over;
     };
 
     /// With the Kind of each node in @p kinds, and the @p levels of the open

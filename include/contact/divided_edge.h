@@ -111,7 +111,7 @@ namespace ElastoPlastic
     EdgeMemory       memory;
 
     // The weights of shared rows, null without; and the rows.
-    std::shared_ptr<const SharedRows::Matrix> weights;
+    std::shared_ptr<const SharedRows::Weights> weights;
     std::shared_ptr<const Vector>             scale;
     std::shared_ptr<const SharedRows>         shared_rows;
   };

@@ -39,8 +39,8 @@ namespace ElastoPlastic
 
   /// Solves matrix * solution = rhs by deal.II's Krylov method @p Solver, with
   /// a preconditioner, from zero, until the residual has fallen by the factor
-  /// @p reduction or the iterations are used up. @return the number of
-  /// iterations.
+  /// @p reduction or the iterations are used up; then releases the vectors of
+  /// the iteration. @return the number of iterations.
   /// @throws ConvergenceError if the result is not finite.
   template <typename Solver, typename Matrix, typename Preconditioner>
   unsigned int
@@ -65,6 +65,8 @@ namespace ElastoPlastic
         throw;
       }
     check_finite(solution.l2_norm());
+    // (deal.II would keep them for the next one.)
+    GrowingVectorMemory<typename Solver::vector_type>::release_unused_memory();
     return control.last_step();
   }
 

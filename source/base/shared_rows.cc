@@ -1,13 +1,67 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <map>
+
 #include "base/shared_rows.h"
 
 namespace ElastoPlastic
 {
-  SharedRows::SharedRows(const std::shared_ptr<const Matrix> &weights,
-                         const std::shared_ptr<const Vector> &scale,
-                         const Vector                        &active)
+  SharedRows::Weights::Weights(
+    const std::vector<Entry>                                 &entries,
+    const std::shared_ptr<const Utilities::MPI::Partitioner> &layout)
+    : layout(layout)
+  {
+    std::map<unsigned int, std::map<unsigned int, double>> values;
+    for (const auto &[row, column, value] : entries)
+      values[layout->global_to_local(row)][layout->global_to_local(column)] +=
+        value;
+    for (const auto &[row, of_row] : values)
+      {
+        std::vector<NodalInterpolation<1, double>::Entry> weights;
+        for (const auto &[column, value] : of_row)
+          weights.push_back({column, value});
+        rows.add(row, weights);
+      }
+    rows.finish();
+  }
+
+
+
+  void
+  SharedRows::Weights::vmult(Vector &result, const Vector &vector) const
+  {
+    Vector from(layout), to(layout);
+    from.copy_locally_owned_data_from(vector);
+    from.update_ghost_values();
+    rows.interpolate(from.begin(),
+                     [&](const unsigned int row, const double value) {
+                       to.local_element(row) = value;
+                     });
+    to.compress(VectorOperation::add);
+    result.copy_locally_owned_data_from(to);
+  }
+
+
+
+  void
+  SharedRows::Weights::Tvmult(Vector &result, const Vector &vector) const
+  {
+    Vector from(layout), to(layout);
+    from.copy_locally_owned_data_from(vector);
+    from.update_ghost_values();
+    rows.add_transpose(to.begin(), [&](const unsigned int row) {
+      return from.local_element(row);
+    });
+    to.compress(VectorOperation::add);
+    result.copy_locally_owned_data_from(to);
+  }
+
+
+
+  SharedRows::SharedRows(const std::shared_ptr<const Weights> &weights,
+                         const std::shared_ptr<const Vector>  &scale,
+                         const Vector                         &active)
     : weights(weights)
     , scale(scale)
     , active(active)

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -46,25 +44,11 @@ namespace ElastoPlastic
   ContactEdge<dim>::touched_part(const Vector &kinds,
                                  const Vector &levels) const
   {
-    const Vector   kind_of = ghosted(kinds), level_of = ghosted(levels);
-    const IndexSet owned        = ghosted_vectors->locally_owned_range();
-    const MPI_Comm communicator = ghosted_vectors->get_mpi_communicator();
-    IndexSet       relevant     = owned;
-    relevant.add_indices(ghosted_vectors->ghost_indices());
-    TrilinosWrappers::SparsityPattern pattern(owned,
-                                              owned,
-                                              relevant,
-                                              communicator);
-
-    Vector                      missing(ghosted_vectors);
+    const Vector kind_of = ghosted(kinds), level_of = ghosted(levels);
+    Vector       missing(ghosted_vectors);
     std::array<double, n_nodes> below;
     below.fill(-1.);
-    struct Entry
-    {
-      types::global_dof_index row, column;
-      double                  value;
-    };
-    std::vector<Entry> entries;
+    std::vector<SharedRows::Weights::Entry> entries;
     for (const Face &face : faces)
       {
         unsigned int n_open = 0, n_touching = 0;
@@ -101,16 +85,11 @@ namespace ElastoPlastic
       }
     missing.compress(VectorOperation::add);
 
-    for (const Entry &entry : entries)
-      pattern.add(entry.row, entry.column);
-    pattern.compress();
     TouchedPart result;
     result.missing.reinit(vectors);
     result.missing.copy_locally_owned_data_from(missing);
-    result.taken_over = std::make_shared<Matrix>(pattern);
-    for (const Entry &entry : entries)
-      result.taken_over->add(entry.row, entry.column, entry.value);
-    result.taken_over->compress(VectorOperation::add);
+    result.taken_over =
+      std::make_shared<SharedRows::Weights>(entries, ghosted_vectors);
     return result;
   }
 

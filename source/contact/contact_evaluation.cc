@@ -98,15 +98,16 @@ namespace ElastoPlastic
         return Utilities::MPI::sum(area, contact.communicator);
       }
 
-    const auto  &edge   = contact.edge;
-    const auto   faces  = contact.bounds.follow_deformation() ?
-                            edge.faces().moved(u) :
-                            edge.faces();
-    const Vector kinds  = contact.kinds();
+    const auto  &edge  = contact.edge;
+    const auto   faces = contact.bounds.follow_deformation() ?
+                           edge.faces().moved(u) :
+                           edge.faces();
+    const Vector kinds = contact.kinds();
+    const Vector levels =
+      edge.levels(kinds, contact.distances(u, contact.depth()));
+    const auto   part   = faces.touched_part(kinds, levels);
     const Vector inside = edge.faces().inside(kinds);
-    const auto   part   = faces.touched_part(
-      kinds, edge.levels(kinds, contact.distances(u, contact.depth())));
-    Vector ones(u.get_partitioner()), taken_over(u.get_partitioner());
+    Vector       ones(u.get_partitioner()), taken_over(u.get_partitioner());
     contact.set_candidate_entries(ones, 1.);
     part.taken_over->vmult(taken_over, ones);
     for (const unsigned int i : contact.active_entries())
