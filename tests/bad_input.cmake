@@ -447,6 +447,16 @@ add_message_test(multigrid_fails 0 "Warning: Conjugate gradients with geometric 
   ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --output-directory multigrid_fails --overwrite --quiet
   --set "Geometry/Initial refinements=2" --set "Refinement/Number of cycles=1" --set "Linear solver/Type=multigrid" --set "Linear solver/Maximum number of iterations=40")
 
+# Little memory is played by a limit on addresses, in KB: enough for the rest.
+add_test(NAME messages/no_memory_for_factors
+  COMMAND ${CMAKE_COMMAND} -DSTATUS=5 "-DMESSAGE=MUMPS cannot factorise the system: INFOG.1. = -[0-9]+ .*not enough memory"
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/expect_message.cmake --
+    sh -c "ulimit -v 1200000 && exec \"$@\"" sh
+    $<TARGET_FILE:elasto_plastic_contact> ${CMAKE_SOURCE_DIR}/parameter_files/flat_punch_2d.prm --output-directory no_memory_for_factors --overwrite
+    --quiet --set "Geometry/Initial refinements=4" --set "Refinement/Number of cycles=1"
+  WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+set_tests_properties(messages/no_memory_for_factors PROPERTIES LABELS messages TIMEOUT 60)
+
 # Output
 add_entry_test(no_field_times "'Output/Field times' is '', but with 'Output/Fields = at times' it must name at least one time" "Output/Fields=at times")
 add_message_test(negative_minutes 2 "'Output/Minutes between checkpoints' is '-1', but it must be: number >= 0" ${_base} --set "Output/Minutes between checkpoints=-1")

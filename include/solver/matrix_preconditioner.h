@@ -24,9 +24,10 @@ namespace ElastoPlastic
 
     virtual ~MatrixPreconditioner() = default;
 
-    /// Prepares for @p matrix, which must outlive this object. If it is that
-    /// of the last call, its pattern must be the same.
-    /// @throws ConvergenceError if it is found to be singular.
+    /// Prepares for @p matrix: always the same object, with the same pattern,
+    /// which must outlive this one. Collective.
+    /// @throws ConvergenceError if it is found to be singular, FileError if
+    /// memory is missing.
     virtual void
     initialize(const TrilinosWrappers::SparseMatrix &matrix) = 0;
 
@@ -42,7 +43,9 @@ namespace ElastoPlastic
   make_algebraic_multigrid(
     const std::vector<MatrixPreconditioner::Vector> &near_null_space);
 
-  /// A sparse factorisation.
+  /// A sparse factorisation, which does for unsymmetric matrices, too: by KLU
+  /// up to 5000 unknowns, beyond by MUMPS if Trilinos has it. What destroys it
+  /// is collective.
   std::unique_ptr<MatrixPreconditioner>
   make_factorization();
 } // namespace ElastoPlastic

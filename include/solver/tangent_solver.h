@@ -55,7 +55,7 @@ namespace ElastoPlastic
                   const std::function<void(const std::string &)> &warn);
 
     /// Takes the tangent that is stored now, and which unknowns are constrained
-    /// and coupled. @throws ConvergenceError
+    /// and coupled. @throws ConvergenceError, or FileError if memory is missing
     void
     prepare(const ReducedUnknowns &unknowns);
 
@@ -83,7 +83,7 @@ namespace ElastoPlastic
     class ReducedTangent;
     class DeflatedPreconditioner;
 
-    /// @throws ConvergenceError if no method is left that can be prepared.
+    /// @throws the last method's Error if no other can be prepared.
     void
     prepare_preconditioner();
 

@@ -4,10 +4,14 @@
 #include <deal.II/lac/trilinos_precondition.h>
 
 #include <Amesos.h>
+#include <Amesos_Mumps.h>
 #include <Epetra_LinearProblem.h>
 #include <Epetra_MultiVector.h>
 #include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
+
+#include <exception>
+#include <iostream>
 
 #include "solver/krylov_methods.h"
 #include "solver/matrix_preconditioner.h"
@@ -69,61 +73,120 @@ namespace ElastoPlastic
 
 
 
-    /// Beyond that, MUMPS is faster than KLU: three times with 90,000 unknowns
-    /// in the plane. In small systems, that are solved many times, its calls
-    /// take longer than the work.
+    /// Beyond that, MUMPS is faster than KLU. In small systems, that are solved
+    /// many times, its calls take longer than the work.
     constexpr long long largest_small_system = 5000;
+
+    /// Amesos' messages, from all ranks, come on top of the exceptions.
+    class Silence
+    {
+    public:
+      Silence()
+        : stream(std::cerr.rdbuf(nullptr))
+      {}
+
+      ~Silence()
+      {
+        std::cerr.rdbuf(stream);
+      }
+
+      Silence(const Silence &) = delete;
+      Silence &
+      operator=(const Silence &) = delete;
+
+    private:
+      std::streambuf *const stream;
+    };
 
 
 
     /// By Amesos. (deal.II's SolverDirect analyses the pattern again for each
-    /// matrix, which takes nearly half of the time.)
+    /// matrix, and cannot say why MUMPS has failed.)
     class Factorization : public MatrixPreconditioner
     {
     public:
+      // MUMPS would wait for the other ranks.
+      ~Factorization() override
+      {
+        if (solver && std::uncaught_exceptions() > 0)
+          {
+            Teuchos::ParameterList list;
+            list.set("NoDestroy", true);
+            solver->SetParameters(list);
+          }
+      }
+
       void
       initialize(const TrilinosWrappers::SparseMatrix &matrix) override
       {
-        auto *const rows =
-          const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix());
-        if (problem.GetMatrix() != rows)
-          analyze(*rows);
-        if (solver->NumericFactorization() != 0)
-          throw_singular();
+        const Silence silence;
+        if (!solver)
+          analyze(matrix);
+        Assert(problem.GetMatrix() == &matrix.trilinos_matrix(),
+               ExcInternalError());
+        check(solver->NumericFactorization());
       }
 
       void
       vmult(Vector &result, const Vector &vector) const override
       {
+        const Silence          silence;
         const Epetra_BlockMap &map = problem.GetMatrix()->OperatorRangeMap();
         Epetra_Vector          lhs(View, map, result.begin());
         Epetra_Vector rhs(View, map, const_cast<double *>(vector.begin()));
         problem.SetLHS(&lhs);
         problem.SetRHS(&rhs);
-        if (solver->Solve() != 0)
-          throw_singular();
+        const int status = solver->Solve();
+        problem.SetLHS(nullptr);
+        problem.SetRHS(nullptr);
+        check(status);
       }
 
     private:
       void
-      analyze(Epetra_CrsMatrix &matrix)
+      analyze(const TrilinosWrappers::SparseMatrix &matrix)
       {
-        problem.SetOperator(&matrix);
+        const bool is_large = matrix.m() > largest_small_system;
+        problem.SetOperator(
+          const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
         solver.reset(
-          Amesos().Create(matrix.NumGlobalRows64() <= largest_small_system ?
-                            "Amesos_Klu" :
-                            "Amesos_Mumps",
+          Amesos().Create(is_large && Amesos().Query("Amesos_Mumps") ?
+                            "Amesos_Mumps" :
+                            "Amesos_Klu",
                           problem));
+        mumps = dynamic_cast<Amesos_Mumps *>(solver.get());
+
+        // KLU keeps its pivots, unless they have become small; MUMPS takes
+        // half as much memory again as it has estimated, if it needs that.
         Teuchos::ParameterList list;
-        list.set("OutputLevel", 0);
-        list.set("Refactorize", true); // with the pivots of the last matrix
+        list.set("Refactorize", true);
+        list.sublist("mumps").set("ICNTL(14)", 50);
         solver->SetParameters(list);
-        if (solver->SymbolicFactorization() != 0)
+        check(solver->SymbolicFactorization());
+      }
+
+      /// @p status is what a call has returned. (After a solution, MUMPS' is
+      /// always zero.) The same on all ranks.
+      void
+      check(const int status) const
+      {
+        const int of_mumps = mumps != nullptr ? mumps->GetINFOG()[0] : 0;
+        if (of_mumps < 0 && of_mumps != mumps_singular)
+          throw FileError(
+            "MUMPS cannot factorise the system: INFOG(1) = " +
+            std::to_string(of_mumps) +
+            " (of its manual; -9, -13 and -19: not enough memory). More ranks, "
+            "a coarser mesh, or 'Linear solver/Type = multigrid' need less.");
+        if (status != 0 || of_mumps < 0)
           throw_singular();
       }
 
+      static constexpr int mumps_singular = -10;
+
       mutable Epetra_LinearProblem       problem;
       std::unique_ptr<Amesos_BaseSolver> solver;
+      /// The solver, if it is that.
+      Amesos_Mumps *mumps = nullptr;
     };
   } // namespace
 
