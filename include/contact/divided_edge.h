@@ -112,8 +112,8 @@ namespace ElastoPlastic
 
     // The weights of shared rows, null without; and the rows.
     std::shared_ptr<const SharedRows::Weights> weights;
-    std::shared_ptr<const Vector>             scale;
-    std::shared_ptr<const SharedRows>         shared_rows;
+    std::shared_ptr<const Vector>              scale;
+    std::shared_ptr<const SharedRows>          shared_rows;
   };
 } // namespace ElastoPlastic
 
