@@ -74,10 +74,7 @@ namespace ElastoPlastic
     switch (parameters.type)
       {
         case Preconditioner::multigrid:
-          methods = {geometric};
-          if (can_factorize)
-            methods.push_back(direct);
-          methods.push_back(algebraic);
+          methods = {geometric, can_factorize ? direct : algebraic};
           break;
         case Preconditioner::amg:
           methods = {algebraic};

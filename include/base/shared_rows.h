@@ -24,8 +24,8 @@ namespace ElastoPlastic
   public:
     using Vector = LinearAlgebra::distributed::Vector<double>;
 
-    /// A sparse matrix most of whose rows are zero: it needs no memory for
-    /// these.
+    /// A sparse matrix most of whose rows are zero: these are not stored. (A
+    /// product needs two vectors.)
     class Weights
     {
     public:

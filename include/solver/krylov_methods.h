@@ -8,6 +8,7 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector_memory.h>
 
 #include "base/exceptions.h"
 
@@ -39,8 +40,8 @@ namespace ElastoPlastic
 
   /// Solves matrix * solution = rhs by deal.II's Krylov method @p Solver, with
   /// a preconditioner, from zero, until the residual has fallen by the factor
-  /// @p reduction or the iterations are used up; then releases the vectors of
-  /// the iteration. @return the number of iterations.
+  /// @p reduction or the iterations are used up. @return the number of
+  /// iterations.
   /// @throws ConvergenceError if the result is not finite.
   template <typename Solver, typename Matrix, typename Preconditioner>
   unsigned int
@@ -54,10 +55,13 @@ namespace ElastoPlastic
   {
     IterationNumberControl control(maximum_iterations,
                                    reduction * rhs.l2_norm());
+    // (deal.II's default keeps the vectors for the next solve.)
+    PrimitiveVectorMemory<typename Solver::vector_type> memory;
     solution = 0.;
     try
       {
-        Solver(control, settings).solve(matrix, solution, rhs, preconditioner);
+        Solver(control, memory, settings)
+          .solve(matrix, solution, rhs, preconditioner);
       }
     catch (const SolverControl::NoConvergence &failure)
       {
@@ -65,8 +69,6 @@ namespace ElastoPlastic
         throw;
       }
     check_finite(solution.l2_norm());
-    // (deal.II would keep them for the next one.)
-    GrowingVectorMemory<typename Solver::vector_type>::release_unused_memory();
     return control.last_step();
   }
 

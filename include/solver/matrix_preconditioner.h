@@ -44,8 +44,7 @@ namespace ElastoPlastic
     const std::vector<MatrixPreconditioner::Vector> &near_null_space);
 
   /// A sparse factorisation, which does for unsymmetric matrices, too: by KLU
-  /// up to 5000 unknowns, beyond by MUMPS if Trilinos has it. What destroys it
-  /// is collective.
+  /// up to 5000 unknowns, by MUMPS beyond. To destroy it is collective.
   std::unique_ptr<MatrixPreconditioner>
   make_factorization();
 } // namespace ElastoPlastic

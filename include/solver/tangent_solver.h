@@ -83,7 +83,7 @@ namespace ElastoPlastic
     class ReducedTangent;
     class DeflatedPreconditioner;
 
-    /// @throws the last method's Error if no other can be prepared.
+    /// @throws ConvergenceError if no method is left that can be prepared.
     void
     prepare_preconditioner();
 

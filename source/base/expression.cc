@@ -3,39 +3,18 @@
 
 #include <cctype>
 #include <cmath>
-#include <iostream>
 #include <sstream>
 #include <vector>
 
 #include "base/exceptions.h"
 #include "base/expression.h"
 #include "base/rethrow_collectively.h"
+#include "base/silent_error_stream.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// Keeps what is sent to std::cerr from the user: deal.II prints there what
-    /// muParser says, on every rank, before it throws.
-    class SilentErrorStream
-    {
-    public:
-      SilentErrorStream()
-        : buffer(std::cerr.rdbuf(nullptr))
-      {}
-
-      ~SilentErrorStream()
-      {
-        std::cerr.rdbuf(buffer);
-        std::cerr.clear();
-      }
-
-    private:
-      std::streambuf *const buffer;
-    };
-
-
-
     /// What muParser says, as the continuation of a sentence; deal.II adds
     /// more.
     std::string

@@ -11,8 +11,8 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <exception>
-#include <iostream>
 
+#include "base/silent_error_stream.h"
 #include "solver/krylov_methods.h"
 #include "solver/matrix_preconditioner.h"
 
@@ -77,27 +77,6 @@ namespace ElastoPlastic
     /// many times, its calls take longer than the work.
     constexpr long long largest_small_system = 5000;
 
-    /// Amesos' messages, from all ranks, come on top of the exceptions.
-    class Silence
-    {
-    public:
-      Silence()
-        : stream(std::cerr.rdbuf(nullptr))
-      {}
-
-      ~Silence()
-      {
-        std::cerr.rdbuf(stream);
-      }
-
-      Silence(const Silence &) = delete;
-      Silence &
-      operator=(const Silence &) = delete;
-
-    private:
-      std::streambuf *const stream;
-    };
-
 
 
     /// By Amesos. (deal.II's SolverDirect analyses the pattern again for each
@@ -119,24 +98,24 @@ namespace ElastoPlastic
       void
       initialize(const TrilinosWrappers::SparseMatrix &matrix) override
       {
-        const Silence silence;
         if (!solver)
           analyze(matrix);
         Assert(problem.GetMatrix() == &matrix.trilinos_matrix(),
                ExcInternalError());
+        const SilentErrorStream silence;
         check(solver->NumericFactorization());
       }
 
       void
       vmult(Vector &result, const Vector &vector) const override
       {
-        const Silence          silence;
         const Epetra_BlockMap &map = problem.GetMatrix()->OperatorRangeMap();
         Epetra_Vector          lhs(View, map, result.begin());
         Epetra_Vector rhs(View, map, const_cast<double *>(vector.begin()));
         problem.SetLHS(&lhs);
         problem.SetRHS(&rhs);
-        const int status = solver->Solve();
+        const SilentErrorStream silence;
+        const int               status = solver->Solve();
         problem.SetLHS(nullptr);
         problem.SetRHS(nullptr);
         check(status);
@@ -146,42 +125,46 @@ namespace ElastoPlastic
       void
       analyze(const TrilinosWrappers::SparseMatrix &matrix)
       {
-        const bool is_large = matrix.m() > largest_small_system;
         problem.SetOperator(
           const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
-        solver.reset(
-          Amesos().Create(is_large && Amesos().Query("Amesos_Mumps") ?
-                            "Amesos_Mumps" :
-                            "Amesos_Klu",
-                          problem));
+        solver.reset(Amesos().Create(matrix.m() <= largest_small_system ?
+                                       "Amesos_Klu" :
+                                       "Amesos_Mumps",
+                                     problem));
         mumps = dynamic_cast<Amesos_Mumps *>(solver.get());
 
-        // KLU keeps its pivots, unless they have become small; MUMPS takes
-        // half as much memory again as it has estimated, if it needs that.
+        // KLU keeps its pivots, unless they have become small; MUMPS gets half
+        // as much workspace again as it has estimated.
         Teuchos::ParameterList list;
         list.set("Refactorize", true);
         list.sublist("mumps").set("ICNTL(14)", 50);
         solver->SetParameters(list);
+        const SilentErrorStream silence;
         check(solver->SymbolicFactorization());
       }
 
-      /// @p status is what a call has returned. (After a solution, MUMPS' is
-      /// always zero.) The same on all ranks.
+      /// Collective. @p status is what a call has returned. (After a solution,
+      /// MUMPS' is always zero.)
       void
       check(const int status) const
       {
-        const int of_mumps = mumps != nullptr ? mumps->GetINFOG()[0] : 0;
-        if (of_mumps < 0 && of_mumps != mumps_singular)
+        int of_mumps = mumps != nullptr ? mumps->GetINFOG()[0] : 0;
+        problem.GetMatrix()->Comm().Broadcast(&of_mumps, 1, 0);
+        if (of_mumps < 0 && of_mumps != numerically_singular &&
+            of_mumps != structurally_singular)
           throw FileError(
-            "MUMPS cannot factorise the system: INFOG(1) = " +
+            "MUMPS cannot factorise the system. Its manual says "
+            "what INFOG(1) = " +
             std::to_string(of_mumps) +
-            " (of its manual; -9, -13 and -19: not enough memory). More ranks, "
-            "a coarser mesh, or 'Linear solver/Type = multigrid' need less.");
+            " means: mostly, that there is not enough memory. "
+            "More machines, a coarser mesh, or another 'Linear "
+            "solver/Type' need less.");
         if (status != 0 || of_mumps < 0)
           throw_singular();
       }
 
-      static constexpr int mumps_singular = -10;
+      static constexpr int numerically_singular  = -10;
+      static constexpr int structurally_singular = -6;
 
       mutable Epetra_LinearProblem       problem;
       std::unique_ptr<Amesos_BaseSolver> solver;

@@ -134,7 +134,7 @@ namespace ElastoPlastic
               tangent.make_pressure_preconditioner(held.constrained);
           return;
         }
-      catch (const Error &)
+      catch (const ConvergenceError &)
         {
           if (is_last_method())
             throw;
