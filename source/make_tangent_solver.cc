@@ -13,7 +13,7 @@ namespace ElastoPlastic
   namespace
   {
     /// In the plane, a factorisation takes no longer than so many iterations
-    /// with geometric multigrid (90,000 unknowns, one rank), and 4 to 5 KB for
+    /// with geometric multigrid (90,000 unknowns, one rank), and 3.5 KB for
     /// each unknown.
     constexpr unsigned int            patience_in_plane     = 60;
     constexpr types::global_dof_index largest_factorization = 1000000;
