@@ -23,17 +23,13 @@ namespace ElastoPlastic
              *matrix_free.get_vector_partitioner()),
            ExcInternalError());
     phi.reinit(batch);
-    if (nodal_access.covers(batch))
-      nodal_access.template read<n_points>(phi.begin_dof_values(),
-                                           vector.begin(),
-                                           batch);
-    else
-      phi.read_dof_values_plain(vector);
+    nodal_access.template read<n_points>(phi.begin_dof_values(),
+                                         vector.begin(),
+                                         batch);
   }
 
 
 
-  // (deal.II's function hands the forces to masters right away.)
   template <int degree, typename StrainMeasure, typename Base>
   ELASTO_PLASTIC_ALWAYS_INLINE inline void
   MatrixFreeKernel<degree, StrainMeasure, Base>::add(Vector     &forces,
@@ -42,13 +38,9 @@ namespace ElastoPlastic
     Assert(forces.partitioners_are_compatible(
              *matrix_free.get_vector_partitioner()),
            ExcInternalError());
-    const unsigned int batch = phi.get_current_cell_index();
-    if (nodal_access.covers(batch))
-      nodal_access.template add<n_points>(forces.begin(),
-                                          phi.begin_dof_values(),
-                                          batch);
-    else
-      phi.distribute_local_to_global(forces);
+    nodal_access.template add<n_points>(forces.begin(),
+                                        phi.begin_dof_values(),
+                                        phi.get_current_cell_index());
   }
 
 

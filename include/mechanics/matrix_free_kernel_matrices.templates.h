@@ -240,18 +240,12 @@ namespace ElastoPlastic
     Vector &values, const Tangents &tangents) const
   {
     this->initialize_vector(values);
-    Evaluation                phi(matrix_free);
-    std::vector<unsigned int> indices;
+    Evaluation phi(matrix_free);
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {
         phi.reinit(batch);
         compute_cell_diagonal(phi, tangents);
-        matrix_free.get_dof_info().get_dof_indices_on_cell_batch(
-          indices, batch, /* with_constraints = */ false);
-        auto index = indices.begin();
-        for (unsigned int lane = 0; lane < this->n_cells(batch); ++lane)
-          for (unsigned int i = 0; i < phi.dofs_per_cell; ++i)
-            values.local_element(*index++) += phi.begin_dof_values()[i][lane];
+        add(values, phi);
       }
     values.compress(VectorOperation::add);
     this->hand_to_masters(values);

@@ -4,9 +4,9 @@
 #ifndef mechanics_nodal_access_h
 #define mechanics_nodal_access_h
 
-#include <deal.II/matrix_free/hanging_nodes_internal.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -25,57 +25,48 @@ namespace ElastoPlastic
   /// EliminatedUnknowns.
   ///
   /// The numbers of a batch are those of FEEvaluation::begin_dof_values():
-  /// component by component.
+  /// component by component. Lanes without a cell read zeros, and add nothing.
   template <int dim, typename Number>
   class NodalAccess
   {
   public:
     using value_type = typename Number::value_type;
 
-    /// For the elements of @p matrix_free, with @p n_nodes nodes; it must
-    /// outlive this object or the next call.
+    /// For the elements of @p matrix_free, with @p n_nodes nodes. (Not by its
+    /// indices, which put the master in the place of an unknown that is equal
+    /// to it.) One index for each node takes the place of those of all unknowns
+    /// in @p matrix_free, two for each, which are released: from now on, it
+    /// cannot read or write vectors.
     void
-    reinit(const MatrixFree<dim, value_type, Number> &matrix_free,
-           const unsigned int                         n_nodes)
+    reinit(MatrixFree<dim, value_type, Number> &matrix_free,
+           const unsigned int                   n_nodes)
     {
       const unsigned int n_batches = matrix_free.n_cell_batches();
-      indices.assign(n_batches, nullptr);
-      own_indices.clear();
-      std::vector<std::pair<unsigned int, std::size_t>> with_own;
-      std::vector<unsigned int>                         of_cells;
-      const DoFInfo &dofs = matrix_free.get_dof_info();
+      const auto        &layout    = *matrix_free.get_vector_partitioner();
+      const unsigned int n_entries =
+        layout.locally_owned_size() + layout.n_ghost_indices();
+      n_indices = n_nodes * n_lanes;
+      n_cells.resize(n_batches);
+      packs_fit.resize(n_batches);
+      indices.assign(n_batches * n_indices, 0);
+      std::vector<types::global_dof_index> dofs(dim * n_nodes);
       for (unsigned int batch = 0; batch < n_batches; ++batch)
-        if (matrix_free.n_active_entries_per_cell_batch(batch) == n_lanes)
-          {
-            dofs.get_dof_indices_on_cell_batch(of_cells,
-                                               batch,
-                                               /* with_constraints = */ false);
-            if (!are_in_packs(of_cells, n_nodes, *dofs.vector_partitioner))
-              continue;
-            if (has_constraints(batch, dofs))
-              {
-                with_own.emplace_back(batch, own_indices.size());
-                for (unsigned int node = 0; node < n_nodes; ++node)
-                  for (unsigned int lane = 0; lane < n_lanes; ++lane)
-                    own_indices.push_back(
-                      of_cells[dim * n_nodes * lane + node]);
-              }
-            else
-              indices[batch] =
-                &dofs.dof_indices_interleaved
-                   [dofs.row_starts[batch * dim * n_lanes].first];
-          }
-      for (const auto &[batch, begin] : with_own)
-        indices[batch] = &own_indices[begin];
-    }
-
-    /// Whether @p batch can be treated here: it has a cell in each lane, and no
-    /// node at the very end of vectors, beyond which LanePacks would read.
-    /// Otherwise there is FEEvaluation.
-    bool
-    covers(const unsigned int batch) const
-    {
-      return indices[batch] != nullptr;
+        {
+          n_cells[batch] = matrix_free.n_active_entries_per_cell_batch(batch);
+          unsigned int *const index = &indices[batch * n_indices];
+          for (unsigned int lane = 0; lane < n_cells[batch]; ++lane)
+            {
+              matrix_free.get_cell_iterator(batch, lane)->get_dof_indices(dofs);
+              for (unsigned int node = 0; node < n_nodes; ++node)
+                index[node * n_lanes + lane] = layout.global_to_local(
+                  first_unknown(dofs, node, matrix_free.get_shape_info()));
+            }
+          packs_fit[batch] =
+            n_cells[batch] == n_lanes &&
+            *std::max_element(index, index + n_indices) + Packs::pack_size <=
+              n_entries;
+        }
+      release_indices(matrix_free);
     }
 
     /// The local entries of a vector begin at @p vector.
@@ -85,7 +76,19 @@ namespace ElastoPlastic
          const value_type *const vector,
          const unsigned int      batch) const
     {
-      const unsigned int *index = indices[batch];
+      const unsigned int *index = &indices[batch * n_indices];
+      if (!packs_fit[batch])
+        {
+          for (unsigned int node = 0; node < n_nodes; ++node, index += n_lanes)
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                Number &value = values[c * n_nodes + node];
+                value         = 0.;
+                for (unsigned int lane = 0; lane < n_cells[batch]; ++lane)
+                  value[lane] = vector[index[lane] + c];
+              }
+          return;
+        }
       for (unsigned int node = 0; node < n_nodes; ++node, index += n_lanes)
         {
           typename Packs::Batches of_node;
@@ -101,7 +104,15 @@ namespace ElastoPlastic
         const Number *const values,
         const unsigned int  batch) const
     {
-      const unsigned int *index = indices[batch];
+      const unsigned int *index = &indices[batch * n_indices];
+      if (!packs_fit[batch])
+        {
+          for (unsigned int node = 0; node < n_nodes; ++node, index += n_lanes)
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int lane = 0; lane < n_cells[batch]; ++lane)
+                vector[index[lane] + c] += values[c * n_nodes + node][lane];
+          return;
+        }
       for (unsigned int node = 0; node < n_nodes; ++node, index += n_lanes)
         {
           typename Packs::Batches of_node;
@@ -114,54 +125,49 @@ namespace ElastoPlastic
   private:
     static constexpr unsigned int n_lanes = Number::size();
 
-    using Packs   = LanePacks<dim, Number>;
-    using DoFInfo = internal::MatrixFreeFunctions::DoFInfo;
+    using Packs = LanePacks<dim, Number>;
 
-    /// Whether deal.II has other indices for the cells of @p batch than those
-    /// of their own nodes.
-    static bool
-    has_constraints(const unsigned int batch, const DoFInfo &dofs)
+    /// The first unknown of a node of a cell with these @p dofs; the others
+    /// follow it.
+    static types::global_dof_index
+    first_unknown(
+      const std::vector<types::global_dof_index>             &dofs,
+      const unsigned int                                      node,
+      const internal::MatrixFreeFunctions::ShapeInfo<Number> &shape_info)
     {
-      if (dofs.index_storage_variants[DoFInfo::dof_access_cell][batch] !=
-          DoFInfo::IndexStorageVariants::interleaved)
-        return true;
-      const auto &patterns = dofs.hanging_node_constraint_masks;
-      for (unsigned int i = n_lanes * batch; i < n_lanes * (batch + 1); ++i)
-        if (i < patterns.size() && patterns[i] !=
-                                     internal::MatrixFreeFunctions::
-                                       unconstrained_compressed_constraint_kind)
-          return true;
-      return false;
+      const auto        &numbering = shape_info.lexicographic_numbering;
+      const unsigned int n_nodes   = dofs.size() / dim;
+      const auto         first     = dofs[numbering[node]];
+      for (unsigned int c = 1; c < dim; ++c)
+        AssertThrow(dofs[numbering[c * n_nodes + node]] == first + c,
+                    ExcInternalError());
+      return first;
     }
 
-    /// Whether the unknowns of each node follow each other, in vectors that are
-    /// long enough. Of @p of_cells, those of one cell follow those of another,
-    /// component by component.
-    static bool
-    are_in_packs(const std::vector<unsigned int>   &of_cells,
-                 const unsigned int                 n_nodes,
-                 const Utilities::MPI::Partitioner &layout)
+    /// (There is no other access to them.)
+    static void
+    release_indices(MatrixFree<dim, value_type, Number> &matrix_free)
     {
-      const unsigned int n_entries =
-        layout.locally_owned_size() + layout.n_ghost_indices();
-      for (unsigned int lane = 0; lane < n_lanes; ++lane)
-        for (unsigned int node = 0; node < n_nodes; ++node)
-          {
-            const unsigned int *index = &of_cells[dim * n_nodes * lane + node];
-            if (*index + Packs::pack_size > n_entries)
-              return false;
-            for (unsigned int c = 1; c < dim; ++c)
-              if (index[c * n_nodes] != *index + c)
-                return false;
-          }
-      return true;
+      auto &dofs = const_cast<internal::MatrixFreeFunctions::DoFInfo &>(
+        matrix_free.get_dof_info());
+      for (auto *list : {&dofs.dof_indices,
+                         &dofs.dof_indices_interleaved,
+                         &dofs.plain_dof_indices,
+                         &dofs.row_starts_plain_indices})
+        std::vector<unsigned int>().swap(*list);
+      std::vector<std::pair<unsigned int, unsigned int>>().swap(
+        dofs.row_starts);
     }
 
+    /// Of a batch, n_lanes for each node.
+    std::size_t n_indices = 0;
     /// For each batch, where the vector has the first unknown of its nodes: of
     /// the first node in all lanes, of the second ...
-    /// (Where constraints interfere, deal.II does not have them in this order.)
-    std::vector<const unsigned int *> indices;
-    std::vector<unsigned int>         own_indices;
+    std::vector<unsigned int> indices;
+    /// For each batch the number of its cells, and whether it has a cell in
+    /// each lane and no node at the very end of vectors, beyond which LanePacks
+    /// would read.
+    std::vector<unsigned char> n_cells, packs_fit;
   };
 } // namespace ElastoPlastic
 

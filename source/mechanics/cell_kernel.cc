@@ -21,13 +21,23 @@ namespace ElastoPlastic
     if (strain_model.kinematics == Kinematics::axisymmetric)
       settings.mapping_update_flags |= update_quadrature_points;
     settings.tasks_parallel_scheme = settings.none;
-    matrix_free.reinit(MappingQ1<dim>(),
-                       dof_handler,
-                       new_constraints,
-                       QGauss<1>(dof_handler.get_fe().degree + 1),
-                       settings);
+
+    const auto set_up = [&]() {
+      matrix_free.reinit(MappingQ1<dim>(),
+                         dof_handler,
+                         new_constraints,
+                         QGauss<1>(dof_handler.get_fe().degree + 1),
+                         settings);
+    };
+    // (Indices and geometry need much memory while they are found: one after
+    // the other.)
+    settings.initialize_mapping = false;
+    set_up();
     nodal_access.reinit(matrix_free, dof_handler.get_fe().dofs_per_cell / dim);
     eliminated.reinit(new_constraints, *matrix_free.get_vector_partitioner());
+    settings.initialize_indices = false;
+    settings.initialize_mapping = true;
+    set_up();
   }
 
 
