@@ -223,15 +223,17 @@ namespace
     level->initialize_vector(y);
     x = 1e-6f;
 
-    // Of a cell: indices of its unknowns; and tangents, at all its points or
-    // one. (Those of cells that are boxes share their Jacobians.)
-    const double indices    = sizeof(unsigned int) * body.fe.n_dofs_per_cell();
-    const double n_points   = Utilities::fixed_power<dim>(degree + 1.);
+    // Of a cell: indices of its nodes; and tangents, at all its points or one.
+    // (Those of cells that are boxes share their Jacobians.)
+    const double indices =
+      sizeof(unsigned int) * body.fe.n_dofs_per_cell() / dim;
+    const double at_points = Utilities::fixed_power<dim>(degree + 1.) *
+                             PointTangents<dim>::bytes_of_flowing_point;
     const double of_tangent = sizeof(float) * Tangent<dim, float>::n_values;
     const std::vector<Kernel> kernels = {{"product where the body flows",
                                           sizeof(double),
                                           operations_per_cell(degree),
-                                          indices + n_points * of_tangent,
+                                          indices + at_points,
                                           3,
                                           [&]() {
                                             flowing.vmult(forces, u);

@@ -130,7 +130,7 @@ namespace
       quotient -= product;
       verify("  tangent is the derivative of the forces",
              quotient.l2_norm() / product.l2_norm(),
-             1e-6);
+             PackedDeviator<dim>::largest_turn);
 
       if (!here.is_symmetric())
         return;

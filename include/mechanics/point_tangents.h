@@ -6,20 +6,23 @@
 
 #include <deal.II/base/aligned_vector.h>
 
+#include <array>
 #include <vector>
 
 #include "base/inlining.h"
 #include "base/single_precision_storage.h"
 #include "base/tensors.h"
+#include "mechanics/packed_deviator.h"
 #include "mechanics/tangents.h"
 
 namespace ElastoPlastic
 {
   /// The tangents of the problem: at all quadrature points of all cell batches,
-  /// rounded to single precision. The flow directions are those of the
+  /// rounded to single precision, directions more than that. A batch in which
+  /// nothing flows has one shear modulus. The flow directions are those of the
   /// prediction (doc/theory.md, "Newton's method for plasticity"). If the
   /// strains are finite, the products take what SolidKernel::linearize() makes
-  /// of them, the nominal tangents.
+  /// of all tangents, the nominal ones.
   template <int dim>
   class PointTangents
   {
@@ -28,7 +31,16 @@ namespace ElastoPlastic
     using Number     = Simd<double>;
     using Tensor3    = SymmetricTensor<2, 3, Number>;
 
+    /// Of elements of degree 2.
+    static constexpr unsigned int max_points = Utilities::pow(3, dim);
+
     static constexpr bool constant_on_cells = false;
+
+    /// What a point of a batch in which something flows takes of the memory,
+    /// in one lane.
+    static constexpr unsigned int bytes_of_flowing_point =
+      (2 * sizeof(PackedLanes<float>) + 2 * sizeof(PackedDeviator<dim>)) /
+      Number::size();
 
     /// @p recovers tells whether back stresses recover, and so make the
     /// tangents unsymmetric.
@@ -45,17 +57,14 @@ namespace ElastoPlastic
     void
     reinit(const unsigned int n_cell_batches)
     {
-      for (AlignedVector<Number> *moduli :
-           {&bulk_moduli, &moderate_bulk_moduli})
+      for (AlignedVector<Number> *moduli : {&bulk_moduli, &shear_moduli})
         {
           moduli->resize_fast(n_cell_batches);
           moduli->fill(Number(0.));
         }
-      elastic.assign(n_cell_batches, 0);
-      tangents.reinit(n_points * n_cell_batches);
-      flow_directions.reinit(n_points * n_cell_batches);
-      if (recovers)
-        recoveries.reinit(n_points * n_cell_batches);
+      tangents        = Batches<PointTangent>(n_cell_batches);
+      flow_directions = Batches<PackedDeviator<dim>>(n_cell_batches);
+      recoveries = Batches<PackedDeviator<dim>>(recovers ? n_cell_batches : 0);
       if (strains_are_finite)
         nominal_tangents.reinit(n_points * n_cell_batches);
       if (strains_are_finite && recovers)
@@ -73,6 +82,7 @@ namespace ElastoPlastic
     void
     set_moderate_bulk_modulus(const unsigned int batch, const Number &value)
     {
+      moderate_bulk_moduli.resize(bulk_moduli.size());
       moderate_bulk_moduli[batch] = value;
     }
 
@@ -82,18 +92,29 @@ namespace ElastoPlastic
       return moderate_bulk_moduli[batch];
     }
 
+    /// The tangents at the points of a batch of cells.
     void
-    set(const unsigned int         batch,
-        const unsigned int         point,
-        const OpenTangent<Number> &tangent)
+    set(const unsigned int                                 batch,
+        const std::array<OpenTangent<Number>, max_points> &of_points)
     {
-      const unsigned int i = n_points * batch + point;
-      tangents.set(
-        i, {tangent.shear, in_plane<dim>(tangent.normal), tangent.flow_length});
-      elastic[batch] = (point == 0 || elastic[batch]) && !recovers &&
-                       is_elastic_as(i, n_points * batch);
-      if (recovers)
-        recoveries.set(i, in_plane<dim>(tangent.recovery));
+      shear_moduli[batch] = of_points[0].shear;
+      if (are_elastic(of_points))
+        {
+          release(tangents[batch]);
+          if (recovers)
+            release(recoveries[batch]);
+          return;
+        }
+      tangents[batch].resize(n_points);
+      for (unsigned int q = 0; q < n_points; ++q)
+        tangents[batch][q] = {of_points[q].shear,
+                              of_points[q].flow_length,
+                              PackedDeviator<dim>(of_points[q].normal)};
+      if (!recovers)
+        return;
+      recoveries[batch].resize(n_points);
+      for (unsigned int q = 0; q < n_points; ++q)
+        recoveries[batch][q] = PackedDeviator<dim>(of_points[q].recovery);
     }
 
     /// The derivative of the nominal stress is @p matrix, without the part of
@@ -119,15 +140,26 @@ namespace ElastoPlastic
     Tensor3
     flow_direction(const unsigned int batch, const unsigned int point) const
     {
-      return flow_directions[n_points * batch + point];
+      return flow_directions[batch].empty() ?
+               Tensor3() :
+               flow_directions[batch][point].unpack();
     }
 
+    /// Those at the points of a batch of cells.
     void
-    set_flow_direction(const unsigned int batch,
-                       const unsigned int point,
-                       const Tensor3     &direction)
+    set_flow_directions(const unsigned int                     batch,
+                        const std::array<Tensor3, max_points> &of_points)
     {
-      flow_directions.set(n_points * batch + point, direction);
+      flow_directions[batch].resize(n_points);
+      for (unsigned int q = 0; q < n_points; ++q)
+        flow_directions[batch][q] = PackedDeviator<dim>(of_points[q]);
+    }
+
+    /// Where nothing flows, none is needed.
+    void
+    forget_flow_directions(const unsigned int batch)
+    {
+      release(flow_directions[batch]);
     }
 
     /// A positive definite approximation: without recovery, and where the flow
@@ -136,24 +168,27 @@ namespace ElastoPlastic
     DeviatoricTangent<dim, Number>
     definite(const unsigned int batch, const unsigned int point) const
     {
-      auto         tangent = without_recovery(n_points * batch + point);
-      const Number is_soft = compare_and_apply_mask<SIMDComparison::less_than>(
-        tangents[n_points * batch + point].flow_length,
-        Number(0.),
-        Number(0.),
-        Number(1.));
-      tangent.normal *= is_soft;
-      tangent.flow *= is_soft;
+      auto tangent = without_recovery(batch, point);
+      if (!are_constant(batch))
+        {
+          const Number is_soft =
+            compare_and_apply_mask<SIMDComparison::less_than>(
+              Number(tangents[batch][point].flow_length),
+              Number(0.),
+              Number(0.),
+              Number(1.));
+          tangent.normal *= is_soft;
+          tangent.flow *= is_soft;
+        }
       return tangent;
     }
 
     /// Whether the tangents of a batch of cells are the same at all points of a
-    /// cell, because there is no flow. (Where back stresses recover, always
-    /// no.)
+    /// cell, because there is no flow.
     bool
     are_constant(const unsigned int batch) const
     {
-      return elastic[batch];
+      return tangents[batch].empty();
     }
 
     /// The tangents of such a batch.
@@ -162,7 +197,7 @@ namespace ElastoPlastic
     public:
       OfConstantBatch(const PointTangents &all, const unsigned int batch)
         : bulk_modulus(all.bulk_moduli[batch])
-        , shear(PointTangent(all.tangents[all.n_points * batch]).shear)
+        , shear(all.shear_moduli[batch])
       {}
 
       ELASTO_PLASTIC_ALWAYS_INLINE inline auto
@@ -186,7 +221,7 @@ namespace ElastoPlastic
       OfBatch(const PointTangents &all, const unsigned int batch)
         : bulk_modulus(all.bulk_moduli[batch])
         , all(all)
-        , first_point(all.n_points * batch)
+        , batch(batch)
       {}
 
       ELASTO_PLASTIC_ALWAYS_INLINE inline TangentLaw<
@@ -195,7 +230,7 @@ namespace ElastoPlastic
         DeviatoricTangent<dim, Number>>
       law(const unsigned int point) const
       {
-        return {all.complete(first_point + point), all.flow_share};
+        return {all.complete(batch, point), all.flow_share};
       }
 
       /// See NominalTangent.
@@ -203,7 +238,7 @@ namespace ElastoPlastic
       nominal_stress(const unsigned int                  point,
                      const GradientEntries<dim, Number> &increment) const
       {
-        const unsigned int i = first_point + point;
+        const unsigned int i = all.n_points * batch + point;
         auto stress = all.nominal_tangents[i].stiffness_times(increment);
         if (all.recovers)
           stress += all.skew_parts[i] * increment;
@@ -213,54 +248,76 @@ namespace ElastoPlastic
       GradientEntries<dim, Number>
       volumetric_slope(const unsigned int point) const
       {
-        return all.nominal_tangents[first_point + point].volumetric_slope;
+        return all.nominal_tangents[all.n_points * batch + point]
+          .volumetric_slope;
       }
 
       const Number bulk_modulus;
 
     private:
       const PointTangents &all;
-      const unsigned int   first_point;
+      const unsigned int   batch;
     };
 
   private:
+    using InPlane = SymmetricTensor<2, dim, Number>;
+
     /// What describes the tangent at a point, but for the flow direction: its
     /// flow is flow_length times that.
     struct PointTangent
     {
-      Number                          shear;
-      SymmetricTensor<2, dim, Number> normal;
-      Number                          flow_length;
+      PackedLanes<float>  shear, flow_length;
+      PackedDeviator<dim> normal;
     };
 
-    /// Whether there is no flow at point @p i, and its shear modulus that of
-    /// @p other.
+    /// For each batch of cells, nothing or something for each of its points.
+    template <typename T>
+    using Batches = std::vector<std::vector<T>>;
+
+    template <typename T>
+    static void
+    release(std::vector<T> &of_batch)
+    {
+      std::vector<T>().swap(of_batch);
+    }
+
+    /// Whether there is no flow, and one shear modulus. (Where there is flow,
+    /// the normal does not vanish: flow_length may.)
     bool
-    is_elastic_as(const unsigned int i, const unsigned int other) const
+    are_elastic(
+      const std::array<OpenTangent<Number>, max_points> &of_points) const
     {
-      const PointTangent a = tangents[i], b = tangents[other];
-      bool               result = true;
-      for (unsigned int lane = 0; lane < Number::size(); ++lane)
-        result =
-          result && a.flow_length[lane] == 0. && a.shear[lane] == b.shear[lane];
-      return result;
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          const Number normal = of_points[q].normal.norm();
+          for (unsigned int lane = 0; lane < Number::size(); ++lane)
+            if (normal[lane] != 0. ||
+                of_points[q].shear[lane] != of_points[0].shear[lane])
+              return false;
+        }
+      return true;
     }
 
     ELASTO_PLASTIC_ALWAYS_INLINE inline DeviatoricTangent<dim, Number>
-    without_recovery(const unsigned int i) const
+    without_recovery(const unsigned int batch, const unsigned int point) const
     {
-      const PointTangent tangent = tangents[i];
-      return {tangent.shear,
-              tangent.normal,
-              tangent.flow_length * in_plane<dim>(flow_directions[i])};
+      if (are_constant(batch))
+        return {shear_moduli[batch], InPlane(), InPlane()};
+      const PointTangent            &stored = tangents[batch][point];
+      DeviatoricTangent<dim, Number> tangent{
+        stored.shear, in_plane<dim>(stored.normal.unpack()), InPlane()};
+      if (!flow_directions[batch].empty())
+        tangent.flow = Number(stored.flow_length) *
+                       in_plane<dim>(flow_directions[batch][point].unpack());
+      return tangent;
     }
 
     ELASTO_PLASTIC_ALWAYS_INLINE inline DeviatoricTangent<dim, Number>
-    complete(const unsigned int i) const
+    complete(const unsigned int batch, const unsigned int point) const
     {
-      auto tangent = without_recovery(i);
-      if (recovers)
-        tangent.flow += recoveries[i];
+      auto tangent = without_recovery(batch, point);
+      if (recovers && !are_constant(batch))
+        tangent.flow += in_plane<dim>(recoveries[batch][point].unpack());
       return tangent;
     }
 
@@ -270,14 +327,13 @@ namespace ElastoPlastic
     /// See DeviatoricTangent::product().
     const Number flow_share;
 
-    AlignedVector<Number> bulk_moduli, moderate_bulk_moduli;
-    std::vector<char>     elastic;
+    /// The shear moduli are those of first points.
+    AlignedVector<Number> bulk_moduli, moderate_bulk_moduli, shear_moduli;
 
-    /// Of all points. What recovering back stresses add to the flow of the
-    /// tangents takes no memory if none does.
-    SinglePrecisionStorage<PointTangent>                    tangents;
-    SinglePrecisionStorage<Tensor3>                         flow_directions;
-    SinglePrecisionStorage<SymmetricTensor<2, dim, Number>> recoveries;
+    Batches<PointTangent>        tangents;
+    Batches<PackedDeviator<dim>> flow_directions;
+    /// What recovering back stresses add to the flow of the tangents.
+    Batches<PackedDeviator<dim>> recoveries;
     /// Of finite strains only.
     SinglePrecisionStorage<NominalTangent<dim, Number>> nominal_tangents;
     SinglePrecisionStorage<SkewPart<dim, Number>>       skew_parts;

@@ -22,8 +22,7 @@ namespace ElastoPlastic
   {
     using Number = Simd<double>;
 
-    /// Of elements of degree 2.
-    static constexpr unsigned int max_points = Utilities::pow(3, dim);
+    static constexpr unsigned int max_points = PointTangents<dim>::max_points;
 
     unsigned int batch, n_points;
     /// A sheet's has no strain out of plane: the material says what it is.

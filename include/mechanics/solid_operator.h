@@ -10,6 +10,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -191,6 +192,8 @@ namespace ElastoPlastic
     using Kernel   = SolidKernel<dim>;
     using Strains  = typename Kernel::Strains;
     using Stresses = typename Kernel::Stresses;
+    template <typename T>
+    using AtPoints = std::array<T, Strains::max_points>;
 
     /// The strain at a point. Out of plane, the material of a sheet says it.
     Strain

@@ -8,6 +8,27 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// Whether a point flows in any lane, or may do so soon: the flow
+    /// @p direction that is predicted for an elastic point has the length of
+    /// the stress, and 1 if that reaches the yield surface.
+    bool
+    may_flow(const RadialReturn<Simd<double>>          &plasticity,
+             const SymmetricTensor<2, 3, Simd<double>> &direction)
+    {
+      constexpr double   enough = 0.5;
+      const Simd<double> flows  = plasticity.plastic(1.);
+      const Simd<double> length = direction.norm();
+      for (unsigned int lane = 0; lane < Simd<double>::size(); ++lane)
+        if (flows[lane] > 0. || length[lane] > enough)
+          return true;
+      return false;
+    }
+  } // namespace
+
+
+
   template <int dim>
   SolidOperator<dim>::SolidOperator(
     const unsigned int                   degree,
@@ -220,19 +241,22 @@ namespace ElastoPlastic
   void
   SolidOperator<dim>::linearize(const VectorType &u)
   {
+    AtPoints<OpenTangent<Number>> of_points;
+    AtPoints<Strain>              flow_directions;
     kernel->linearize(
-      tangents, u, [this](const Strains &strains, Stresses &stresses) {
+      tangents, u, [&](const Strains &strains, Stresses &stresses) {
         for (unsigned int q = 0; q < n_points; ++q)
           {
             const auto  at_point   = response(strains, q);
             const auto &plasticity = at_point.plasticity();
             stresses[q]            = at_point.stress();
-            tangents.set(strains.batch, q, plasticity.tangent());
+            of_points[q]           = plasticity.tangent();
             if (becomes_steeper)
-              tangents.set_flow_direction(strains.batch,
-                                          q,
-                                          plasticity.flow_direction());
+              flow_directions[q] = plasticity.flow_direction();
           }
+        tangents.set(strains.batch, of_points);
+        if (becomes_steeper && !tangents.are_constant(strains.batch))
+          tangents.set_flow_directions(strains.batch, flow_directions);
       });
     if (is_nearly_incompressible())
       moderate_bulk_moduli();
@@ -245,19 +269,30 @@ namespace ElastoPlastic
   SolidOperator<dim>::predict_flow(const VectorType &old_u,
                                    const VectorType &new_u)
   {
-    kernel->for_each_batch(
-      {&old_u, &new_u}, [&](const std::vector<Strains> &strains) {
-        const unsigned int batch = strains[0].batch;
-        for (unsigned int q = 0; q < n_points; ++q)
-          tangents.set_flow_direction(
-            batch,
-            q,
-            response(strains[0], q)
-              .plasticity()
-              .predicted_flow(tangents.flow_direction(batch, q),
-                              strain_deviator(strain_at(strains[1], q)) -
-                                strain_deviator(strain_at(strains[0], q))));
-      });
+    if (becomes_steeper)
+      return;
+    AtPoints<Strain> directions;
+    kernel->for_each_batch({&old_u, &new_u},
+                           [&](const std::vector<Strains> &strains) {
+                             const unsigned int batch      = strains[0].batch;
+                             bool               are_needed = false;
+                             for (unsigned int q = 0; q < n_points; ++q)
+                               {
+                                 const auto  at_point = response(strains[0], q);
+                                 const auto &plasticity = at_point.plasticity();
+                                 directions[q] = plasticity.predicted_flow(
+                                   tangents.flow_direction(batch, q),
+                                   strain_deviator(strain_at(strains[1], q)) -
+                                     strain_deviator(strain_at(strains[0], q)));
+                                 are_needed =
+                                   are_needed ||
+                                   may_flow(plasticity, directions[q]);
+                               }
+                             if (are_needed)
+                               tangents.set_flow_directions(batch, directions);
+                             else
+                               tangents.forget_flow_directions(batch);
+                           });
   }
 
 
