@@ -37,6 +37,19 @@ namespace ElastoPlastic
       return 7 + 6 * n_back_stresses;
     }
 
+    /// Whether it is that of a virgin point, in all lanes.
+    bool
+    is_virgin() const
+    {
+      std::array<Number, n_values(max_back_stresses)> values;
+      pack(values.data());
+      for (unsigned int i = 0; i < n_values(back_stresses.size()); ++i)
+        for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+          if (lane_of(values[i], lane) != 0.)
+            return false;
+      return true;
+    }
+
     /// Writes all numbers to an array.
     void
     pack(Number *values) const

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/aligned_vector.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "material/material_state.h"
@@ -13,7 +14,7 @@
 namespace ElastoPlastic
 {
   /// What the material points of all cell batches remember, in the layout of
-  /// the batches. As long as all points are virgin, this takes no memory.
+  /// the batches. Those of which all points are virgin take no memory.
   class PointHistory
   {
   public:
@@ -28,10 +29,8 @@ namespace ElastoPlastic
     void
     reinit(const unsigned int n_cell_batches, const unsigned int n_points)
     {
-      n_batches         = n_cell_batches;
       n_points_per_cell = n_points;
-      n_cell_values     = n_points * n_state_values;
-      numbers.clear();
+      batches           = std::vector<AlignedVector<Number>>(n_cell_batches);
     }
 
     /// The number of points of a cell.
@@ -45,8 +44,8 @@ namespace ElastoPlastic
     state(const unsigned int batch, const unsigned int point) const
     {
       MaterialState<Number> result(n_back_stresses);
-      if (!numbers.empty())
-        result.unpack(&numbers[n_cell_values * batch + n_state_values * point]);
+      if (!batches[batch].empty())
+        result.unpack(&batches[batch][n_state_values * point]);
       return result;
     }
 
@@ -55,18 +54,20 @@ namespace ElastoPlastic
               const unsigned int           point,
               const MaterialState<Number> &state)
     {
-      make_room();
-      state.pack(&numbers[n_cell_values * batch + n_state_values * point]);
+      if (batches[batch].empty() && state.is_virgin())
+        return;
+      make_room(batch);
+      state.pack(&batches[batch][n_state_values * point]);
     }
 
     /// The states at the points of one cell, one after the other.
     std::vector<double>
     cell_values(const unsigned int batch, const unsigned int lane) const
     {
-      std::vector<double> values(n_cell_values, 0.);
-      if (!numbers.empty())
-        for (unsigned int i = 0; i < n_cell_values; ++i)
-          values[i] = numbers[n_cell_values * batch + i][lane];
+      std::vector<double> values(n_points_per_cell * n_state_values, 0.);
+      if (!batches[batch].empty())
+        for (unsigned int i = 0; i < values.size(); ++i)
+          values[i] = batches[batch][i][lane];
       return values;
     }
 
@@ -75,26 +76,29 @@ namespace ElastoPlastic
                     const unsigned int         lane,
                     const std::vector<double> &values)
     {
-      make_room();
-      for (unsigned int i = 0; i < n_cell_values; ++i)
-        numbers[n_cell_values * batch + i][lane] = values[i];
+      if (batches[batch].empty() &&
+          std::all_of(values.begin(), values.end(), [](const double value) {
+            return value == 0.;
+          }))
+        return;
+      make_room(batch);
+      for (unsigned int i = 0; i < values.size(); ++i)
+        batches[batch][i][lane] = values[i];
     }
 
   private:
     void
-    make_room()
+    make_room(const unsigned int batch)
     {
-      if (numbers.empty())
-        numbers.resize(std::size_t(n_cell_values) * n_batches, Number(0.));
+      if (batches[batch].empty())
+        batches[batch].resize(n_points_per_cell * n_state_values, Number(0.));
     }
 
     const unsigned int n_back_stresses;
     const unsigned int n_state_values;
 
-    unsigned int                  n_batches         = 0;
-    unsigned int                  n_points_per_cell = 0;
-    std::size_t                   n_cell_values     = 0;
-    dealii::AlignedVector<Number> numbers;
+    unsigned int                       n_points_per_cell = 0;
+    std::vector<AlignedVector<Number>> batches;
   };
 } // namespace ElastoPlastic
 
