@@ -16,9 +16,8 @@
 namespace ElastoPlastic
 {
   /// The solver that @p parameters ask for, for the tangent of @p solid on one
-  /// mesh. @p layout is a vector of the problem. @p warn is told when the
-  /// solver falls back to another. The model, the body, its unknowns and their
-  /// constraints must outlive the solver.
+  /// mesh. @p warn is told when the solver falls back to another. The model,
+  /// the body, its unknowns and their constraints must outlive the solver.
   template <int dim>
   std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters    &parameters,
@@ -26,7 +25,6 @@ namespace ElastoPlastic
                       const SolidOperator<dim>        &solid,
                       const DoFHandler<dim>           &dof_handler,
                       const AffineConstraints<double> &constraints,
-                      const VectorType                &layout,
                       const std::function<void(const std::string &)> &warn);
 } // namespace ElastoPlastic
 

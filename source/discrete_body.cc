@@ -103,7 +103,6 @@ namespace ElastoPlastic
                                          solid,
                                          dof_handler,
                                          supports.constraints(),
-                                         residual,
                                          [this](const std::string &warning) {
                                            log.warn(warning);
                                          });

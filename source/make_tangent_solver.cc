@@ -32,7 +32,6 @@ namespace ElastoPlastic
                       const SolidOperator<dim>        &solid,
                       const DoFHandler<dim>           &dof_handler,
                       const AffineConstraints<double> &constraints,
-                      const VectorType                &layout,
                       const std::function<void(const std::string &)> &warn)
   {
     using Method = TangentSolver::Method;
@@ -65,7 +64,9 @@ namespace ElastoPlastic
       std::min(parameters.maximum_iterations, patience),
       is_mixed ? TangentForm::mixed : TangentForm::displacements};
     const Method algebraic =
-      with_matrix("algebraic multigrid", [layout, &dof_handler]() {
+      with_matrix("algebraic multigrid", [&solid, &dof_handler]() {
+        VectorType layout;
+        solid.initialize_vector(layout);
         return make_algebraic_multigrid(rigid_body_modes(dof_handler, layout));
       });
     const Method direct = with_matrix("a factorisation", make_factorization);
@@ -94,7 +95,6 @@ namespace ElastoPlastic
                       const SolidOperator<2> &,
                       const DoFHandler<2> &,
                       const AffineConstraints<double> &,
-                      const VectorType &,
                       const std::function<void(const std::string &)> &);
   template std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters &,
@@ -102,6 +102,5 @@ namespace ElastoPlastic
                       const SolidOperator<3> &,
                       const DoFHandler<3> &,
                       const AffineConstraints<double> &,
-                      const VectorType &,
                       const std::function<void(const std::string &)> &);
 } // namespace ElastoPlastic

@@ -111,7 +111,6 @@ namespace
                           *solid,
                           dof_handler,
                           supports.constraints(),
-                          u,
                           [](const std::string &warning) {
                             std::cout << warning << std::endl;
                           });

@@ -57,9 +57,9 @@ namespace ElastoPlastic
     void
     update_active_set();
 
-    /// The norm of the forces on the free unknowns.
-    double
-    compute_free_norm();
+    /// The forces on the free unknowns.
+    Vector
+    free_forces() const;
 
     /// Whether the set just reached has been there too often.
     bool
@@ -90,8 +90,9 @@ namespace ElastoPlastic
     void
     feasible_step();
 
-    /// Computes the Newton increment with the constrained unknowns moved to
-    /// their prescribed places: lift + correction on the free ones.
+    /// Moves the constrained unknowns of u to their prescribed places, unless
+    /// they are there, and computes the Newton increment from there; residual
+    /// and energy stay those of the old u.
     void
     compute_increment();
 
@@ -148,7 +149,9 @@ namespace ElastoPlastic
     Vector                  &u;
     const NewtonParameters  &parameters;
 
-    Vector previous_u, residual, free_residual, lift, increment, trial, work;
+    /// The increment is the way of the constrained unknowns to their places,
+    /// until compute_increment() makes that of all unknowns of it.
+    Vector previous_u, residual, increment, work;
 
     double force_norm         = 0;
     double free_norm          = 0;

@@ -64,6 +64,13 @@ namespace ElastoPlastic
     bool
     is_trivial() const;
 
+    /// Whether bounds are sloped.
+    bool
+    have_slopes() const
+    {
+      return is_sloped;
+    }
+
     /// Whether contract() multiplies by the transpose of expand(): not where
     /// there is friction.
     bool

@@ -21,6 +21,7 @@ namespace ElastoPlastic
     /// Those whose bounds are sloped are not held at their place, but at sum_j
     /// b_j u_j, with the unknowns of the same node: here are the b_j, at these.
     /// (A node's unknowns are consecutive, and the one that is held the last.)
+    /// Without size if no bound is sloped.
     VectorType slopes;
   };
 

@@ -108,9 +108,9 @@ namespace ElastoPlastic
         add_level(mesh);
     levels.push_back({meshes.back(), {}, {}, &dof_handler, &constraints});
 
+    // (The finest operator first: to set it up takes most of the memory.)
     level_operators.resize(0, max_level());
-    two_level_transfers.resize(0, max_level()); // none on level 0
-    for (unsigned int l = 0; l <= max_level(); ++l)
+    for (unsigned int l = max_level() + 1; l-- > 0;)
       {
         const Level       &level        = levels[l];
         const unsigned int level_degree = level.dof_handler->get_fe().degree;
@@ -123,13 +123,14 @@ namespace ElastoPlastic
                                   model.strain_model,
           *level.dof_handler,
           *level.constraints);
-        if (l > 0)
-          two_level_transfers[l] =
-            std::make_unique<TwoLevelTransfer<dim>>(*level.dof_handler,
-                                                    *level.constraints,
-                                                    *levels[l - 1].dof_handler,
-                                                    *levels[l - 1].constraints);
       }
+    two_level_transfers.resize(0, max_level()); // none on level 0
+    for (unsigned int l = 1; l <= max_level(); ++l)
+      two_level_transfers[l] =
+        std::make_unique<TwoLevelTransfer<dim>>(*levels[l].dof_handler,
+                                                *levels[l].constraints,
+                                                *levels[l - 1].dof_handler,
+                                                *levels[l - 1].constraints);
   }
 
 
@@ -164,7 +165,8 @@ namespace ElastoPlastic
     level_operators[max_level()]->initialize_vector(constrained);
     slopes.reinit(constrained);
     constrained.copy_locally_owned_data_from(held.constrained);
-    slopes.copy_locally_owned_data_from(held.slopes);
+    if (held.slopes.size() > 0)
+      slopes.copy_locally_owned_data_from(held.slopes);
     for (unsigned int l = max_level();; --l)
       {
         level_operators[l]->set_held(constrained, slopes);

@@ -190,6 +190,8 @@ namespace ElastoPlastic
                                    .max_eigenvalue_estimate;
           }
       }
+    // (those of the estimates, which deal.II keeps for the next ones)
+    GrowingVectorMemory<LevelVector>::release_unused_memory();
   }
 
 

@@ -54,13 +54,7 @@ namespace ElastoPlastic
     , parameters(parameters)
     , step{0, 0, 0., 0., 0, 0., true, false}
   {
-    for (Vector *vector : {&previous_u,
-                           &residual,
-                           &free_residual,
-                           &lift,
-                           &increment,
-                           &trial,
-                           &work})
+    for (Vector *vector : {&previous_u, &residual, &increment, &work})
       problem.initialize_vector(*vector);
   }
 
@@ -118,14 +112,14 @@ namespace ElastoPlastic
           become_feasible();
       }
 
-    lift = u;
-    problem.move_constrained(lift);
-    lift -= u;
+    increment = u;
+    problem.move_constrained(increment);
+    increment -= u;
     constrained_unknowns_at_place =
-      lift.linfty_norm() <= 1e-12 * std::max(u.linfty_norm(), 1e-300);
+      increment.linfty_norm() <= 1e-12 * std::max(u.linfty_norm(), 1e-300);
 
     previous_free_norm = free_norm;
-    free_norm          = compute_free_norm();
+    free_norm          = free_forces().l2_norm();
     force_norm =
       std::max({residual.l2_norm(), free_norm, problem.force_scale()});
     if (!std::isfinite(force_norm))
@@ -150,12 +144,12 @@ namespace ElastoPlastic
 
 
 
-  double
-  NewtonIteration::compute_free_norm()
+  NewtonIteration::Vector
+  NewtonIteration::free_forces() const
   {
-    free_residual = residual;
-    problem.reduce(free_residual);
-    return free_residual.l2_norm();
+    Vector forces = residual;
+    problem.reduce(forces);
+    return forces;
   }
 
 
@@ -180,13 +174,12 @@ namespace ElastoPlastic
   {
     if (free_norm > largest_rounding * force_norm)
       return false;
-    trial = u;
-    for (double &number : trial)
+    Vector rounded = u;
+    for (double &number : rounded)
       number = round_off(number);
-    problem.compute_residual(work, trial);
+    problem.compute_residual(work, rounded);
     problem.reduce(work);
-    compute_free_norm();
-    work -= free_residual;
+    work -= free_forces();
     return free_norm <=
            (problem.is_convex() ? rounding_factor : nonlinear_rounding_factor) *
              std::ldexp(work.l2_norm(), -n_lost_bits);
@@ -213,12 +206,15 @@ namespace ElastoPlastic
   NewtonIteration::compute_increment()
   {
     problem.linearize(u);
-    // the forces at u + lift, to first order
+    // the forces at the new u, to first order
     work = residual;
     if (!constrained_unknowns_at_place)
       {
-        problem.apply_tangent(trial, lift);
-        work -= trial;
+        Vector change;
+        problem.initialize_vector(change);
+        problem.apply_tangent(change, increment);
+        work -= change;
+        u += increment;
       }
     problem.reduce(work);
     step.linear_iterations =
@@ -236,10 +232,7 @@ namespace ElastoPlastic
   {
     compute_increment();
     if (!constrained_unknowns_at_place)
-      {
-        u += lift;
-        evaluate();
-      }
+      evaluate();
     work = u;
     if (!is_possible())
       step.step_length = full_step(increment);
@@ -261,15 +254,15 @@ namespace ElastoPlastic
     problem.linearize(u);
     for (unsigned int sweep = 0; sweep < n_smoothing_sweeps; ++sweep)
       {
-        free_residual = residual;
-        problem.reduce(free_residual);
-        problem.apply_inverse_diagonal(free_residual);
+        Vector correction = free_forces();
+        problem.apply_inverse_diagonal(correction);
 
+        Vector trial;
         for (double damping = 0.5; damping > smallest_step_length;
              damping *= 0.5)
           {
             trial = u;
-            trial.add(damping, free_residual);
+            trial.add(damping, correction);
             problem.project(trial);
             if (problem.energy(trial).value <= current_energy.value)
               {

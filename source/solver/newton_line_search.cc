@@ -66,7 +66,7 @@ namespace ElastoPlastic
   NewtonIteration::residual_line_search(const Vector &base,
                                         const Vector &direction)
   {
-    const double start_norm = compute_free_norm();
+    const double start_norm = free_forces().l2_norm();
     const double negligible = parameters.tolerance * force_norm;
     for (double fraction = 1.; fraction > smallest_step_length; fraction *= 0.5)
       {
@@ -90,7 +90,7 @@ namespace ElastoPlastic
     try
       {
         evaluate();
-        return compute_free_norm();
+        return free_forces().l2_norm();
       }
     catch (const ConvergenceError &)
       {

@@ -47,7 +47,9 @@ namespace ElastoPlastic
   TangentMatrix<dim>::with_held(const HeldUnknowns &held) const
   {
     const VectorType constrained = with_ghosts(held.constrained);
-    const VectorType slopes      = with_ghosts(held.slopes);
+    const bool       is_sloped   = held.slopes.size() > 0;
+    const VectorType slopes =
+      is_sloped ? with_ghosts(held.slopes) : VectorType();
 
     AffineConstraints<double> all_constraints(relevant_dofs);
     all_constraints.merge(*constraints);
@@ -55,7 +57,7 @@ namespace ElastoPlastic
       if (constrained(dof) != 0.)
         {
           all_constraints.add_line(dof);
-          if (dof % dim == dim - 1)
+          if (is_sloped && dof % dim == dim - 1)
             for (auto other = dof - (dim - 1); other < dof; ++other)
               if (slopes(other) != 0. && constrained(other) == 0.)
                 all_constraints.add_entry(dof, other, slopes(other));

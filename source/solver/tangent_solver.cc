@@ -122,9 +122,12 @@ namespace ElastoPlastic
   {
     HeldUnknowns held;
     tangent.initialize_vector(held.constrained);
-    tangent.initialize_vector(held.slopes);
     unknowns.set_entries(held.constrained, 1.);
-    unknowns.set_slopes(held.slopes);
+    if (unknowns.have_slopes())
+      {
+        tangent.initialize_vector(held.slopes);
+        unknowns.set_slopes(held.slopes);
+      }
     while (true)
       try
         {
