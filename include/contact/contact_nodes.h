@@ -6,6 +6,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe.h>
+#include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -36,6 +37,22 @@ namespace ElastoPlastic
         nodes[node][component]       = i;
       }
     return nodes;
+  }
+
+
+
+  /// The same by their place in the lattice of (p + 1)^(dim-1) nodes.
+  template <int dim>
+  std::vector<std::array<unsigned int, dim>>
+  lattice_of_face(const FiniteElement<dim> &fe)
+  {
+    const std::vector<unsigned int> to_lexicographic =
+      FETools::hierarchic_to_lexicographic_numbering<dim - 1>(fe.degree);
+    const auto                                 nodes = nodes_of_face(fe);
+    std::vector<std::array<unsigned int, dim>> lattice(nodes.size());
+    for (unsigned int node = 0; node < nodes.size(); ++node)
+      lattice[to_lexicographic[node]] = nodes[node];
+    return lattice;
   }
 
 

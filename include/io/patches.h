@@ -22,7 +22,7 @@ namespace ElastoPlastic
   public:
     using Patch = DataOutBase::Patch<dim, spacedim>;
 
-    /// A scalar, a vector with three components, or a tensor with nine.
+    /// A scalar, a vector, or a tensor with nine components.
     struct Field
     {
       std::string  name;
@@ -39,6 +39,22 @@ namespace ElastoPlastic
     {
       patch.patch_index = patches.size();
       patches.push_back(std::move(patch));
+    }
+
+    /// Of all fields together.
+    unsigned int
+    n_components() const
+    {
+      unsigned int sum = 0;
+      for (const Field &field : fields)
+        sum += field.n_components;
+      return sum;
+    }
+
+    bool
+    empty() const
+    {
+      return patches.empty();
     }
 
   private:
@@ -73,8 +89,8 @@ namespace ElastoPlastic
             ranges.emplace_back(first,
                                 first + n - 1,
                                 name,
-                                n == 3 ? component_is_part_of_vector :
-                                         component_is_part_of_tensor);
+                                n == 9 ? component_is_part_of_tensor :
+                                         component_is_part_of_vector);
           first += n;
         }
       return ranges;

@@ -15,7 +15,7 @@ namespace ElastoPlastic
 {
   namespace
   {
-    constexpr unsigned int cells_per_piece = 10000;
+    constexpr unsigned int cells_per_piece = 2000;
 
 
 

@@ -1,14 +1,9 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/numerics/data_out_faces.h>
-#include <deal.II/numerics/data_postprocessor.h>
-
-#include <cmath>
-#include <fstream>
-
 #include "evaluation/surface_fields.h"
 #include "io/body_output.h"
+#include "io/boundary_patches.h"
 #include "io/checked_write.h"
 #include "io/field_output.h"
 
@@ -16,63 +11,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    using Interpretation =
-      DataComponentInterpretation::DataComponentInterpretation;
-
-    /// The vertical component of a field in the layout of displacements; not a
-    /// number where it is beyond a limit.
-    template <int dim>
-    class VerticalComponent : public DataPostprocessorScalar<dim>
-    {
-    public:
-      explicit VerticalComponent(
-        const std::string &name,
-        const double       limit = std::numeric_limits<double>::infinity())
-        : DataPostprocessorScalar<dim>(name, update_values)
-        , limit(limit)
-      {}
-
-      void
-      evaluate_vector_field(
-        const DataPostprocessorInputs::Vector<dim> &inputs,
-        std::vector<Vector<double>>                &quantities) const override
-      {
-        for (unsigned int q = 0; q < quantities.size(); ++q)
-          {
-            const double value = inputs.solution_values[q](dim - 1);
-            quantities[q](0) =
-              value < limit ? value : std::numeric_limits<double>::quiet_NaN();
-          }
-      }
-
-    private:
-      const double limit;
-    };
-
-
-
-    /// Puts a number in place of those that are none, which no interpolation
-    /// would bear: larger than any other by so much that it cannot be mistaken,
-    /// but not so much that its rounding errors matter.
-    /// @return a limit below it.
-    double
-    replace_missing_entries(VectorType &vector)
-    {
-      double largest = 0;
-      for (const double value : vector)
-        if (std::isfinite(value))
-          largest = std::max(largest, std::abs(value));
-      largest = Utilities::MPI::max(largest, vector.get_mpi_communicator());
-      const double replacement = largest > 0. ? 1e6 * largest : 1.;
-      for (double &value : vector)
-        if (!std::isfinite(value))
-          value = replacement;
-      vector.update_ghost_values();
-      return 0.5 * replacement;
-    }
-
-
-
     DataOutBase::VtkFlags
     flags_with_units(const Units &units)
     {
@@ -85,66 +23,6 @@ namespace ElastoPlastic
           flags.physical_units[field] = units.of("stress");
       return flags;
     }
-
-
-
-    /// Output on the faces of some boundaries only.
-    template <int dim>
-    class BoundaryOutput : public DataOutFaces<dim>
-    {
-    public:
-      using FaceDescriptor = typename DataOutFaces<dim>::FaceDescriptor;
-
-      explicit BoundaryOutput(const std::set<types::boundary_id> &boundaries)
-        : boundaries(boundaries)
-      {}
-
-      void
-      add_vector(const DoFHandler<dim> &dof_handler,
-                 const VectorType      &field,
-                 const std::string     &name)
-      {
-        this->add_data_vector(
-          dof_handler,
-          field,
-          std::vector<std::string>(dim, name),
-          std::vector<Interpretation>(
-            dim, DataComponentInterpretation::component_is_part_of_vector));
-      }
-
-      FaceDescriptor
-      first_face() override
-      {
-        return skip_others(DataOutFaces<dim>::first_face());
-      }
-
-      FaceDescriptor
-      next_face(const FaceDescriptor &face) override
-      {
-        return skip_others(DataOutFaces<dim>::next_face(face));
-      }
-
-      /// Whether there are no such faces of locally owned cells.
-      bool
-      empty() const
-      {
-        return this->get_patches().empty();
-      }
-
-    private:
-      /// (There may be no face at all: then @p face is at no cell.)
-      FaceDescriptor
-      skip_others(FaceDescriptor face)
-      {
-        while (face.first.state() == IteratorState::valid &&
-               boundaries.count(face.first->face(face.second)->boundary_id()) ==
-                 0)
-          face = DataOutFaces<dim>::next_face(face);
-        return face;
-      }
-
-      const std::set<types::boundary_id> boundaries;
-    };
   } // namespace
 
 
@@ -192,44 +70,33 @@ namespace ElastoPlastic
                                   const std::string &name,
                                   const double       time)
   {
-    SurfaceFields       fields = surface_fields(solution.dof_handler,
-                                          solution.constraints,
-                                          solution.contact,
-                                          solution.displacement,
-                                          solution.residual);
-    const double        limit  = replace_missing_entries(fields.gap);
-    BoundaryOutput<dim> output(solution.contact_boundaries);
-    output.add_vector(solution.dof_handler,
-                      fields.displacement,
-                      "displacement");
+    const SurfaceFields     values = surface_fields(solution.dof_handler,
+                                                solution.constraints,
+                                                solution.contact,
+                                                solution.displacement,
+                                                solution.residual);
+    std::vector<NodalField> fields = {{"displacement",
+                                       dim,
+                                       values.displacement},
+                                      {"gap", 1, values.gap},
+                                      {"contact_pressure", 1, values.pressure},
+                                      {"active", 1, values.active}};
 
-    const VerticalComponent<dim> gap_component("gap", limit);
-    const VerticalComponent<dim> pressure_component("contact_pressure");
-    const VerticalComponent<dim> active_component("active");
-    output.add_data_vector(solution.dof_handler, fields.gap, gap_component);
-    output.add_data_vector(solution.dof_handler,
-                           fields.pressure,
-                           pressure_component);
-    output.add_data_vector(solution.dof_handler,
-                           fields.active,
-                           active_component);
-
-    VectorType                   slip;
-    const VerticalComponent<dim> stick_component("stick");
+    VectorType slip;
     if (solution.contact.has_friction())
       {
         slip = solution.slip;
         solution.constraints.distribute(slip);
         replace_by_ghosted_copy(slip, solution.dof_handler);
-        output.add_vector(solution.dof_handler, fields.shear, "contact_shear");
-        output.add_vector(solution.dof_handler, slip, "slip");
-        output.add_data_vector(solution.dof_handler,
-                               fields.stick,
-                               stick_component);
+        fields.push_back({"contact_shear", dim, values.shear});
+        fields.push_back({"slip", dim, slip});
+        fields.push_back({"stick", 1, values.stick});
       }
 
+    auto output = boundary_patches(solution.dof_handler,
+                                   solution.contact_boundaries,
+                                   fields);
     output.set_flags(flags_with_units(parameters.units));
-    output.build_patches(solution.dof_handler.get_fe().degree);
     write_files(
       output, solution.dof_handler.get_communicator(), "surface", name, time);
   }
