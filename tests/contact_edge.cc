@@ -51,8 +51,9 @@ namespace
       IndexSet relevant;
       DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
       zero.reinit(dof_handler.locally_owned_dofs(), relevant, MPI_COMM_WORLD);
+      no_constraints.reinit(relevant);
       contact.reinit(dof_handler,
-                     AffineConstraints<double>(relevant),
+                     no_constraints,
                      {2 * dim - 1},
                      IndexSet(dof_handler.n_dofs()),
                      zero);
@@ -138,6 +139,7 @@ namespace
     parallel::distributed::Triangulation<dim> mesh;
     const FESystem<dim>                       fe;
     DoFHandler<dim>                           dof_handler;
+    AffineConstraints<double>                 no_constraints;
     ContactSet<dim>                           contact;
     Vector                                    zero;
   };

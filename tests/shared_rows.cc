@@ -28,38 +28,45 @@ namespace
                                                    {25, 0, 3.}};
 
   /// Entries go round the ranks but the last, if there are several.
-  Weights
-  make_weights(const IndexSet &owned)
+  std::vector<Weights::Entry>
+  entries_of_rank()
   {
     const unsigned int rank = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
     const unsigned int n_ranks =
       Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
     std::vector<Weights::Entry> entries;
-    IndexSet                    ghosts(n);
     for (unsigned int k = 0; k < all_entries.size(); ++k)
       if ((k + 1) % std::max(n_ranks - 1, 1U) == rank)
-        {
-          entries.push_back(all_entries[k]);
-          ghosts.add_index(all_entries[k].row);
-          ghosts.add_index(all_entries[k].column);
-        }
+        entries.push_back(all_entries[k]);
+    return entries;
+  }
+
+  /// With ghosts where these entries have their rows and columns.
+  std::shared_ptr<const Utilities::MPI::Partitioner>
+  make_layout(const IndexSet &owned)
+  {
+    IndexSet ghosts(n);
+    for (const Weights::Entry &entry : entries_of_rank())
+      {
+        ghosts.add_index(entry.row);
+        ghosts.add_index(entry.column);
+      }
     ghosts.subtract_set(owned);
-    return {entries,
-            std::make_shared<Utilities::MPI::Partitioner>(owned,
-                                                          ghosts,
-                                                          MPI_COMM_WORLD)};
+    return std::make_shared<Utilities::MPI::Partitioner>(owned,
+                                                         ghosts,
+                                                         MPI_COMM_WORLD);
   }
 
   /// The largest difference of @p product with a vector from @p expected.
   double
-  error(const Weights            &weights,
-        const Product             product,
-        const FullMatrix<double> &expected,
-        const IndexSet           &owned)
+  error(const Product product, const FullMatrix<double> &expected)
   {
-    SharedRows::Vector vector(owned, MPI_COMM_WORLD),
-      result(owned, MPI_COMM_WORLD);
-    Vector<double> all(n), expected_result(n);
+    const IndexSet owned =
+      Utilities::MPI::create_evenly_distributed_partitioning(MPI_COMM_WORLD, n);
+    const auto         layout = make_layout(owned);
+    const Weights      weights(entries_of_rank(), layout);
+    SharedRows::Vector vector(layout), result(layout);
+    Vector<double>     all(n), expected_result(n);
     for (unsigned int i = 0; i < n; ++i)
       all(i) = 1. + i * i;
     for (const auto i : owned)
@@ -81,17 +88,14 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  const IndexSet owned =
-    Utilities::MPI::create_evenly_distributed_partitioning(MPI_COMM_WORLD, n);
-  const Weights      weights = make_weights(owned);
   FullMatrix<double> matrix(n), transpose(n);
   for (const auto &[row, column, value] : all_entries)
     {
       matrix(row, column) += value;
       transpose(column, row) += value;
     }
-  verify("product", error(weights, &Weights::vmult, matrix, owned), 1e-12);
+  verify("product", error(&Weights::vmult, matrix), 1e-12);
   verify("product with the transpose",
-         error(weights, &Weights::Tvmult, transpose, owned),
+         error(&Weights::Tvmult, transpose),
          1e-12);
 }

@@ -24,8 +24,7 @@ namespace ElastoPlastic
   public:
     using Vector = LinearAlgebra::distributed::Vector<double>;
 
-    /// A sparse matrix most of whose rows are zero: these are not stored. (A
-    /// product needs two vectors.)
+    /// A sparse matrix most of whose rows are zero: these are not stored.
     class Weights
     {
     public:
@@ -40,7 +39,7 @@ namespace ElastoPlastic
       Weights(const std::vector<Entry>                                 &entries,
               const std::shared_ptr<const Utilities::MPI::Partitioner> &layout);
 
-      /// Both vectors have the partition of the layout, without ghosts.
+      /// Two vectors with the partition of the layout, and no ghost values.
       /// Collective.
       void
       vmult(Vector &result, const Vector &vector) const;
@@ -50,8 +49,7 @@ namespace ElastoPlastic
       Tvmult(Vector &result, const Vector &vector) const;
 
     private:
-      NodalInterpolation<1, double>                      rows;
-      std::shared_ptr<const Utilities::MPI::Partitioner> layout;
+      NodalInterpolation<1, double> rows;
     };
 
     /// t_kj = @p scale_k * @p weights_kj. There are ones in @p active at the

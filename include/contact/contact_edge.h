@@ -130,7 +130,9 @@ namespace ElastoPlastic
   /// touch, over the part that is touched, belongs to the nodes of the face
   /// that do. The faces of quadratic elements count as 2^(dim-1) linear ones.
   ///
-  /// All vectors have the partition of the one passed to reinit().
+  /// All vectors have the partition of the one passed to reinit(), which knows
+  /// the unknowns of this rank's cells, and what hanging ones are interpolated
+  /// from.
   template <int dim>
   class ContactEdge
   {
@@ -155,11 +157,15 @@ namespace ElastoPlastic
            const Vector                       &layout);
 
     /// The integrals of the shape functions of the nodes over whole faces,
-    /// those of hanging nodes handed to their masters.
-    const Vector &
-    areas() const
+    /// those of hanging nodes handed to their masters. Collective.
+    Vector
+    areas() const;
+
+    /// The partition of all vectors.
+    const std::shared_ptr<const Utilities::MPI::Partitioner> &
+    layout() const
     {
-      return whole_areas;
+      return vector_layout;
     }
 
     /// The same faces, where the displacement @p u has brought them, seen from
@@ -214,16 +220,14 @@ namespace ElastoPlastic
       std::array<Point<dim>, n_nodes> positions;
       /// Density of the area at the nodes, axisymmetric: of whole rings.
       std::array<double, n_nodes> density;
+      /// The integrals of the shape functions over the whole face.
+      std::array<double, n_nodes> areas;
     };
 
     /// The integrals of the shape functions over the part of @p face with
     /// negative @p levels.
     static std::array<double, n_nodes>
     integrate(const Face &face, const std::array<double, n_nodes> &levels);
-
-    /// A copy that can be read at all nodes of the faces.
-    Vector
-    ghosted(const Vector &vector) const;
 
     /// The density of the area of a face whose nodes are at @p positions, seen
     /// from above.
@@ -236,9 +240,7 @@ namespace ElastoPlastic
     const AffineConstraints<double>                   *constraints = nullptr;
     Kinematics                                         kinematics;
     std::vector<Face>                                  faces;
-    Vector                                             whole_areas;
-    std::shared_ptr<const Utilities::MPI::Partitioner> vectors;
-    std::shared_ptr<const Utilities::MPI::Partitioner> ghosted_vectors;
+    std::shared_ptr<const Utilities::MPI::Partitioner> vector_layout;
   };
 } // namespace ElastoPlastic
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ghost_values.h"
 #include "base/inlining.h"
 #include "mechanics/matrix_free_kernel.templates.h"
 #include "mechanics/solid_kernel.h"
@@ -307,17 +308,16 @@ namespace ElastoPlastic
   MatrixFreeSolidKernel<degree, StrainMeasure>::for_each_deformation(
     const Vector &u, const Law &law, const Receive &receive) const
   {
-    Evaluation phi(matrix_free);
-    Strains    strains;
-    Stresses   stresses;
-    u.update_ghost_values();
+    Evaluation        phi(matrix_free);
+    Strains           strains;
+    Stresses          stresses;
+    const GhostValues ghosts(u);
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {
         this->read(phi, batch, u);
         const auto deformation = evaluate(phi, strains, stresses, law);
         receive(deformation, strains, stresses);
       }
-    u.zero_out_ghost_values();
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "base/ghost_values.h"
 #include "base/shared_rows.h"
 
 namespace ElastoPlastic
@@ -10,7 +11,6 @@ namespace ElastoPlastic
   SharedRows::Weights::Weights(
     const std::vector<Entry>                                 &entries,
     const std::shared_ptr<const Utilities::MPI::Partitioner> &layout)
-    : layout(layout)
   {
     std::map<unsigned int, std::map<unsigned int, double>> values;
     for (const auto &[row, column, value] : entries)
@@ -31,15 +31,13 @@ namespace ElastoPlastic
   void
   SharedRows::Weights::vmult(Vector &result, const Vector &vector) const
   {
-    Vector from(layout), to(layout);
-    from.copy_locally_owned_data_from(vector);
-    from.update_ghost_values();
-    rows.interpolate(from.begin(),
+    const GhostValues ghosts(vector);
+    result = 0.;
+    rows.interpolate(vector.begin(),
                      [&](const unsigned int row, const double value) {
-                       to.local_element(row) = value;
+                       result.local_element(row) = value;
                      });
-    to.compress(VectorOperation::add);
-    result.copy_locally_owned_data_from(to);
+    result.compress(VectorOperation::add);
   }
 
 
@@ -47,14 +45,12 @@ namespace ElastoPlastic
   void
   SharedRows::Weights::Tvmult(Vector &result, const Vector &vector) const
   {
-    Vector from(layout), to(layout);
-    from.copy_locally_owned_data_from(vector);
-    from.update_ghost_values();
-    rows.add_transpose(to.begin(), [&](const unsigned int row) {
-      return from.local_element(row);
+    const GhostValues ghosts(vector);
+    result = 0.;
+    rows.add_transpose(result.begin(), [&](const unsigned int row) {
+      return vector.local_element(row);
     });
-    to.compress(VectorOperation::add);
-    result.copy_locally_owned_data_from(to);
+    result.compress(VectorOperation::add);
   }
 
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <cmath>
 
+#include "base/ghost_values.h"
 #include "contact/contact_edge.h"
 #include "contact/contact_nodes.h"
 
@@ -16,29 +16,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// The nodes of a face of FE_Q(p)^dim, as nodes_of_face() gives them, by
-    /// their place in the lattice of (p + 1)^(dim-1) nodes.
-    template <int dim>
-    std::vector<std::array<unsigned int, dim>>
-    node_lattice(const FiniteElement<dim> &fe)
-    {
-      const unsigned int n      = fe.degree + 1;
-      const auto        &points = fe.get_unit_face_support_points();
-      std::vector<std::array<unsigned int, dim>> lattice(
-        Utilities::fixed_power<dim - 1>(n));
-      for (const auto &node : nodes_of_face(fe))
-        {
-          unsigned int place = 0;
-          for (unsigned int d = dim - 1; d-- > 0;)
-            place =
-              n * place + std::lround(points[node[dim - 1]][d] * fe.degree);
-          lattice[place] = node;
-        }
-      return lattice;
-    }
-
-
-
     /// The part of [0, 1] where the linear function with these values at the
     /// ends is negative.
     std::pair<double, double>
@@ -63,18 +40,12 @@ namespace ElastoPlastic
                            const Kinematics                    new_kinematics,
                            const Vector                       &layout)
   {
-    constraints = &new_constraints;
-    kinematics  = new_kinematics;
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-    vectors         = layout.get_partitioner();
-    ghosted_vectors = std::make_shared<Utilities::MPI::Partitioner>(
-      dof_handler.locally_owned_dofs(),
-      relevant,
-      layout.get_mpi_communicator());
+    constraints   = &new_constraints;
+    kinematics    = new_kinematics;
+    vector_layout = layout.get_partitioner();
 
     const auto               &fe      = dof_handler.get_fe();
-    const auto                lattice = node_lattice(fe);
+    const auto                lattice = lattice_of_face(fe);
     const unsigned int        p       = fe.degree;
     const Quadrature<dim - 1> nodes(
       fe.get_unit_face_support_points(),
@@ -124,20 +95,26 @@ namespace ElastoPlastic
   void
   ContactEdge<dim>::find_areas()
   {
-    Vector                      areas(ghosted_vectors);
     std::array<double, n_nodes> below;
     below.fill(-1.);
+    for (Face &face : faces)
+      face.areas = integrate(face, below);
+  }
+
+
+
+  template <int dim>
+  typename ContactEdge<dim>::Vector
+  ContactEdge<dim>::areas() const
+  {
+    Vector result(vector_layout);
     for (const Face &face : faces)
-      {
-        const auto whole = integrate(face, below);
-        for (unsigned int n = 0; n < n_nodes; ++n)
-          constraints->distribute_local_to_global(face.dofs[n],
-                                                  whole[n],
-                                                  areas);
-      }
-    areas.compress(VectorOperation::add);
-    whole_areas.reinit(vectors);
-    whole_areas.copy_locally_owned_data_from(areas);
+      for (unsigned int n = 0; n < n_nodes; ++n)
+        constraints->distribute_local_to_global(face.dofs[n],
+                                                face.areas[n],
+                                                result);
+    result.compress(VectorOperation::add);
+    return result;
   }
 
 
@@ -175,13 +152,13 @@ namespace ElastoPlastic
   ContactEdge<dim>
   ContactEdge<dim>::moved(const Vector &u) const
   {
-    ContactEdge  result       = *this;
-    const Vector displacement = ghosted(u);
+    ContactEdge       result = *this;
+    const GhostValues ghosts_of_u(u);
     for (Face &face : result.faces)
       {
         for (unsigned int n = 0; n < n_nodes; ++n)
           for (unsigned int d = 0; d < dim - 1; ++d)
-            face.positions[n][d] += displacement(face.horizontal[n][d]);
+            face.positions[n][d] += u(face.horizontal[n][d]);
         face.density = projected_density(face.positions);
       }
     result.find_areas();

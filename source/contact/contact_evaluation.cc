@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "contact/contact_evaluation.h"
 
@@ -52,6 +53,7 @@ namespace ElastoPlastic
     const Vector sums =
       edge.rows() ? edge.rows()->sums(ones) : Vector(u.get_partitioner());
     const bool   moves = contact.bounds.follow_deformation();
+    const Vector whole = moves ? edge.faces().areas() : Vector();
     const Vector moved = moves ? edge.faces().moved(u).areas() : Vector();
     for (const Node &node : contact.candidates)
       {
@@ -59,8 +61,7 @@ namespace ElastoPlastic
         double            &area = result.local_element(i);
         area = edge.own_area(i, sums.local_element(i) > 0., node.area);
         if (moves)
-          area *=
-            moved.local_element(i) / edge.faces().areas().local_element(i);
+          area *= moved.local_element(i) / whole.local_element(i);
       }
     return result;
   }
@@ -98,20 +99,21 @@ namespace ElastoPlastic
         return Utilities::MPI::sum(area, contact.communicator);
       }
 
-    const auto  &edge  = contact.edge;
-    const auto   faces = contact.bounds.follow_deformation() ?
-                           edge.faces().moved(u) :
-                           edge.faces();
+    const auto                     &edge = contact.edge;
+    std::optional<ContactEdge<dim>> moved;
+    if (contact.bounds.follow_deformation())
+      moved = edge.faces().moved(u);
+    const auto  &faces = moved ? *moved : edge.faces();
     const Vector kinds = contact.kinds();
-    const Vector levels =
-      edge.levels(kinds, contact.distances(u, contact.depth()));
-    const auto   part   = faces.touched_part(kinds, levels);
+    const auto   part  = faces.touched_part(
+      kinds, edge.levels(kinds, contact.distances(u, contact.depth())));
     const Vector inside = edge.faces().inside(kinds);
     Vector       ones(u.get_partitioner()), taken_over(u.get_partitioner());
     contact.set_candidate_entries(ones, 1.);
     part.taken_over->vmult(taken_over, ones);
+    const Vector whole = faces.areas();
     for (const unsigned int i : contact.active_entries())
-      area += faces.areas().local_element(i) +
+      area += whole.local_element(i) +
               inside.local_element(i) *
                 (taken_over.local_element(i) - part.missing.local_element(i));
     return Utilities::MPI::sum(area, contact.communicator);
@@ -124,14 +126,16 @@ namespace ElastoPlastic
   ContactEvaluation<dim>::state() const
   {
     const MPI_Comm communicator = contact.communicator;
-    const Vector   pressures    = this->pressures();
     double         max_pressure = 0;
     double         min_pressure = std::numeric_limits<double>::infinity();
-    for (const unsigned int i : contact.active_entries())
-      {
-        max_pressure = std::max(max_pressure, pressures.local_element(i));
-        min_pressure = std::min(min_pressure, pressures.local_element(i));
-      }
+    {
+      const Vector pressures = this->pressures();
+      for (const unsigned int i : contact.active_entries())
+        {
+          max_pressure = std::max(max_pressure, pressures.local_element(i));
+          min_pressure = std::min(min_pressure, pressures.local_element(i));
+        }
+    }
 
     ContactState state;
     add_distances(state);

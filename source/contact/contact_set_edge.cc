@@ -18,7 +18,7 @@ namespace ElastoPlastic
   typename ContactSet<dim>::Vector
   ContactSet<dim>::kinds() const
   {
-    Vector result(edge.faces().areas().get_partitioner());
+    Vector result(edge.faces().layout());
     for (const Node &node : candidates)
       result.local_element(node.index) =
         node.active ? ContactEdge<dim>::touching : ContactEdge<dim>::open;
@@ -44,7 +44,7 @@ namespace ElastoPlastic
   typename ContactSet<dim>::Vector
   ContactSet<dim>::areas() const
   {
-    Vector result(edge.faces().areas().get_partitioner());
+    Vector result(edge.faces().layout());
     for (const Node &node : candidates)
       result.local_element(node.index) = node.area;
     return result;
@@ -105,7 +105,7 @@ namespace ElastoPlastic
   {
     if (rule == EdgeRule::at_nodes)
       return;
-    Vector active(edge.faces().areas().get_partitioner());
+    Vector active(edge.faces().layout());
     for (const unsigned int i : active_entries())
       active.local_element(i) = 1.;
     edge.share_rows(active);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "base/ghost_values.h"
 #include "multigrid/level_matching.h"
 #include "multigrid/two_level_transfer.h"
 
@@ -75,13 +76,12 @@ namespace ElastoPlastic
                                             const LevelVector &coarse) const
   {
     coarse_values.copy_locally_owned_data_from(coarse);
-    coarse_values.update_ghost_values();
-    float *const values = fine.begin();
+    const GhostValues ghosts(coarse_values);
+    float *const      values = fine.begin();
     interpolation.interpolate(coarse_values.begin(),
                               [&](const unsigned int i, const float value) {
                                 values[i] += value;
                               });
-    coarse_values.zero_out_ghost_values();
   }
 
 
