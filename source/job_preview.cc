@@ -58,7 +58,7 @@ namespace ElastoPlastic
     {
       if (dim == 2)
         return degree == 1 ? CostPerUnknown{1., 10.} : CostPerUnknown{0.6, 12.};
-      return degree == 1 ? CostPerUnknown{1., 25.} : CostPerUnknown{0.6, 18.};
+      return degree == 1 ? CostPerUnknown{0.8, 25.} : CostPerUnknown{0.5, 18.};
     }
 
     /// The basis of nearly incompressible bodies' linear solver: for each step,
