@@ -37,6 +37,8 @@ class Pages(unittest.TestCase):
         for rows in ([[None, "1"]], [[None, "1", ""]] * 3):
             with self.assertRaisesRegex(UserError, "table 'punch', row"):
                 fill(PAGE, {"punch": Content(rows, numbers)})
+        with self.assertRaisesRegex(UserError, "does not fit into a text"):
+            fill(PAGE, {"sphere": Content(numbers={"depth": "Processor (R)"})})
         with self.assertRaisesRegex(UserError, "'sphere' computes no 'depth'"):
             fill(PAGE, {"sphere": Content(numbers=numbers)})
 

@@ -19,12 +19,13 @@ ADAPTIVE = "step42/sphere_adaptive_q{}.prm"
 
 
 def machine(runs):
-    """The processor and the number of ranks."""
+    """The processor and the number of ranks, without blanks and brackets, which end a place of the text."""
     info = pathlib.Path("/proc/cpuinfo")
     text = info.read_text(encoding="ascii") if info.exists() else ""
     model = re.search(r"^model name\s*: (.*)$", text, re.MULTILINE)
     ranks = f"{runs.ranks} rank" + "s" * (runs.ranks > 1)
-    return f"{model[1] if model else platform.processor()}, {ranks}".replace(" ", "&nbsp;")
+    name = re.sub(r" ?\([^)]*\)", "", model[1] if model else platform.processor())
+    return f"{name}, {ranks}".replace(" ", "&nbsp;")
 
 
 def mean_iterations(rows):

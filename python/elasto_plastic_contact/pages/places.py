@@ -41,7 +41,10 @@ def fill(text, contents):
         numbers = contents[match["name"]].numbers
         if match["key"] not in numbers:
             raise UserError(f"'{match['name']}' computes no '{match['key']}'; it has {', '.join(numbers) or 'none'}")
-        return numbers[match["key"]] + match["mark"]
+        filled = numbers[match["key"]] + match["mark"]
+        if not NUMBER.fullmatch(filled):
+            raise UserError(f"'{filled}' does not fit into a text: it has a blank, a bracket or a bar")
+        return filled
 
     return NUMBER.sub(number, TABLE.sub(table, text))
 
