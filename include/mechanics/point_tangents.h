@@ -155,7 +155,7 @@ namespace ElastoPlastic
         flow_directions[batch][q] = PackedDeviator<dim>(of_points[q]);
     }
 
-    /// Where nothing flows, none is needed.
+    /// They are zero from now on, and take no memory.
     void
     forget_flow_directions(const unsigned int batch)
     {

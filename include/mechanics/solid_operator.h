@@ -134,7 +134,8 @@ namespace ElastoPlastic
     linearize(const VectorType &u);
 
     /// Predicts the flow directions at @p new_u from those at @p old_u; if both
-    /// are the same, takes the exact ones there. After reinit() they are zero.
+    /// are the same, takes the exact ones there. After reinit(), and in batches
+    /// of cells far from flowing, they are zero.
     void
     predict_flow(const VectorType &old_u, const VectorType &new_u);
 

@@ -264,6 +264,7 @@ namespace ElastoPlastic
 
 
 
+  // (linearize() takes the exact ones if a hardening curve becomes steeper.)
   template <int dim>
   void
   SolidOperator<dim>::predict_flow(const VectorType &old_u,
@@ -272,27 +273,25 @@ namespace ElastoPlastic
     if (becomes_steeper)
       return;
     AtPoints<Strain> directions;
-    kernel->for_each_batch({&old_u, &new_u},
-                           [&](const std::vector<Strains> &strains) {
-                             const unsigned int batch      = strains[0].batch;
-                             bool               are_needed = false;
-                             for (unsigned int q = 0; q < n_points; ++q)
-                               {
-                                 const auto  at_point = response(strains[0], q);
-                                 const auto &plasticity = at_point.plasticity();
-                                 directions[q] = plasticity.predicted_flow(
-                                   tangents.flow_direction(batch, q),
-                                   strain_deviator(strain_at(strains[1], q)) -
-                                     strain_deviator(strain_at(strains[0], q)));
-                                 are_needed =
-                                   are_needed ||
-                                   may_flow(plasticity, directions[q]);
-                               }
-                             if (are_needed)
-                               tangents.set_flow_directions(batch, directions);
-                             else
-                               tangents.forget_flow_directions(batch);
-                           });
+    const auto       predict = [&](const std::vector<Strains> &strains) {
+      const unsigned int batch      = strains[0].batch;
+      bool               are_needed = false;
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          const auto  at_point   = response(strains[0], q);
+          const auto &plasticity = at_point.plasticity();
+          directions[q]          = plasticity.predicted_flow(
+            tangents.flow_direction(batch, q),
+            strain_deviator(strain_at(strains[1], q)) -
+              strain_deviator(strain_at(strains[0], q)));
+          are_needed = are_needed || may_flow(plasticity, directions[q]);
+        }
+      if (are_needed)
+        tangents.set_flow_directions(batch, directions);
+      else
+        tangents.forget_flow_directions(batch);
+    };
+    kernel->for_each_batch({&old_u, &new_u}, predict);
   }
 
 
