@@ -7,6 +7,8 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/vectorization.h>
 
+#include <cmath>
+
 #include "base/inlining.h"
 #include "base/tensors.h"
 
@@ -54,7 +56,25 @@ namespace ElastoPlastic
       return stress;
     }
 
+    /// The smallest eigenvalue of the symmetric one, a - (m : l + |m| |l|) / 2.
+    Number
+    smallest_eigenvalue() const
+    {
+      return shear -
+             0.5 * (product(normal, flow) +
+                    std::sqrt(product(normal, normal) * product(flow, flow)));
+    }
+
   private:
+    using Deviator = SymmetricTensor<2, dim, Number>;
+
+    /// The product of two deviators of which these are the in-plane parts.
+    static Number
+    product(const Deviator &a, const Deviator &b)
+    {
+      return dim == 3 ? a * b : a * b + trace(a) * trace(b);
+    }
+
     /// The product of a @p deviator with a strain. (In two dimensions, there is
     /// no shear out of plane.)
     ELASTO_PLASTIC_ALWAYS_INLINE static inline Number

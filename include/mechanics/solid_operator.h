@@ -177,6 +177,15 @@ namespace ElastoPlastic
         void(const typename DoFHandler<dim>::active_cell_iterator &cell,
              const std::vector<double> &values)> &receive) const;
 
+    /// The P-wave modulus of the stored tangent (in a sheet the modulus of a
+    /// stretch in one direction) over its smallest shear modulus, which counts
+    /// as a fiftieth of that across the flow at least; both are means over the
+    /// points of a cell: the geometric mean of all cells. Of a definite
+    /// approximation; with finite strains without the parts of the geometry.
+    /// Not a number if one of the tangents is not. Collective.
+    double
+    stiffness_ratio(const MPI_Comm communicator) const;
+
     /// Calls @p receive for all locally owned cells, in no particular order,
     /// with what is known at their quadrature points, which are in the order of
     /// QGauss<dim>(degree + 1). All ranks must call this; all communication
@@ -221,6 +230,10 @@ namespace ElastoPlastic
     /// The mean tangent of a batch of cells, as values of CellTangents.
     std::vector<Number>
     mean_tangent(const unsigned int batch) const;
+
+    /// The ratio of the moduli in the cells of a batch.
+    Number
+    stiffness_ratio(const unsigned int batch) const;
 
     BatchMaterials     materials;
     const bool         is_sheet;

@@ -66,8 +66,10 @@ namespace ElastoPlastic
       mutable VectorType                    double_solution, double_rhs;
     };
 
+    /// Lets it damp the eigenvalues between the largest one and the @p range-th
+    /// part of that.
     void
-    prepare_smoother();
+    prepare_smoother(const double range);
 
     /// What the smoother of a level takes for the largest eigenvalue, estimated
     /// when the inverse diagonal was this one.

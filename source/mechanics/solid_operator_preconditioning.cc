@@ -5,6 +5,7 @@
 // cells.
 
 #include <algorithm>
+#include <cmath>
 
 #include "mechanics/pressure_model.h"
 #include "mechanics/solid_operator.h"
@@ -15,6 +16,10 @@ namespace ElastoPlastic
   {
     /// With up to this ratio, multigrid converges well.
     constexpr double moderate_bulk_to_shear = 20.;
+
+    /// Of the shear modulus across the flow, what stiffness_ratio() takes to be
+    /// left along it, at least: no smoother can follow perfect plasticity.
+    constexpr double least_share_along_flow = 0.02;
   } // namespace
 
 
@@ -146,6 +151,46 @@ namespace ElastoPlastic
             receive(kernel->cell(batch, lane), of_cell);
           }
       }
+  }
+
+
+
+  template <int dim>
+  Simd<double>
+  SolidOperator<dim>::stiffness_ratio(const unsigned int batch) const
+  {
+    const Number weight = 0.5 / n_points;
+    Number       shear = 0., smallest_shear = 0.;
+    for (unsigned int q = 0; q < n_points; ++q)
+      {
+        const auto tangent = tangents.definite(batch, q);
+        shear += weight * tangent.shear;
+        smallest_shear += weight * tangent.smallest_eigenvalue();
+      }
+    const Number bulk = materials[batch].bulk_modulus;
+    const Number p_wave =
+      is_sheet ? 4. * shear * (3. * bulk + shear) / (3. * bulk + 4. * shear) :
+                 bulk + 4. / 3. * shear;
+    return p_wave / std::max(smallest_shear, least_share_along_flow * shear);
+  }
+
+
+
+  template <int dim>
+  double
+  SolidOperator<dim>::stiffness_ratio(const MPI_Comm communicator) const
+  {
+    double sum_and_cells[2] = {0., 0.};
+    auto &[sum, n_cells]    = sum_and_cells;
+    for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
+      {
+        const Number ratio = stiffness_ratio(batch);
+        for (unsigned int lane = 0; lane < kernel->n_cells(batch); ++lane)
+          sum += std::log(ratio[lane]);
+        n_cells += kernel->n_cells(batch);
+      }
+    Utilities::MPI::sum(sum_and_cells, communicator, sum_and_cells);
+    return std::exp(sum / n_cells);
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
 #include <cmath>
 
 #include "mechanics/rigid_body_modes.h"
@@ -20,16 +21,7 @@ namespace ElastoPlastic
     constexpr double       coarse_reduction      = 1e-3;
     constexpr unsigned int n_coarse_iterations   = 1000;
 
-    /// The part of the spectrum that the smoother damps. Elastic bodies need
-    /// half of it; but where the body yields, it stiffly resists changes of
-    /// volume only, and waves as short as a few cells have small eigenvalues.
-    constexpr double       smoothing_range = 24.;
-    constexpr unsigned int smoother_degree = 6;
-    /// In the mixed form of a nearly incompressible body, all of the body is
-    /// like that.
-    constexpr double       smoothing_range_of_mixed_form = 60.;
-    constexpr unsigned int smoother_degree_of_mixed_form = 9;
-    constexpr unsigned int n_eigenvalue_iterations       = 8;
+    constexpr unsigned int n_eigenvalue_iterations = 8;
 
     /// An estimate of the largest eigenvalue holds for other tangents, too, as
     /// long as no entry of the diagonal's inverse has changed by more than this
@@ -37,6 +29,38 @@ namespace ElastoPlastic
     /// (doc/performance.md, "Where the time goes"). The fifth by which deal.II
     /// raises estimates is enough for that and for their own error.
     constexpr float tolerated_change = 0.1f;
+
+
+
+    /// The largest eigenvalue over the smallest one that the smoother damps.
+    /// Where a tangent resists shears much less than changes of volume, waves
+    /// as short as a few cells have small eigenvalues, too. Measured: like
+    /// this, steps on adaptive meshes hardly depend on how much of the body
+    /// flows, in the time of a fixed range (doc/performance.md, "Iterations").
+    /// (Of something that is not a number, std::min() takes the bound.)
+    double
+    smoothing_range(const double stiffness_ratio)
+    {
+      constexpr double largest_range = 100.;
+      return std::min(largest_range, 6. * std::pow(stiffness_ratio, 0.375));
+    }
+
+
+
+    /// The range in the mixed form of a nearly incompressible body. (With
+    /// smoothing_range(), 19 for an elastic one, more steps take the same
+    /// time.)
+    constexpr double smoothing_range_of_mixed_form = 60.;
+
+
+
+    /// The degree of the Chebyshev polynomials: on the range, they are
+    /// everywhere smaller than 1 / cosh(2.4), about.
+    unsigned int
+    smoother_degree(const double smoothing_range)
+    {
+      return std::lround(1.2 * std::sqrt(smoothing_range));
+    }
 
 
 
@@ -146,7 +170,10 @@ namespace ElastoPlastic
   MultigridPreconditioner<dim>::prepare(const HeldUnknowns &held)
   {
     hierarchy.update(solid, held);
-    prepare_smoother();
+    prepare_smoother(solid.is_nearly_incompressible() ?
+                       smoothing_range_of_mixed_form :
+                       smoothing_range(solid.stiffness_ratio(
+                         held.constrained.get_mpi_communicator())));
     coarse_solver.prepare();
   }
 
@@ -154,7 +181,7 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  MultigridPreconditioner<dim>::prepare_smoother()
+  MultigridPreconditioner<dim>::prepare_smoother(const double range)
   {
     smoother.resize(0, hierarchy.max_level());
     estimates.resize(hierarchy.max_level() + 1);
@@ -162,12 +189,8 @@ namespace ElastoPlastic
       {
         const LevelOperator<dim> &matrix = *hierarchy.operators()[level];
         typename Smoother::AdditionalData settings;
-        settings.degree          = solid.is_nearly_incompressible() ?
-                                     smoother_degree_of_mixed_form :
-                                     smoother_degree;
-        settings.smoothing_range = solid.is_nearly_incompressible() ?
-                                     smoothing_range_of_mixed_form :
-                                     smoothing_range;
+        settings.smoothing_range = range;
+        settings.degree          = smoother_degree(range);
         settings.preconditioner =
           std::make_shared<DiagonalMatrix<LevelVector>>();
         const LevelVector &inverse = settings.preconditioner->get_vector();
