@@ -42,13 +42,13 @@ namespace ElastoPlastic
     smoothing_range(const double stiffness_ratio)
     {
       constexpr double largest_range = 100.;
-      return std::min(largest_range, 6. * std::pow(stiffness_ratio, 0.375));
+      return std::min(largest_range, 8. * std::pow(stiffness_ratio, 0.375));
     }
 
 
 
     /// The range in the mixed form of a nearly incompressible body. (With
-    /// smoothing_range(), 19 for an elastic one, more steps take the same
+    /// smoothing_range(), 25 for an elastic one, more steps take the same
     /// time.)
     constexpr double smoothing_range_of_mixed_form = 60.;
 
