@@ -44,7 +44,7 @@ def cost_of_products(runs):
     return Content([roofline_row(kernel, limits[kernel["bytes_of_number"]]) for kernel in kernels],
                    {"machine": machine(runs), "bandwidth": f"{float(in_double['gb_per_s']):.0f}",
                     "double": f"{float(in_double['gflops']):.0f}", "single": f"{float(in_single['gflops']):.0f}",
-                    "step": f"{1e-3 * (times[0] + 16 * 8 / 7 * times[2]):.1f}"})
+                    "step": f"{1e-3 * (times[0] + 18 * 8 / 7 * times[2]):.1f}"})
 
 
 def roofline_row(kernel, machine_limits):
