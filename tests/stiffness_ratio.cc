@@ -84,7 +84,7 @@ namespace
   void
   compare(const std::string &name, const double found, const double expected)
   {
-    verify("  " + name, std::abs(found / expected - 1.), 1e-4);
+    verify("  " + name, std::abs(found / expected - 1.), 1e-5);
   }
 
 

@@ -36,7 +36,8 @@ namespace ElastoPlastic
     /// Where a tangent resists shears much less than changes of volume, waves
     /// as short as a few cells have small eigenvalues, too. Measured: like
     /// this, steps on adaptive meshes hardly depend on how much of the body
-    /// flows, in the time of a fixed range (doc/performance.md, "Iterations").
+    /// flows, in 5 % more time than with a fixed range (doc/performance.md,
+    /// "Iterations").
     /// (Of something that is not a number, std::min() takes the bound.)
     double
     smoothing_range(const double stiffness_ratio)

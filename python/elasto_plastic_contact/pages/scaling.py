@@ -20,7 +20,8 @@ BLOCK = ("verification/uniaxial_stress.prm", {
     "Linear solver/Type": "multigrid", "Nonlinear solver/Tolerance": "1e-2", "Boundary conditions/Roller": "",
     "Boundary conditions/Fixed": "bottom", "Boundary conditions/Free": "left, right, front, back",
     "Boundary conditions/Prescribed displacement": "", "Boundary conditions/Traction": "top: 0; 0; 100*x*y*t"})
-SMOOTHED = 9  # products on each level but the coarsest (degree 4: Poisson's ratio 0.3), and both transfers to it, in units of a product
+# On each level but the coarsest: eight products (degree 4, Poisson's ratio 0.3), and both transfers, half a product each.
+SMOOTHED = 9
 
 
 def built(runs, target):
