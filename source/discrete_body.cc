@@ -296,6 +296,7 @@ namespace ElastoPlastic
                             supports.fixed_dofs(),
                             contact_boundaries(),
                             contact,
+                            displacement,
                             residual);
   }
 

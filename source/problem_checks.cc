@@ -136,10 +136,10 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  check_reach(const LoadProgram       &load_program,
-              TimeSteps                steps,
-              const LoadingParameters &loading,
-              const ContactSet<dim>   &contact)
+  check_reach(const LoadProgram     &load_program,
+              TimeSteps              steps,
+              const Parameters      &parameters,
+              const ContactSet<dim> &contact)
   {
     if (contact.n_candidates() == 0)
       throw InputError(
@@ -148,11 +148,16 @@ namespace ElastoPlastic
         "and 'Indenter/Reach', or refine the mesh ('Geometry/Initial "
         "refinements').");
 
-    const double min_gap = contact.min_gap();
+    const auto [of_candidates, of_nodes] = contact.min_gaps();
+    const double min_gap = parameters.refinement.n_over_contact_radius > 0 ?
+                             of_nodes :
+                             of_candidates;
     for (; !steps.finished(); steps.advance())
       if (const auto load = load_program.load(steps.next_time());
-          load && (load->control == Control::force || load->value >= min_gap))
+          load && (load->control == Control::force ? load->value > 0. :
+                                                     load->value >= min_gap))
         return;
+    const LoadingParameters &loading = parameters.loading;
     throw InputError(
       loading.history.empty() ? "Loading/Depth" : "Loading/History",
       loading.history.empty() ? loading.depth : loading.history,
@@ -207,7 +212,7 @@ namespace ElastoPlastic
   template void
   check_reach(const LoadProgram &,
               TimeSteps,
-              const LoadingParameters &,
+              const Parameters &,
               const ContactSet<2> &);
   template void
   check_path(const Model<2> &,
@@ -228,7 +233,7 @@ namespace ElastoPlastic
   template void
   check_reach(const LoadProgram &,
               TimeSteps,
-              const LoadingParameters &,
+              const Parameters &,
               const ContactSet<3> &);
   template void
   check_path(const Model<3> &,

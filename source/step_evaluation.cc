@@ -194,6 +194,13 @@ namespace ElastoPlastic
             body.contact_zone().warning(body.model.indenter.shape->detail());
           !warning.empty())
         log.warn_once(warning);
+    if (last_step.largest_contact_area == 0. && result.contact_area == 0. &&
+        result.max_hanging_penetration > 0.)
+      log.warn_once(
+        "The indenter is in the body, between the nodes that could touch it, "
+        "and meets no resistance: the mesh is too coarse under its tip. Set "
+        "'Refinement/Elements over contact radius' or 'Geometry/Local "
+        "refinements'.");
     imprint.note(result);
   }
 

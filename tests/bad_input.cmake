@@ -178,7 +178,7 @@ add_entry_test(power_law_strain "'Material/Power law reference strain' is '0', b
 add_entry_test(table_format "'Material/Hardening table' is '0.1 500', but it must be 'none', or pairs" "Material/Hardening table=0.1 500")
 add_entry_test(table_empty "'Material/Hardening table' is '. 0.1: 500', but it must be 'none', or pairs" "Material/Hardening table=| 0.1: 500")
 add_entry_test(table_infinite "'Material/Hardening table' is '0.1: inf', but it must be 'none', or pairs" "Material/Hardening table=0.1: inf")
-add_entry_test(table_origin "'Material/Hardening table' is '0: 400', but its strains must increase, and the first must be greater than 0" "Material/Hardening table=0: 400")
+add_entry_test(table_origin "'Material/Hardening table' is '0: 401', but its strains must increase, and be greater than 0" "Material/Hardening table=0: 401")
 add_entry_test(table_strains "'Material/Hardening table' is '0.1: 500 . 0.1: 600', but its strains must increase" "Material/Hardening table=0.1: 500 | 0.1: 600")
 add_entry_test(table_stresses "'Material/Hardening table' is '0.1: 500 . 0.2: 499', but its stresses must not decrease" "Material/Hardening table=0.1: 500 | 0.2: 499")
 add_entry_test(tiny_yield_strain "'Material/Yield stress' is '400', but with 'Material/Young's modulus = 1e[+]15' the material yields at a strain of 4e-13.*same system of units" "Material/Young's modulus=1e15")
@@ -335,6 +335,7 @@ add_entry_test(history_not_increasing "'Loading/History' is '1: force 0', but th
 add_entry_test(history_from_zero "'Loading/History' is '0: depth 0', but the times must increase, and the first must be greater than 0" "Loading/History=0: depth 0 | 1: depth 1")
 add_entry_test(history_negative_force "'Loading/History' is '1: force -2', but a force cannot be negative" "Loading/History=1: force -2")
 add_entry_test(history_never_touches "'Loading/History' is '1: depth 0.1', but the indenter can never touch" "Loading/History=1: depth 0.1" "Indenter/Initial gap=1")
+add_entry_test(history_without_push "'Loading/History' is '1: depth 0.1 . 2: force 0', but the indenter can never touch" "Loading/History=1: depth 0.1 | 2: force 0" "Indenter/Initial gap=1")
 add_entry_test(cycles_without_strategy "'Refinement/Number of cycles' is '2', but 'Refinement/Strategy = none' allows one" "Refinement/Strategy=none" "Refinement/Number of cycles=2")
 add_entry_test(fractions "'Refinement/Coarsening fraction' is '0.6', but together with" "Refinement/Refinement fraction=0.6" "Refinement/Coarsening fraction=0.6")
 add_entry_test(tolerance "'Nonlinear solver/Tolerance' is '1', but it must lie between 1e-14 and 1e-2" "Nonlinear solver/Tolerance=1")
@@ -353,6 +354,9 @@ add_message_test(large_plastic_strain 0 "^Warning: Step 3 leaves the theory of s
   --set "Boundary conditions/Prescribed displacement=top: free; free; 0.2*t" --set "Loading/Final time=1" --set "Loading/Number of steps=4")
 set(_elastic_indentation ${CMAKE_SOURCE_DIR}/parameter_files/verification/hertz_axisymmetric.prm --overwrite --quiet
   --set "Loading/Control=depth" --set "Loading/Number of steps=3" --set "Geometry/Initial refinements=3")
+add_message_test(tip_between_nodes 0 "Warning: The indenter is in the body, between the nodes that could touch it, and meets no resistance: the mesh is too coarse under its tip. Set 'Refinement/Elements over contact radius'"
+  ${_elastic_indentation} --output-directory tip_between_nodes --set "Loading/Depth=0.0009*t" --set "Indenter/Radius=100" --set "Geometry/Local refinements=0" --set "Discretization/Polynomial degree=2" --set "Discretization/Volumetric treatment=standard")
+add_message_test(locking 0 "Warning: 'Material/Poisson.s ratio' is close to 0.5, and elements with 'Discretization/Volumetric treatment = standard' lock then.*Set 'Volumetric treatment = B-bar', for both" ${_base} --validate --set "Material/Poisson's ratio=0.499")
 add_message_test(few_elements 0 "Warning: The contact is only [0-9]+ elements wide. with fewer than 8, force and contact area are rough. Set 'Refinement/Elements over contact radius'"
   ${_elastic_indentation} --output-directory few_elements --set "Loading/Depth=0.004" --set "Geometry/Local refinements=4")
 add_message_test(few_elements_on_spots 0 "Warning: [0-9]+ % of the force is on spots of [0-9]+ that are fewer than 4 elements wide"

@@ -71,7 +71,7 @@ namespace
     contact.place(0.);
     const auto zone = [&](const Vector &residual) {
       return ContactZone<dim>(
-        dof_handler, none, fixed, {2 * dim - 1}, contact, residual);
+        dof_handler, none, fixed, {2 * dim - 1}, contact, zero, residual);
     };
     const Point<dim> middle;
     verify("  no contact, no size",

@@ -197,9 +197,10 @@ namespace ElastoPlastic
     unsigned int
     n_active() const;
 
-    /// The smallest gap of all candidates; infinite if there is none.
-    double
-    min_gap() const;
+    /// The smallest gap of all candidates, and that of all nodes; infinite if
+    /// there is none. Collective.
+    std::pair<double, double>
+    min_gaps() const;
 
     /// Sets the active entries of @p u to g - depth, but for rounding errors.
     void
@@ -253,6 +254,12 @@ namespace ElastoPlastic
     /// And those of all their unknowns on which the indenter exerts a force.
     std::vector<unsigned int>
     force_entries() const;
+
+    /// The indices of those nodes of this rank that have no pressure of their
+    /// own (ContactNode::hanging), and whether the displacement @p u brings
+    /// them into the indenter.
+    std::vector<std::pair<unsigned int, bool>>
+    hanging_entries(const Vector &u) const;
 
     /// Those of the horizontal displacements that friction holds.
     std::vector<unsigned int>

@@ -44,7 +44,9 @@ namespace ElastoPlastic
   class ContactZone
   {
   public:
-    /// The active nodes of @p contact on @p boundaries. On planes of symmetry
+    /// The active nodes of @p contact on @p boundaries, and those without a
+    /// pressure of their own that the @p displacement has brought into the
+    /// indenter. On planes of symmetry
     /// and on the axis of revolution, horizontal components are among @p
     /// fixed_dofs, the locally relevant ones. Collective.
     ContactZone(const DoFHandler<dim>                  &dof_handler,
@@ -52,6 +54,7 @@ namespace ElastoPlastic
                 const IndexSet                         &fixed_dofs,
                 const std::set<types::boundary_id>     &boundaries,
                 const ContactSet<dim>                  &contact,
+                const typename ContactSet<dim>::Vector &displacement,
                 const typename ContactSet<dim>::Vector &residual);
 
     const std::vector<ContactSpot<dim>> &
@@ -121,6 +124,7 @@ namespace ElastoPlastic
                const IndexSet                         &fixed_dofs,
                const std::set<types::boundary_id>     &boundaries,
                const ContactSet<dim>                  &contact,
+               const typename ContactSet<dim>::Vector &displacement,
                const typename ContactSet<dim>::Vector &residual);
 
     static Graph

@@ -6,6 +6,7 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <string>
 #include <vector>
 
 #include "base/kinematics.h"
@@ -46,6 +47,13 @@ namespace ElastoPlastic
     /// remembers what has been reached.
     LoadProgram load_program;
   };
+
+
+
+  /// What is allowed but hardly meant, in full sentences for the user.
+  template <int dim>
+  std::vector<std::string>
+  warnings(const Model<dim> &model);
 
 
 

@@ -53,13 +53,29 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  double
-  ContactSet<dim>::min_gap() const
+  std::pair<double, double>
+  ContactSet<dim>::min_gaps() const
   {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const Node &node : candidates)
-      smallest = std::min(smallest, node.gap.height);
-    return Utilities::MPI::min(smallest, communicator);
+    const auto smallest = [this](const std::vector<Node> &some) {
+      double gap = std::numeric_limits<double>::infinity();
+      for (const Node &node : some)
+        gap = std::min(gap, node.gap.height);
+      return Utilities::MPI::min(gap, communicator);
+    };
+    return {smallest(candidates), smallest(nodes)};
+  }
+
+
+
+  template <int dim>
+  std::vector<std::pair<unsigned int, bool>>
+  ContactSet<dim>::hanging_entries(const Vector &u) const
+  {
+    std::vector<std::pair<unsigned int, bool>> entries;
+    for (const Node &node : hanging_nodes)
+      entries.emplace_back(node.index,
+                           u.local_element(node.index) > bound(node, u));
+    return entries;
   }
 
 

@@ -77,6 +77,7 @@ namespace ElastoPlastic
     const IndexSet                         &fixed_dofs,
     const std::set<types::boundary_id>     &boundaries,
     const ContactSet<dim>                  &contact,
+    const typename ContactSet<dim>::Vector &displacement,
     const typename ContactSet<dim>::Vector &residual)
   {
     find_spots(join(Utilities::MPI::all_gather(dof_handler.get_communicator(),
@@ -85,6 +86,7 @@ namespace ElastoPlastic
                                                           fixed_dofs,
                                                           boundaries,
                                                           contact,
+                                                          displacement,
                                                           residual))),
                dof_handler.get_fe().degree);
   }
@@ -92,15 +94,19 @@ namespace ElastoPlastic
 
 
   // The force on a node is known to its owner, who need not own its faces.
-  // Hanging nodes are no nodes of their own.
+  // Hanging nodes are no nodes of their own; one without area, on the axis of
+  // revolution, only tells that the indenter has entered the body before it
+  // has reached a candidate.
   template <int dim>
   typename ContactZone<dim>::Graph
-  ContactZone<dim>::find_nodes(const DoFHandler<dim>           &dof_handler,
-                               const AffineConstraints<double> &hanging_nodes,
-                               const IndexSet                  &fixed_dofs,
-                               const std::set<types::boundary_id> &boundaries,
-                               const ContactSet<dim>              &contact,
-                               const typename ContactSet<dim>::Vector &residual)
+  ContactZone<dim>::find_nodes(
+    const DoFHandler<dim>                  &dof_handler,
+    const AffineConstraints<double>        &hanging_nodes,
+    const IndexSet                         &fixed_dofs,
+    const std::set<types::boundary_id>     &boundaries,
+    const ContactSet<dim>                  &contact,
+    const typename ContactSet<dim>::Vector &displacement,
+    const typename ContactSet<dim>::Vector &residual)
   {
     using Vector = typename ContactSet<dim>::Vector;
     IndexSet relevant;
@@ -116,6 +122,9 @@ namespace ElastoPlastic
         is_active.local_element(i)         = 1.;
         graph.nodes[first_owned + i].force = -forces.local_element(i);
       }
+    constexpr double has_no_say = -1.;
+    for (const auto &[i, is_inside] : contact.hanging_entries(displacement))
+      is_active.local_element(i) = is_inside ? 1. : has_no_say;
     is_active.update_ghost_values();
 
     const auto                          &fe = dof_handler.get_fe();
@@ -138,7 +147,8 @@ namespace ElastoPlastic
           for (const auto &components : face_nodes)
             {
               const auto dof = dofs[components[dim - 1]];
-              if (hanging_nodes.is_constrained(dof))
+              if (hanging_nodes.is_constrained(dof) ||
+                  is_active(dof) == has_no_say)
                 continue;
               if (is_active(dof) == 0.)
                 {

@@ -44,7 +44,7 @@ namespace ElastoPlastic
                    body.contact,
                    body.external_forces);
     parameters.refinement.check_first_mesh(body.dof_handler.n_dofs());
-    for (const std::string &warning : model.geometry.warnings())
+    for (const std::string &warning : warnings(model))
       log.warn(warning);
     if (const std::string warning =
           warning_of_unused_materials(body.triangulation,
@@ -61,7 +61,7 @@ namespace ElastoPlastic
   {
     if (body.gap_function.has_indenter())
       {
-        check_reach(load_program, time_steps, parameters.loading, body.contact);
+        check_reach(load_program, time_steps, parameters, body.contact);
         check_path(model, time_steps, parameters.loading, body.triangulation);
       }
     evaluation.check_lines();

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+
 #include "mesh/body_size.h"
 #include "model/model.h"
 
@@ -53,6 +55,31 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  std::vector<std::string>
+  warnings(const Model<dim> &model)
+  {
+    std::vector<std::string> texts = model.geometry.warnings();
+    if (model.strain_model.treatment == VolumetricTreatment::standard &&
+        model.strain_model.kinematics != Kinematics::plane_stress &&
+        std::any_of(model.materials.begin(),
+                    model.materials.end(),
+                    is_nearly_incompressible))
+      texts.push_back(
+        "'Material/Poisson's ratio' is close to 0.5, and elements with "
+        "'Discretization/Volumetric treatment = standard' lock then: linear "
+        "ones may bear several times the force, the pressures of quadratic "
+        "ones oscillate, and linear systems take long. Set 'Volumetric "
+        "treatment = B-bar', for both.");
+    return texts;
+  }
+
+
+
+  template std::vector<std::string>
+  warnings(const Model<2> &);
+  template std::vector<std::string>
+  warnings(const Model<3> &);
   template GapFunction<2>
   make_mesh_and_place_indenter(const Model<2> &,
                                parallel::distributed::Triangulation<2> &);
