@@ -65,9 +65,10 @@ namespace ElastoPlastic
     Vector
     pressures() const;
 
-    /// Collective.
-    double
-    touched_area() const;
+    /// What each active node has of the touched part of the faces; if the
+    /// contact ends at nodes, all of its own. Collective.
+    Vector
+    touched_areas() const;
 
     /// Penetration and complementarity of the candidates, of this rank.
     void
@@ -76,6 +77,10 @@ namespace ElastoPlastic
     /// What is not vertical, of this rank.
     void
     add_friction(ContactState &state) const;
+
+    /// Of this rank. Collective.
+    void
+    add_areas(ContactState &state) const;
 
     const ContactSet<dim> &contact;
     const Vector          &u, &residual;

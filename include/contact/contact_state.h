@@ -33,7 +33,7 @@ namespace ElastoPlastic
     /// The horizontal force of the indenter on the body, by component: positive
     /// when it pushes in the direction of the axis.
     std::array<double, 2> tangential_force = {{0., 0.}};
-    /// Of the nodes that stick, as contact_area.
+    /// The part of contact_area that belongs to nodes that stick.
     double stick_area = 0;
     /// What friction has dissipated: in the load step, or once that has been
     /// committed, since the virgin state.

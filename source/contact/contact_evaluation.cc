@@ -88,16 +88,11 @@ namespace ElastoPlastic
   // A node that touches with none of its faces as a whole counts like one of a
   // contact that ends at nodes: there is no edge that could be followed.
   template <int dim>
-  double
-  ContactEvaluation<dim>::touched_area() const
+  typename ContactEvaluation<dim>::Vector
+  ContactEvaluation<dim>::touched_areas() const
   {
-    double area = 0;
     if (contact.rule == EdgeRule::at_nodes)
-      {
-        for (const unsigned int i : contact.active_entries())
-          area += areas.local_element(i);
-        return Utilities::MPI::sum(area, contact.communicator);
-      }
+      return areas;
 
     const auto                     &edge = contact.edge;
     std::optional<ContactEdge<dim>> moved;
@@ -111,12 +106,12 @@ namespace ElastoPlastic
     Vector       ones(u.get_partitioner()), taken_over(u.get_partitioner());
     contact.set_candidate_entries(ones, 1.);
     part.taken_over->vmult(taken_over, ones);
-    const Vector whole = faces.areas();
+    Vector result = faces.areas();
     for (const unsigned int i : contact.active_entries())
-      area += whole.local_element(i) +
-              inside.local_element(i) *
-                (taken_over.local_element(i) - part.missing.local_element(i));
-    return Utilities::MPI::sum(area, contact.communicator);
+      result.local_element(i) +=
+        inside.local_element(i) *
+        (taken_over.local_element(i) - part.missing.local_element(i));
+    return result;
   }
 
 
@@ -140,7 +135,9 @@ namespace ElastoPlastic
     ContactState state;
     add_distances(state);
     add_friction(state);
+    add_areas(state);
     for (double *const sum : {&state.force,
+                              &state.contact_area,
                               &state.complementarity_error,
                               &state.tangential_force[0],
                               &state.tangential_force[1],
@@ -151,7 +148,6 @@ namespace ElastoPlastic
                                   &state.edge_penetration,
                                   &state.max_hanging_penetration})
       *largest = Utilities::MPI::max(*largest, communicator);
-    state.contact_area = touched_area();
     state.active_nodes = contact.n_active();
     state.max_pressure = Utilities::MPI::max(max_pressure, communicator);
     if (state.active_nodes > 0)
@@ -201,20 +197,31 @@ namespace ElastoPlastic
         const auto force = horizontal_part<dim>(node, forces);
         for (unsigned int d = 0; d < dim - 1; ++d)
           state.tangential_force[d] += force[d];
-        if (!node.active || !contact.friction.exists())
+        if (!node.active || !contact.friction.exists() || node.friction.sticks)
           continue;
-        if (node.friction.sticks)
-          {
-            state.stick_area +=
-              contact.share(node) * areas.local_element(node.index);
-            continue;
-          }
         const auto surface = contact.bounds.surface(node, u);
         state.frictional_dissipation += tangent_product(
           contact.contact_force(node, surface, residual).tangential,
           contact.slip(node, u),
           surface.slope);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactEvaluation<dim>::add_areas(ContactState &state) const
+  {
+    const Vector touched = touched_areas();
+    for (const Node &node : contact.candidates)
+      if (node.active)
+        {
+          const double area = touched.local_element(node.index);
+          state.contact_area += area;
+          if (contact.friction.exists() && node.friction.sticks)
+            state.stick_area += area;
+        }
   }
 
 

@@ -89,7 +89,7 @@ namespace ElastoPlastic
       {"pile_up", "length", "how far the surface stands above the undeformed one: its largest height within twice the largest contact radius until now, if that is positive (pile-up), else that of the edge of the contact, negative (sink-in)", &R::pile_up},
       {"tangential_force_x", "force", "the horizontal force of the indenter on the body, positive in the direction of x; in an axisymmetric body the sum over the ring of the radial forces", [](const R &r) { return r.tangential_force[0]; }},
       {"tangential_force_y", "force", "the same in the direction of y; 0 in two dimensions", [](const R &r) { return r.tangential_force[1]; }},
-      {"stick_area", "area", "of the nodes in contact that stick to the indenter, with friction", &R::stick_area},
+      {"stick_area", "area", "the part of contact_area whose nodes stick to the indenter, with friction", &R::stick_area},
       {"frictional_dissipation", "force x length", "work of the friction between indenter and body since the virgin state", &R::frictional_dissipation},
       {"min_scaled_jacobian", "1", "with finite strains the smallest of all corners of the deformed elements: 1 for right angles, 0 where a corner has collapsed, negative where it is turned inside out; always 1 with small strains", &R::min_scaled_jacobian}};
     return columns;
