@@ -61,6 +61,10 @@ namespace ElastoPlastic
       return degree == 1 ? CostPerUnknown{0.8, 25.} : CostPerUnknown{0.5, 18.};
     }
 
+    /// How many times as long a step takes with finite strains: more
+    /// iterations of Newton's method, and larger tangents.
+    constexpr double time_of_finite_strain = 4.;
+
     /// The basis of nearly incompressible bodies' linear solver: for each step,
     /// two vectors of displacements and pressures.
     constexpr double kilobytes_of_mixed_form = 2.;
@@ -317,6 +321,8 @@ namespace ElastoPlastic
     CostPerUnknown cost = cost_per_unknown(dim, fe.degree);
     if (has_mixed_form())
       cost.kilobytes += kilobytes_of_mixed_form;
+    if (quick.strain_model.is_finite())
+      cost.microseconds *= time_of_finite_strain;
     return {cost.kilobytes * largest / 1024,
             1e-6 * cost.microseconds * n_solved};
   }

@@ -88,7 +88,8 @@ main(int argc, char *argv[])
                     "set Power law exponent = 0, 0.5\n"
                     "set Power law reference strain = 1");
   print_materials("tables",
-                  nonlinear + "set Hardening table = none, 0.02: 500|1: 600");
+                  nonlinear +
+                    "set Hardening table = none, 0: 400|0.02: 500|1: 600");
   print_materials("back stresses",
                   nonlinear +
                     "set Back stress moduli = 300 | 30, none, 0\n"
@@ -117,7 +118,7 @@ main(int argc, char *argv[])
   print_mistake("set Power law exponent = 1.1");
   print_mistake("set Power law reference strain = 0");
   print_mistake("set Hardening table = 0.1 500");
-  print_mistake("set Hardening table = 0: 400");
+  print_mistake("set Hardening table = 0: 410");
   print_mistake("set Hardening table = 0.1: 500 | 0.2: 499");
   print_mistake("set Hardening table = 0.1: 399");
   print_mistake("set Back stress moduli = x");

@@ -172,7 +172,10 @@ namespace ElastoPlastic
         throw InputError("The output directory '" + name +
                          "' holds results already (" + results.front() +
                          "). Choose another 'Output/Directory' or add the "
-                         "option --overwrite to replace them.");
+                         "option --overwrite to replace them" +
+                         (fs::exists(fs::path(name) / "checkpoint") ?
+                            ", or --resume to go on from their checkpoint." :
+                            "."));
       return !results.empty();
     };
     on_first_rank([&]() {

@@ -57,12 +57,14 @@ namespace ElastoPlastic
                            "it must be 'none', or pairs of equivalent plastic "
                            "strain and yield stress, such as '0.01: 450 | "
                            "0.05: 500'.");
+        if (table.empty() && *strain == 0. && *stress == yield_stress)
+          continue;
         if (*strain <= last.strain)
           throw InputError(path,
                            text,
-                           "its strains must increase, and the first must be "
-                           "greater than 0: there, the yield stress is "
-                           "'Material/Yield stress'.");
+                           "its strains must increase, and be greater than 0: "
+                           "there, the yield stress is 'Material/Yield "
+                           "stress'.");
         const double rise = *stress - yield_stress;
         if (rise < last.rise)
           throw InputError(path,

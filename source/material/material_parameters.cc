@@ -146,8 +146,9 @@ namespace ElastoPlastic
       hardening_tables,
       "'none', or pairs of equivalent plastic strain and yield stress, such as "
       "'0.01: 450 | 0.05: 500': 'nonlinear hardening' adds what this table "
-      "has beyond sigma_0. It begins with sigma_0 at 0, is linear between its "
-      "points and constant beyond the last one. Unit: stress.",
+      "has beyond sigma_0. It begins with sigma_0 at 0, with or without a pair "
+      "that says so, is linear between its points and constant beyond the last "
+      "one. Unit: stress.",
       Patterns::List(Patterns::Anything(), 1));
     prm.add_parameter(
       "Back stress moduli",

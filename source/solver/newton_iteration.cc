@@ -88,7 +88,9 @@ namespace ElastoPlastic
         std::to_string(step.iteration) + " iterations, and with " + obstacle +
         " there is no convex energy by which another method could find the "
         "solution. Shorter load steps ('Loading/Number of steps') or a finer "
-        "mesh at the contact help.");
+        "mesh at the contact help, if the loads are in the same system of "
+        "units as the moduli in 'Material', and not beyond what the body can "
+        "bear.");
     feasible = true;
     problem.begin_feasible_method();
     problem.move_constrained(u);
