@@ -5,8 +5,8 @@
 # scripts/run.sh [FILE.prm] [RANKS]
 #
 # Installs what is missing, builds the program, runs one case (default: a sphere
-# pressed into a block, on two ranks) and draws a picture of the result, in a
-# folder of its own below output/.
+# pressed into a block, on two ranks) and draws what there is to be seen of the result,
+# in a folder of its own below output/.
 
 case ${1:-} in
   -h | --help)
@@ -41,11 +41,11 @@ done
 on_ranks "$n_ranks" build/release/elasto_plastic_contact "$case_file" --output-directory "$results"
 
 scripts/plot.py "$results"
-scripts/render.py "$results" --output "$results/picture.png"
+# A limit load, or a run without fields, has no deformed body.
+[ ! -e "$results/solution.pvd" ] || scripts/render.py "$results" --output "$results/picture.png"
 
 cat <<END
 
-Results:  $PWD/$results (tables: *.csv; solution.pvd and surface.pvd for ParaView)
-Plots:    $PWD/$results/*.png
-Picture:  $PWD/$results/picture.png
+Results:            $PWD/$results (tables: *.csv; fields for ParaView: *.pvd)
+Plots and pictures: $PWD/$results/*.png
 END

@@ -45,7 +45,8 @@ def main(arguments=None):
         package = PACKAGES.get((error.name or "").partition(".")[0])
         if package is None:
             raise
-        problem = f"{error}. Install the Debian package {package}."
+        problem = (f"{error} in {sys.executable}. The Debian package {package} installs it for /usr/bin/python3, which "
+                   "runs the commands of scripts/ unless another Python is named before them.")
     except OSError as error:
         if error.filename is None:
             raise

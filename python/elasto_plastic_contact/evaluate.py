@@ -5,9 +5,10 @@ Pharr and, to compare, those of a run, in the same way. Prints the columns of in
 (doc/tables.md) for each unloading, in the units of the curve.
 
     scripts/evaluate.py measured.csv --cone 70.3 --beta 1.034
-    scripts/evaluate.py measured.csv --cone 70.3 --run output/cone_axisymmetric --output both.png
+    scripts/evaluate.py measured.csv --run output/cone_axisymmetric --output both.png
 
 The curve is a table (CSV) with a header; its columns are called depth and force, or --columns.
+Either ',' separates them and '.' is the decimal point, or ';' separates them and ',' is the decimal comma.
 """
 
 import argparse
@@ -25,7 +26,7 @@ def parse_arguments(arguments):
     parser = argparse.ArgumentParser(prog="evaluate", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("curve", help="the measured curve (CSV)")
-    tip = parser.add_mutually_exclusive_group(required=True)
+    tip = parser.add_mutually_exclusive_group()
     tip.add_argument("--cone", type=float, metavar="ANGLE", help="the tip is a cone: angle between axis and flank in "
                      "degrees; 70.3 stands for Berkovich's pyramid")
     tip.add_argument("--sphere", type=float, metavar="RADIUS", help="the tip is a sphere")
@@ -42,7 +43,8 @@ def parse_arguments(arguments):
                         help="the columns of the curve (default: depth force)")
     parser.add_argument("--factors", type=float, nargs=2, default=[1., 1.], metavar=("DEPTH", "FORCE"),
                         help="to multiply the curve by, such as 1e-6 1e-3 from nm and mN to mm and N (default: 1 1)")
-    parser.add_argument("--run", help="output directory of a run to compare with")
+    parser.add_argument("--run", help="output directory of a run to compare with, whose cone, sphere or area "
+                        "function is the tip unless another one is given")
     parser.add_argument("--output", help="draw both curves with their tangents (.png, .svg, .pdf)")
     return parser.parse_args(arguments)
 
@@ -58,7 +60,19 @@ def read_curve(path, columns, factors):
     return [factor * numpy.array([row[column] for row in rows]) for column, factor in zip(columns, factors)]
 
 
-def choose_tip(arguments):
+def tip_of_run(run):
+    shape = run.parameters.get("Indenter/Type")
+    if shape == "cone":
+        return Tip.cone(run.number("Indenter/Semi-apex angle"))
+    if shape == "sphere":
+        return Tip.sphere(run.number("Indenter/Radius"))
+    if shape == "area function":
+        return Tip.polynomial(run.numbers("Indenter/Area coefficients"))
+    raise UserError(f"the indenter of the run in '{run.directory}', '{shape}', is none of cone, sphere and area function"
+                    ": give the tip by --cone, --sphere or --area")
+
+
+def choose_tip(arguments, run):
     if arguments.cone is not None:
         if not 0. < arguments.cone < 90.:
             raise UserError(f"--cone is {arguments.cone:g}, but must be between 0 and 90 degrees")
@@ -67,7 +81,11 @@ def choose_tip(arguments):
         if arguments.sphere <= 0.:
             raise UserError(f"--sphere is {arguments.sphere:g}, but must be a radius > 0")
         return Tip.sphere(arguments.sphere)
-    return Tip.polynomial(arguments.area)
+    if arguments.area is not None:
+        return Tip.polynomial(arguments.area)
+    if run is None:
+        raise UserError("there is no tip: give it by --cone, --sphere or --area, or a run that has it by --run")
+    return tip_of_run(run)
 
 
 def compliance(indenter):
@@ -88,12 +106,12 @@ def curve_of_run(run):
 
 def main(arguments):
     arguments = parse_arguments(arguments)
-    tip = choose_tip(arguments)
+    run = Results(arguments.run) if arguments.run else None
+    tip = choose_tip(arguments, run)
     constants = {"beta": arguments.beta, "epsilon": arguments.epsilon}
     curves = {"measured": read_curve(arguments.curve, arguments.columns, arguments.factors)}
     found = {"measured": evaluate(*curves["measured"], tip, noise=arguments.noise, **constants)}
-    if arguments.run:
-        run = Results(arguments.run)
+    if run is not None:
         curves["computed"] = curve_of_run(run)
         found["computed"] = evaluate(*curves["computed"], tip, jumps=jumps_of_meshes(run),
                                      indenter_compliance=compliance(arguments.indenter), **constants)

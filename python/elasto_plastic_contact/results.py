@@ -23,11 +23,18 @@ class Results:
     def has(self, name):
         return os.path.isfile(self.path(name))
 
+    def expect(self, name):
+        """Refuses to look for what a limit load does not have."""
+        if self.has("limit_load.csv") and not self.has(name):
+            raise UserError(f"there is no {name} in '{self.directory}': these are the results of a limit load. "
+                            f"Draw them by 'scripts/plot.py {self.directory}'")
+
     @functools.lru_cache(maxsize=None)
     def table(self, name):
         """A table by its name without '.csv'."""
         import numpy  # (which those who only start the program do without)
 
+        self.expect(f"{name}.csv")
         rows = read_table(self.path(f"{name}.csv"))
         if not rows:
             raise UserError(f"'{self.path(name)}.csv' holds no results yet")

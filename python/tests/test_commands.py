@@ -4,13 +4,15 @@
 
 import argparse
 import csv
+import math
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
 
-from elasto_plastic_contact import run
+from elasto_plastic_contact import Results, UserError, run
+from elasto_plastic_contact.evaluate import tip_of_run
 from elasto_plastic_contact.plots.quantities import shown_entry
 
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
@@ -40,7 +42,8 @@ class Commands(unittest.TestCase):
     def test_plot(self):
         process = command("plot", "energies", self.folder / "cone")
         self.assertEqual(process.stdout, f"{self.folder}/cone/energies.png\n")
-        self.expect_message("no diagram 'energy' of a run; there are pressure", "plot", "energy", self.folder / "cone")
+        self.expect_message("no diagram 'energy' of a run; there are pressure, .* Others, .* equilibrium, friction, ",
+                            "plot", "energy", self.folder / "cone")
         self.expect_message("nothing to show for stress_strain", "plot", "stress_strain", self.folder / "cone")
         self.expect_message("parameters.prm' cannot be read: No such file", "plot", "energies", self.folder)
         self.expect_message("cannot be written", "plot", self.folder / "cone", "--output-directory", "/nowhere")
@@ -66,11 +69,34 @@ class Commands(unittest.TestCase):
         self.assertEqual(path, str(picture))
         self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
 
+        process = command("evaluate", curve, *units, "--run", self.folder / "cone")
+        self.assertEqual(process.stdout.splitlines(), found)
         process = command("evaluate", curve, "--cone", 70.3, *units, "--beta", 1.034)
         modulus = float(next(csv.DictReader(process.stdout.splitlines()))["tip_reduced_modulus"])
         self.assertAlmostEqual(float(computed["tip_reduced_modulus"]) / modulus, 1.034, places=4)
         self.expect_message("no column 'depth'; it has P, h", "evaluate", curve, "--sphere", 1)
         self.expect_message("--cone is 90, but must be between", "evaluate", curve, "--cone", 90)
+        self.expect_message("no tip: give it by --cone, ", "evaluate", curve)
+
+    def test_tip_of_run(self):
+        for entries, area in (({"Indenter/Type": "cone", "Indenter/Semi-apex angle": "45"}, math.pi / 4),
+                              ({"Indenter/Type": "sphere", "Indenter/Radius": "2"}, math.pi * 0.5 * 3.5),
+                              ({"Indenter/Type": "area function", "Indenter/Area coefficients": "4, 6"}, 4.)):
+            run_of_tip = Results(self.folder)
+            run_of_tip.parameters = entries
+            self.assertAlmostEqual(tip_of_run(run_of_tip).area(0.5), area)
+        run_of_tip.parameters = {"Indenter/Type": "wedge"}
+        with self.assertRaisesRegex(UserError, "'wedge', is none of cone, .*: give the tip by --cone"):
+            tip_of_run(run_of_tip)
+
+    def test_missing_module(self):
+        """Without 'site', Python does not find what has been installed."""
+        process = subprocess.run([sys.executable, "-S", SCRIPTS / "plot.py", "--help"],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(process.returncode, 2)
+        # (the whole message in the output of a test that fails would tell CTest to skip it)
+        self.assertRegex(process.stderr.partition(" in ")[2], f"^{sys.executable}. The Debian package python3-.* "
+                         "for /usr/bin/python3, which runs the commands of scripts/ unless")
 
     def test_unknown(self):
         self.assertEqual(command("verify", "nonsense").returncode, 2)

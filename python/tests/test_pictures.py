@@ -10,6 +10,8 @@ import re
 import tempfile
 import types
 import unittest
+import unittest.mock
+import warnings
 
 import numpy
 
@@ -17,6 +19,7 @@ from elasto_plastic_contact import run
 from elasto_plastic_contact.__main__ import main
 from elasto_plastic_contact.pictures import indenter, skin
 from elasto_plastic_contact.pictures.joined import Joined
+from elasto_plastic_contact.plots import experiment, figures, friction
 from elasto_plastic_contact.plots.cycles import turning_points
 
 CORNERS = numpy.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
@@ -137,10 +140,88 @@ class Files(unittest.TestCase):
         self.assertTrue(path.read_bytes().startswith(b"\x89PNG"))
         self.assertIn("no field 'temperature'; there are: displacement, ",
                       self.message("render", self.cone, "--field", "temperature"))
+        self.assertIn("'contact_pressure' is one of the surface: ParaView shows it, in surface.pvd",
+                      self.message("render", self.cone, "--field", "contact_pressure"))
         self.assertIn("--steps has 13, but solution.pvd has 13 entries",
                       self.message("render", self.cone, "--steps", 13))
         self.assertIn("must end with .png, .svg or .pdf",
                       self.message("render", self.cone, "--output", self.folder / "picture.mesh"))
+
+    def test_norms(self):
+        for field, label in (("stress", "norm of stress"), ("displacement", "norm of displacement"),
+                             ("plastic_fraction", "plastic fraction")):
+            self.assertRegex(self.texts_of("render", self.cone, "--field", field, "--output", self.folder / "norm.svg"),
+                             f"(?m)^{label}$")
+
+    def test_limit_load(self):
+        limit = self.folder / "limit"
+        run("limit_load/strip_punch.prm", limit, {"Refinement/Number of cycles": 1})
+        self.assertEqual(self.draw("plot", limit), [limit / "equilibrium.png"])
+        self.assertEqual(self.draw("plot", "equilibrium", limit), [limit / "equilibrium.png"])
+        self.assertEqual(self.draw("plot", limit, "--format", "pdf", "--output-directory", self.folder),
+                         [self.folder / "equilibrium.pdf"])
+        for arguments in (("plot", "energies"), ("render",)):
+            self.assertIn(f"of a limit load. Draw them by 'scripts/plot.py {limit}'", self.message(*arguments, limit))
+
+    def test_limit_load_that_is_not_drawn(self):
+        limit = self.folder / "space"
+        limit.mkdir()
+        (limit / "limit_load.csv").touch()
+        (limit / "parameters.prm").write_text("set Dimension = 3\n")
+        for words in ("without its fields", "'.*/limit_load.pvd' is of a body in space: ParaView shows it"):
+            with contextlib.redirect_stderr(io.StringIO()) as text:
+                self.assertEqual(self.draw("plot", limit), [])
+            self.assertRegex(text.getvalue(), f"^plot: .*{words}")
+            (limit / "limit_load.pvd").touch()
+
+    def test_friction(self):
+        cylinder = self.folder / "cylinder"
+        run("friction/mindlin_cylinder.prm", cylinder, {
+            "Geometry/Local refinements": 2, "Refinement/Elements over contact radius": 0,
+            "Loading/Number of steps": 4, "Output/Fields": "never"})
+        self.assertEqual(self.draw("plot", "friction", cylinder), [cylinder / "friction.png"])
+        parameters = cylinder / "parameters.prm"
+        sticking, n = re.subn("(?m)(set Friction coefficient *=) [0-9.]+", r"\1 stick", parameters.read_text())
+        self.assertEqual(n, 1)
+        parameters.write_text(sticking)
+        texts = self.texts_of("plot", "friction", cylinder, "--output", self.folder / "stick.svg")
+        self.assertIn("$Q/P$", texts)
+        self.assertNotIn("part that sticks", texts)
+
+    def lines_of(self, draw, table, limit):
+        figure, axes = figures.new_diagram()
+        self.addCleanup(figures.plt.close, figure)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            draw(axes, table, limit)
+        return [numpy.array(line.get_data()).tolist() for line in axes.get_lines()]
+
+    def test_friction_limit(self):
+        rows = (1, 1., -1., 0., 9.), (1, 1., 0., 2., 0.5), (2, 2., 0., 0., 9.), (3, 3., 0., 1., -0.2)
+        profile = numpy.array(list(rows), [
+            (name, float) for name in ("step", "time", "x", "contact_pressure", "contact_shear_x")])
+        heights = [y for _, (y,) in self.lines_of(friction.draw_tractions, profile, 0.3)]
+        self.assertEqual(heights, [0.5, 0.6, -0.6, -0.2, 0.3, -0.3])
+        heights = [y for _, (y,) in self.lines_of(friction.draw_tractions, profile, None)]
+        self.assertEqual(heights, [0.5, -0.2])
+        with self.assertNoLogs():
+            self.assertEqual(self.lines_of(friction.draw_tractions, profile[2:3], 0.3), [])
+
+    def test_friction_without_contact(self):
+        history = numpy.array([(1., 2., 1., 4., 2.), (2., 0., 0., 0., 0.)], [
+            (name, float) for name in ("time", "force", "tangential_force_x", "contact_area", "stick_area")])
+        forces, sticking, *limits = self.lines_of(friction.draw_forces, history, 0.3)
+        numpy.testing.assert_equal((forces[1], sticking[1]), [[0.5, numpy.nan]] * 2)
+        self.assertEqual([values for _, values in limits], [[0.3, 0.3], [-0.3, -0.3]])
+        self.assertEqual(len(self.lines_of(friction.draw_forces, history, None)), 1)
+
+    def test_measured_above_computed(self):
+        curve = numpy.array([0., 1.]), numpy.array([0., 1.])
+        with unittest.mock.patch.object(experiment, "save") as save:
+            experiment.draw({"measured": curve, "computed": curve}, {"measured": [], "computed": []}, "both.png")
+        axes, = save.call_args[0][0].axes
+        height = {line.get_label(): line.get_zorder() for line in axes.get_lines()}
+        self.assertGreater(height["measured"], height["computed"])
 
     def test_panels_and_units(self):
         texts = self.texts_of("plot", "force_depth", "contact_radius", self.cone, "--panels", self.folder / "both.svg",

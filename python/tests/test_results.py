@@ -79,13 +79,30 @@ class Messages(unittest.TestCase):
     def test_damaged_tables(self):
         with tempfile.TemporaryDirectory() as folder:
             table = pathlib.Path(folder) / "history.csv"
-            for text in ("a,b\n1\n", "a,b\n1,x\n", "a,b\n1,2,3\n"):
-                table.write_text(text)
-                with self.assertRaisesRegex(UserError, "history.csv' is damaged"):
+            for text in ("1", "1,x", "1,2,3", "1;2"):
+                table.write_text(f"a,b\n1,2\n{text}\n")
+                with self.assertRaisesRegex(UserError, "history.csv' is damaged in line 3: .* '.' is the decimal"):
                     read_table(table)
             table.write_text("a,b\n")
             self.assertEqual(read_table(table), [])
             with self.assertRaisesRegex(UserError, "history.csv' holds no results yet"):
+                Results(folder).history.size
+
+    def test_decimal_comma(self):
+        with tempfile.TemporaryDirectory() as folder:
+            table = pathlib.Path(folder) / "curve.csv"
+            table.write_bytes("Weg/µm;Kraft\r\n1,5;-2e-3\r\n".encode("cp1252"))
+            self.assertEqual([list(row.values()) for row in read_table(table)], [[1.5, -0.002]])
+            table.write_text("h;P\n1,5;2\n1.250;2\n")
+            with self.assertRaisesRegex(UserError, "in line 3: .* ';' separates columns and ',' is the decimal comma"):
+                read_table(table)
+
+    def test_limit_load(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "limit_load.csv").write_text("cycle,cells\n0,100\n")
+            self.assertEqual(Results(folder).table("limit_load")["cells"], 100)
+            with self.assertRaisesRegex(UserError, "no history.csv in .*: these are the results of a limit load. "
+                                                   "Draw them by 'scripts/plot.py /"):
                 Results(folder).history.size
 
     def test_values(self):

@@ -33,6 +33,14 @@ def magnitude(values):
     return values if values.ndim == 1 else numpy.linalg.norm(values, axis=1)
 
 
+def no_field(results, name, fields):
+    """The error that a name is none of the fields in the body."""
+    text = f"there is no field '{name}'; there are: {', '.join(sorted(set(fields) - {'points', 'cells'}))}"
+    if results.has("surface.pvd") and name in set(results.fields("surface")) - set(fields):
+        text += f". '{name}' is one of the surface: ParaView shows it, in surface.pvd"
+    return UserError(text)
+
+
 class Panel:
     """Colours from zero up to the largest value of all steps, or over their range if there are
     negative ones; a window (left, right, bottom, top) around all of them."""
@@ -75,8 +83,8 @@ class BodyPanel(Panel):
         self.arguments, self.contact, self.times = arguments, contact, times
         fields = results.fields("solution", steps[-1])
         if arguments.field not in fields or arguments.field in ("points", "cells"):
-            names = sorted(set(fields) - {"points", "cells"})
-            raise UserError(f"there is no field '{arguments.field}'; there are: {', '.join(names)}")
+            raise no_field(results, arguments.field, fields)
+        self.is_norm = fields[arguments.field].ndim > 1
         self.flat = is_flat(fields["points"])
         self.cut = self.choose_cut(fields["points"])
         self.scale = self.choose_scale(results, steps, fields["points"])
@@ -86,6 +94,9 @@ class BodyPanel(Panel):
         if self.flat:  # room for the indenter
             left, right, bottom, top = self.window
             self.window = (left, right, bottom, top + 0.1 * (top - bottom))
+
+    def label(self):
+        return f"norm of {super().label()}" if self.is_norm else super().label()
 
     def choose_cut(self, points):
         if self.contact is None or self.flat:

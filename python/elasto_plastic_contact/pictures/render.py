@@ -26,7 +26,8 @@ def parse_arguments(arguments):
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("directory", help="output directory of a run")
     parser.add_argument("--field", default="von_mises_stress",
-                        help="what the colour shows (default: %(default)s)")
+                        help="what the colour shows, of vectors and tensors the root of the sum of the squares of "
+                             "their components (default: %(default)s)")
     parser.add_argument("--scale", default="auto",
                         help="factor on the displacement: a number, or 'auto' for a dent that can be seen")
     parser.add_argument("--cut", default="auto", choices=["auto", "none", "x", "y"],
@@ -113,6 +114,7 @@ def main(arguments):
     arguments = parse_arguments(arguments)
     size = parse_size(arguments.size)
     results = Results(arguments.directory)
+    results.expect("solution.pvd")
     all_times = times(arguments.directory, "solution")
     if results.has("surface.pvd") and times(arguments.directory, "surface") != all_times:
         raise UserError(f"'{results.path('surface.pvd')}' and 'solution.pvd' have different times: "

@@ -23,5 +23,4 @@ PLOTS = {
 def main(arguments):
     if arguments and arguments[0] in PLOTS:
         return importlib.import_module(f".{arguments[0]}", __package__).main(arguments[1:])
-    names = "".join(f"\n  plot {name} ... : {text}" for name, text in PLOTS.items())
-    return run.main(arguments, f"Other diagrams (each explains itself with --help):{names}")
+    return run.main(arguments, PLOTS)

@@ -8,13 +8,14 @@ triangles as they are.
     scripts/plot.py equilibrium output/limit_load_strip_punch --window 3 --output prandtl.png
 """
 
+import os
 import pathlib
 
 import numpy
 from matplotlib.collections import LineCollection
 from matplotlib.tri import LinearTriInterpolator, Triangulation
 
-from .figures import letter, make_parser, plt, save
+from .figures import letter, make_parser_of_one_run, plt, save
 from ..errors import UserError
 from ..fields import read_fields
 from ..pictures.joined import same_points
@@ -41,7 +42,8 @@ def last_fields(directory):
                 raise UserError(f"{kind}.pvd in {directory} is of a body in space: ParaView shows it.")
             return fields
     raise UserError(f"there is neither limit_load.pvd nor equilibrium.pvd in {directory}. "
-                    "Run a case with 'Analysis = limit load' or 'contact with error bound'.")
+                    "Run a case with 'Analysis = limit load' or 'contact with error bound', and not with "
+                    "'Output/Fields = never'.")
 
 
 class Picture:
@@ -137,9 +139,12 @@ def plot(fields, slip_lines, window):
     return picture.figure
 
 
+def draw(directory, path, window=None):
+    save(plot(last_fields(directory), last_slip_lines(directory), window), path)
+
+
 def main(arguments):
-    parser = make_parser(__doc__, "equilibrium.png")
-    parser.add_argument("directory", help="output directory of a run")
+    parser = make_parser_of_one_run(__doc__, "equilibrium")
     parser.add_argument("--window", type=float, help="show only so much to both sides of the axis, and below")
     chosen = parser.parse_args(arguments)
-    save(plot(last_fields(chosen.directory), last_slip_lines(chosen.directory), chosen.window), chosen.output)
+    draw(chosen.directory, chosen.output or os.path.join(chosen.directory, "equilibrium.png"), chosen.window)

@@ -4,7 +4,8 @@
 
 from .figures import BLUE, RED, new_diagram, save
 
-STYLES = {"measured": {"color": RED, "linestyle": "none", "marker": ".", "markersize": 3.},
+STYLES = {"measured": {"color": RED, "linestyle": "none", "marker": ".", "markersize": 3.,
+                       "zorder": 3},  # above the lines
           "computed": {"color": BLUE}}
 
 

@@ -90,6 +90,14 @@ def make_parser(description, default_output=None, epilog=None):
     return parser
 
 
+def make_parser_of_one_run(description, name):
+    """Of the arguments of a diagram that is called so, of one run."""
+    parser = make_parser(description)
+    parser.add_argument("directory", metavar="DIRECTORY", help="output directory of a run")
+    parser.add_argument("--output", help=f"the picture, .png, .svg or .pdf (default: DIRECTORY/{name}.png)")
+    return parser
+
+
 def draw_runs(plot, description, default_output, arguments):
     """Saves the figure that plot([(directory, label), ...], arguments) returns."""
     parser = make_parser(description, default_output)

@@ -1,48 +1,65 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Plot a contact with friction in the plane: at the steps of surface_profile.csv, the shear traction below
-its limit, the friction coefficient times the pressure; and the horizontal over the vertical force through time.
+its limit, the friction coefficient times the pressure; and the horizontal over the vertical force through time,
+with the part of the contact that sticks. A body that sticks everywhere (Friction coefficient = stick) has no limit.
 
-    scripts/plot.py friction output/mindlin_cylinder --output friction.png
+    scripts/plot.py friction output/mindlin_cylinder --output friction.svg
 """
 
 import numpy
 
-from .figures import add_units, make_parser, plt, save, units_of, with_unit
+from .figures import add_units, make_parser_of_one_run, plt, save, units_of, with_unit
 from ..results import Results
 
 
-def draw_tractions(axes, rows, coefficient, colour):
-    """Shear of one step, and what it may be."""
-    touched = rows["contact_pressure"] > 0
-    limit = coefficient * rows["contact_pressure"][touched]
-    x = rows["x"][touched]
-    axes.plot(x, limit, "--", color=colour, linewidth=0.8)
-    axes.plot(x, -limit, "--", color=colour, linewidth=0.8)
-    axes.plot(x, rows["contact_shear_x"][touched], color=colour, label=f"$t$ = {rows['time'][0]:g}")
+def limit_of(run):
+    """The friction coefficient; None if the body sticks to the indenter without a limit."""
+    entry = "Contact/Friction coefficient"
+    return None if run.parameters.get(entry) == "stick" else run.number(entry)
+
+
+def ratio(part, whole):
+    """Not a number, which is a gap in a curve, where there is no contact."""
+    return numpy.divide(part, whole, out=numpy.full_like(whole, numpy.nan), where=whole > 0)
+
+
+def name_curves(axes):
+    """Above the axes: there is hardly a place inside where no curve is."""
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.), ncols=4)
+
+
+def draw_tractions(axes, profile, limit):
+    """Shear in the contact at each step that has one, and what it may be."""
+    touched = profile[profile["contact_pressure"] > 0]
+    for index, step in enumerate(numpy.unique(touched["step"])):
+        rows = touched[touched["step"] == step]
+        line, = axes.plot(rows["x"], rows["contact_shear_x"], color=f"C{index}", label=f"$t$ = {rows['time'][0]:g}")
+        for sign in () if limit is None else (1, -1):
+            axes.plot(rows["x"], sign * limit * rows["contact_pressure"], "--", color=line.get_color(), linewidth=0.8)
+    if len(touched):
+        name_curves(axes)
+
+
+def draw_forces(axes, history, limit):
+    axes.plot(history["time"], ratio(history["tangential_force_x"], history["force"]), label="$Q/P$")
+    if limit is not None:
+        axes.plot(history["time"], ratio(history["stick_area"], history["contact_area"]), label="part that sticks")
+        for sign in (1, -1):
+            axes.axhline(sign * limit, linestyle="--", color="grey", linewidth=0.8)
+    name_curves(axes)
 
 
 def main(arguments):
-    parser = make_parser(__doc__, "friction.png")
+    parser = make_parser_of_one_run(__doc__, "friction")
     add_units(parser)
-    parser.add_argument("directory", metavar="DIRECTORY", help="output directory of a run in the plane")
     chosen = parser.parse_args(arguments)
     run = Results(chosen.directory)
-    units = units_of(run, chosen)
-    coefficient = float(run.parameters["Contact/Friction coefficient"])
-    profile, history = run.table("surface_profile"), run.history
+    units, limit = units_of(run, chosen), limit_of(run)
 
     figure, (tractions, forces) = plt.subplots(1, 2, figsize=(9., 3.8))
-    steps = numpy.unique(profile["step"])
-    for index, step in enumerate(steps):
-        rows = profile[profile["step"] == step]
-        draw_tractions(tractions, rows, coefficient, f"C{index}")
+    draw_tractions(tractions, run.table("surface_profile"), limit)
     tractions.set(xlabel=with_unit("$x$", units.length), ylabel=with_unit("shear traction", units.stress))
-    tractions.legend()
-    forces.plot(history["time"], history["tangential_force_x"] / history["force"], label="$Q/P$")
-    for sign in (1, -1):
-        forces.axhline(sign * coefficient, linestyle="--", color="grey", linewidth=0.8)
-    forces.plot(history["time"], history["stick_area"] / history["contact_area"], label="part that sticks")
+    draw_forces(forces, run.history, limit)
     forces.set(xlabel="time $t$")
-    forces.legend(loc=(0.02, 0.1))
-    save(figure, chosen.output)
+    save(figure, chosen.output or run.path("friction.png"))

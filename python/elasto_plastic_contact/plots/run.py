@@ -7,7 +7,8 @@ after unloading (imprint.png); of a load history, force and contact radius over 
 depth (force_depth.png, contact_radius.png) and the energies over time
 (energies.png); without an indenter, the forces of the supports over time
 (reactions.png) and the stress-strain curve of a box that is loaded along an axis
-(stress_strain.png).
+(stress_strain.png); of a limit load in the plane, the fields on its last mesh
+(equilibrium.png).
 
     scripts/plot.py output/sphere_axisymmetric
     scripts/plot.py force_depth energies output/sphere_axisymmetric --format svg --length-unit mm --force-unit N
@@ -15,8 +16,9 @@ depth (force_depth.png, contact_radius.png) and the energies over time
 """
 
 import os
+import sys
 
-from . import curves
+from . import curves, equilibrium
 from .figures import add_units, letter, make_parser, new_diagram, plt, save
 from .quantities import scales_of
 from ..errors import UserError
@@ -25,8 +27,9 @@ from ..results import Results
 DIAGRAMS = {curve.__name__: curve for curve in curves.ALL}
 
 
-def make_run_parser(epilog):
-    parser = make_parser(__doc__, epilog=epilog)
+def make_run_parser(others):
+    names = "".join(f"\n  plot {name} ... : {text}" for name, text in others.items())
+    parser = make_parser(__doc__, epilog=f"Other diagrams (each explains itself with --help):{names}")
     parser.add_argument("names", nargs="*", metavar="NAME",
                         help=f"only some of {', '.join(DIAGRAMS)}")
     parser.add_argument("directory", help="output directory of a run")
@@ -70,6 +73,10 @@ def draw_panels(run, arguments, scales):
     save(figure, arguments.panels)
 
 
+def path_of(name, arguments):
+    return os.path.join(arguments.output_directory or arguments.directory, f"{name}.{arguments.format}")
+
+
 def draw_each(run, arguments, scales):
     for name in arguments.names or DIAGRAMS:
         figure, axes = new_diagram()
@@ -78,15 +85,29 @@ def draw_each(run, arguments, scales):
         elif not DIAGRAMS[name](run, arguments, scales, axes):
             plt.close(figure)
             continue
-        folder = arguments.output_directory or arguments.directory
-        save(figure, os.path.join(folder, f"{name}.{arguments.format}"))
+        save(figure, path_of(name, arguments))
 
 
-def main(arguments, epilog):
-    arguments = make_run_parser(epilog).parse_args(arguments)
+def draw_limit_load(run, arguments):
+    if not run.has("limit_load.pvd"):
+        print("plot: of a limit load nothing is drawn without its fields: 'Output/Fields' was 'never'",
+              file=sys.stderr)
+    elif run.parameters.get("Dimension") == "3":
+        print(f"plot: '{run.path('limit_load.pvd')}' is of a body in space: ParaView shows it", file=sys.stderr)
+    else:
+        equilibrium.draw(run.directory, path_of("equilibrium", arguments))
+
+
+def main(arguments, others):
+    """others: what the diagrams show that have commands of their own, by name."""
+    arguments = make_run_parser(others).parse_args(arguments)
     unknown = [name for name in arguments.names if name not in DIAGRAMS]
     if unknown:
-        raise UserError(f"there is no diagram '{unknown[0]}' of a run; there are {', '.join(DIAGRAMS)}")
+        raise UserError(f"there is no diagram '{unknown[0]}' of a run; there are {', '.join(DIAGRAMS)}. "
+                        f"Others, one at a time and as the first word, are {', '.join(others)}")
     run = Results(arguments.directory)
+    if run.has("limit_load.csv") and not arguments.names and not arguments.panels:
+        draw_limit_load(run, arguments)
+        return
     scales = scales_of(run, arguments)
     (draw_panels if arguments.panels else draw_each)(run, arguments, scales)
