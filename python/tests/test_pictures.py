@@ -147,6 +147,11 @@ class Files(unittest.TestCase):
         self.assertIn("must end with .png, .svg or .pdf",
                       self.message("render", self.cone, "--output", self.folder / "picture.mesh"))
 
+    def test_zoom_on_a_small_contact(self):
+        units = ("--length-unit", "mm", "--output", self.folder / "window.svg")
+        self.assertRegex(self.texts_of("render", self.cone, "--step", 3, *units), "(?m)^0.2 mm$")
+        self.assertRegex(self.texts_of("render", self.cone, "--step", 3, "--zoom", 1, *units), "(?m)^2 mm$")
+
     def test_norms(self):
         for field, label in (("stress", "norm of stress"), ("displacement", "norm of displacement"),
                              ("plastic_fraction", "plastic fraction")):

@@ -17,6 +17,9 @@ from .indenter import outline
 from .joined import Joined
 from ..errors import UserError
 
+# A body so much larger than the radius of its contact is shown as a window of that size, unless told otherwise.
+LARGE_BODY, WINDOW = 25., 12.
+
 
 def round_down(value):
     """The next 1, 2 or 5 times a power of ten below."""
@@ -87,9 +90,10 @@ class BodyPanel(Panel):
         self.is_norm = fields[arguments.field].ndim > 1
         self.flat = is_flat(fields["points"])
         self.cut = self.choose_cut(fields["points"])
+        self.zoom = arguments.zoom or self.choose_zoom(fields["points"])
         self.scale = self.choose_scale(results, steps, fields["points"])
         super().__init__(results, steps, arguments.field, "viridis")
-        if arguments.zoom != 1.:
+        if self.zoom != 1.:
             self.magnify(contact.centre if contact else most_plastic_point(fields))
         if self.flat:  # room for the indenter
             left, right, bottom, top = self.window
@@ -107,6 +111,10 @@ class BodyPanel(Panel):
         position = (self.contact.centre[1] - lower[1]) / (upper[1] - lower[1])
         return "y" if 0.25 < position < 0.75 else "none"
 
+    def choose_zoom(self, points):
+        size = numpy.ptp(points, axis=0).max() / self.contact.radius if self.contact else 0.
+        return size / WINDOW if size > LARGE_BODY else 1.
+
     def choose_scale(self, results, steps, points):
         if self.arguments.scale != "auto":
             try:
@@ -115,7 +123,7 @@ class BodyPanel(Panel):
                 raise UserError(f"--scale is '{self.arguments.scale}', but must be a number or 'auto'") from None
         largest = max(magnitude(results.fields("solution", step)["displacement"]).max() for step in steps)
         length = (points.max(axis=0) - points.min(axis=0)).max()
-        return max(1., round_down(0.06 * length / self.arguments.zoom / largest)) if largest > 0. else 1.
+        return max(1., round_down(0.06 * length / self.zoom / largest)) if largest > 0. else 1.
 
     def magnify(self, centre):
         """About the centre or, close to the edge, as far from it that the body fills the window."""
@@ -124,7 +132,7 @@ class BodyPanel(Panel):
         left, right, bottom, top = self.window
         window = []
         for lowest, highest, middle in ((left, right, centre[0]), (bottom, top, centre[1])):
-            half = 0.5 * (highest - lowest) / self.arguments.zoom
+            half = 0.5 * (highest - lowest) / self.zoom
             middle = min(max(middle, lowest + half), highest - half)
             window += [middle - half, middle + half]
         self.window = tuple(window)

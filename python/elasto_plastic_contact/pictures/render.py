@@ -33,8 +33,9 @@ def parse_arguments(arguments):
     parser.add_argument("--cut", default="auto", choices=["auto", "none", "x", "y"],
                         help="remove the part of a three-dimensional body in front of the contact, "
                              "at right angles to this axis (auto: if the contact is in the middle)")
-    parser.add_argument("--zoom", type=float, default=1.,
-                        help="magnification about the contact; after it, about where it was last")
+    parser.add_argument("--zoom", type=float,
+                        help="magnification about the contact; after it, about where it was last (default: 1, or so "
+                             "much that the contact can be seen)")
     parser.add_argument("--steps", "--step", type=int, nargs="+", default=[-1], metavar="STEP",
                         help="which entries of the .pvd file, counted from 0 (default: the last), side by side "
                              "with the same colours and window")
@@ -51,7 +52,7 @@ def parse_arguments(arguments):
                              "FOLDER/frame_0000.png and so on and, if there is Pillow (Debian package "
                              "python3-pil), FOLDER/animation.gif")
     arguments = parser.parse_args(arguments)
-    if arguments.zoom < 1.:
+    if arguments.zoom is not None and arguments.zoom < 1.:
         parser.error(f"--zoom is {arguments.zoom:g}, but must be at least 1")
     if arguments.animation and (arguments.output or arguments.steps != [-1]):
         parser.error("--animation draws all entries into its folder: it goes neither with --output nor with --steps")
