@@ -109,6 +109,8 @@ namespace ElastoPlastic
     // The mesh of the next step (adaptation.cc).
     void
     adapt_mesh(Statistics &statistics);
+    bool
+    change_mesh(Statistics &statistics);
     void
     equilibrate_adapted_mesh(Statistics &statistics);
     void

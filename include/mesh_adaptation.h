@@ -26,6 +26,12 @@ namespace ElastoPlastic
                    DiscreteBody<dim>          &body,
                    Log                        &log);
 
+    /// The smallest gap under the indenter that contact can begin with: that of
+    /// a node which can touch, or, since the mesh follows an indenter that has
+    /// entered it, of any node.
+    double
+    min_gap() const;
+
     /// In the first load step, which is solved on a sequence of meshes: whether
     /// there is to be another one after that with the number @p cycle.
     bool

@@ -5,7 +5,6 @@
 #define problem_checks_h
 
 #include "contact/contact_set.h"
-#include "io/parameters.h"
 #include "loading/time_steps.h"
 #include "mechanics/solid_operator.h"
 #include "mechanics/supports.h"
@@ -40,14 +39,13 @@ namespace ElastoPlastic
                  const VectorType      &external_forces);
 
   /// The indenter must be able to touch the body, and the load program must
-  /// let it: reach a candidate, or any node if the mesh follows the contact.
-  /// Collective. @throws InputError
-  template <int dim>
+  /// let it close the smallest gap under it, which is @p min_gap. @throws
+  /// InputError
   void
-  check_reach(const LoadProgram     &load_program,
-              TimeSteps              steps,
-              const Parameters      &parameters,
-              const ContactSet<dim> &contact);
+  check_reach(const LoadProgram       &load_program,
+              TimeSteps                steps,
+              const LoadingParameters &loading,
+              const double             min_gap);
 
   /// An indenter that stands on planes of symmetry, which are rollers through
   /// its first position, must stay on them. Its path must be known at the ends

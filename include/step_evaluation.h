@@ -78,6 +78,11 @@ namespace ElastoPlastic
     VectorType
     contact_forces() const;
 
+    /// What to say of an indenter that has entered the body without touching
+    /// it, or nothing. Collective.
+    std::string
+    warning_of_missed_contact() const;
+
     void
     measure_elements(SolveResult &result, const SolveResult &before) const;
 

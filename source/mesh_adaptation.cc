@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+
 #include "mesh_adaptation.h"
 
 namespace ElastoPlastic
@@ -16,6 +18,18 @@ namespace ElastoPlastic
   {
     parameters.check_first_mesh(
       estimated_unknowns(body.triangulation.n_global_active_cells(), body.fe));
+  }
+
+
+
+  template <int dim>
+  double
+  MeshAdaptation<dim>::min_gap() const
+  {
+    const double of_candidates = body.contact.min_gap();
+    return parameters.n_over_contact_radius > 0 ?
+             std::min(of_candidates, body.contact.min_gap_without_area()) :
+             of_candidates;
   }
 
 
@@ -64,10 +78,11 @@ namespace ElastoPlastic
                         body.triangulation);
     if (!by_errors)
       clear_flags(body.triangulation);
+    const bool grows = result.contact_area >= last_step.largest_contact_area ||
+                       !program.path().is_at_rest();
     const bool outgrows_mesh =
-      !program.is_segment_end(result.time) &&
-      (result.contact_area >= last_step.largest_contact_area ||
-       !program.path().is_at_rest()) &&
+      (!last_step.has_touched() ||
+       (grows && !program.is_segment_end(result.time))) &&
       mark_contact_zone(result.step);
     return outgrows_mesh ? next_mesh_is_allowed() : by_errors;
   }

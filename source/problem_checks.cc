@@ -134,30 +134,30 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
   void
-  check_reach(const LoadProgram     &load_program,
-              TimeSteps              steps,
-              const Parameters      &parameters,
-              const ContactSet<dim> &contact)
+  check_reach(const LoadProgram       &load_program,
+              TimeSteps                steps,
+              const LoadingParameters &loading,
+              const double             min_gap)
   {
-    if (contact.n_candidates() == 0)
+    if (std::isinf(min_gap))
       throw InputError(
         "The indenter can never touch the body: no node of the contact "
         "boundary lies within its reach. Check 'Indenter/Position', its size "
         "and 'Indenter/Reach', or refine the mesh ('Geometry/Initial "
         "refinements').");
 
-    const auto [of_candidates, of_nodes] = contact.min_gaps();
-    const double min_gap = parameters.refinement.n_over_contact_radius > 0 ?
-                             of_nodes :
-                             of_candidates;
+    bool is_pushed_to_depth = false;
     for (; !steps.finished(); steps.advance())
-      if (const auto load = load_program.load(steps.next_time());
-          load && (load->control == Control::force ? load->value > 0. :
-                                                     load->value >= min_gap))
-        return;
-    const LoadingParameters &loading = parameters.loading;
+      if (const auto load = load_program.load(steps.next_time()))
+        {
+          const bool is_depth = load->control == Control::depth;
+          if (is_depth ? load->value >= min_gap : load->value > 0.)
+            return;
+          is_pushed_to_depth |= is_depth;
+        }
+    if (!is_pushed_to_depth)
+      return;
     throw InputError(
       loading.history.empty() ? "Loading/Depth" : "Loading/History",
       loading.history.empty() ? loading.depth : loading.history,
@@ -210,11 +210,6 @@ namespace ElastoPlastic
                  const ContactSet<2> &,
                  const VectorType &);
   template void
-  check_reach(const LoadProgram &,
-              TimeSteps,
-              const Parameters &,
-              const ContactSet<2> &);
-  template void
   check_path(const Model<2> &,
              TimeSteps,
              const LoadingParameters &,
@@ -230,11 +225,6 @@ namespace ElastoPlastic
                  const Supports<3> &,
                  const ContactSet<3> &,
                  const VectorType &);
-  template void
-  check_reach(const LoadProgram &,
-              TimeSteps,
-              const Parameters &,
-              const ContactSet<3> &);
   template void
   check_path(const Model<3> &,
              TimeSteps,

@@ -187,21 +187,32 @@ namespace ElastoPlastic
   StepEvaluation<dim>::note(const SolveResult &result,
                             const LastStep    &last_step)
   {
-    if (result.contact_area > 0. &&
-        result.contact_area >= last_step.largest_contact_area &&
+    if (result.contact_area >= last_step.largest_contact_area &&
         body.model.load_program.is_segment_end(result.time))
       if (const std::string warning =
-            body.contact_zone().warning(body.model.indenter.shape->detail());
+            result.contact_area > 0. ?
+              body.contact_zone().warning(body.model.indenter.shape->detail()) :
+              warning_of_missed_contact();
           !warning.empty())
         log.warn_once(warning);
-    if (last_step.largest_contact_area == 0. && result.contact_area == 0. &&
-        result.max_hanging_penetration > 0.)
-      log.warn_once(
-        "The indenter is in the body, between the nodes that could touch it, "
-        "and meets no resistance: the mesh is too coarse under its tip. Set "
-        "'Refinement/Elements over contact radius' or 'Geometry/Local "
-        "refinements'.");
     imprint.note(result);
+  }
+
+
+
+  template <int dim>
+  std::string
+  StepEvaluation<dim>::warning_of_missed_contact() const
+  {
+    const bool has_entered =
+      !body.contact.entries_entered(body.displacement).empty();
+    if (!Utilities::MPI::logical_or(has_entered,
+                                    body.dof_handler.get_communicator()))
+      return {};
+    return "The indenter is in the body, between the nodes that could touch it, "
+           "and meets no resistance: the mesh is too coarse under its tip. Set "
+           "'Geometry/Local refinements', or take more load steps if the mesh "
+           "follows the contact.";
   }
 
 

@@ -68,7 +68,7 @@ namespace
       verify("  all candidates are found",
              contact.n_candidates() == Utilities::MPI::sum(n, MPI_COMM_WORLD));
       verify("  smallest gap",
-             contact.min_gaps().first ==
+             contact.min_gap() ==
                Utilities::MPI::min(smallest, MPI_COMM_WORLD));
     }
 
@@ -151,7 +151,7 @@ namespace
       u = -0.25;
       contact.settle(u);
       verify("  the indenter just touches",
-             std::abs(contact.depth() - contact.min_gaps().first - 0.25),
+             std::abs(contact.depth() - contact.min_gap() - 0.25),
              1e-15);
       contact.set_load({Control::depth, depth});
     }
@@ -193,8 +193,7 @@ namespace
              std::abs(state.force - 2. * contact.n_active()),
              1e-12);
       verify("  penetration",
-             std::abs(state.max_penetration -
-                      (depth - contact.min_gaps().first)),
+             std::abs(state.max_penetration - (depth - contact.min_gap())),
              1e-15);
 
       Vector u = zero;

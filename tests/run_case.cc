@@ -109,6 +109,19 @@ namespace
 
 
 
+  /// What sticks is a part of the contact.
+  void
+  check_areas(const std::vector<Row> &history)
+  {
+    for (const Row &row : history)
+      if (row.at("stick_area") > (1. + 1e-12) * row.at("contact_area"))
+        std::cout << "FAILED in step " << row.at("step") << ": "
+                  << row.at("stick_area") << " of " << row.at("contact_area")
+                  << " stick" << std::endl;
+  }
+
+
+
   /// They begin where the force is larger than before and after, whatever the
   /// mesh has done there, with the numbers of history.csv.
   void
@@ -147,10 +160,10 @@ main(int argc, char *argv[])
       const auto rows = read_table("results/statistics.csv");
       for (const Row &row : rows)
         check_solve(row);
-      check_reactions(read_table("results/history.csv"),
-                      read_table("results/reactions.csv"));
-      check_unloadings(read_table("results/history.csv"),
-                       read_table("results/indentation.csv"));
+      const auto history = read_table("results/history.csv");
+      check_reactions(history, read_table("results/reactions.csv"));
+      check_areas(history);
+      check_unloadings(history, read_table("results/indentation.csv"));
       for (const auto &entry : std::filesystem::directory_iterator("results"))
         if (entry.path().extension() == ".vtu")
           check_fields(entry.path());

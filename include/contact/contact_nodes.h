@@ -76,6 +76,8 @@ namespace ElastoPlastic
     /// constrained otherwise, and a node without area (that of quadratic
     /// elements on the axis of an axisymmetric body).
     bool hanging;
+    /// Whether that is so only because it has no area.
+    bool without_area;
   };
 
 

@@ -93,11 +93,9 @@ namespace ElastoPlastic
     void
     set_load(const Load &load);
 
-    /// Puts the indenter to @p depth.
+    /// Puts the indenter to @p depth; and where it is.
     void
     place(const double depth);
-
-    /// Where the indenter is.
     double
     depth() const
     {
@@ -189,18 +187,18 @@ namespace ElastoPlastic
     std::uint64_t
     fingerprint() const;
 
-    /// On all ranks together.
+    /// On all ranks together. Collective.
     unsigned int
     n_candidates() const;
-
-    /// On all ranks together.
     unsigned int
     n_active() const;
 
-    /// The smallest gap of all candidates, and that of all nodes; infinite if
-    /// there is none. Collective.
-    std::pair<double, double>
-    min_gaps() const;
+    /// The smallest gap of all candidates, and of the nodes without area;
+    /// infinite if there is none. Collective.
+    double
+    min_gap() const;
+    double
+    min_gap_without_area() const;
 
     /// Sets the active entries of @p u to g - depth, but for rounding errors.
     void
@@ -247,19 +245,17 @@ namespace ElastoPlastic
     void
     project(Vector &u) const;
 
-    /// The indices of the active nodes of this rank in vectors.
+    /// The indices of the active nodes of this rank in vectors, and those of
+    /// all their unknowns on which the indenter exerts a force.
     std::vector<unsigned int>
     active_entries() const;
-
-    /// And those of all their unknowns on which the indenter exerts a force.
     std::vector<unsigned int>
     force_entries() const;
 
-    /// The indices of those nodes of this rank that have no pressure of their
-    /// own (ContactNode::hanging), and whether the displacement @p u brings
-    /// them into the indenter.
-    std::vector<std::pair<unsigned int, bool>>
-    hanging_entries(const Vector &u) const;
+    /// The indices of the nodes without area that @p u brings into an indenter
+    /// which ought to press, but touches no candidate. Collective.
+    std::vector<unsigned int>
+    entries_entered(const Vector &u) const;
 
     /// Those of the horizontal displacements that friction holds.
     std::vector<unsigned int>
@@ -364,9 +360,10 @@ namespace ElastoPlastic
     void
     share_rows();
 
-    /// The smallest distance from the undisplaced indenter down to a candidate.
+    /// The smallest distance from the undisplaced indenter down to those of
+    /// @p some nodes that are candidates or without area. Collective.
     double
-    nearest_distance(const Vector &u) const;
+    nearest_distance(const std::vector<Node> &some, const Vector &u) const;
 
     /// If a force F > 0 has no active node to press on, moves the indenter to
     /// the nearest candidates and activates them. @return whether it has.
@@ -388,8 +385,7 @@ namespace ElastoPlastic
     MPI_Comm                   communicator;
     types::global_dof_index    first_owned_dof = 0;
 
-    // All that may be in contact; those within the reach of the indenter, but
-    // for hanging ones; and these.
+    // All; those within the reach of the indenter, but for hanging ones; these.
     std::vector<Node> nodes;
     std::vector<Node> candidates;
     std::vector<Node> hanging_nodes;

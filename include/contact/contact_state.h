@@ -28,7 +28,8 @@ namespace ElastoPlastic
     /// the edge of the contact, which share their bounds with others, are in
     /// the indenter.
     double edge_penetration = 0;
-    /// The same over the hanging nodes, which follow their masters.
+    /// The same over the nodes without a pressure of their own: hanging ones,
+    /// which follow their masters, and those without area.
     double max_hanging_penetration = 0;
     /// The horizontal force of the indenter on the body, by component: positive
     /// when it pushes in the direction of the axis.

@@ -44,11 +44,11 @@ namespace ElastoPlastic
   class ContactZone
   {
   public:
-    /// The active nodes of @p contact on @p boundaries, and those without a
-    /// pressure of their own that the @p displacement has brought into the
-    /// indenter. On planes of symmetry
-    /// and on the axis of revolution, horizontal components are among @p
-    /// fixed_dofs, the locally relevant ones. Collective.
+    /// The active nodes of @p contact on @p boundaries or, before there are
+    /// any, those without area that the indenter has entered
+    /// (entries_entered()). On planes of symmetry and on the axis of
+    /// revolution, horizontal components are among @p fixed_dofs, the locally
+    /// relevant ones. Collective.
     ContactZone(const DoFHandler<dim>                  &dof_handler,
                 const AffineConstraints<double>        &hanging_nodes,
                 const IndexSet                         &fixed_dofs,

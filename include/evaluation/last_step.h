@@ -34,6 +34,13 @@ namespace ElastoPlastic
       return displacement.size() == 0;
     }
 
+    /// Whether the indenter ever has.
+    bool
+    has_touched() const
+    {
+      return largest_contact_area > 0.;
+    }
+
     /// The work of the nodal forces on the way from here to @p new_displacement
     /// and @p new_forces, by the trapezoidal rule. Collective.
     double

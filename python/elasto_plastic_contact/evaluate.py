@@ -61,6 +61,8 @@ def read_curve(path, columns, factors):
 
 
 def tip_of_run(run):
+    if run.is_plane:
+        raise UserError(f"the run in '{run.directory}' is one of plane strain or stress, whose indenter has no tip")
     shape = run.parameters.get("Indenter/Type")
     if shape == "cone":
         return Tip.cone(run.number("Indenter/Semi-apex angle"))

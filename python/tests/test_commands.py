@@ -88,6 +88,9 @@ class Commands(unittest.TestCase):
         run_of_tip.parameters = {"Indenter/Type": "wedge"}
         with self.assertRaisesRegex(UserError, "'wedge', is none of cone, .*: give the tip by --cone"):
             tip_of_run(run_of_tip)
+        run_of_tip.parameters = {"Dimension": "2", "Kinematics": "plane strain", "Indenter/Type": "cone"}
+        with self.assertRaisesRegex(UserError, "one of plane strain or stress, whose indenter has no tip"):
+            tip_of_run(run_of_tip)
 
     def test_missing_module(self):
         """Without 'site', Python does not find what has been installed."""

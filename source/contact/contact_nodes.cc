@@ -142,8 +142,10 @@ namespace ElastoPlastic
     std::vector<ContactNode<dim>> result;
     for (auto &[dof, node] : nodes)
       {
-        node.area    = areas.local_element(node.index);
-        node.hanging = constraints.is_constrained(dof) || node.area <= no_area;
+        node.area = areas.local_element(node.index);
+        node.without_area =
+          !constraints.is_constrained(dof) && node.area <= no_area;
+        node.hanging = constraints.is_constrained(dof) || node.without_area;
         result.push_back(node);
       }
     return result;

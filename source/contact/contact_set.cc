@@ -154,12 +154,15 @@ namespace ElastoPlastic
 
   template <int dim>
   double
-  ContactSet<dim>::nearest_distance(const Vector &u) const
+  ContactSet<dim>::nearest_distance(const std::vector<Node> &some,
+                                    const Vector            &u) const
   {
     double distance = std::numeric_limits<double>::infinity();
-    for (const Node &node : candidates)
-      distance =
-        std::min(distance, bounds.value(node, u) - u.local_element(node.index));
+    for (const Node &node : some)
+      if (!node.hanging || node.without_area)
+        distance =
+          std::min(distance,
+                   bounds.value(node, u) - u.local_element(node.index));
     return Utilities::MPI::min(distance, communicator);
   }
 
@@ -170,7 +173,10 @@ namespace ElastoPlastic
   ContactSet<dim>::settle(const Vector &u)
   {
     if (is_force_driven())
-      present_depth = n_active() > 0 ? depth_at(u) : nearest_distance(u);
+      present_depth = n_active() > 0 ?
+                        depth_at(u) :
+                        std::min(nearest_distance(candidates, u),
+                                 nearest_distance(hanging_nodes, u));
   }
 
 
@@ -181,7 +187,7 @@ namespace ElastoPlastic
   {
     if (force() == 0. || n_active() > 0)
       return false;
-    present_depth = nearest_distance(u);
+    present_depth = nearest_distance(candidates, u);
     return set_active(u, [&](const Node &node) {
       return bounds.value(node, u) - u.local_element(node.index) <=
              present_depth;

@@ -53,28 +53,40 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  std::pair<double, double>
-  ContactSet<dim>::min_gaps() const
+  double
+  ContactSet<dim>::min_gap() const
   {
-    const auto smallest = [this](const std::vector<Node> &some) {
-      double gap = std::numeric_limits<double>::infinity();
-      for (const Node &node : some)
-        gap = std::min(gap, node.gap.height);
-      return Utilities::MPI::min(gap, communicator);
-    };
-    return {smallest(candidates), smallest(nodes)};
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Node &node : candidates)
+      smallest = std::min(smallest, node.gap.height);
+    return Utilities::MPI::min(smallest, communicator);
   }
 
 
 
   template <int dim>
-  std::vector<std::pair<unsigned int, bool>>
-  ContactSet<dim>::hanging_entries(const Vector &u) const
+  double
+  ContactSet<dim>::min_gap_without_area() const
   {
-    std::vector<std::pair<unsigned int, bool>> entries;
+    double smallest = std::numeric_limits<double>::infinity();
     for (const Node &node : hanging_nodes)
-      entries.emplace_back(node.index,
-                           u.local_element(node.index) > bound(node, u));
+      if (node.without_area)
+        smallest = std::min(smallest, node.gap.height);
+    return Utilities::MPI::min(smallest, communicator);
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  ContactSet<dim>::entries_entered(const Vector &u) const
+  {
+    std::vector<unsigned int> entries;
+    if (!presses() || n_active() > 0)
+      return entries;
+    for (const Node &node : hanging_nodes)
+      if (node.without_area && u.local_element(node.index) > bound(node, u))
+        entries.push_back(node.index);
     return entries;
   }
 

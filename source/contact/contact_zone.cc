@@ -94,9 +94,7 @@ namespace ElastoPlastic
 
 
   // The force on a node is known to its owner, who need not own its faces.
-  // Hanging nodes are no nodes of their own; one without area, on the axis of
-  // revolution, only tells that the indenter has entered the body before it
-  // has reached a candidate.
+  // Hanging nodes are no nodes of their own.
   template <int dim>
   typename ContactZone<dim>::Graph
   ContactZone<dim>::find_nodes(
@@ -122,9 +120,8 @@ namespace ElastoPlastic
         is_active.local_element(i)         = 1.;
         graph.nodes[first_owned + i].force = -forces.local_element(i);
       }
-    constexpr double has_no_say = -1.;
-    for (const auto &[i, is_inside] : contact.hanging_entries(displacement))
-      is_active.local_element(i) = is_inside ? 1. : has_no_say;
+    for (const unsigned int i : contact.entries_entered(displacement))
+      is_active.local_element(i) = 1.;
     is_active.update_ghost_values();
 
     const auto                          &fe = dof_handler.get_fe();
@@ -147,8 +144,7 @@ namespace ElastoPlastic
           for (const auto &components : face_nodes)
             {
               const auto dof = dofs[components[dim - 1]];
-              if (hanging_nodes.is_constrained(dof) ||
-                  is_active(dof) == has_no_say)
+              if (hanging_nodes.is_constrained(dof))
                 continue;
               if (is_active(dof) == 0.)
                 {

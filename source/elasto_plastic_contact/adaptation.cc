@@ -5,19 +5,29 @@
 
 namespace ElastoPlastic
 {
+  // An indenter that has entered the body but touches nothing yet finds a mesh
+  // on which it does.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::adapt_mesh(Statistics &statistics)
+  {
+    while (adaptation.mark_after(last_step))
+      if (!change_mesh(statistics) || last_step.has_touched())
+        return;
+  }
+
+
+
   // In a history, the mesh may follow the contact. On the new one, the
   // interpolated state is not in equilibrium, nor are all its stresses
   // admissible: the solution under the same load is both, and the difference
   // is what the change of the mesh has cost. A finer mesh may not bear the
   // load, though; then the next step, which can be cut, has to find the next
-  // equilibrium.
+  // equilibrium. @return whether there is one on the new mesh.
   template <int dim>
-  void
-  ElastoPlasticContact<dim>::adapt_mesh(Statistics &statistics)
+  bool
+  ElastoPlasticContact<dim>::change_mesh(Statistics &statistics)
   {
-    if (!adaptation.mark_after(last_step))
-      return;
-
     ++cycle;
     body.refine(time_steps.next_time(), load_at_end_of_step(), last_step);
     body.contact.place(last_step.result.depth);
@@ -29,6 +39,7 @@ namespace ElastoPlastic
     try
       {
         equilibrate_adapted_mesh(statistics);
+        return true;
       }
     catch (const ConvergenceError &error)
       {
@@ -39,6 +50,7 @@ namespace ElastoPlastic
           "; the next step begins with the interpolated state. " +
           error.what());
         commit_interpolated_state();
+        return false;
       }
   }
 

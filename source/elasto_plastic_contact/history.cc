@@ -61,7 +61,10 @@ namespace ElastoPlastic
   {
     if (body.gap_function.has_indenter())
       {
-        check_reach(load_program, time_steps, parameters, body.contact);
+        check_reach(load_program,
+                    time_steps,
+                    parameters.loading,
+                    adaptation.min_gap());
         check_path(model, time_steps, parameters.loading, body.triangulation);
       }
     evaluation.check_lines();

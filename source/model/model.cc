@@ -8,6 +8,14 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// nu = 0.48
+    constexpr double locking_bulk_to_shear = 74. / 3.;
+  } // namespace
+
+
+
   template <int dim>
   GapFunction<dim>
   make_mesh_and_place_indenter(
@@ -64,9 +72,12 @@ namespace ElastoPlastic
         model.strain_model.kinematics != Kinematics::plane_stress &&
         std::any_of(model.materials.begin(),
                     model.materials.end(),
-                    is_nearly_incompressible))
+                    [](const Material<double> &material) {
+                      return material.bulk_modulus >
+                             locking_bulk_to_shear * material.shear_modulus;
+                    }))
       texts.push_back(
-        "'Material/Poisson's ratio' is close to 0.5, and elements with "
+        "'Material/Poisson's ratio' is above 0.48, and elements with "
         "'Discretization/Volumetric treatment = standard' lock then: linear "
         "ones may bear several times the force, the pressures of quadratic "
         "ones oscillate, and linear systems take long. Set 'Volumetric "
