@@ -41,12 +41,21 @@ namespace ElastoPlastic
     bool
     mark_after(const LastStep &last_step);
 
+    /// Whether it is to change again: the indenter has entered the body but
+    /// touches nothing yet.
+    bool
+    mark_until_touched(const LastStep &last_step);
+
     /// Whether the errors of the solution may change the mesh after load step
     /// @p step.
     bool
     is_due(const unsigned int step) const;
 
   private:
+    /// Whether the indenter is in the body and has not touched it.
+    bool
+    enters_untouched(const LastStep &last_step) const;
+
     bool
     mark_contact_zone(const unsigned int step);
 

@@ -81,10 +81,30 @@ namespace ElastoPlastic
     const bool grows = result.contact_area >= last_step.largest_contact_area ||
                        !program.path().is_at_rest();
     const bool outgrows_mesh =
-      (!last_step.has_touched() ||
+      (enters_untouched(last_step) ||
        (grows && !program.is_segment_end(result.time))) &&
       mark_contact_zone(result.step);
     return outgrows_mesh ? next_mesh_is_allowed() : by_errors;
+  }
+
+
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::mark_until_touched(const LastStep &last_step)
+  {
+    clear_flags(body.triangulation);
+    return enters_untouched(last_step) &&
+           mark_contact_zone(last_step.result.step) && next_mesh_is_allowed();
+  }
+
+
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::enters_untouched(const LastStep &last_step) const
+  {
+    return !last_step.has_touched() && !body.contact_zone().spots().empty();
   }
 
 

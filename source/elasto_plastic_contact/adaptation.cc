@@ -5,15 +5,14 @@
 
 namespace ElastoPlastic
 {
-  // An indenter that has entered the body but touches nothing yet finds a mesh
-  // on which it does.
   template <int dim>
   void
   ElastoPlasticContact<dim>::adapt_mesh(Statistics &statistics)
   {
-    while (adaptation.mark_after(last_step))
-      if (!change_mesh(statistics) || last_step.has_touched())
-        return;
+    bool changes = adaptation.mark_after(last_step);
+    while (changes)
+      changes =
+        change_mesh(statistics) && adaptation.mark_until_touched(last_step);
   }
 
 
