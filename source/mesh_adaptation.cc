@@ -104,7 +104,8 @@ namespace ElastoPlastic
   bool
   MeshAdaptation<dim>::enters_untouched(const LastStep &last_step) const
   {
-    return !last_step.has_touched() && !body.contact_zone().spots().empty();
+    return parameters.n_over_contact_radius > 0 && !last_step.has_touched() &&
+           !body.contact_zone().spots().empty();
   }
 
 
