@@ -90,9 +90,6 @@ namespace ElastoPlastic
     bool
     update_active_set(const Vector &u, const Vector &residual) override;
 
-    void
-    begin_feasible_method() override;
-
     bool
     update_feasible_active_set(const Vector &u,
                                const Vector &residual) override;
@@ -116,13 +113,10 @@ namespace ElastoPlastic
     reduce(Vector &residual) const override;
 
   private:
-    /// Finds out which unknowns are constrained or coupled now.
+    /// Finds out which unknowns are constrained or coupled now, what they share
+    /// with others, and the slopes of their bounds.
     void
-    collect_unknowns();
-
-    /// And the slopes of their bounds.
-    void
-    collect_slopes(const Vector &u, const Vector &residual);
+    collect_unknowns(const Vector &u, const Vector &residual);
 
     /// Pi(u) of a body that has @p stored this energy.
     Energy

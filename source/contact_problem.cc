@@ -38,39 +38,28 @@ namespace ElastoPlastic
         std::max(external_forces.l2_norm(),
                  largest_forces / std::sqrt(external_forces.size())))
     , timer(timer)
-  {
-    collect_unknowns();
-  }
+  {}
 
 
 
   template <int dim>
   void
-  ContactProblem<dim>::collect_unknowns()
+  ContactProblem<dim>::collect_unknowns(const Vector &u, const Vector &residual)
   {
     std::vector<unsigned int> constrained =
       supports.fixed_entries(external_forces);
     std::vector<unsigned int> coupled;
     if (contact.is_force_driven())
-      coupled = contact.active_entries();
+      coupled = contact.closed_entries();
     else
-      for (const unsigned int i : contact.active_entries())
+      for (const unsigned int i : contact.closed_entries())
         constrained.push_back(i);
     for (const unsigned int i : contact.stuck_entries())
       constrained.push_back(i);
     unknowns = ReducedUnknowns(constrained,
                                coupled,
                                external_forces.get_mpi_communicator(),
-                               contact.active_entries(),
-                               contact.shared_rows());
-  }
-
-
-
-  template <int dim>
-  void
-  ContactProblem<dim>::collect_slopes(const Vector &u, const Vector &residual)
-  {
+                               contact.shared_forces(u, residual));
     if (contact.has_sloped_bounds())
       unknowns.set_sloped_bounds(contact.sloped_bounds(u, residual));
   }
@@ -137,7 +126,7 @@ namespace ElastoPlastic
     TimerOutput::Scope scope(timer, "Newton: residual");
     const double       stored = solid.internal_forces(residual, u);
     residual.sadd(-1., 1., external_forces);
-    collect_slopes(u, residual);
+    collect_unknowns(u, residual);
     return total_energy(stored, u);
   }
 
@@ -251,19 +240,8 @@ namespace ElastoPlastic
                                          const Vector &residual)
   {
     const bool changed = contact.update(u, residual);
-    collect_unknowns();
-    collect_slopes(u, residual);
+    collect_unknowns(u, residual);
     return changed;
-  }
-
-
-
-  template <int dim>
-  void
-  ContactProblem<dim>::begin_feasible_method()
-  {
-    contact.unite_edge();
-    collect_unknowns();
   }
 
 
@@ -274,8 +252,7 @@ namespace ElastoPlastic
                                                   const Vector &residual)
   {
     const bool changed = contact.update_feasible(u, residual);
-    collect_unknowns();
-    collect_slopes(u, residual);
+    collect_unknowns(u, residual);
     return changed;
   }
 
@@ -314,7 +291,7 @@ namespace ElastoPlastic
   void
   ContactProblem<dim>::return_to_bounds(Vector &u) const
   {
-    if (!contact.has_curved_bounds())
+    if (!contact.has_curved_bounds() && !contact.ends_within_faces())
       return;
     contact.return_to_bounds(u);
     distribute(u);

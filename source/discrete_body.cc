@@ -122,17 +122,10 @@ namespace ElastoPlastic
   {
     tangent_solver.reset();
     const bool                is_virgin = last_step.is_virgin();
-    EdgeMemory                edge      = std::move(contact.edge_memory());
     std::vector<VectorType *> fields    = {&displacement};
     if (!is_virgin)
       for (VectorType *field : {&last_step.displacement_rate, &last_step.slip})
         fields.push_back(field);
-    if (edge.n_steps > 0)
-      for (VectorType &distances : edge.distances)
-        {
-          supports.hanging_nodes().distribute(distances);
-          fields.push_back(&distances);
-        }
 
     const GhostedCopies<dim> old_fields(fields, dof_handler);
     parallel::distributed::SolutionTransfer<dim, VectorType> transfer(
@@ -158,8 +151,6 @@ namespace ElastoPlastic
     if (!is_virgin)
       solid.set_states(state_transfer.take());
     reinit_contact(time, load);
-    if (edge.n_steps > 0)
-      contact.edge_memory().take_over(std::move(edge));
   }
 
 
@@ -306,19 +297,11 @@ namespace ElastoPlastic
   std::vector<VectorType *>
   DiscreteBody<dim>::fields_to_keep(LastStep &last_step, VectorType &response)
   {
-    std::vector<VectorType *> fields;
-    if (model.contact.edge == EdgeRule::within_faces)
-      {
-        contact.edge_memory().allocate(displacement);
-        fields = contact.edge_memory().vectors();
-      }
-    for (VectorType *field : {&last_step.displacement,
-                              &last_step.displacement_rate,
-                              &last_step.slip,
-                              &last_step.forces,
-                              &response})
-      fields.push_back(field);
-    return fields;
+    return {&last_step.displacement,
+            &last_step.displacement_rate,
+            &last_step.slip,
+            &last_step.forces,
+            &response};
   }
 
 

@@ -8,8 +8,8 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// Bounds of errors are those with the vertical gap. The edge of a contact
-    /// that moves sideways is not followed.
+    /// Bounds of errors are those with the vertical gap. A single step is the
+    /// stationary problem of Johnson, whose contact ends at nodes.
     ContactParameters
     contact_of(const Parameters &parameters)
     {
@@ -17,7 +17,7 @@ namespace ElastoPlastic
       if (parameters.analysis == Analysis::contact_with_error_bound &&
           result.geometry == ContactGeometry::automatic)
         result.geometry = ContactGeometry::vertical;
-      if (!parameters.loading.path.empty())
+      if (parameters.loading.is_single_step())
         result.edge = EdgeRule::at_nodes;
       return result;
     }

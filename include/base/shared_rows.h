@@ -15,63 +15,81 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// The conditions of active unknowns k that share their forces with unknowns
-  /// j that are not: sum_j t_kj u_j comes on top of u_k, and of a force f_k on
-  /// u_k, u_j takes the part t_kj f_k. Columns of active unknowns count as
-  /// zero.
+  /// A sparse matrix t_ij on a few unknowns of vectors of many, most of whose
+  /// rows are zero: of the conditions of unknowns i that share their forces
+  /// with others, j.
+  ///
+  /// The few have a numbering of their own, with a partition of its own.
   class SharedRows
   {
   public:
     using Vector = LinearAlgebra::distributed::Vector<double>;
+    using Rows   = NodalInterpolation<1, double>;
 
-    /// A sparse matrix most of whose rows are zero: these are not stored.
-    class Weights
+    /// @p rows are those of this rank by number, with the columns as entries of
+    /// vectors with the partition @p layout of the numbers; entries[k] is the
+    /// place of the number k of this rank in vectors of all unknowns.
+    SharedRows(
+      const Rows                                               &rows,
+      const std::vector<unsigned int>                          &entries,
+      const std::shared_ptr<const Utilities::MPI::Partitioner> &layout);
+
+    /// Calls receive(i, sum_j t_ij u_j) for the unknowns i of this rank that
+    /// have a row. Collective.
+    template <typename Receive>
+    void
+    sums(const Vector &u, const Receive &receive) const
     {
-    public:
-      struct Entry
-      {
-        types::global_dof_index row, column;
-        double                  value;
-      };
+      for (unsigned int k = 0; k < entries.size(); ++k)
+        few.local_element(k) = u.local_element(entries[k]);
+      few.update_ghost_values();
+      rows.interpolate(few.begin(),
+                       [&](const unsigned int k, const double value) {
+                         receive(entries[k], value);
+                       });
+      few.zero_out_ghost_values();
+    }
 
-      /// The sum of the @p entries of all ranks. Each rank has its rows and
-      /// columns in @p layout, as its own or as ghosts.
-      Weights(const std::vector<Entry>                                 &entries,
-              const std::shared_ptr<const Utilities::MPI::Partitioner> &layout);
-
-      /// Two vectors with the partition of the layout, and no ghost values.
-      /// Collective.
-      void
-      vmult(Vector &result, const Vector &vector) const;
-
-      /// The same for the transpose. Collective.
-      void
-      Tvmult(Vector &result, const Vector &vector) const;
-
-    private:
-      NodalInterpolation<1, double> rows;
-    };
-
-    /// t_kj = @p scale_k * @p weights_kj. There are ones in @p active at the
-    /// active unknowns, zeros elsewhere.
-    SharedRows(const std::shared_ptr<const Weights> &weights,
-               const std::shared_ptr<const Vector>  &scale,
-               const Vector                         &active);
-
-    /// sum_j t_kj u_j at all unknowns k that have a row, active or not.
+    /// Calls receive(j, sum_i t_ij f_i) for all few unknowns of this rank.
     /// Collective.
-    Vector
-    sums(const Vector &u) const;
-
-    /// sum_k t_kj f_k of the active k, at the unknowns that are not active;
-    /// zero elsewhere. Collective.
-    Vector
-    shares(const Vector &forces) const;
+    template <typename Receive>
+    void
+    shares(const Vector &f, const Receive &receive) const
+    {
+      few = 0.;
+      rows.add_transpose(few.begin(), [&](const unsigned int k) {
+        return f.local_element(entries[k]);
+      });
+      few.compress(VectorOperation::add);
+      for (unsigned int k = 0; k < entries.size(); ++k)
+        receive(entries[k], few.local_element(k));
+    }
 
   private:
-    std::shared_ptr<const Weights> weights;
-    std::shared_ptr<const Vector>  scale;
-    Vector                         active;
+    const Rows                      rows;
+    const std::vector<unsigned int> entries;
+    mutable Vector                  few;
+  };
+
+
+  /// An unknown u_b that comes under a bound as an opening w_b shrinks, and
+  /// shares the forces of others meanwhile: that of a node which is entering
+  /// the contact. Its reduced form is the change of -w_b.
+  struct EnteringUnknown
+  {
+    unsigned int index;
+    /// By how much its share of forces falls with w_b.
+    double stiffness;
+  };
+
+
+
+  /// Unknowns that share their forces with entering ones.
+  struct SharedForces
+  {
+    /// t_jb, with the entering unknowns b; null if there are none.
+    std::shared_ptr<const SharedRows> rows;
+    std::vector<EnteringUnknown>      entering;
   };
 } // namespace ElastoPlastic
 

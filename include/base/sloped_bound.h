@@ -25,8 +25,9 @@ namespace ElastoPlastic
     /// How it changes with u_l; and f, which presses against the bound.
     std::array<std::array<double, 2>, 2> curvature = {};
     double                               force     = 0.;
-    /// Whether the bound is active, or has a part in an active one only.
-    bool active = false;
+    /// Whether u_i is not at its bound, but about to come there
+    /// (EnteringUnknown).
+    bool entering = false;
   };
 } // namespace ElastoPlastic
 

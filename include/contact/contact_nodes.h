@@ -17,6 +17,7 @@
 
 #include "base/kinematics.h"
 #include "contact/coulomb_friction.h"
+#include "contact/edge_law.h"
 #include "contact/indenter.h"
 
 namespace ElastoPlastic
@@ -64,6 +65,10 @@ namespace ElastoPlastic
     /// Of its vertical unknown, and of the horizontal ones.
     unsigned int                      index;
     std::array<unsigned int, dim - 1> horizontal;
+    /// How its horizontal displacements follow from the free ones among them,
+    /// u_d = sum_e ties[d][e] u_e: not the identity on a skew plane of
+    /// symmetry.
+    Tensor<2, dim - 1> ties;
     /// In the undeformed body.
     Point<dim> position;
     /// The vertical distance up to the undisplaced indenter, infinite where
@@ -86,7 +91,14 @@ namespace ElastoPlastic
   template <int dim>
   struct ContactCandidate : ContactNode<dim>
   {
-    bool active = false;
+    ContactStatus status = ContactStatus::open;
+
+    /// Whether it bears force.
+    bool
+    is_active() const
+    {
+      return status != ContactStatus::open;
+    }
 
     /// Which of its horizontal displacements no support holds.
     std::array<bool, dim - 1> free = {};

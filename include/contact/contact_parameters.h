@@ -8,8 +8,8 @@
 
 #include <string>
 
-#include "contact/contact_edge.h"
 #include "contact/contact_geometry.h"
+#include "contact/edge_law.h"
 
 namespace ElastoPlastic
 {

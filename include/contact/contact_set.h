@@ -17,10 +17,11 @@
 
 #include "base/kinematics.h"
 #include "base/sloped_bound.h"
+#include "contact/contact_faces.h"
 #include "contact/contact_geometry.h"
 #include "contact/contact_state.h"
 #include "contact/coulomb_friction.h"
-#include "contact/divided_edge.h"
+#include "contact/edge_law.h"
 #include "loading/load.h"
 
 namespace ElastoPlastic
@@ -45,10 +46,9 @@ namespace ElastoPlastic
   /// Hanging nodes follow their masters; their D and r are handed to the
   /// masters with the same weights, so that sums of forces stay exact.
   ///
-  /// As long as divide_edge() is in force, the contact ends within faces. A
-  /// node k at its edge is then bounded by u_k <= g_k - depth + sum_j t_kj (g_j
-  /// - depth - u_j), with the open nodes j of its faces; they get the parts
-  /// t_kj of its nodal force (doc/theory.md, "The edge of the contact").
+  /// A contact that ends within faces has closed nodes, which are bounded by
+  /// u_k <= g_k - depth + allowance_k, and at its edge nodes that are entering:
+  /// they bear force as well, both kinds are active (EdgeLaw).
   ///
   /// With friction, a node that sticks to the indenter keeps the place on it
   /// where it was at the beginning of the load step, and a node that slips has
@@ -116,19 +116,20 @@ namespace ElastoPlastic
     }
 
     /// Where the indenter is when the body has the displacement @p u, in which
-    /// the active nodes, if a force drives them, have moved together: the mean
-    /// of g - u over them.
+    /// the closed nodes, if a force drives them, have moved together: the mean
+    /// of g - u + allowance over them is that depth. Collective.
     double
     depth_at(const Vector &u) const;
 
     /// Puts a force driven indenter to where it is according to @p u: on the
-    /// active nodes, or if there is none, to where it just touches the body.
+    /// closed nodes, or if there is none, to where it just touches the body.
     void
     settle(const Vector &u);
 
-    /// Takes those candidates as active, too, that @p u brings to the indenter
-    /// or beyond. If there is none, a force F > 0 moves the indenter to the
-    /// nearest; if F = 0, there are none.
+    /// Takes those candidates as closed, too, that @p u brings to the indenter
+    /// or beyond, and as entering those that it brings near it. If there is
+    /// none, a force F > 0 moves the indenter to the nearest; if F = 0, there
+    /// are none.
     void
     activate_touching(const Vector &u);
 
@@ -136,49 +137,21 @@ namespace ElastoPlastic
     void
     deactivate_all();
 
-    /// Lets the contact end where it is expected when the indenter will be at
-    /// @p expected_depth, until the next call; at nodes, if it has only a few.
-    /// As long as the indenter is not deeper than it has been, the edge stays
-    /// divided as it is. Collective.
-    void
-    divide_edge(const double expected_depth);
+    /// What the nodes at the edge share where the body has the displacement
+    /// @p u, with the forces @p residual; nothing if the contact ends at nodes.
+    /// Collective.
+    SharedForces
+    shared_forces(const Vector &u, const Vector &residual) const;
 
-    /// Lets it end at nodes. Collective.
-    void
-    unite_edge();
-
-    /// Divides the edge as edge_memory() says, after a checkpoint. Collective.
-    void
-    restore_edge();
-
-    /// A load step has ended with the displacement @p u: notes how far away the
-    /// nodes are. Collective.
-    void
-    note_edge(const Vector &u);
-
-    /// What note_edge() has noted on this mesh, which divide_edge() needs
-    /// beside the active set.
-    EdgeMemory &
-    edge_memory()
-    {
-      return edge.edge_memory();
-    }
-
-    /// Null if the contact ends at nodes.
-    const std::shared_ptr<const SharedRows> &
-    shared_rows() const
-    {
-      return edge.rows();
-    }
-
-    /// The primal-dual switching test with lambda = 0 off the active set:
-    /// active nodes stay if they press, others join if they penetrate. A force
-    /// F > 0 that has lost all of them moves the indenter to the nearest.
+    /// The primal-dual switching test: closed nodes stay if they press, more
+    /// than their share of what presses inside; others follow from where they
+    /// are. A force F > 0 that has lost all of them moves the indenter to the
+    /// nearest.
     /// @return whether the set has changed on any rank.
     bool
     update(const Vector &u, const Vector &residual);
 
-    /// The active set of a feasible @p u: candidates that touch and press.
+    /// The same for a feasible @p u: closed are those that touch and press.
     /// @return whether the set has changed on any rank.
     bool
     update_feasible(const Vector &u, const Vector &residual);
@@ -192,6 +165,8 @@ namespace ElastoPlastic
     n_candidates() const;
     unsigned int
     n_active() const;
+    unsigned int
+    n_closed() const;
 
     /// The smallest gap of all candidates, and of the nodes without area;
     /// infinite if there is none. Collective.
@@ -200,7 +175,8 @@ namespace ElastoPlastic
     double
     min_gap_without_area() const;
 
-    /// Sets the active entries of @p u to g - depth, but for rounding errors.
+    /// Sets the closed entries of @p u to their bounds, but for rounding
+    /// errors.
     void
     move_active(Vector &u) const;
 
@@ -225,6 +201,13 @@ namespace ElastoPlastic
       return friction.dissipates();
     }
 
+    /// Whether its edge moves through the faces.
+    bool
+    ends_within_faces() const
+    {
+      return law.exists();
+    }
+
     /// Whether a motion along the bounds to first order leaves them.
     bool
     has_curved_bounds() const
@@ -241,14 +224,16 @@ namespace ElastoPlastic
     std::vector<SlopedBound>
     sloped_bounds(const Vector &u, const Vector &residual) const;
 
-    /// Lowers the entries of @p u that exceed g - depth.
+    /// Lowers the entries of @p u that exceed their bounds.
     void
     project(Vector &u) const;
 
-    /// The indices of the active nodes of this rank in vectors, and those of
-    /// all their unknowns on which the indenter exerts a force.
+    /// The indices of the active nodes of this rank in vectors, of those that
+    /// are closed, and of all unknowns on which the indenter exerts a force.
     std::vector<unsigned int>
     active_entries() const;
+    std::vector<unsigned int>
+    closed_entries() const;
     std::vector<unsigned int>
     force_entries() const;
 
@@ -283,7 +268,8 @@ namespace ElastoPlastic
       return !is_force_driven() || force() > 0.;
     }
 
-    /// Those of the nodes that the indenter reaches.
+    /// Those of the nodes that the indenter reaches, and the edge between them.
+    /// Collective.
     void
     find_candidates();
 
@@ -309,11 +295,6 @@ namespace ElastoPlastic
                    const Vector &u,
                    const Vector &residual) const;
 
-    /// By how much the force of a node on the indenter is larger than that on
-    /// itself: by what it shares with others.
-    double
-    share(const Node &node) const;
-
     /// Whether a node that has come into contact sticks at first.
     void
     begin_friction(Node &node, const Vector &u) const;
@@ -330,35 +311,35 @@ namespace ElastoPlastic
     bound(const Node &node, const Vector &u) const;
 
     void
-    move_active_to(Vector &u, const double depth) const;
+    move_closed_to(Vector &u, const double depth) const;
 
-    /// sum_j t_kj (g_j - depth - u_j); empty without shared rows.
-    Vector
-    shared_gaps(const Vector &u, const double depth) const;
+    /// Of the candidates, the distances of the undisplaced indenter.
+    std::vector<double>
+    heights(const Vector &u) const;
 
-    /// Where that puts a node: its bound is so much higher.
-    static double
-    shift(const Vector &shared_gaps, const Node &node)
+    /// Of the candidates, the distances of an indenter at @p depth.
+    std::vector<double>
+    gaps(const Vector &u, const double depth) const;
+
+    std::vector<ContactStatus>
+    statuses() const;
+
+    /// What presses inside of each candidate (EdgeLaw::forces_inside()).
+    /// Collective.
+    std::vector<double>
+    forces_inside(const Vector &residual) const;
+
+    /// Whether the candidate number @p k presses as much as a closed one does:
+    /// by itself with @p pressing, vertically with @p force.
+    bool
+    stays_closed(const unsigned int k,
+                 const double       pressing,
+                 const double       force,
+                 const double       force_inside) const
     {
-      return shared_gaps.size() > 0 ? shared_gaps.local_element(node.index) :
-                                      0.;
+      return pressing > 0. &&
+             (!law.has_part(k) || force > EdgeLaw::full_share() * force_inside);
     }
-
-    /// Which candidates touch, as DividedEdge wants it.
-    Vector
-    kinds() const;
-
-    /// The distances of the candidates from an indenter at @p depth.
-    Vector
-    distances(const Vector &u, const double depth) const;
-
-    /// Their lumped areas.
-    Vector
-    areas() const;
-
-    /// The shared rows of the present active set.
-    void
-    share_rows();
 
     /// The smallest distance from the undisplaced indenter down to those of
     /// @p some nodes that are candidates or without area. Collective.
@@ -370,11 +351,12 @@ namespace ElastoPlastic
     bool
     find_contact(const Vector &u);
 
-    /// Sets the active flag of all candidates; @p u says where nodes are that
-    /// become active. @return whether any flag has changed on any rank.
-    template <typename Predicate>
+    /// Sets the status of all candidates to what status(number, node) says; @p
+    /// u says where nodes are that become active. @return whether any status
+    /// has changed on any rank.
+    template <typename Status>
     bool
-    set_active(const Vector &u, const Predicate &is_active);
+    set_statuses(const Vector &u, const Status &status);
 
     ContactBounds<dim>         bounds;
     const Kinematics           kinematics;
@@ -390,10 +372,9 @@ namespace ElastoPlastic
     std::vector<Node> candidates;
     std::vector<Node> hanging_nodes;
 
-    // Of a contact that ends within faces; and, with friction, the parts of
-    // their forces that the nodes share.
-    DividedEdge<dim> edge;
-    Vector           shared_parts;
+    ContactFaces<dim>          faces;
+    std::vector<EdgeLaw::Pair> neighbors;
+    EdgeLaw                    law;
   };
 } // namespace ElastoPlastic
 

@@ -32,7 +32,6 @@ namespace ElastoPlastic
   template <int dim>
   struct ContactForce
   {
-    double vertical;
     /// In the direction of the normal (-b, 1)/sqrt(1 + b^2).
     double             normal;
     TangentVector<dim> tangential;
@@ -113,16 +112,13 @@ namespace ElastoPlastic
     /// surface times its @p slip add up to less than friction, else it slips in
     /// the direction of that sum @cite hueeber_stadler_wohlmuth_2008, but
     /// sticks first before it turns back. @p length times the modulus is that
-    /// stiffness. @p share is by how much the vertical force on the indenter is
-    /// larger than the one at the node; the nodes that bear the rest have no
-    /// friction of their own, this one has it for them.
+    /// stiffness.
     /// @return whether the node has begun to stick or to slip.
     bool
     update(FrictionState<dim>       &state,
            const ContactForce<dim>  &force,
            const TangentVector<dim> &slip,
            const TangentVector<dim> &slope,
-           const double              share,
            const double              length) const;
 
     /// The law at a node that slips, with the present @p slip.
@@ -131,8 +127,7 @@ namespace ElastoPlastic
     ForceSlope<dim>
     force_slope(const IndenterSurface<dim> &surface,
                 const FrictionState<dim>   &state,
-                const TangentVector<dim>   &slip,
-                const double                share) const;
+                const TangentVector<dim>   &slip) const;
 
   private:
     const double coefficient, modulus;

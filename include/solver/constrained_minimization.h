@@ -117,11 +117,6 @@ namespace ElastoPlastic
     virtual bool
     update_active_set(const Vector &u, const Vector &residual) = 0;
 
-    /// From now on the candidates are bounded one by one, whatever their bounds
-    /// have depended on before.
-    virtual void
-    begin_feasible_method() = 0;
-
     /// The active set of a feasible method: the candidates that touch their
     /// bound and press against it.
     /// @return whether the set has changed.

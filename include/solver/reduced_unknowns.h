@@ -20,9 +20,11 @@ namespace ElastoPlastic
   /// not move at all. Coupled ones move together, all by the same amount: the
   /// contact nodes under a rigid indenter whose depth is unknown too.
   ///
-  /// The active ones among them may share their rows with free unknowns: then
-  /// not u_k, but u_k + sum_j t_kj (u_j - m) is the motion m, which is that of
-  /// the leader or zero (SharedRows).
+  /// Both may share the forces on them with entering unknowns b, whose openings
+  /// w_b are free: then it is u_i - sum_b t_ib w_b, with the t_ib of
+  /// SharedRows, that does not move, or moves with the others, and u_b + w_b -
+  /// sum_c t_bc w_c for an entering one. In reduced vectors, -w_b stands for
+  /// u_b.
   ///
   /// Bounds may be sloped: then u_i - sum_j b_j u_j stands for u_i in all this,
   /// with the slopes b_j of its bound. With friction, the forces on the bound
@@ -43,16 +45,14 @@ namespace ElastoPlastic
     ReducedUnknowns() = default;
 
     /// @p constrained and @p coupled are indices of unknowns that this rank
-    /// owns, @p active those of them that may have @p shared_rows; null if
-    /// there are none.
-    ReducedUnknowns(const std::vector<unsigned int>         &constrained,
-                    const std::vector<unsigned int>         &coupled,
-                    const MPI_Comm                           communicator,
-                    const std::vector<unsigned int>         &active      = {},
-                    const std::shared_ptr<const SharedRows> &shared_rows = {});
+    /// owns.
+    ReducedUnknowns(const std::vector<unsigned int> &constrained,
+                    const std::vector<unsigned int> &coupled,
+                    const MPI_Comm                   communicator,
+                    const SharedForces              &shared = {});
 
-    /// Takes the slopes and curvatures of the bounds of active unknowns, and of
-    /// those that share in their forces. To be called on all ranks or on none.
+    /// Takes the slopes and curvatures of the bounds of active unknowns,
+    /// entering ones included. To be called on all ranks or on none.
     void
     set_sloped_bounds(const std::vector<SlopedBound> &bounds);
 
@@ -80,25 +80,42 @@ namespace ElastoPlastic
     }
 
     /// Multiplies by E: gives all coupled unknowns the value of their leader,
-    /// less what unknowns with shared rows leave to others.
+    /// and all active ones what openings and slopes make of it.
     void
     expand(Vector &increment) const;
 
-    /// The tangent has a part that comes from the curvature of bounds, or the
-    /// turning of friction, and the forces on them: adds its product with an
-    /// expanded @p increment.
+    /// Makes of the product of A with an @p expanded increment that of the
+    /// reduced form with the @p reduced one: adds the parts of the tangent that
+    /// come from the curvature of bounds, the turning of friction and the
+    /// changes of what is shared, and contracts.
     void
-    add_curvature(Vector &forces, const Vector &increment) const;
+    reduce_product(Vector       &forces,
+                   const Vector &expanded,
+                   const Vector &reduced) const;
 
-    /// Multiplies by E^T, or what friction makes of it: what is shared goes to
-    /// the free unknowns; the leader gets the sum of the coupled unknowns,
-    /// constrained and other coupled ones zero.
+    /// Multiplies by E^T, or what friction makes of it: entering unknowns keep
+    /// what exceeds their share; the leader gets the sum of the coupled
+    /// unknowns, constrained and other coupled ones zero.
     void
     contract(Vector &forces) const;
 
     /// Makes of the diagonal of A an approximation of that of E^T A E.
     void
     contract_diagonal(Vector &diagonal) const;
+
+    /// A preconditioner knows no openings: makes of reduced @p forces those
+    /// that belong to the entering unknowns themselves, and of a reduced
+    /// increment of these that of their openings. Where else they depend on
+    /// others is left out.
+    void
+    release_entering(Vector &forces) const;
+    void
+    bind_entering(Vector &increment) const;
+
+    /// Of an expanded @p vector with the motion @p motion, makes a reduced one
+    /// whose expansion is near it.
+    void
+    reduce_motion(Vector &vector, const double motion) const;
 
     /// The leader's value, on all ranks. There must be coupled unknowns.
     double
@@ -113,7 +130,8 @@ namespace ElastoPlastic
     void
     set_entries(Vector &vector, const double value) const;
 
-    /// Sets the slopes of active bounds at the unknowns that they depend on.
+    /// Sets the slopes of the bounds of constrained and coupled unknowns at the
+    /// unknowns that they depend on.
     void
     set_slopes(Vector &vector) const;
 
@@ -125,12 +143,12 @@ namespace ElastoPlastic
     static double
     along_slope(const SlopedBound &bound, const Vector &u);
 
-    std::vector<unsigned int>         constrained, coupled, active;
-    std::shared_ptr<const SharedRows> shared_rows;
-    std::vector<SlopedBound>          sloped_bounds;
-    bool                              is_sloped    = false;
-    bool                              has_friction = false;
-    MPI_Comm                          communicator = MPI_COMM_SELF;
+    std::vector<unsigned int> constrained, coupled;
+    SharedForces              shared;
+    std::vector<SlopedBound>  sloped_bounds;
+    bool                      is_sloped    = false;
+    bool                      has_friction = false;
+    MPI_Comm                  communicator = MPI_COMM_SELF;
     /// The rank that owns the leader, its first coupled unknown; the number of
     /// ranks if there are no coupled unknowns.
     unsigned int leading_rank = 1;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "contact/contact_evaluation.h"
 
@@ -42,26 +41,20 @@ namespace ElastoPlastic
 
 
 
-  // A node that shares its row presses on its own part of the touched faces.
   template <int dim>
   typename ContactEvaluation<dim>::Vector
   ContactEvaluation<dim>::pressed_areas() const
   {
-    const auto &edge = contact.edge;
-    Vector      result(u.get_partitioner()), ones(u.get_partitioner());
-    contact.set_candidate_entries(ones, 1.);
-    const Vector sums =
-      edge.rows() ? edge.rows()->sums(ones) : Vector(u.get_partitioner());
+    Vector       result(u.get_partitioner());
     const bool   moves = contact.bounds.follow_deformation();
-    const Vector whole = moves ? edge.faces().areas() : Vector();
-    const Vector moved = moves ? edge.faces().moved(u).areas() : Vector();
+    const Vector whole = moves ? contact.faces.areas() : Vector();
+    const Vector moved = moves ? contact.faces.moved(u).areas() : Vector();
     for (const Node &node : contact.candidates)
       {
-        const unsigned int i    = node.index;
-        double            &area = result.local_element(i);
-        area = edge.own_area(i, sums.local_element(i) > 0., node.area);
-        if (moves)
-          area *= moved.local_element(i) / whole.local_element(i);
+        const unsigned int i = node.index;
+        result.local_element(i) =
+          moves ? node.area * moved.local_element(i) / whole.local_element(i) :
+                  node.area;
       }
     return result;
   }
@@ -76,7 +69,7 @@ namespace ElastoPlastic
   {
     Vector result(residual.get_partitioner());
     for (const Node &node : contact.candidates)
-      if (node.active)
+      if (node.is_active())
         result.local_element(node.index) =
           contact.pressing_force(node, u, residual) *
           contact.bounds.inclination(node) / areas.local_element(node.index);
@@ -85,33 +78,31 @@ namespace ElastoPlastic
 
 
 
-  // A node that touches with none of its faces as a whole counts like one of a
-  // contact that ends at nodes: there is no edge that could be followed.
   template <int dim>
   typename ContactEvaluation<dim>::Vector
   ContactEvaluation<dim>::touched_areas() const
   {
-    if (contact.rule == EdgeRule::at_nodes)
+    if (!contact.law.exists())
       return areas;
-
-    const auto                     &edge = contact.edge;
-    std::optional<ContactEdge<dim>> moved;
-    if (contact.bounds.follow_deformation())
-      moved = edge.faces().moved(u);
-    const auto  &faces = moved ? *moved : edge.faces();
-    const Vector kinds = contact.kinds();
-    const auto   part  = faces.touched_part(
-      kinds, edge.levels(kinds, contact.distances(u, contact.depth())));
-    const Vector inside = edge.faces().inside(kinds);
-    Vector       ones(u.get_partitioner()), taken_over(u.get_partitioner());
-    contact.set_candidate_entries(ones, 1.);
-    part.taken_over->vmult(taken_over, ones);
-    Vector result = faces.areas();
-    for (const unsigned int i : contact.active_entries())
-      result.local_element(i) +=
-        inside.local_element(i) *
-        (taken_over.local_element(i) - part.missing.local_element(i));
-    return result;
+    const std::vector<double> gaps = contact.gaps(u, contact.depth());
+    const auto place = contact.law.place(gaps, contact.statuses());
+    Vector     kinds(u.get_partitioner()), levels(u.get_partitioner());
+    for (unsigned int k = 0; k < gaps.size(); ++k)
+      {
+        const Node        &node = contact.candidates[k];
+        const double       rise = contact.law.rise(k);
+        const unsigned int i    = node.index;
+        kinds.local_element(i)  = node.status == ContactStatus::closed ?
+                                    ContactFaces<dim>::closed :
+                                    ContactFaces<dim>::not_closed;
+        levels.local_element(i) =
+          rise > 0. ?
+            std::clamp((gaps[k] + place.allowances[k]) / rise, 0., 1.) :
+            1.;
+      }
+    return contact.bounds.follow_deformation() ?
+             contact.faces.moved(u).touched_areas(kinds, levels) :
+             contact.faces.touched_areas(kinds, levels);
   }
 
 
@@ -165,19 +156,19 @@ namespace ElastoPlastic
   void
   ContactEvaluation<dim>::add_distances(ContactState &state) const
   {
-    const Vector forces = contact.vertical_forces_on_body(residual);
-    const Vector places = contact.shared_gaps(u, contact.depth());
-    for (const Node &node : contact.candidates)
+    const std::vector<double> gaps = contact.gaps(u, contact.depth());
+    const auto place = contact.law.place(gaps, contact.statuses());
+    for (unsigned int k = 0; k < gaps.size(); ++k)
       {
-        const unsigned int i      = node.index;
-        const double penetration  = u.local_element(i) - contact.bound(node, u);
-        const double beyond_bound = penetration - contact.shift(places, node);
-        state.force -= forces.local_element(i);
-        if (node.active || forces.local_element(i) == 0.)
-          state.complementarity_error +=
-            std::abs(residual.local_element(i) * beyond_bound);
-        state.max_penetration  = std::max(state.max_penetration, beyond_bound);
-        state.edge_penetration = std::max(state.edge_penetration, penetration);
+        const Node  &node     = contact.candidates[k];
+        const double force    = residual.local_element(node.index);
+        const double distance = gaps[k] + place.allowances[k];
+        if (node.is_active())
+          state.force += force;
+        if (node.status != ContactStatus::entering)
+          state.complementarity_error += std::abs(force * distance);
+        state.max_penetration  = std::max(state.max_penetration, -distance);
+        state.edge_penetration = std::max(state.edge_penetration, -gaps[k]);
       }
     for (const Node &node : contact.hanging_nodes)
       state.max_hanging_penetration =
@@ -197,7 +188,8 @@ namespace ElastoPlastic
         const auto force = horizontal_part<dim>(node, forces);
         for (unsigned int d = 0; d < dim - 1; ++d)
           state.tangential_force[d] += force[d];
-        if (!node.active || !contact.friction.exists() || node.friction.sticks)
+        if (!node.is_active() || !contact.friction.exists() ||
+            node.friction.sticks)
           continue;
         const auto surface = contact.bounds.surface(node, u);
         state.frictional_dissipation += tangent_product(
@@ -215,7 +207,7 @@ namespace ElastoPlastic
   {
     const Vector touched = touched_areas();
     for (const Node &node : contact.candidates)
-      if (node.active)
+      if (node.is_active())
         {
           const double area = touched.local_element(node.index);
           state.contact_area += area;
@@ -248,7 +240,7 @@ namespace ElastoPlastic
   {
     Vector result(u.get_partitioner());
     for (const Node &node : contact.candidates)
-      if (node.active)
+      if (node.is_active())
         set_tangent_vector<dim>(result,
                                 node,
                                 contact.slip(node, u),
@@ -281,12 +273,11 @@ namespace ElastoPlastic
   ContactEvaluation<dim>::friction_fields(Vector &shear, Vector &stick) const
   {
     for (const Node &node : contact.candidates)
-      if (node.active)
+      if (node.is_active())
         {
           stick.local_element(node.index) = node.friction.sticks ? 1. : 0.;
           const auto   surface            = contact.bounds.surface(node, u);
-          const double area               = contact.share(node) *
-                              areas.local_element(node.index) *
+          const double area               = areas.local_element(node.index) *
                               std::sqrt(1. + surface.slope * surface.slope) /
                               contact.bounds.inclination(node);
           set_tangent_vector<dim>(

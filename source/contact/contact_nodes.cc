@@ -113,6 +113,30 @@ namespace ElastoPlastic
       });
       return nodes;
     }
+
+
+
+    template <int dim>
+    Tensor<2, dim - 1>
+    find_ties(const ContactNode<dim>            &node,
+              const AffineConstraints<double>   &constraints,
+              const Utilities::MPI::Partitioner &partitioner)
+    {
+      Tensor<2, dim - 1> ties;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        {
+          const auto *const masters = constraints.get_constraint_entries(
+            partitioner.local_to_global(node.horizontal[d]));
+          if (masters == nullptr)
+            ties[d][d] = 1.;
+          else
+            for (const auto &[master, weight] : *masters)
+              for (unsigned int e = 0; e < dim - 1; ++e)
+                if (master == partitioner.local_to_global(node.horizontal[e]))
+                  ties[d][e] = weight;
+        }
+      return ties;
+    }
   } // namespace
 
 
@@ -146,6 +170,7 @@ namespace ElastoPlastic
         node.without_area =
           !constraints.is_constrained(dof) && node.area <= no_area;
         node.hanging = constraints.is_constrained(dof) || node.without_area;
+        node.ties    = find_ties(node, constraints, *layout.get_partitioner());
         result.push_back(node);
       }
     return result;

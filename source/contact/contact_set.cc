@@ -12,6 +12,14 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// Enough for all digits.
+    constexpr unsigned int n_secant_steps = 20;
+  } // namespace
+
+
+
   template <int dim>
   ContactSet<dim>::ContactSet(const ContactBounds<dim>   &bounds,
                               const Kinematics            kinematics,
@@ -58,12 +66,14 @@ namespace ElastoPlastic
             }
           nodes.push_back(node);
         }
+    neighbors.clear();
+    if (rule == EdgeRule::within_faces || bounds.follow_deformation())
+      {
+        faces.reinit(
+          dof_handler, constraints, contact_boundaries, kinematics, layout);
+        neighbors = faces.neighbors();
+      }
     find_candidates();
-    unite_edge();
-    if (rule == EdgeRule::at_nodes && !bounds.follow_deformation())
-      return;
-    edge.reinit(
-      dof_handler, constraints, contact_boundaries, kinematics, layout);
   }
 
 
@@ -88,6 +98,13 @@ namespace ElastoPlastic
               candidates.back().gap = node.gap;
             }
         }
+    if (rule == EdgeRule::at_nodes)
+      return;
+    std::vector<EdgeLaw::Node> of_law;
+    for (const Node &node : candidates)
+      of_law.push_back(
+        {first_owned_dof + node.index, node.index, node.gap.height, node.area});
+    law.reinit(of_law, neighbors, communicator);
   }
 
 
@@ -128,26 +145,91 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  std::vector<double>
+  ContactSet<dim>::heights(const Vector &u) const
+  {
+    std::vector<double> result;
+    for (const Node &node : candidates)
+      result.push_back(bounds.value(node, u) - u.local_element(node.index));
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactSet<dim>::gaps(const Vector &u, const double depth) const
+  {
+    std::vector<double> result = heights(u);
+    for (double &gap : result)
+      gap -= depth;
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<ContactStatus>
+  ContactSet<dim>::statuses() const
+  {
+    std::vector<ContactStatus> result;
+    for (const Node &node : candidates)
+      result.push_back(node.status);
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactSet<dim>::forces_inside(const Vector &residual) const
+  {
+    std::vector<double> forces;
+    for (const Node &node : candidates)
+      forces.push_back(node.is_active() ?
+                         std::max(residual.local_element(node.index), 0.) :
+                         0.);
+    return law.forces_inside(forces);
+  }
+
+
+
+  // By the secant method: the distance that is left of the bounds of the closed
+  // nodes, on average, falls with the depth, nearly as fast.
+  template <int dim>
   double
   ContactSet<dim>::depth_at(const Vector &u) const
   {
-    if (!is_force_driven())
+    const unsigned int n_closed = this->n_closed();
+    if (!is_force_driven() || n_closed == 0)
       return present_depth;
-    if (n_active() == 0)
-      return present_depth;
-    // the rows are linear in the depth: so are their sums
-    const Vector at_zero = shared_gaps(u, 0.), at_one = shared_gaps(u, 1.);
-    double       sum = 0, slope = 0;
-    for (const Node &node : candidates)
-      if (node.active)
-        {
-          const unsigned int i = node.index;
-          sum +=
-            bounds.value(node, u) - u.local_element(i) + shift(at_zero, node);
-          slope += 1. + shift(at_zero, node) - shift(at_one, node);
-        }
-    return Utilities::MPI::sum(sum, communicator) /
-           Utilities::MPI::sum(slope, communicator);
+    const std::vector<double> heights  = this->heights(u);
+    const auto                statuses = this->statuses();
+    const auto                distance = [&](const double depth) {
+      std::vector<double> gaps = heights;
+      for (double &gap : gaps)
+        gap -= depth;
+      const auto place = law.place(gaps, statuses);
+      double     sum   = 0;
+      for (unsigned int k = 0; k < gaps.size(); ++k)
+        if (statuses[k] == ContactStatus::closed)
+          sum += gaps[k] + place.allowances[k];
+      return Utilities::MPI::sum(sum, communicator) / n_closed;
+    };
+    double depth = present_depth, left = distance(depth), slope = -1.;
+    for (unsigned int i = 0; i < n_secant_steps; ++i)
+      {
+        const double step = -left / slope;
+        const double next = depth + step;
+        if (std::abs(step) <=
+            std::numeric_limits<double>::epsilon() * std::abs(next))
+          break;
+        const double left_there = distance(next);
+        slope = std::clamp((left_there - left) / step, -2., -1.);
+        depth = next;
+        left  = left_there;
+      }
+    return depth;
   }
 
 
@@ -173,7 +255,7 @@ namespace ElastoPlastic
   ContactSet<dim>::settle(const Vector &u)
   {
     if (is_force_driven())
-      present_depth = n_active() > 0 ?
+      present_depth = n_closed() > 0 ?
                         depth_at(u) :
                         std::min(nearest_distance(candidates, u),
                                  nearest_distance(hanging_nodes, u));
@@ -185,37 +267,37 @@ namespace ElastoPlastic
   bool
   ContactSet<dim>::find_contact(const Vector &u)
   {
-    if (force() == 0. || n_active() > 0)
+    if (force() == 0. || n_closed() > 0)
       return false;
-    present_depth = nearest_distance(candidates, u);
-    return set_active(u, [&](const Node &node) {
-      return bounds.value(node, u) - u.local_element(node.index) <=
-             present_depth;
+    present_depth                     = nearest_distance(candidates, u);
+    const std::vector<double> heights = this->heights(u);
+    return set_statuses(u, [&](const unsigned int k, const Node &) {
+      return heights[k] <= present_depth ? ContactStatus::closed :
+                                           ContactStatus::open;
     });
   }
 
 
 
   template <int dim>
-  template <typename Predicate>
+  template <typename Status>
   bool
-  ContactSet<dim>::set_active(const Vector &u, const Predicate &is_active)
+  ContactSet<dim>::set_statuses(const Vector &u, const Status &status)
   {
     bool changed = false;
-    for (Node &node : candidates)
+    for (unsigned int k = 0; k < candidates.size(); ++k)
       {
-        const bool active = presses() && is_active(node);
-        if (active == node.active)
+        Node      &node = candidates[k];
+        const auto next = presses() ? status(k, node) : ContactStatus::open;
+        if (next == node.status)
           continue;
-        changed     = true;
-        node.active = active;
-        if (active)
+        const bool was_active = node.is_active();
+        changed               = true;
+        node.status           = next;
+        if (node.is_active() && !was_active)
           begin_friction(node, u);
       }
-    changed = Utilities::MPI::logical_or(changed, communicator);
-    if (changed)
-      share_rows();
-    return changed;
+    return Utilities::MPI::logical_or(changed, communicator);
   }
 
 
@@ -229,17 +311,23 @@ namespace ElastoPlastic
 
 
 
+  // (What is entering allows less to what is inside.)
   template <int dim>
   void
   ContactSet<dim>::activate_touching(const Vector &u)
   {
-    const double contact_tolerance = 1e-8 * std::abs(present_depth);
-    const Vector shared            = shared_gaps(u, present_depth);
-    set_active(u, [&](const Node &node) {
-      return node.active ||
-             u.local_element(node.index) >=
-               bound(node, u) + shift(shared, node) - contact_tolerance;
-    });
+    const double              tolerance = 1e-8 * std::abs(present_depth);
+    const std::vector<double> gaps      = this->gaps(u, present_depth);
+    for (bool changed = true; changed;)
+      {
+        const auto place = law.place(gaps, statuses());
+        changed = set_statuses(u, [&](const unsigned int k, const Node &node) {
+          const double distance = gaps[k] + place.allowances[k];
+          return node.status == ContactStatus::closed || distance <= tolerance ?
+                   ContactStatus::closed :
+                   std::max(node.status, law.status_at(k, distance));
+        });
+      }
     find_contact(u);
   }
 
@@ -249,7 +337,9 @@ namespace ElastoPlastic
   void
   ContactSet<dim>::deactivate_all()
   {
-    set_active(Vector(), [](const Node &) { return false; });
+    set_statuses(Vector(), [](const unsigned int, const Node &) {
+      return ContactStatus::open;
+    });
   }
 
 
@@ -258,14 +348,24 @@ namespace ElastoPlastic
   bool
   ContactSet<dim>::update(const Vector &u, const Vector &residual)
   {
-    present_depth        = depth_at(u);
-    const Vector shared  = shared_gaps(u, present_depth);
-    const bool   turned  = update_friction(u, residual);
-    const bool   changed = set_active(u, [&](const Node &node) {
-      return node.active ? pressing_force(node, u, residual) > 0 :
-                             u.local_element(node.index) >
-                             bound(node, u) + shift(shared, node);
-    });
+    present_depth                    = depth_at(u);
+    const std::vector<double> gaps   = this->gaps(u, present_depth);
+    const auto                place  = law.place(gaps, statuses());
+    const std::vector<double> inside = forces_inside(residual);
+    const bool                turned = update_friction(u, residual);
+    const bool                changed =
+      set_statuses(u, [&](const unsigned int k, const Node &node) {
+        const double distance = gaps[k] + place.allowances[k];
+        if (node.status != ContactStatus::closed)
+          return distance < 0. ? ContactStatus::closed :
+                                 law.status_at(k, distance);
+        if (stays_closed(k,
+                         pressing_force(node, u, residual),
+                         residual.local_element(node.index),
+                         inside[k]))
+          return ContactStatus::closed;
+        return law.has_part(k) ? ContactStatus::entering : ContactStatus::open;
+      });
     return find_contact(u) || changed || turned;
   }
 
@@ -276,12 +376,20 @@ namespace ElastoPlastic
   bool
   ContactSet<dim>::update_feasible(const Vector &u, const Vector &residual)
   {
-    present_depth         = depth_at(u);
-    const double rounding = 1e-13 * std::abs(present_depth);
-    const bool   changed  = set_active(u, [&](const Node &node) {
-      return u.local_element(node.index) >= bound(node, u) - rounding &&
-             residual.local_element(node.index) > 0;
-    });
+    present_depth                      = depth_at(u);
+    const double              rounding = 1e-13 * std::abs(present_depth);
+    const std::vector<double> gaps     = this->gaps(u, present_depth);
+    const auto                place    = law.largest_openings(gaps);
+    const std::vector<double> inside   = forces_inside(residual);
+    const bool                changed =
+      set_statuses(u, [&](const unsigned int k, const Node &node) {
+        const double distance = gaps[k] + place.allowances[k];
+        const double force    = residual.local_element(node.index);
+        return distance <= rounding &&
+                   stays_closed(k, force, force, inside[k]) ?
+                 ContactStatus::closed :
+                 law.status_at(k, distance);
+      });
     return find_contact(u) || changed;
   }
 
@@ -291,7 +399,7 @@ namespace ElastoPlastic
   void
   ContactSet<dim>::move_active(Vector &u) const
   {
-    move_active_to(u, present_depth);
+    move_closed_to(u, present_depth);
   }
 
 
@@ -300,7 +408,7 @@ namespace ElastoPlastic
   void
   ContactSet<dim>::return_to_bounds(Vector &u) const
   {
-    move_active_to(u, depth_at(u));
+    move_closed_to(u, depth_at(u));
   }
 
 
@@ -309,23 +417,25 @@ namespace ElastoPlastic
   // larger than u, is at its place.)
   template <int dim>
   void
-  ContactSet<dim>::move_active_to(Vector &u, const double depth) const
+  ContactSet<dim>::move_closed_to(Vector &u, const double depth) const
   {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    const Vector     shared  = shared_gaps(u, depth);
     for (const Node &node : candidates)
-      if (node.active)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        if (node.is_active() && is_held(node, d))
+          u.local_element(node.horizontal[d]) = node.anchor[d];
+    const auto place = law.place(gaps(u, depth), statuses());
+    for (unsigned int k = 0; k < candidates.size(); ++k)
+      if (const Node &node = candidates[k];
+          node.status == ContactStatus::closed)
         {
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            if (is_held(node, d))
-              u.local_element(node.horizontal[d]) = node.anchor[d];
           const double gap = bounds.value(node, u);
           const double rounding =
             4. * epsilon * std::max(std::abs(gap), std::abs(depth));
-          const double place        = gap - depth + shift(shared, node);
+          const double bound        = gap - depth + place.allowances[k];
           double      &displacement = u.local_element(node.index);
-          if (std::abs(displacement - place) > rounding)
-            displacement = place;
+          if (std::abs(displacement - bound) > rounding)
+            displacement = bound;
         }
   }
 
@@ -335,10 +445,31 @@ namespace ElastoPlastic
   void
   ContactSet<dim>::project(Vector &u) const
   {
-    const double depth = depth_at(u);
-    for (const Node &node : candidates)
-      u.local_element(node.index) =
-        std::min(u.local_element(node.index), bounds.value(node, u) - depth);
+    const std::vector<double> gaps  = this->gaps(u, depth_at(u));
+    const auto                place = law.largest_openings(gaps);
+    for (unsigned int k = 0; k < candidates.size(); ++k)
+      u.local_element(candidates[k].index) +=
+        std::min(gaps[k] + place.allowances[k], 0.);
+  }
+
+
+
+  template <int dim>
+  SharedForces
+  ContactSet<dim>::shared_forces(const Vector &u, const Vector &residual) const
+  {
+    if (!law.exists())
+      return {};
+    const auto   statuses = this->statuses();
+    const auto   place    = law.place(gaps(u, depth_at(u)), statuses);
+    const auto   inside   = forces_inside(residual);
+    SharedForces result{law.rows(place, statuses), {}};
+    for (unsigned int k = 0; k < candidates.size(); ++k)
+      if (statuses[k] == ContactStatus::entering)
+        result.entering.push_back(
+          {candidates[k].index,
+           law.stiffness(k, place.openings.local_element(k)) * inside[k]});
+    return result;
   }
 
 
@@ -349,7 +480,20 @@ namespace ElastoPlastic
   {
     std::vector<unsigned int> entries;
     for (const Node &node : candidates)
-      if (node.active)
+      if (node.is_active())
+        entries.push_back(node.index);
+    return entries;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  ContactSet<dim>::closed_entries() const
+  {
+    std::vector<unsigned int> entries;
+    for (const Node &node : candidates)
+      if (node.status == ContactStatus::closed)
         entries.push_back(node.index);
     return entries;
   }

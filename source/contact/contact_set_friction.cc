@@ -75,7 +75,7 @@ namespace ElastoPlastic
     std::vector<unsigned int> entries = active_entries();
     if (has_sloped_bounds())
       for (const Node &node : candidates)
-        if (node.active)
+        if (node.is_active())
           entries.insert(entries.end(),
                          node.horizontal.begin(),
                          node.horizontal.end());
@@ -100,7 +100,7 @@ namespace ElastoPlastic
     std::vector<unsigned int> entries;
     for (const Node &node : candidates)
       for (unsigned int d = 0; d < dim - 1; ++d)
-        if (node.active && is_held(node, d))
+        if (node.is_active() && is_held(node, d))
           entries.push_back(node.horizontal[d]);
     return entries;
   }
@@ -132,15 +132,15 @@ namespace ElastoPlastic
     const bool is_plane = dim == 2 && kinematics != Kinematics::axisymmetric;
     bool       changed  = false;
     for (Node &node : candidates)
-      if (node.active && std::find(node.free.begin(), node.free.end(), true) !=
-                           node.free.end())
+      if (node.is_active() &&
+          std::find(node.free.begin(), node.free.end(), true) !=
+            node.free.end())
         {
           const auto surface = bounds.surface(node, u);
           changed |= friction.update(node.friction,
                                      contact_force(node, surface, residual),
                                      slip(node, u),
                                      surface.slope,
-                                     share(node),
                                      is_plane ? 1. : std::sqrt(node.area));
         }
     return Utilities::MPI::logical_or(changed, communicator);
@@ -155,13 +155,12 @@ namespace ElastoPlastic
     std::vector<SlopedBound> result;
     if (!has_sloped_bounds())
       return result;
-    const Vector forces  = vertical_forces_on_body(residual);
-    const auto   collect = [&]() {
+    const auto collect = [&]() {
       for (const Node &node : candidates)
-        if (node.active || edge.rows())
+        if (node.is_active())
           {
             result.push_back(sloped_bound(node, u));
-            result.back().force = -forces.local_element(node.index);
+            result.back().force = residual.local_element(node.index);
           }
     };
     // (Without friction, no bound can fail.)
@@ -179,26 +178,27 @@ namespace ElastoPlastic
   ContactSet<dim>::sloped_bound(const Node &node, const Vector &u) const
   {
     SlopedBound bound;
-    bound.index  = node.index;
-    bound.active = node.active;
+    bound.index    = node.index;
+    bound.entering = node.status == ContactStatus::entering;
 
     const IndenterSurface<dim> surface = bounds.surface(node, u);
     ForceSlope<dim>            law{surface.slope, surface.curvature};
-    if (node.active && friction.dissipates() && !node.friction.sticks)
-      law = friction.force_slope(surface,
-                                 node.friction,
-                                 slip(node, u),
-                                 share(node));
-    bound.n_others = dim - 1;
+    if (friction.dissipates() && !node.friction.sticks)
+      law = friction.force_slope(surface, node.friction, slip(node, u));
+    const auto tied        = transpose(node.ties);
+    const auto slope       = tied * surface.slope;
+    const auto force_slope = tied * law.value;
+    const auto curvature   = tied * law.derivative * node.ties;
+    bound.n_others         = dim - 1;
     for (unsigned int d = 0; d < dim - 1; ++d)
       {
         bound.others[d] = node.horizontal[d];
-        if (node.active && is_held(node, d))
+        if (is_held(node, d))
           continue;
-        bound.slope[d]       = surface.slope[d];
-        bound.force_slope[d] = law.value[d];
+        bound.slope[d]       = slope[d];
+        bound.force_slope[d] = force_slope[d];
         for (unsigned int e = 0; e < dim - 1; ++e)
-          bound.curvature[d][e] = law.derivative[d][e];
+          bound.curvature[d][e] = curvature[d][e];
       }
     return bound;
   }

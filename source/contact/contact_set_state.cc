@@ -15,11 +15,12 @@ namespace ElastoPlastic
   {
     std::uint64_t sum = 0;
     for (const Node &node : candidates)
-      if (node.active)
+      if (node.is_active())
         {
           // the splitmix64 finalizer spreads neighbouring indices
           std::uint64_t x = first_owned_dof + node.index + 1;
           x += node.friction.fingerprint() << 40;
+          x += static_cast<std::uint64_t>(node.status) << 60;
           x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
           x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
           sum += x ^ (x >> 31);
@@ -43,11 +44,18 @@ namespace ElastoPlastic
   unsigned int
   ContactSet<dim>::n_active() const
   {
-    return Utilities::MPI::sum(static_cast<unsigned int>(std::count_if(
-                                 candidates.begin(),
-                                 candidates.end(),
-                                 [](const Node &node) { return node.active; })),
-                               communicator);
+    return Utilities::MPI::sum(
+      static_cast<unsigned int>(active_entries().size()), communicator);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  ContactSet<dim>::n_closed() const
+  {
+    return Utilities::MPI::sum(
+      static_cast<unsigned int>(closed_entries().size()), communicator);
   }
 
 
@@ -98,10 +106,8 @@ namespace ElastoPlastic
   {
     Vector forces(residual.get_partitioner());
     for (const Node &node : candidates)
-      if (node.active)
+      if (node.is_active())
         forces.local_element(node.index) = -residual.local_element(node.index);
-    if (edge.rows())
-      forces -= edge.rows()->shares(residual);
     return forces;
   }
 

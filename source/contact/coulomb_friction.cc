@@ -35,8 +35,7 @@ namespace ElastoPlastic
   ContactForce<dim>::ContactForce(const double              vertical,
                                   const TangentVector<dim> &horizontal,
                                   const TangentVector<dim> &slope)
-    : vertical(vertical)
-    , normal((vertical - slope * horizontal) / std::sqrt(1. + slope * slope))
+    : normal((vertical - slope * horizontal) / std::sqrt(1. + slope * slope))
     , tangential(horizontal + normal / std::sqrt(1. + slope * slope) * slope)
   {}
 
@@ -89,7 +88,6 @@ namespace ElastoPlastic
                                const ContactForce<dim>  &force,
                                const TangentVector<dim> &slip,
                                const TangentVector<dim> &slope,
-                               const double              share,
                                const double              extent) const
   {
     if (!dissipates())
@@ -98,11 +96,8 @@ namespace ElastoPlastic
     const bool               has_stuck = state.sticks;
     const TangentVector<dim> trial     = force.tangential + stiffness * slip;
     const double             magnitude = length(trial, slope);
-    const double             limit =
-      coefficient *
-      (force.normal +
-       (share - 1.) * std::sqrt(1. + slope * slope) * force.vertical);
-    const bool turns_back =
+    const double             limit     = coefficient * force.normal;
+    const bool               turns_back =
       !state.sticks && tangent_product(trial, state.direction, slope) < 0.;
     if (magnitude <= (1. + rounding) * limit || turns_back || magnitude == 0.)
       state = {};
@@ -117,16 +112,13 @@ namespace ElastoPlastic
 
 
   // With the normal m = (-b, 1)/L, L^2 = 1 + b^2, the direction s of the slip
-  // and e = L s, a vertical force V at the node and (share - 1) V at others,
-  // which press without friction, the force at the node is N m + T s with T =
-  // mu (N + (share - 1) L V). Its horizontal part is -(b - mu f) / (1 + mu b.e)
-  // times V, with f = share e + (share - 1) (b.e) b.
+  // and e = L s, the force N m + mu N s has the horizontal part
+  // -(b - mu e) / (1 + mu b.e) times its vertical one.
   template <int dim>
   ForceSlope<dim>
   CoulombFriction<dim>::force_slope(const IndenterSurface<dim> &surface,
                                     const FrictionState<dim>   &state,
-                                    const TangentVector<dim>   &slip,
-                                    const double                share) const
+                                    const TangentVector<dim>   &slip) const
   {
     const double              mu = coefficient;
     const TangentVector<dim> &b  = surface.slope;
@@ -144,8 +136,7 @@ namespace ElastoPlastic
         "degrees. Check 'Contact/Friction coefficient' and 'Indenter'.");
 
     ForceSlope<dim> result;
-    result.value =
-      (b - mu * (share * e + (share - 1.) * (b * e) * b)) / quotient;
+    result.value = (b - mu * e) / quotient;
     for (unsigned int j = 0; j < dim - 1; ++j)
       {
         TangentVector<dim> change_of_b, change_of_slip;
@@ -161,11 +152,8 @@ namespace ElastoPlastic
           L * (state.turning * (across(change_of_slip) + change_along * s) -
                shrinking * s);
         const double change_of_be = change_of_b * e + b * change_of_e;
-        const TangentVector<dim> change_of_f =
-          share * change_of_e +
-          (share - 1.) * (change_of_be * b + (b * e) * change_of_b);
         const TangentVector<dim> change =
-          (change_of_b - mu * (change_of_f + change_of_be * result.value)) /
+          (change_of_b - mu * (change_of_e + change_of_be * result.value)) /
           quotient;
         for (unsigned int i = 0; i < dim - 1; ++i)
           result.derivative[i][j] = change[i];

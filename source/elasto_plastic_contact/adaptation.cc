@@ -32,7 +32,6 @@ namespace ElastoPlastic
     body.contact.place(last_step.result.depth);
     body.contact.begin_step(body.displacement, {});
     body.contact.activate_touching(body.displacement);
-    body.contact.divide_edge(last_step.result.depth);
     body.solid.predict_flow(body.displacement, body.displacement);
     last_step.displacement = body.displacement;
     try

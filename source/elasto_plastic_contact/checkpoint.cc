@@ -42,7 +42,6 @@ namespace ElastoPlastic
     boost::archive::text_oarchive archive(state);
     Statistics::Progress          progress = statistics.progress();
     serialize_progress(archive, progress);
-    archive &body.contact.edge_memory();
 
     const CellValues values = body.states_and_fields(last_step);
     checkpoint.save(state.str(), [&](const std::string &mesh_file) {
@@ -86,10 +85,8 @@ namespace ElastoPlastic
     coarsen_to_coarse_mesh(body.triangulation);
     CellValues values = load_mesh(body.triangulation, contents.mesh_file);
     body.reinit(time_steps.next_time(), load_at_end_of_step());
-    archive &body.contact.edge_memory();
     body.set_states_and_fields(std::move(values), last_step);
     take_back_step();
-    body.contact.restore_edge();
     evaluation.do_not_repeat(last_step.result);
     log.remark(
       "Resumed at t = " + Patterns::Tools::to_string(last_step.result.time) +

@@ -178,8 +178,6 @@ namespace ElastoPlastic
                      Patterns::Tools::to_string(time_steps.time()) +
                      " has not converged; trying half of it.");
             take_back_step();
-            if (!model.strain_model.is_finite())
-              body.contact.unite_edge();
             cut = true;
             continue;
           }

@@ -24,17 +24,14 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::predict()
   {
     const double       begin  = time_steps.time();
-    double             depth  = last_step.result.depth;
     const unsigned int n_past = model.strain_model.is_finite() ? 1 : 2;
-    if (time_steps.number() > n_past && !load_program.is_segment_end(begin))
-      {
-        const double duration = time_steps.next_time() - begin;
-        depth += duration * last_step.depth_rate;
-        body.displacement.add(duration, last_step.displacement_rate);
-        if (body.contact.is_force_driven())
-          body.contact.place(depth);
-      }
-    body.contact.divide_edge(depth);
+    if (time_steps.number() <= n_past || load_program.is_segment_end(begin))
+      return;
+    const double duration = time_steps.next_time() - begin;
+    body.displacement.add(duration, last_step.displacement_rate);
+    if (body.contact.is_force_driven())
+      body.contact.place(last_step.result.depth +
+                         duration * last_step.depth_rate);
   }
 
 
@@ -203,7 +200,6 @@ namespace ElastoPlastic
     body.solid.predict_flow(body.displacement, body.displacement);
     last_step.displacement = body.displacement;
     last_step.forces       = body.forces_of_stresses();
-    body.contact.note_edge(body.displacement);
   }
 
 

@@ -67,8 +67,7 @@ namespace ElastoPlastic
     unknowns.expand(source.block(0));
     source.block(1).equ(pressure_unit, vector.block(1));
     tangent.mixed_vmult(result, source);
-    unknowns.add_curvature(result.block(0), source.block(0));
-    unknowns.contract(result.block(0));
+    unknowns.reduce_product(result.block(0), source.block(0), vector.block(0));
     result.block(1) *= pressure_unit;
   }
 
@@ -83,8 +82,7 @@ namespace ElastoPlastic
     source.block(1) = 0.;
     tangent.mixed_vmult(product, source);
     forces = product.block(0);
-    unknowns.add_curvature(forces, source.block(0));
-    unknowns.contract(forces);
+    unknowns.reduce_product(forces, source.block(0), increment);
   }
 
 

@@ -92,7 +92,6 @@ namespace ElastoPlastic
         "units as the moduli in 'Material', and not beyond what the body can "
         "bear.");
     feasible = true;
-    problem.begin_feasible_method();
     problem.move_constrained(u);
     problem.project(u);
     evaluate();

@@ -23,16 +23,13 @@ namespace ElastoPlastic
 
 
 
-  ReducedUnknowns::ReducedUnknowns(
-    const std::vector<unsigned int>         &constrained,
-    const std::vector<unsigned int>         &coupled,
-    const MPI_Comm                           communicator,
-    const std::vector<unsigned int>         &active,
-    const std::shared_ptr<const SharedRows> &shared_rows)
+  ReducedUnknowns::ReducedUnknowns(const std::vector<unsigned int> &constrained,
+                                   const std::vector<unsigned int> &coupled,
+                                   const MPI_Comm      communicator,
+                                   const SharedForces &shared)
     : constrained(constrained)
     , coupled(coupled)
-    , active(active)
-    , shared_rows(shared_rows)
+    , shared(shared)
     , communicator(communicator)
     , leading_rank(
         Utilities::MPI::min(coupled.empty() ?
@@ -82,7 +79,7 @@ namespace ElastoPlastic
   bool
   ReducedUnknowns::is_trivial() const
   {
-    return !has_coupling() && !shared_rows && !is_sloped;
+    return !has_coupling() && !shared.rows && !is_sloped;
   }
 
 
@@ -101,34 +98,37 @@ namespace ElastoPlastic
     if (is_trivial())
       return;
     const double motion = has_coupling() ? leading_value(increment) : 0.;
+    std::vector<std::pair<unsigned int, double>> sums;
+    if (shared.rows)
+      shared.rows->sums(increment, [&](const unsigned int i, const double sum) {
+        sums.emplace_back(i, sum);
+      });
     for (const unsigned int i : coupled)
       increment.local_element(i) = motion;
-    if (shared_rows)
-      {
-        Vector relative = increment;
-        relative.add(-motion);
-        for (const SlopedBound &bound : sloped_bounds)
-          relative.local_element(bound.index) -= along_slope(bound, increment);
-        const Vector sums = shared_rows->sums(relative);
-        for (const unsigned int i : active)
-          increment.local_element(i) -= sums.local_element(i);
-      }
+    for (const EnteringUnknown &unknown : shared.entering)
+      increment.local_element(unknown.index) += motion;
+    for (const auto &[i, sum] : sums)
+      increment.local_element(i) -= sum;
     for (const SlopedBound &bound : sloped_bounds)
-      if (bound.active)
-        increment.local_element(bound.index) += along_slope(bound, increment);
+      increment.local_element(bound.index) += along_slope(bound, increment);
   }
 
 
 
   void
-  ReducedUnknowns::add_curvature(Vector &forces, const Vector &increment) const
+  ReducedUnknowns::reduce_product(Vector       &forces,
+                                  const Vector &expanded,
+                                  const Vector &reduced) const
   {
     for (const SlopedBound &bound : sloped_bounds)
       for (unsigned int j = 0; j < bound.n_others; ++j)
         for (unsigned int l = 0; l < bound.n_others; ++l)
           forces.local_element(bound.others[j]) -=
             bound.force * bound.curvature[j][l] *
-            increment.local_element(bound.others[l]);
+            expanded.local_element(bound.others[l]);
+    contract(forces);
+    for (const auto &[index, stiffness] : shared.entering)
+      forces.local_element(index) += stiffness * reduced.local_element(index);
   }
 
 
@@ -139,21 +139,21 @@ namespace ElastoPlastic
     double sum = 0;
     for (const unsigned int i : coupled)
       sum += forces.local_element(i);
-    if (shared_rows)
-      {
-        const Vector shares = shared_rows->shares(forces);
-        forces -= shares;
-        for (unsigned int i = 0; i < shares.locally_owned_size(); ++i)
-          sum += shares.local_element(i);
-        for (const SlopedBound &bound : sloped_bounds)
-          if (!bound.active)
-            add_along_force_slope(forces,
-                                  bound,
-                                  shares.local_element(bound.index));
-      }
+    for (const EnteringUnknown &unknown : shared.entering)
+      sum += forces.local_element(unknown.index);
     for (const SlopedBound &bound : sloped_bounds)
-      if (bound.active)
-        add_along_force_slope(forces, bound, forces.local_element(bound.index));
+      add_along_force_slope(forces, bound, forces.local_element(bound.index));
+    if (shared.rows)
+      {
+        Vector shares(forces.get_partitioner());
+        shared.rows->shares(forces,
+                            [&](const unsigned int i, const double share) {
+                              shares.local_element(i) = share;
+                            });
+        for (const EnteringUnknown &unknown : shared.entering)
+          forces.local_element(unknown.index) -=
+            shares.local_element(unknown.index);
+      }
     set_leading_value(forces,
                       has_coupling() ? Utilities::MPI::sum(sum, communicator) :
                                        0.);
@@ -169,12 +169,50 @@ namespace ElastoPlastic
     for (const unsigned int i : coupled)
       sum += diagonal.local_element(i);
     for (const SlopedBound &bound : sloped_bounds)
-      for (unsigned int j = 0; bound.active && j < bound.n_others; ++j)
+      for (unsigned int j = 0; j < bound.n_others; ++j)
         diagonal.local_element(bound.others[j]) +=
           bound.slope[j] * bound.slope[j] * diagonal.local_element(bound.index);
+    for (const auto &[index, stiffness] : shared.entering)
+      {
+        sum += diagonal.local_element(index);
+        diagonal.local_element(index) += stiffness;
+      }
     set_leading_value(diagonal,
                       has_coupling() ? Utilities::MPI::sum(sum, communicator) :
                                        0.);
+  }
+
+
+
+  void
+  ReducedUnknowns::release_entering(Vector &forces) const
+  {
+    for (const SlopedBound &bound : sloped_bounds)
+      if (bound.entering)
+        for (unsigned int j = 0; j < bound.n_others; ++j)
+          forces.local_element(bound.others[j]) -=
+            bound.slope[j] * forces.local_element(bound.index);
+  }
+
+
+
+  void
+  ReducedUnknowns::bind_entering(Vector &increment) const
+  {
+    for (const SlopedBound &bound : sloped_bounds)
+      if (bound.entering)
+        increment.local_element(bound.index) -= along_slope(bound, increment);
+  }
+
+
+
+  void
+  ReducedUnknowns::reduce_motion(Vector &vector, const double motion) const
+  {
+    bind_entering(vector);
+    for (const EnteringUnknown &unknown : shared.entering)
+      vector.local_element(unknown.index) -= motion;
+    set_leading_value(vector, motion);
   }
 
 
@@ -214,7 +252,7 @@ namespace ElastoPlastic
   ReducedUnknowns::set_slopes(Vector &vector) const
   {
     for (const SlopedBound &bound : sloped_bounds)
-      for (unsigned int j = 0; bound.active && j < bound.n_others; ++j)
+      for (unsigned int j = 0; !bound.entering && j < bound.n_others; ++j)
         vector.local_element(bound.others[j]) = bound.slope[j];
   }
 } // namespace ElastoPlastic

@@ -33,10 +33,10 @@ namespace ElastoPlastic
           expanded = vector;
           unknowns.expand(expanded);
           tangent.vmult(result, expanded);
-          unknowns.add_curvature(result, expanded);
+          unknowns.reduce_product(result, expanded, vector);
+          return;
         }
-      else
-        tangent.vmult(result, vector);
+      tangent.vmult(result, vector);
       unknowns.contract(result);
     }
 
@@ -63,7 +63,7 @@ namespace ElastoPlastic
     {
       if (!solver.unknowns.has_coupling())
         {
-          solver.preconditioner->vmult(result, vector);
+          precondition(result, vector);
           return;
         }
       const double along =
@@ -71,15 +71,29 @@ namespace ElastoPlastic
       remainder = vector;
       remainder.add(-along, solver.tangent_times_response);
       solver.unknowns.set_entries(remainder, 0.);
-      solver.preconditioner->vmult(result, remainder);
+      precondition(result, remainder);
       result.add(along - (solver.tangent_times_response * result) /
                            solver.response_stiffness,
                  solver.response);
     }
 
   private:
+    void
+    precondition(VectorType &result, const VectorType &forces) const
+    {
+      if (!solver.unknowns.have_slopes())
+        {
+          solver.preconditioner->vmult(result, forces);
+          return;
+        }
+      released = forces;
+      solver.unknowns.release_entering(released);
+      solver.preconditioner->vmult(result, released);
+      solver.unknowns.bind_entering(result);
+    }
+
     const TangentSolver &solver;
-    mutable VectorType   remainder;
+    mutable VectorType   remainder, released;
   };
 
 
@@ -172,7 +186,7 @@ namespace ElastoPlastic
         tangent.initialize_vector(response);
         tangent.initialize_vector(tangent_times_response);
       }
-    unknowns.set_leading_value(response, 1.);
+    unknowns.reduce_motion(response, 1.);
     if (is_mixed())
       MixedSystem(tangent, unknowns)
         .vmult_moderate(tangent_times_response, response);

@@ -7,10 +7,8 @@
 #include <cmath>
 
 #include "base/ghost_values.h"
-#include "contact/contact_edge.h"
+#include "contact/contact_faces.h"
 #include "contact/contact_nodes.h"
-
-// The faces of ContactEdge, and integrals over parts of them.
 
 namespace ElastoPlastic
 {
@@ -34,7 +32,7 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  ContactEdge<dim>::reinit(const DoFHandler<dim>              &dof_handler,
+  ContactFaces<dim>::reinit(const DoFHandler<dim>              &dof_handler,
                            const AffineConstraints<double>    &new_constraints,
                            const std::set<types::boundary_id> &boundaries,
                            const Kinematics                    new_kinematics,
@@ -93,7 +91,7 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  ContactEdge<dim>::find_areas()
+  ContactFaces<dim>::find_areas()
   {
     std::array<double, n_nodes> below;
     below.fill(-1.);
@@ -104,8 +102,8 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  typename ContactEdge<dim>::Vector
-  ContactEdge<dim>::areas() const
+  typename ContactFaces<dim>::Vector
+  ContactFaces<dim>::areas() const
   {
     Vector result(vector_layout);
     for (const Face &face : faces)
@@ -119,9 +117,84 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  std::vector<EdgeLaw::Pair>
+  ContactFaces<dim>::neighbors() const
+  {
+    std::set<EdgeLaw::Pair> pairs;
+    for (const Face &face : faces)
+      {
+        std::set<types::global_dof_index> dofs;
+        for (const auto dof : face.dofs)
+          if (const auto *const masters =
+                constraints->get_constraint_entries(dof))
+            for (const auto &[master, weight] : *masters)
+              dofs.insert(master);
+          else
+            dofs.insert(dof);
+        for (const auto one : dofs)
+          for (const auto other : dofs)
+            if (one < other)
+              pairs.emplace(one, other);
+      }
+    return {pairs.begin(), pairs.end()};
+  }
+
+
+
+  // The level of a closed node is as far below zero as the mean of the others
+  // is below one: on a face of two nodes, the part 1 - level is touched.
+  template <int dim>
+  typename ContactFaces<dim>::Vector
+  ContactFaces<dim>::touched_areas(const Vector &kinds,
+                                   const Vector &levels) const
+  {
+    const Vector      whole = areas();
+    const GhostValues ghosts_of_kinds(kinds), ghosts_of_levels(levels);
+    Vector            result(vector_layout);
+    for (const Face &face : faces)
+      {
+        unsigned int n_others = 0, n_closed = 0;
+        double       sum = 0;
+        for (const auto dof : face.dofs)
+          {
+            n_others += (kinds(dof) == not_closed);
+            n_closed += (kinds(dof) == closed);
+            sum += (kinds(dof) == not_closed ? levels(dof) : 0.);
+          }
+        if (n_others == 0 || n_closed == 0 || n_others + n_closed < n_nodes)
+          continue;
+
+        std::array<double, n_nodes> level;
+        for (unsigned int n = 0; n < n_nodes; ++n)
+          level[n] = kinds(face.dofs[n]) == closed ? sum / n_others - 1. :
+                                                     levels(face.dofs[n]);
+        const auto touched = integrate(face, level);
+        double     own = 0, all = 0;
+        for (unsigned int n = 0; n < n_nodes; ++n)
+          {
+            own += kinds(face.dofs[n]) == closed ? touched[n] : 0.;
+            all += touched[n];
+          }
+        for (unsigned int n = 0; n < n_nodes; ++n)
+          if (kinds(face.dofs[n]) == closed)
+            result(face.dofs[n]) +=
+              (own > 0. ? touched[n] * all / own : 0.) - face.areas[n];
+      }
+    result.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
+      result.local_element(i) =
+        kinds.local_element(i) == closed ?
+          whole.local_element(i) + result.local_element(i) :
+          0.;
+    return result;
+  }
+
+
+
   template <>
   std::array<double, 2>
-  ContactEdge<2>::projected_density(
+  ContactFaces<2>::projected_density(
     const std::array<Point<2>, 2> &positions) const
   {
     const double length = std::abs(positions[1][0] - positions[0][0]);
@@ -133,7 +206,7 @@ namespace ElastoPlastic
 
   template <>
   std::array<double, 4>
-  ContactEdge<3>::projected_density(
+  ContactFaces<3>::projected_density(
     const std::array<Point<3>, 4> &positions) const
   {
     std::array<double, 4> density;
@@ -149,10 +222,10 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  ContactEdge<dim>
-  ContactEdge<dim>::moved(const Vector &u) const
+  ContactFaces<dim>
+  ContactFaces<dim>::moved(const Vector &u) const
   {
-    ContactEdge       result = *this;
+    ContactFaces       result = *this;
     const GhostValues ghosts_of_u(u);
     for (Face &face : result.faces)
       {
@@ -169,7 +242,7 @@ namespace ElastoPlastic
 
   template <>
   std::array<double, 2>
-  ContactEdge<2>::integrate(const Face                  &face,
+  ContactFaces<2>::integrate(const Face                  &face,
                             const std::array<double, 2> &levels)
   {
     const auto [begin, end] = negative_part(levels[0], levels[1]);
@@ -193,7 +266,7 @@ namespace ElastoPlastic
   // both directions.
   template <>
   std::array<double, 4>
-  ContactEdge<3>::integrate(const Face                  &face,
+  ContactFaces<3>::integrate(const Face                  &face,
                             const std::array<double, 4> &levels)
   {
     const QGauss<1>       gauss(2), lines(8);
@@ -231,20 +304,6 @@ namespace ElastoPlastic
 
 
 
-  template void
-  ContactEdge<2>::reinit(const DoFHandler<2> &,
-                         const AffineConstraints<double> &,
-                         const std::set<types::boundary_id> &,
-                         const Kinematics,
-                         const Vector &);
-  template void
-  ContactEdge<3>::reinit(const DoFHandler<3> &,
-                         const AffineConstraints<double> &,
-                         const std::set<types::boundary_id> &,
-                         const Kinematics,
-                         const Vector &);
-  template ContactEdge<2>
-  ContactEdge<2>::moved(const Vector &) const;
-  template ContactEdge<3>
-  ContactEdge<3>::moved(const Vector &) const;
+  template class ContactFaces<2>;
+  template class ContactFaces<3>;
 } // namespace ElastoPlastic

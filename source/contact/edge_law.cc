@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <boost/serialization/vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "contact/edge_law.h"
+#include "contact/rise_of_gap.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// What a node bears at most before it touches, of the mean pressure of its
+    /// inner neighbours.
+    constexpr double largest_share = 0.5;
+
+
+
+    /// P(y) = X (1 - (1 - y)^3) / 3, continued as sweep() wants it.
+    double
+    penetration(const double opening)
+    {
+      if (opening <= 0.)
+        return largest_share * opening;
+      const double touched = std::max(1. - opening, 0.);
+      return largest_share * (1. - touched * touched * touched) / 3.;
+    }
+  } // namespace
+
+
+
+  double
+  EdgeLaw::share(const double opening)
+  {
+    const double touched = std::clamp(1. - opening, 0., 1.);
+    return largest_share * touched * touched;
+  }
+
+
+
+  double
+  EdgeLaw::stiffness(const unsigned int node, const double opening) const
+  {
+    return opening > 0. && opening < 1. ?
+             2. * largest_share * (1. - opening) / rise(node) :
+             0.;
+  }
+
+
+
+  // All ranks find out all of it, which is little, and keep what concerns
+  // their nodes.
+  void
+  EdgeLaw::reinit(const std::vector<Node> &nodes,
+                  const std::vector<Pair> &pairs,
+                  const MPI_Comm           communicator)
+  {
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+    const auto of_ranks     = Utilities::MPI::all_gather(communicator, nodes);
+    std::vector<Node> all;
+    unsigned int      begin = 0;
+    for (unsigned int r = 0; r < of_ranks.size(); ++r)
+      {
+        if (r == rank)
+          begin = all.size();
+        all.insert(all.end(), of_ranks[r].begin(), of_ranks[r].end());
+      }
+    const RiseOfGap rise(all, pairs, communicator);
+
+    IndexSet owned(all.size()), relevant(all.size());
+    owned.add_range(begin, begin + nodes.size());
+    for (unsigned int k = begin; k < begin + nodes.size(); ++k)
+      for (const auto &outer : rise.outer_neighbors[k])
+        relevant.add_index(outer.node);
+    const auto partitioner =
+      std::make_shared<Utilities::MPI::Partitioner>(owned,
+                                                    relevant,
+                                                    communicator);
+    layout = partitioner;
+
+    outer_neighbors.assign(nodes.size(), {});
+    rises.reinit(layout);
+    parts.assign(nodes.size(), false);
+    entries.clear();
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      {
+        for (const auto &[node, coefficient] : rise.outer_neighbors[begin + k])
+          outer_neighbors[k].push_back(
+            {partitioner->global_to_local(node), coefficient});
+        rises.local_element(k) = rise.rises[begin + k];
+        parts[k]               = rise.have_part[begin + k];
+        entries.push_back(nodes[k].entry);
+      }
+    rises.update_ghost_values();
+
+    from_high_to_low.resize(nodes.size());
+    std::iota(from_high_to_low.begin(), from_high_to_low.end(), 0U);
+    std::stable_sort(from_high_to_low.begin(),
+                     from_high_to_low.end(),
+                     [&](const unsigned int j, const unsigned int k) {
+                       return nodes[j].gap > nodes[k].gap;
+                     });
+  }
+
+
+
+  double
+  EdgeLaw::allowance(const unsigned int node, const Vector &openings) const
+  {
+    double sum = 0;
+    for (const auto &[outer, coefficient] : outer_neighbors[node])
+      sum += coefficient * rises.local_element(outer) *
+             penetration(openings.local_element(outer));
+    return sum;
+  }
+
+
+
+  // On one rank, the second round finds nothing to change: the outer neighbours
+  // of a node are higher.
+  template <typename Opening>
+  EdgeLaw::Place
+  EdgeLaw::sweep(const std::vector<double> &gaps, const Opening &opening) const
+  {
+    Place result{Vector(layout), std::vector<double>(gaps.size())};
+    for (bool changed = true; changed;)
+      {
+        changed = false;
+        result.openings.update_ghost_values();
+        for (const unsigned int k : from_high_to_low)
+          {
+            result.allowances[k] = allowance(k, result.openings);
+            const double y       = opening(k, gaps[k] + result.allowances[k]);
+            changed |= (y != result.openings.local_element(k));
+            result.openings.local_element(k) = y;
+          }
+        changed =
+          Utilities::MPI::logical_or(changed, layout->get_mpi_communicator());
+      }
+    return result;
+  }
+
+
+
+  EdgeLaw::Place
+  EdgeLaw::place(const std::vector<double>        &gaps,
+                 const std::vector<ContactStatus> &statuses) const
+  {
+    if (!exists())
+      return {Vector(), std::vector<double>(gaps.size())};
+    return sweep(gaps, [&](const unsigned int k, const double distance) {
+      return statuses[k] == ContactStatus::open   ? 1. :
+             statuses[k] == ContactStatus::closed ? 0. :
+                                                    distance / rise(k);
+    });
+  }
+
+
+
+  EdgeLaw::Place
+  EdgeLaw::largest_openings(const std::vector<double> &gaps) const
+  {
+    if (!exists())
+      return {Vector(), std::vector<double>(gaps.size())};
+    return sweep(gaps, [&](const unsigned int k, const double distance) {
+      return distance <= 0.      ? 0. :
+             distance >= rise(k) ? 1. :
+                                   distance / rise(k);
+    });
+  }
+
+
+
+  std::vector<double>
+  EdgeLaw::forces_inside(const std::vector<double> &forces) const
+  {
+    std::vector<double> result(forces.size());
+    if (!exists())
+      return result;
+    Vector sums(layout);
+    for (unsigned int k = 0; k < forces.size(); ++k)
+      for (const auto &[outer, coefficient] : outer_neighbors[k])
+        sums.local_element(outer) += coefficient * forces[k];
+    sums.compress(VectorOperation::add);
+    for (unsigned int k = 0; k < forces.size(); ++k)
+      result[k] = sums.local_element(k);
+    return result;
+  }
+
+
+
+  std::shared_ptr<const SharedRows>
+  EdgeLaw::rows(const Place                      &place,
+                const std::vector<ContactStatus> &statuses) const
+  {
+    if (!exists())
+      return {};
+    Vector shares(layout);
+    for (unsigned int k = 0; k < statuses.size(); ++k)
+      if (statuses[k] == ContactStatus::entering)
+        shares.local_element(k) = share(place.openings.local_element(k));
+    shares.update_ghost_values();
+
+    SharedRows::Rows result;
+    for (unsigned int k = 0; k < statuses.size(); ++k)
+      {
+        if (statuses[k] == ContactStatus::open)
+          continue;
+        std::vector<SharedRows::Rows::Entry> row;
+        for (const auto &[outer, coefficient] : outer_neighbors[k])
+          if (const double share = shares.local_element(outer); share > 0.)
+            row.push_back({outer, coefficient * share});
+        if (!row.empty())
+          result.add(k, row);
+      }
+    result.finish();
+    return std::make_shared<SharedRows>(result, entries, layout);
+  }
+} // namespace ElastoPlastic

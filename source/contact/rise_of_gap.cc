@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "contact/rise_of_gap.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// A spot of a few elements is not to disappear in what its edge allows:
+    /// the rise is at most this part of the height above the tip of the spot.
+    constexpr double largest_part_of_height = 0.25;
+    /// A tip, whose own rise is zero, is plain; a node whose rise is at least
+    /// this part of that of its outer neighbour is not.
+    constexpr double least_rise_inside = 1. / 3.;
+    /// What the outer neighbours of a node have together is at most so many
+    /// times its own area.
+    constexpr double largest_area_outside = 2.;
+    /// Against the largest, smaller rises are rounding.
+    constexpr double smallest_rise = 1e-12;
+
+
+
+    /// The numbers of the neighbours of each node, ascending.
+    std::vector<std::set<unsigned int>>
+    neighbors_of(const std::vector<EdgeLaw::Node> &nodes,
+                 const std::vector<EdgeLaw::Pair> &pairs,
+                 const MPI_Comm                    communicator)
+    {
+      const auto number = [&](const types::global_dof_index dof) {
+        const auto found =
+          std::lower_bound(nodes.begin(),
+                           nodes.end(),
+                           dof,
+                           [](const EdgeLaw::Node          &node,
+                              const types::global_dof_index value) {
+                             return node.dof < value;
+                           });
+        return found != nodes.end() && found->dof == dof ?
+                 static_cast<unsigned int>(found - nodes.begin()) :
+                 numbers::invalid_unsigned_int;
+      };
+      std::vector<std::pair<unsigned int, unsigned int>> links;
+      for (const auto &[one, other] : pairs)
+        {
+          const auto link = std::make_pair(number(one), number(other));
+          if (link.first != numbers::invalid_unsigned_int &&
+              link.second != numbers::invalid_unsigned_int)
+            links.push_back(link);
+        }
+      std::vector<std::set<unsigned int>> result(nodes.size());
+      for (const auto &of_rank :
+           Utilities::MPI::all_gather(communicator, links))
+        for (const auto &[one, other] : of_rank)
+          {
+            result[one].insert(other);
+            result[other].insert(one);
+          }
+      return result;
+    }
+  } // namespace
+
+
+
+  // The weight w_bj of an inner neighbour is in proportion to how much lower
+  // the gap is there. From low to high: the height of the foot of a node is the
+  // weighted mean of those of its inner neighbours.
+  RiseOfGap::RiseOfGap(const std::vector<EdgeLaw::Node> &nodes,
+                       const std::vector<EdgeLaw::Pair> &pairs,
+                       const MPI_Comm                    communicator)
+    : outer_neighbors(nodes.size())
+    , rises(nodes.size())
+    , have_part(nodes.size())
+  {
+    const auto neighbors = neighbors_of(nodes, pairs, communicator);
+    std::vector<unsigned int> from_low_to_high(nodes.size());
+    std::iota(from_low_to_high.begin(), from_low_to_high.end(), 0U);
+    std::stable_sort(from_low_to_high.begin(),
+                     from_low_to_high.end(),
+                     [&](const unsigned int j, const unsigned int k) {
+                       return nodes[j].gap < nodes[k].gap;
+                     });
+
+    std::vector<double> feet(nodes.size()), full_rises(nodes.size()),
+      areas_outside(nodes.size());
+    std::vector<std::vector<Neighbor>> inner_neighbors(nodes.size());
+    for (const unsigned int b : from_low_to_high)
+      {
+        double sum = 0;
+        for (const unsigned int j : neighbors[b])
+          if (nodes[j].gap < nodes[b].gap)
+            {
+              const double rise = nodes[b].gap - nodes[j].gap;
+              sum += rise;
+              inner_neighbors[b].push_back({j, rise});
+            }
+        feet[b] = inner_neighbors[b].empty() ? nodes[b].gap : 0.;
+        for (auto &[j, weight] : inner_neighbors[b])
+          {
+            full_rises[b] += weight * weight / sum;
+            weight /= sum;
+            feet[b] += weight * feet[j];
+          }
+        rises[b] = std::min(full_rises[b],
+                            largest_part_of_height * (nodes[b].gap - feet[b]));
+      }
+
+    const double negligible =
+      nodes.empty() ?
+        0. :
+        smallest_rise * *std::max_element(rises.begin(), rises.end());
+    for (unsigned int b = 0; b < nodes.size(); ++b)
+      {
+        if (rises[b] <= negligible)
+          continue;
+        for (const auto &[j, weight] : inner_neighbors[b])
+          {
+            const double is_no_tip =
+              std::min(1., full_rises[j] / (least_rise_inside * full_rises[b]));
+            const double area = nodes[b].area * weight * is_no_tip;
+            if (area == 0.)
+              continue;
+            have_part[b] = true;
+            areas_outside[j] += area;
+            outer_neighbors[j].push_back({b, area});
+          }
+      }
+    for (unsigned int j = 0; j < nodes.size(); ++j)
+      for (Neighbor &outer : outer_neighbors[j])
+        outer.coefficient *=
+          std::min(1. / nodes[j].area, largest_area_outside / areas_outside[j]);
+  }
+} // namespace ElastoPlastic
