@@ -126,6 +126,7 @@ namespace ElastoPlastic
     TimerOutput::Scope scope(timer, "Newton: residual");
     const double       stored = solid.internal_forces(residual, u);
     residual.sadd(-1., 1., external_forces);
+    contact.find_entering(u);
     collect_unknowns(u, residual);
     return total_energy(stored, u);
   }

@@ -133,6 +133,11 @@ namespace ElastoPlastic
     void
     activate_touching(const Vector &u);
 
+    /// Finds out which of the nodes that are not closed are entering at @p u.
+    /// Collective.
+    void
+    find_entering(const Vector &u);
+
     /// Takes none as active.
     void
     deactivate_all();

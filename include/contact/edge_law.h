@@ -96,15 +96,15 @@ namespace ElastoPlastic
     /// Where the edge is.
     struct Place
     {
-      /// y_j, with ghosts; as if P were continued linearly below 0, and
-      /// constant above 1.
+      /// y_j, with ghosts.
       Vector openings;
       /// By nodes.
       std::vector<double> allowances;
     };
 
-    /// With these @p gaps of the nodes: y is 1 at open nodes, 0 at closed ones,
-    /// and follows from the gap at those that are entering. Collective.
+    /// With these @p gaps of the nodes: y is 0 at closed nodes, and follows
+    /// from the gaps at others; where these are beyond their bound it is
+    /// negative, as if P were continued linearly. Collective.
     Place
     place(const std::vector<double>        &gaps,
           const std::vector<ContactStatus> &statuses) const;

@@ -64,6 +64,13 @@ namespace ElastoPlastic
     bool
     is_trivial() const;
 
+    /// Whether there may be entering unknowns.
+    bool
+    have_entering() const
+    {
+      return shared.rows != nullptr;
+    }
+
     /// Whether bounds are sloped.
     bool
     have_slopes() const
@@ -136,6 +143,9 @@ namespace ElastoPlastic
     set_slopes(Vector &vector) const;
 
   private:
+    std::vector<double>
+    entering_values(const Vector &vector) const;
+
     bool
     owns_leader() const;
 

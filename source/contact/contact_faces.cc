@@ -33,10 +33,10 @@ namespace ElastoPlastic
   template <int dim>
   void
   ContactFaces<dim>::reinit(const DoFHandler<dim>              &dof_handler,
-                           const AffineConstraints<double>    &new_constraints,
-                           const std::set<types::boundary_id> &boundaries,
-                           const Kinematics                    new_kinematics,
-                           const Vector                       &layout)
+                            const AffineConstraints<double>    &new_constraints,
+                            const std::set<types::boundary_id> &boundaries,
+                            const Kinematics                    new_kinematics,
+                            const Vector                       &layout)
   {
     constraints   = &new_constraints;
     kinematics    = new_kinematics;
@@ -225,7 +225,7 @@ namespace ElastoPlastic
   ContactFaces<dim>
   ContactFaces<dim>::moved(const Vector &u) const
   {
-    ContactFaces       result = *this;
+    ContactFaces      result = *this;
     const GhostValues ghosts_of_u(u);
     for (Face &face : result.faces)
       {
@@ -243,7 +243,7 @@ namespace ElastoPlastic
   template <>
   std::array<double, 2>
   ContactFaces<2>::integrate(const Face                  &face,
-                            const std::array<double, 2> &levels)
+                             const std::array<double, 2> &levels)
   {
     const auto [begin, end] = negative_part(levels[0], levels[1]);
     const QGauss<1>       gauss(2); // exact
@@ -267,7 +267,7 @@ namespace ElastoPlastic
   template <>
   std::array<double, 4>
   ContactFaces<3>::integrate(const Face                  &face,
-                            const std::array<double, 4> &levels)
+                             const std::array<double, 4> &levels)
   {
     const QGauss<1>       gauss(2), lines(8);
     std::array<double, 4> result = {{0., 0., 0., 0.}};

@@ -311,7 +311,7 @@ namespace ElastoPlastic
 
 
 
-  // (What is entering allows less to what is inside.)
+  // (What is closed allows nothing to what is inside.)
   template <int dim>
   void
   ContactSet<dim>::activate_touching(const Vector &u)
@@ -325,10 +325,27 @@ namespace ElastoPlastic
           const double distance = gaps[k] + place.allowances[k];
           return node.status == ContactStatus::closed || distance <= tolerance ?
                    ContactStatus::closed :
-                   std::max(node.status, law.status_at(k, distance));
+                   law.status_at(k, distance);
         });
       }
     find_contact(u);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::find_entering(const Vector &u)
+  {
+    if (!law.exists())
+      return;
+    const std::vector<double> gaps  = this->gaps(u, depth_at(u));
+    const auto                place = law.place(gaps, statuses());
+    set_statuses(u, [&](const unsigned int k, const Node &node) {
+      return node.status == ContactStatus::closed ?
+               ContactStatus::closed :
+               law.status_at(k, gaps[k] + place.allowances[k]);
+    });
   }
 
 

@@ -22,12 +22,18 @@ namespace ElastoPlastic
 
 
 
-    /// P(y) = X (1 - (1 - y)^3) / 3, continued as sweep() wants it.
+    /// Iterates may be beyond their bounds: for a little of that, the share
+    /// stays what it is at the bound.
+    constexpr double smallest_opening = -1. / 3.;
+
+
+
+    /// P(y) = X (1 - (1 - y)^3) / 3.
     double
     penetration(const double opening)
     {
       if (opening <= 0.)
-        return largest_share * opening;
+        return largest_share * std::max(opening, smallest_opening);
       const double touched = std::max(1. - opening, 0.);
       return largest_share * (1. - touched * touched * touched) / 3.;
     }
@@ -38,6 +44,8 @@ namespace ElastoPlastic
   double
   EdgeLaw::share(const double opening)
   {
+    if (opening < smallest_opening)
+      return 0.;
     const double touched = std::clamp(1. - opening, 0., 1.);
     return largest_share * touched * touched;
   }
@@ -155,9 +163,9 @@ namespace ElastoPlastic
     if (!exists())
       return {Vector(), std::vector<double>(gaps.size())};
     return sweep(gaps, [&](const unsigned int k, const double distance) {
-      return statuses[k] == ContactStatus::open   ? 1. :
-             statuses[k] == ContactStatus::closed ? 0. :
-                                                    distance / rise(k);
+      return statuses[k] == ContactStatus::closed ? 0. :
+             has_part(k) ? std::min(distance / rise(k), 1.) :
+                           1.;
     });
   }
 

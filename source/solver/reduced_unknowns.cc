@@ -11,6 +11,11 @@ namespace ElastoPlastic
 {
   namespace
   {
+    /// Of the series of 1 / (1 - t).
+    constexpr unsigned int n_terms = 3;
+
+
+
     void
     add_along_force_slope(ReducedUnknowns::Vector &forces,
                           const SlopedBound       &bound,
@@ -184,9 +189,27 @@ namespace ElastoPlastic
 
 
 
+  // (1 - t)^-1 and its transpose, by the first terms of their series: from one
+  // entering unknown to the next, t is at most a half, mostly.
   void
   ReducedUnknowns::release_entering(Vector &forces) const
   {
+    if (!shared.rows)
+      return;
+    const std::vector<double> own = entering_values(forces);
+    for (unsigned int n = 0; n < n_terms; ++n)
+      {
+        Vector shares(forces.get_partitioner());
+        shared.rows->shares(forces,
+                            [&](const unsigned int i, const double share) {
+                              shares.local_element(i) = share;
+                            });
+        for (unsigned int k = 0; k < own.size(); ++k)
+          {
+            const unsigned int i    = shared.entering[k].index;
+            forces.local_element(i) = own[k] + shares.local_element(i);
+          }
+      }
     for (const SlopedBound &bound : sloped_bounds)
       if (bound.entering)
         for (unsigned int j = 0; j < bound.n_others; ++j)
@@ -199,9 +222,36 @@ namespace ElastoPlastic
   void
   ReducedUnknowns::bind_entering(Vector &increment) const
   {
+    if (!shared.rows)
+      return;
     for (const SlopedBound &bound : sloped_bounds)
       if (bound.entering)
         increment.local_element(bound.index) -= along_slope(bound, increment);
+    const std::vector<double> own = entering_values(increment);
+    for (unsigned int n = 0; n < n_terms; ++n)
+      {
+        Vector sums(increment.get_partitioner());
+        shared.rows->sums(increment,
+                          [&](const unsigned int i, const double sum) {
+                            sums.local_element(i) = sum;
+                          });
+        for (unsigned int k = 0; k < own.size(); ++k)
+          {
+            const unsigned int i       = shared.entering[k].index;
+            increment.local_element(i) = own[k] + sums.local_element(i);
+          }
+      }
+  }
+
+
+
+  std::vector<double>
+  ReducedUnknowns::entering_values(const Vector &vector) const
+  {
+    std::vector<double> values;
+    for (const EnteringUnknown &unknown : shared.entering)
+      values.push_back(vector.local_element(unknown.index));
+    return values;
   }
 
 
@@ -209,9 +259,9 @@ namespace ElastoPlastic
   void
   ReducedUnknowns::reduce_motion(Vector &vector, const double motion) const
   {
-    bind_entering(vector);
     for (const EnteringUnknown &unknown : shared.entering)
       vector.local_element(unknown.index) -= motion;
+    bind_entering(vector);
     set_leading_value(vector, motion);
   }
 

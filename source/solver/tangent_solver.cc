@@ -81,7 +81,7 @@ namespace ElastoPlastic
     void
     precondition(VectorType &result, const VectorType &forces) const
     {
-      if (!solver.unknowns.have_slopes())
+      if (!solver.unknowns.have_entering())
         {
           solver.preconditioner->vmult(result, forces);
           return;
