@@ -8,7 +8,6 @@
 #include <deal.II/grid/tria_description.h>
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace ElastoPlastic
@@ -58,10 +57,6 @@ namespace ElastoPlastic
     const std::vector<CellData<3>> &
     cells() const;
 
-    /// The number of the surface on whose wall a vertex lies, if there is one.
-    std::optional<unsigned int>
-    wall_through(const unsigned int vertex) const;
-
   private:
     using Numbers = std::vector<unsigned int>; ///< of vertices
 
@@ -93,16 +88,9 @@ namespace ElastoPlastic
     void
     add_ring(const SurfaceVertices &inside, const SurfaceVertices &outside);
 
-    void
-    mark_wall(const SurfaceVertices &surface);
-
     const DividedSector      sector;
     std::vector<Point<3>>    all_vertices;
     std::vector<CellData<3>> all_cells;
-    unsigned int             n_walls = 0;
-
-    /// By vertex.
-    std::vector<std::optional<unsigned int>> walls;
   };
 } // namespace ElastoPlastic
 

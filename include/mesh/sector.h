@@ -45,7 +45,7 @@ namespace ElastoPlastic
   ///
   /// Its boundaries are top, bottom, side (the cylinder), front (y = 0) and
   /// back, which at 180 degrees is a part of front. Refinement follows the
-  /// cylinder, and circles inside.
+  /// cylinder; all other edges are straight.
   template <int dim>
   BoundaryNames
   make_sector(const SectorParameters &parameters,

@@ -87,19 +87,10 @@ namespace ElastoPlastic
 
 
 
-  std::optional<unsigned int>
-  NestedShells::wall_through(const unsigned int vertex) const
-  {
-    return walls[vertex];
-  }
-
-
-
   unsigned int
   NestedShells::add_vertex(const double x, const double y, const double z)
   {
     all_vertices.emplace_back(x, y, z);
-    walls.emplace_back();
     return all_vertices.size() - 1;
   }
 
@@ -129,7 +120,6 @@ namespace ElastoPlastic
         add_vertex(surface.radius * x[0], surface.radius * x[1], 0.));
     const SurfaceVertices core = {add_floor(surface), on_arc(roof)};
     add_cells_between(core.floor, roof);
-    mark_wall(core);
     return core;
   }
 
@@ -145,7 +135,6 @@ namespace ElastoPlastic
                                        0.));
     add_cells_between(outside.floor, inside.floor);
     add_ring(inside, outside);
-    mark_wall(outside);
     return outside;
   }
 
@@ -213,14 +202,4 @@ namespace ElastoPlastic
       }
   }
 
-
-
-  void
-  NestedShells::mark_wall(const SurfaceVertices &surface)
-  {
-    for (const Numbers &vertices : {on_arc(surface.floor), surface.rim})
-      for (const unsigned int v : vertices)
-        walls[v] = n_walls;
-    ++n_walls;
-  }
 } // namespace ElastoPlastic

@@ -115,22 +115,17 @@ namespace ElastoPlastic
 
 
 
-    /// The walls of shells are round. Planes of symmetry are flat, so
-    /// that they stay plane to the last digit.
+    /// Inside, where a face may have cells of different size on both sides, all
+    /// edges are straight; and so are those in the planes of symmetry, which
+    /// stay planes to the last digit.
     void
-    follow_walls(const NestedShells &shells, Triangulation<3> &mesh)
+    follow_cylinder(Triangulation<3> &mesh)
     {
       mesh.set_all_manifold_ids(numbers::flat_manifold_id);
       mesh.set_manifold(cylindrical, CylindricalManifold<3>(2));
       for (const auto &face : mesh.active_face_iterators())
-        {
-          const auto wall  = shells.wall_through(face->vertex_index(0));
-          bool       round = wall.has_value();
-          for (const unsigned int v : face->vertex_indices())
-            round = round && shells.wall_through(face->vertex_index(v)) == wall;
-          if (round)
-            face->set_all_manifold_ids(cylindrical);
-        }
+        if (face->boundary_id() == id(Side::round))
+          face->set_all_manifold_ids(cylindrical);
       for (const auto &face : mesh.active_face_iterators())
         if (face->boundary_id() == id(Side::front) ||
             face->boundary_id() == id(Side::back))
@@ -179,13 +174,12 @@ namespace ElastoPlastic
       core_radius,
       "Type sector: radius and depth of the part under the tip where the cells "
       "of the coarse mesh are smallest, half as large as the core. Around and "
-      "below it lie shells, each twice as large as the one inside it (or nearly "
-      "so: a whole number of them reaches up to the radius). With "
-      "n initial refinements, 2^(n+1) elements lie across the radius of a "
-      "contact that just fills a shell, and 2^n or more across any that is "
-      "larger than the core: a quarter of the expected contact radius is a good "
-      "choice. Unit: length; allowed: at most half the radius, at least a "
-      "millionth.",
+      "below it lie shells, each twice as large as the one inside it, or nearly "
+      "so: a whole number of them reaches up to the radius. After n initial "
+      "refinements, the elements at the edge of a contact measure between 1/2^n "
+      "and 1/2^(n+1) of its radius, once it is larger than the core. A quarter "
+      "of the largest radius of the contact is a good choice. Unit: length; "
+      "allowed: at most half the radius, at least a millionth of it.",
       Patterns::Double());
   }
 
@@ -240,7 +234,7 @@ namespace ElastoPlastic
         for (const auto &face : triangulation.active_face_iterators())
           if (face->at_boundary())
             face->set_all_boundary_ids(id(side_of(face, parameters)));
-        follow_walls(shells, triangulation);
+        follow_cylinder(triangulation);
       }
     else
       AssertThrow(false, ExcNotImplemented());
