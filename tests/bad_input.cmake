@@ -214,6 +214,14 @@ add_entry_test(circle_too_large "'Geometry/Circle radius' is '1', but it must be
 add_entry_test(circle_between_cells "'Geometry/Circle radius' is '0.1', but .*'Circle centre', which must be a corner of cells" Dimension=3 "Geometry/Circle radius=0.1" "Geometry/Circle centre=0.6, 0.5")
 add_entry_test(ball_radius "'Geometry/Radius' is '0', but it must be greater than 0" "Geometry/Type=half ball" "Geometry/Radius=0")
 add_entry_test(ball_part "'Geometry/Part' is 'quarter', but in two dimensions" "Geometry/Type=half ball" "Geometry/Part=quarter")
+add_entry_test(sector_2d "'Geometry/Type' is 'sector', but a sector of a round block needs 'Dimension = 3'" "Geometry/Type=sector")
+add_entry_test(sector_radius "'Geometry/Radius' is '0', but it must be greater than 0" Dimension=3 "Geometry/Type=sector" "Geometry/Radius=0")
+add_entry_test(sector_angle "'Geometry/Sector angle' is '181', but it must be greater than 0 and at most 180 degrees" Dimension=3 "Geometry/Type=sector" "Geometry/Sector angle=181")
+add_entry_test(sector_no_angle "'Geometry/Sector angle' is '0', but it must be greater than 0" Dimension=3 "Geometry/Type=sector" "Geometry/Sector angle=0")
+add_entry_test(sector_core "'Geometry/Core radius' is '0.6', but it must be at most half of 'Radius', which is 1" Dimension=3 "Geometry/Type=sector" "Geometry/Core radius=0.6")
+add_entry_test(sector_no_core "'Geometry/Core radius' is '0', but .* at least a millionth" Dimension=3 "Geometry/Type=sector" "Geometry/Core radius=0")
+add_entry_test(sector_height "'Geometry/Height' is '0.1', but it must be at least twice 'Core radius', which is 0.125" Dimension=3 "Geometry/Type=sector" "Geometry/Height=0.1")
+add_entry_test(sector_one_plane "'back'.* front, side, top" Dimension=3 "Geometry/Type=sector" "Geometry/Sector angle=180" "Boundary conditions/Roller=front, back" "Boundary conditions/Fixed=bottom" "Boundary conditions/Free=side")
 
 add_message_test(unused_material 0 "Warning: No cell of the mesh consists of the material 1, .* 'Geometry/Material id'" ${_base} --validate --set "Geometry/Material id=if(y > 0.99, 1, 0)" --set "Material/Yield stress=1,2")
 

@@ -16,6 +16,7 @@
 #include "mechanics/rigid_body_modes.h"
 #include "mechanics/supports.h"
 #include "mesh/half_ball.h"
+#include "mesh/sector.h"
 #include "sample_mesh.h"
 #include "sample_model.h"
 

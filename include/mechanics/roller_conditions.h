@@ -5,6 +5,7 @@
 #define mechanics_roller_conditions_h
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/component_mask.h>
 #include <deal.II/lac/affine_constraints.h>
 
 #include <map>
@@ -18,6 +19,13 @@ namespace ElastoPlastic
   unsigned int
   common_normal_axis(const DoFHandler<dim>   &dof_handler,
                      const types::boundary_id boundary);
+
+  /// The components of normals that do not vanish on all faces of a boundary.
+  /// Collective.
+  template <int dim>
+  ComponentMask
+  components_of_normals(const DoFHandler<dim>   &dof_handler,
+                        const types::boundary_id boundary);
 
   /// Adds the condition that @p line states to @p constraints, solved for the
   /// degree of freedom with the largest coefficient of those that neither

@@ -80,8 +80,8 @@ namespace ElastoPlastic
   private:
     using Values = std::map<types::global_dof_index, double>;
 
-    /// @return the rollers that are not normal to an axis.
-    std::set<types::boundary_id>
+    /// Finds those that are normal to an axis, and the others. Collective.
+    void
     sort_rollers();
 
     /// The prescribed displacements at @p time, of nodes that other supports
@@ -101,7 +101,7 @@ namespace ElastoPlastic
     /// Rollers on surfaces that are not normal to an axis: a constraint of no
     /// normal displacement.
     void
-    add_skew_rollers(const std::set<types::boundary_id> &rollers);
+    add_skew_rollers();
 
     /// Hanging nodes follow their masters, also where those are fixed.
     void
@@ -113,6 +113,9 @@ namespace ElastoPlastic
 
     /// The rollers that are normal to an axis, with that axis.
     std::map<types::boundary_id, unsigned int> level_rollers;
+
+    /// The others, with the components of their normals.
+    std::map<types::boundary_id, ComponentMask> skew_rollers;
 
     /// Of hanging nodes; and of them and skew rollers, if there are any.
     AffineConstraints<double>                  hanging;

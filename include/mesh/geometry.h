@@ -15,6 +15,7 @@
 #include "mesh/box.h"
 #include "mesh/gmsh_file.h"
 #include "mesh/half_ball.h"
+#include "mesh/sector.h"
 
 namespace ElastoPlastic
 {
@@ -26,6 +27,7 @@ namespace ElastoPlastic
     std::string         type = "box";
     BoxParameters       box;
     HalfBallParameters  half_ball;
+    SectorParameters    sector;
     GmshFileParameters  gmsh_file;
     unsigned int        initial_refinements = 0;
     unsigned int        local_refinements   = 0;

@@ -11,6 +11,23 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// Of the plane through the middles of the edges, and not normalised.
+    template <int dim, typename Face>
+    Tensor<1, dim>
+    normal_to(const Face &face)
+    {
+      if constexpr (dim == 2)
+        return cross_product_2d(face->vertex(1) - face->vertex(0));
+      else
+        return cross_product_3d(face->vertex(3) - face->vertex(0),
+                                face->vertex(2) - face->vertex(1));
+    }
+  } // namespace
+
+
+
   template <int dim>
   unsigned int
   common_normal_axis(const DoFHandler<dim>   &dof_handler,
@@ -35,6 +52,34 @@ namespace ElastoPlastic
                               dof_handler.get_communicator()) < 1e-10)
         return d;
     return dim;
+  }
+
+
+
+  template <int dim>
+  ComponentMask
+  components_of_normals(const DoFHandler<dim>   &dof_handler,
+                        const types::boundary_id boundary)
+  {
+    std::array<double, dim> largest;
+    largest.fill(0.);
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && face->boundary_id() == boundary)
+            {
+              const Tensor<1, dim> normal = normal_to<dim>(face);
+              for (unsigned int d = 0; d < dim; ++d)
+                largest[d] =
+                  std::max(largest[d], std::abs(normal[d]) / normal.norm());
+            }
+    ComponentMask components(dim, false);
+    for (unsigned int d = 0; d < dim; ++d)
+      components.set(d,
+                     Utilities::MPI::max(largest[d],
+                                         dof_handler.get_communicator()) >
+                       1e-10);
+    return components;
   }
 
 
@@ -73,4 +118,8 @@ namespace ElastoPlastic
   common_normal_axis(const DoFHandler<2> &, const types::boundary_id);
   template unsigned int
   common_normal_axis(const DoFHandler<3> &, const types::boundary_id);
+  template ComponentMask
+  components_of_normals(const DoFHandler<2> &, const types::boundary_id);
+  template ComponentMask
+  components_of_normals(const DoFHandler<3> &, const types::boundary_id);
 } // namespace ElastoPlastic

@@ -88,10 +88,10 @@ namespace ElastoPlastic
     hanging.close();
     with_skew_rollers.reset();
 
-    const auto skew_rollers = sort_rollers();
+    sort_rollers();
     find_fixed_values(time);
     if (!skew_rollers.empty())
-      add_skew_rollers(skew_rollers);
+      add_skew_rollers();
     drop_constrained_values();
     time_of_values = time;
   }
@@ -114,19 +114,18 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  std::set<types::boundary_id>
+  void
   Supports<dim>::sort_rollers()
   {
-    std::set<types::boundary_id> skew_rollers;
     level_rollers.clear();
+    skew_rollers.clear();
     for (const auto id :
          model.boundary_conditions.ids(BoundaryConditionType::roller))
       if (const unsigned int axis = common_normal_axis(*dof_handler, id);
           axis < dim)
         level_rollers[id] = axis;
       else
-        skew_rollers.insert(id);
-    return skew_rollers;
+        skew_rollers[id] = components_of_normals(*dof_handler, id);
   }
 
 
@@ -230,8 +229,11 @@ namespace ElastoPlastic
   // normals and the other supports. What it decides, the others take over.
   template <int dim>
   void
-  Supports<dim>::add_skew_rollers(const std::set<types::boundary_id> &rollers)
+  Supports<dim>::add_skew_rollers()
   {
+    std::set<types::boundary_id> rollers;
+    for (const auto &roller : skew_rollers)
+      rollers.insert(roller.first);
     const IndexSet           &relevant = hanging.get_local_lines();
     const IndexSet           &owned    = dof_handler->locally_owned_dofs();
     AffineConstraints<double> sliding(relevant), conditions(relevant);
@@ -311,7 +313,7 @@ namespace ElastoPlastic
         const auto level_roller = level_rollers.find(boundary);
         return level_roller != level_rollers.end() ?
                  mask_of_component<dim>(level_roller->second) :
-                 ComponentMask(dim, true);
+                 skew_rollers.at(boundary);
       }
     if (is_of_type(Type::prescribed_displacement))
       return mask_of_given(

@@ -25,24 +25,21 @@ namespace ElastoPlastic
 
 
 
-    /// A kind of body: the name a user types, how its entries are checked and
-    /// how its coarse mesh is made.
+    /// A kind of body: its name, how entries are checked, how its mesh is made.
     template <int dim>
     struct GeometryType
     {
       using P = GeometryParameters;
+      using T = Triangulation<dim>;
 
-      std::string                    name;
-      std::function<void(const P &)> check;
-      std::function<
-        BoundaryNames(const P &, const Warn &, Triangulation<dim> &)>
-        make;
+      std::string                                                name;
+      std::function<void(const P &)>                             check;
+      std::function<BoundaryNames(const P &, const Warn &, T &)> make;
     };
 
 
 
-    /// The list of all geometries. A new one is a file pair with its entries,
-    /// and a line here.
+    /// All geometries. A new one is a pair of files, and a line here.
     template <int dim>
     const std::vector<GeometryType<dim>> &
     geometry_types()
@@ -54,6 +51,7 @@ namespace ElastoPlastic
       static const std::vector<GeometryType<dim>> list = {
         {"box",       [](const P &p) { p.box.check(dim); },       [](const P &p, const Warn &, T &t) { return make_box(p.box, t); }},
         {"half ball", [](const P &p) { p.half_ball.check(dim); }, [](const P &p, const Warn &, T &t) { return make_half_ball(p.half_ball, t); }},
+        {"sector",    [](const P &p) { p.sector.check(dim); },    [](const P &p, const Warn &, T &t) { return make_sector(p.sector, t); }},
         {"file",      [](const P &p) { p.gmsh_file.check(dim); }, [](const P &p, const Warn &w, T &t) { return make_mesh_from_gmsh_file(p.gmsh_file, w, t); }}};
       // clang-format on
       return list;
@@ -218,11 +216,13 @@ namespace ElastoPlastic
       type,
       "The body: a box with the boundaries left and right (x), front and back "
       "(y, in three dimensions only), bottom and top; the lower half of a "
-      "ball with the boundaries top (flat) and curved; or a mesh from a file. "
-      "Further entries say which type they belong to; the others ignore them.",
+      "ball: top (flat) and curved; in three dimensions, a sector of a round "
+      "block: top, bottom, side, front and back; or a mesh from a file. Entries "
+      "of other types are ignored.",
       Patterns::Selection(all_names()));
     box.add_parameters(prm);
     half_ball.add_parameters(prm);
+    sector.add_parameters(prm);
     gmsh_file.add_parameters(prm);
     prm.add_parameter(
       "Initial refinements",

@@ -103,7 +103,8 @@ namespace ElastoPlastic
       "Radius",
       radius,
       "Type half ball: radius of the ball, whose flat side is the top, with "
-      "its centre in the origin. Unit: length; allowed: > 0.",
+      "its centre in the origin. Type sector: radius of the block. Unit: "
+      "length; allowed: > 0.",
       Patterns::Double());
     prm.add_parameter(
       "Part",

@@ -147,3 +147,25 @@ def axisymmetric_against_space(runner):
     for name, allowed in (("force", 0.02), ("contact_area", 0.1), ("plastic_volume", 0.1),
                           ("elastic_energy", 0.02), ("plastic_work", 0.03)):
         runner.compare(name, 4 * quarter[name], whole[name], allowed)
+
+
+def sectors(runner):
+    """A sphere and a cone on sectors of a round block: the same for all angles, and as an axisymmetric body."""
+    loading = ("Loading/History=", "Loading/Number of steps=1", "Refinement/Elements over contact radius=0")
+    body = ("Geometry/Type=sector", "Geometry/Radius=2", "Geometry/Height=2", "Geometry/Core radius=0.03125",
+            "Geometry/Initial refinements=3", "Boundary conditions/Free=side")
+    for name, shape in (("sphere", ("Loading/Depth=0.01",)),
+                        ("cone", ("Indenter/Type=cone", "Indenter/Semi-apex angle=85", "Loading/Depth=0.01"))):
+        whole = runner.history("indentation/sphere_axisymmetric.prm", *loading, *shape, "Geometry/Lower corner=0, -2",
+                               "Geometry/Upper corner=2, 0", "Geometry/Initial refinements=4",
+                               "Geometry/Local refinements=5", "Geometry/Local radius=1",
+                               "Material/Law=isotropic hardening", "Material/Isotropic hardening modulus=2000")[-1]
+        forces = []
+        for angle in (45, 60, 90, 180):
+            planes = "front" if angle == 180 else "front, back"
+            part = runner.history("indentation/sphere_3d.prm", *loading, *body, *shape,
+                                  f"Geometry/Sector angle={angle}", f"Boundary conditions/Roller={planes}")[-1]
+            forces.append(360 / angle * part["force"])
+            runner.compare(f"{name}, {angle} degrees: force against the axisymmetric body", forces[-1],
+                           whole["force"], 0.01)
+        runner.compare(f"{name}: largest force of all angles", max(forces), min(forces), 0.006)
