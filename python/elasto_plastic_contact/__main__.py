@@ -18,6 +18,8 @@ COMMANDS = {
     "schema": ("schema", "the JSON schema of all entries of a parameter file"),
     "kill_test": ("verification.kill_test", "kill runs, resume them and compare"),
     "contact_law": ("verification.contact_law", "waves and errors for values of 'Contact/Edge'"),
+    "contact_uniqueness": ("verification.contact_uniqueness", "the same history computed in several ways"),
+    "rough_spots": ("verification.rough_spots", "force and pressure of many spots for values of 'Contact/Edge'"),
     "full_disk_test": ("verification.full_disk_test", "fill disks, resume and compare"),
     "compare_with_step42": ("verification.step42_comparison", "run step-42 on the same cases"),
     "height_maps": ("inputs.height_maps", "make the height maps of the ready cases"),

@@ -31,23 +31,29 @@ SHAPES = {
 }
 
 
-def mesh(shape, n_elements, dim):
-    """A box whose smallest cells, n_elements over the final contact radius, lie around the contact."""
-    side, halvings, coarse = SIDE * shape.radius, 0, SIDE * n_elements
+def mesh(radius, n_elements, dim, side=SIDE, n_local=N_LOCAL):
+    """A box, its sides a multiple of the contact radius, whose smallest cells, n_elements over this radius, lie around
+    the contact."""
+    halvings, coarse = 0, side * n_elements
     while coarse % 2 == 0:
         halvings, coarse = halvings + 1, coarse // 2
-    rest = (0,) * (dim - 1)
-    return {"Geometry/Lower corner": (*rest, -side), "Geometry/Upper corner": (*((side,) * (dim - 1)), 0),
-            "Geometry/Repetitions": (coarse,) * dim, "Geometry/Initial refinements": halvings - N_LOCAL,
-            "Geometry/Local refinements": N_LOCAL, "Geometry/Local radius": UNIFORM * shape.radius * 2 ** (N_LOCAL - 1),
-            "Refinement/Elements over contact radius": 0, "Material/Law": "perfectly plastic"}
+    return {"Geometry/Lower corner": (*((0,) * (dim - 1)), -side * radius),
+            "Geometry/Upper corner": (*((side * radius,) * (dim - 1)), 0),
+            "Geometry/Repetitions": (coarse,) * dim, "Geometry/Initial refinements": halvings - n_local,
+            "Geometry/Local refinements": n_local, "Geometry/Local radius": UNIFORM * radius * 2 ** (n_local - 1),
+            "Refinement/Elements over contact radius": 0}
+
+
+def plastic_body(shape, n_elements, dim):
+    """The mesh with a material without hardening."""
+    return mesh(shape.radius, n_elements, dim) | {"Material/Law": "perfectly plastic"}
 
 
 def loading(runs, name, n_elements, edge, body="revolution", n_steps=None):
     """The tables of the loading of a sphere or cone, perfectly plastic: 'history', and 'profiles' by the step: places
     and pressures of the nodes."""
     shape, dim = SHAPES[name], 3 if body == "space" else 2
-    entries = mesh(shape, n_elements, dim)
+    entries = plastic_body(shape, n_elements, dim)
     entries |= {"Loading/History": f"1: depth {shape.depth}", "Loading/Number of steps": n_steps or N_STEPS[body]}
     if dim == 2:
         entries["Output/Surface profile"] = "every step"
@@ -86,7 +92,7 @@ def unloadings(runs, name, n_elements, edge, n_depths=8, part=0.025, n_back=4):
             time += n_steps
             history.append((time, target))
     table = " | ".join(f"{at}: depth {target:.15g}" for at, target in history)
-    steps = runs.tables(shape.case, mesh(shape, n_elements, 2) | {
+    steps = runs.tables(shape.case, plastic_body(shape, n_elements, 2) | {
         "Loading/History": table, "Loading/Number of steps": time}, edge)["history"]
     by_time = {round(step["time"], 6): step for step in steps}
     return [[by_time[round(float(top + i), 6)] for i in range(n_back + 1)] for top in tops]

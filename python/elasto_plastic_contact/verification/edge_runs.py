@@ -9,6 +9,7 @@ import subprocess
 import tempfile
 import time
 
+from ..fields import read_fields
 from ..program import CASES, MPI_ENVIRONMENT, command_line, find_program
 from ..tables import read_tables
 from .runner import add_program
@@ -28,21 +29,28 @@ class EdgeRuns:
 
     def tables(self, case, entries, edge=DEFAULT, ranks=1, environment=()):
         """The rows of all tables of a run, by their names; under 'seconds' how long it took.
+
         entries: 'Section/Entry' to value; environment: pairs of a variable and its value."""
         key = (str(case), tuple(entries.items()), edge, ranks, environment)
         if key not in self.finished:
             self.finished[key] = self.run(case, entries, edge, ranks, environment)
         return self.finished[key]
 
-    def run(self, case, entries, edge, ranks, environment):
-        """The same anew. Raises subprocess.CalledProcessError with the program's own message in 'stderr'."""
-        changes = {"Output/Fields": "never"} | entries | ({} if edge == DEFAULT else {"Contact/Edge": edge})
+    def run(self, case, entries, edge, ranks=1, environment=(), fields=None):
+        """The same anew; under 'fields' those of this kind at the end, such as 'surface'.
+        Raises subprocess.CalledProcessError with the program's own message in 'stderr'."""
+        changes = {"Output/Fields": "last cycle" if fields else "never"} | entries
+        if edge != DEFAULT:
+            changes["Contact/Edge"] = edge
         with tempfile.TemporaryDirectory() as folder:
             command = command_line(self.program, CASES / case, changes, folder, "--overwrite", ranks=ranks)
             begin = time.monotonic()
             subprocess.run(command, check=True, env=os.environ | MPI_ENVIRONMENT | SHARED_CORE | dict(environment),
                            stderr=subprocess.PIPE, text=True)
-            return read_tables(folder) | {"seconds": time.monotonic() - begin}
+            results = read_tables(folder) | {"seconds": time.monotonic() - begin}
+            if fields:
+                *_, results["fields"] = read_fields(folder, fields)
+            return results
 
 
 class Report:
