@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Variants of load histories: what they change, and how results are compared."""
+"""Variants of load histories: what they change, and how results are compared; spots of rough surfaces."""
 
 import tempfile
 import unittest
 
 from elasto_plastic_contact.verification.contact_uniqueness import changes, worst_of
+from elasto_plastic_contact.verification.rough_spots import n_spots
 from elasto_plastic_contact.verification.uniqueness_histories import histories
 from elasto_plastic_contact.verification.uniqueness_variants import VARIANTS, as_entries, mirrored
 
@@ -53,6 +54,18 @@ class Variants(unittest.TestCase):
         self.assertIsNone(changes([row(1)], [row(1), row(1)]))
         self.assertEqual(worst_of({"a": found, "b": found | {"force": 0.7}, "c": "other steps"}),
                          [0.7, 0, found["contact_area"], 0, "b; c: other steps"])
+
+
+class Spots(unittest.TestCase):
+    def test_number(self):
+        """Four faces in a row, the last with points of its own; pressure at three groups of points."""
+        points = [(x, y, 0) for x in range(4) for y in range(2)] + [(3, 0, 0), (3, 1, 0), (4, 0, 0), (4, 1, 0)]
+        cells = [[0, 1, 3, 2], [2, 3, 5, 4], [4, 5, 7, 6], [8, 9, 11, 10]]
+        pressure = {(0, 0): 1, (0, 1): 2, (2, 1): 1, (3, 0): 1, (4, 1): 3}
+        fields = {"points": points, "cells": cells, "contact_pressure": [pressure.get(p[:2], 0) for p in points]}
+        self.assertEqual(n_spots(fields), 2)
+        fields["contact_pressure"] = [0] * len(points)
+        self.assertEqual(n_spots(fields), 0)
 
 
 if __name__ == "__main__":
