@@ -16,11 +16,6 @@ class SmoothCurve:
     def __call__(self, place):
         return sum(c * (place / self.scale) ** power for c, power in zip(self.coefficients, self.powers))
 
-    def slope(self, place):
-        """Its derivative."""
-        x = place / self.scale
-        return sum(c * power * x ** (power - 1) for c, power in zip(self.coefficients, self.powers) if power) / self.scale
-
 
 def least_squares(columns, values):
     """The factors of the columns whose sum is next to the values: orthogonal columns first, then backwards."""
