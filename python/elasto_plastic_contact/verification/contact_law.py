@@ -3,7 +3,7 @@
 """Waves and errors of force, contact area, pressure and stiffness for values of 'Contact/Edge'.
 
 usage: scripts/command.py contact_law [--edge VALUE ...] [--parts PART,...] [--shapes SHAPE,...] [--elements N,...]
-                                      [--reference FILE] [--json FILE] [--program PROGRAM]
+                                      [--quick] [--reference FILE] [--json FILE] [--program PROGRAM]
 
 Sphere and cone, small strains, perfectly plastic, E/sigma_0 = 500, on meshes that are uniform at the contact.
 Parts: revolution (loading in 120 steps), stiffness (unloadings while the edge moves through one element), space
@@ -21,6 +21,7 @@ S              initial slope of the unloading, of a parabola through its first 2
 """
 
 import argparse
+import hashlib
 import json
 import pathlib
 
@@ -39,15 +40,17 @@ WAVES = ("wave of force", "wave of area", "wave of radius")
 
 
 class References:
-    """Runs that others are compared with; kept in a file if there is one."""
+    """Runs that others are compared with; kept in a file if there is one: those of 'at nodes' for all programs."""
 
     def __init__(self, runs, file):
         self.runs, self.file = runs, file and pathlib.Path(file)
+        self.digest = hashlib.sha256(pathlib.Path(runs.program).read_bytes()).hexdigest()[:12]
         self.known = json.loads(self.file.read_text(encoding="utf-8")) if file and self.file.exists() else {}
 
     def get(self, name, n_elements, edge, body="revolution", n_steps=None):
-        """The loading; what the file has stays, whatever the program."""
-        key = f"{name}, {body}, {n_elements} elements, {n_steps or 'all'} steps, {edge}"
+        """The loading."""
+        program = "" if edge == NODES else f", {self.digest}"
+        key = f"{name}, {body}, {n_elements} elements, {n_steps or 'all'} steps, {edge}{program}"
         if key not in self.known:
             self.known[key] = loading(self.runs, name, n_elements, edge, body, n_steps)
             if self.file:
@@ -55,9 +58,9 @@ class References:
         return self.known[key]
 
 
-def with_nodes(chosen):
-    """The chosen edges, and 'at nodes' in any case."""
-    return list(dict.fromkeys([*chosen_edges(chosen), NODES]))
+def reference_edges(chosen):
+    """Those of the finest mesh: the chosen ones, and 'at nodes' in any case."""
+    return list(dict.fromkeys([*([] if chosen.quick else chosen_edges(chosen)), NODES]))
 
 
 def titles_of_biases(edges):
@@ -127,7 +130,7 @@ def largest_pressure(run, nodal):
 
 def revolution(runs, references, report, chosen):
     """The loading in revolution."""
-    edges = with_nodes(chosen)
+    edges = reference_edges(chosen)
     report.begin("Revolution, uniform mesh (per cent)",
                  [*WAVES, *titles_of_biases(edges), "pressure, rms", "pressure, max", "largest p", "seconds"])
     for name in names(chosen.shapes):
@@ -160,7 +163,7 @@ def stiffness(runs, _, report, chosen):
 
 def space(runs, references, report, chosen):
     """The loading in space, against revolution with the same steps."""
-    edges = with_nodes(chosen)
+    edges = reference_edges(chosen)
     report.begin("Sphere in space, uniform mesh (per cent)",
                  [*WAVES, *titles_of_biases(edges), "largest p", "seconds"])
     fine = [references.get("sphere", chosen.reference_elements, edge, n_steps=N_STEPS["space"]) for edge in edges]
@@ -198,6 +201,7 @@ def main(arguments):
     parser.add_argument("--stiffness-elements", type=int, default=20, metavar="N", help="(default: %(default)s)")
     parser.add_argument("--reference-elements", type=int, default=REFERENCE_ELEMENTS, metavar="N",
                         help="of the finest mesh (default: %(default)s)")
+    parser.add_argument("--quick", action="store_true", help="compare with 'at nodes' on the finest mesh only")
     parser.add_argument("--reference", metavar="FILE", help="keep what the finest mesh and 'at nodes' give there, and "
                         "use what is there")
     chosen = parser.parse_args(arguments)
