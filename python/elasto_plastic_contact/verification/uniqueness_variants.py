@@ -100,7 +100,8 @@ def with_solver(entry, value):
 
 
 def with_kernels(name):
-    return Variant(environment=(("OPENBLAS_CORETYPE", name),))
+    """Of OpenBLAS, which the factorisation uses."""
+    return dataclasses.replace(with_solver("Linear solver/Type", "direct"), environment=(("OPENBLAS_CORETYPE", name),))
 
 
 VARIANTS = {
