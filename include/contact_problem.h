@@ -118,6 +118,11 @@ namespace ElastoPlastic
     void
     collect_unknowns(const Vector &u, const Vector &residual);
 
+    /// Lets a contact that ends within faces end at nodes for some steps, once,
+    /// if its set does not settle.
+    void
+    change_law(const Vector &u, const bool set_has_changed);
+
     /// Pi(u) of a body that has @p stored this energy.
     Energy
     total_energy(const double stored, const Vector &u) const;
@@ -136,6 +141,9 @@ namespace ElastoPlastic
     TimerOutput         &timer;
 
     ReducedUnknowns unknowns;
+    unsigned int    n_changes      = 0;
+    bool            law_rests      = false;
+    bool            law_has_rested = false;
     /// Of the indenter, in the last increment; zero if its depth is given.
     double downward_motion = 0;
   };

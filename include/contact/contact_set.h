@@ -138,6 +138,13 @@ namespace ElastoPlastic
     void
     find_entering(const Vector &u);
 
+    /// Lets the contact end at nodes for a while, or within faces again.
+    /// Collective.
+    void
+    rest_law();
+    void
+    wake_law();
+
     /// Takes none as active.
     void
     deactivate_all();
@@ -206,11 +213,11 @@ namespace ElastoPlastic
       return friction.dissipates();
     }
 
-    /// Whether its edge moves through the faces.
+    /// Whether its edge moves through the faces now.
     bool
     ends_within_faces() const
     {
-      return law.exists();
+      return law().exists();
     }
 
     /// Whether a motion along the bounds to first order leaves them.
@@ -271,6 +278,13 @@ namespace ElastoPlastic
     presses() const
     {
       return !is_force_driven() || force() > 0.;
+    }
+
+    /// The law in force.
+    const EdgeLaw &
+    law() const
+    {
+      return law_rests ? no_law : edge_law;
     }
 
     /// Those of the nodes that the indenter reaches, and the edge between them.
@@ -343,7 +357,7 @@ namespace ElastoPlastic
                  const double       force_inside) const
     {
       return pressing > 0. &&
-             (!law.has_part(k) || force > EdgeLaw::full_share() * force_inside);
+             (!law().has_part(k) || force > EdgeLaw::full_share() * force_inside);
     }
 
     /// The smallest distance from the undisplaced indenter down to those of
@@ -379,7 +393,9 @@ namespace ElastoPlastic
 
     ContactFaces<dim>          faces;
     std::vector<EdgeLaw::Pair> neighbors;
-    EdgeLaw                    law;
+    EdgeLaw                    edge_law;
+    const EdgeLaw              no_law;
+    bool                       law_rests = false;
   };
 } // namespace ElastoPlastic
 

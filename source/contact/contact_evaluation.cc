@@ -82,15 +82,15 @@ namespace ElastoPlastic
   typename ContactEvaluation<dim>::Vector
   ContactEvaluation<dim>::touched_areas() const
   {
-    if (!contact.law.exists())
+    if (!contact.law().exists())
       return areas;
     const std::vector<double> gaps = contact.gaps(u, contact.depth());
-    const auto place = contact.law.place(gaps, contact.statuses());
+    const auto place = contact.law().place(gaps, contact.statuses());
     Vector     kinds(u.get_partitioner()), levels(u.get_partitioner());
     for (unsigned int k = 0; k < gaps.size(); ++k)
       {
         const Node        &node = contact.candidates[k];
-        const double       rise = contact.law.rise(k);
+        const double       rise = contact.law().rise(k);
         const unsigned int i    = node.index;
         kinds.local_element(i)  = node.status == ContactStatus::closed ?
                                     ContactFaces<dim>::closed :
@@ -157,7 +157,7 @@ namespace ElastoPlastic
   ContactEvaluation<dim>::add_distances(ContactState &state) const
   {
     const std::vector<double> gaps = contact.gaps(u, contact.depth());
-    const auto place = contact.law.place(gaps, contact.statuses());
+    const auto place = contact.law().place(gaps, contact.statuses());
     for (unsigned int k = 0; k < gaps.size(); ++k)
       {
         const Node  &node     = contact.candidates[k];

@@ -104,7 +104,7 @@ namespace ElastoPlastic
     for (const Node &node : candidates)
       of_law.push_back(
         {first_owned_dof + node.index, node.index, node.gap.height, node.area});
-    law.reinit(of_law, neighbors, communicator);
+    edge_law.reinit(of_law, neighbors, communicator);
   }
 
 
@@ -189,7 +189,7 @@ namespace ElastoPlastic
       forces.push_back(node.is_active() ?
                          std::max(residual.local_element(node.index), 0.) :
                          0.);
-    return law.forces_inside(forces);
+    return law().forces_inside(forces);
   }
 
 
@@ -209,7 +209,7 @@ namespace ElastoPlastic
       std::vector<double> gaps = heights;
       for (double &gap : gaps)
         gap -= depth;
-      const auto place = law.place(gaps, statuses);
+      const auto place = law().place(gaps, statuses);
       double     sum   = 0;
       for (unsigned int k = 0; k < gaps.size(); ++k)
         if (statuses[k] == ContactStatus::closed)
@@ -320,12 +320,12 @@ namespace ElastoPlastic
     const std::vector<double> gaps      = this->gaps(u, present_depth);
     for (bool changed = true; changed;)
       {
-        const auto place = law.place(gaps, statuses());
+        const auto place = law().place(gaps, statuses());
         changed = set_statuses(u, [&](const unsigned int k, const Node &node) {
           const double distance = gaps[k] + place.allowances[k];
           return node.status == ContactStatus::closed || distance <= tolerance ?
                    ContactStatus::closed :
-                   law.status_at(k, distance);
+                   law().status_at(k, distance);
         });
       }
     find_contact(u);
@@ -337,15 +337,37 @@ namespace ElastoPlastic
   void
   ContactSet<dim>::find_entering(const Vector &u)
   {
-    if (!law.exists())
+    if (!law().exists())
       return;
     const std::vector<double> gaps  = this->gaps(u, depth_at(u));
-    const auto                place = law.place(gaps, statuses());
+    const auto                place = law().place(gaps, statuses());
     set_statuses(u, [&](const unsigned int k, const Node &node) {
       return node.status == ContactStatus::closed ?
                ContactStatus::closed :
-               law.status_at(k, gaps[k] + place.allowances[k]);
+               law().status_at(k, gaps[k] + place.allowances[k]);
     });
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::rest_law()
+  {
+    law_rests = true;
+    set_statuses(Vector(), [](const unsigned int, const Node &node) {
+      return node.status == ContactStatus::closed ? ContactStatus::closed :
+                                                    ContactStatus::open;
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::wake_law()
+  {
+    law_rests = false;
   }
 
 
@@ -367,7 +389,7 @@ namespace ElastoPlastic
   {
     present_depth                    = depth_at(u);
     const std::vector<double> gaps   = this->gaps(u, present_depth);
-    const auto                place  = law.place(gaps, statuses());
+    const auto                place  = law().place(gaps, statuses());
     const std::vector<double> inside = forces_inside(residual);
     const bool                turned = update_friction(u, residual);
     const bool                changed =
@@ -375,13 +397,14 @@ namespace ElastoPlastic
         const double distance = gaps[k] + place.allowances[k];
         if (node.status != ContactStatus::closed)
           return distance < 0. ? ContactStatus::closed :
-                                 law.status_at(k, distance);
+                                 law().status_at(k, distance);
         if (stays_closed(k,
                          pressing_force(node, u, residual),
                          residual.local_element(node.index),
                          inside[k]))
           return ContactStatus::closed;
-        return law.has_part(k) ? ContactStatus::entering : ContactStatus::open;
+        return law().has_part(k) ? ContactStatus::entering :
+                                   ContactStatus::open;
       });
     return find_contact(u) || changed || turned;
   }
@@ -396,7 +419,7 @@ namespace ElastoPlastic
     present_depth                      = depth_at(u);
     const double              rounding = 1e-13 * std::abs(present_depth);
     const std::vector<double> gaps     = this->gaps(u, present_depth);
-    const auto                place    = law.largest_openings(gaps);
+    const auto                place    = law().largest_openings(gaps);
     const std::vector<double> inside   = forces_inside(residual);
     const bool                changed =
       set_statuses(u, [&](const unsigned int k, const Node &node) {
@@ -405,7 +428,7 @@ namespace ElastoPlastic
         return distance <= rounding &&
                    stays_closed(k, force, force, inside[k]) ?
                  ContactStatus::closed :
-                 law.status_at(k, distance);
+                 law().status_at(k, distance);
       });
     return find_contact(u) || changed;
   }
@@ -441,7 +464,7 @@ namespace ElastoPlastic
       for (unsigned int d = 0; d < dim - 1; ++d)
         if (node.is_active() && is_held(node, d))
           u.local_element(node.horizontal[d]) = node.anchor[d];
-    const auto place = law.place(gaps(u, depth), statuses());
+    const auto place = law().place(gaps(u, depth), statuses());
     for (unsigned int k = 0; k < candidates.size(); ++k)
       if (const Node &node = candidates[k];
           node.status == ContactStatus::closed)
@@ -463,7 +486,7 @@ namespace ElastoPlastic
   ContactSet<dim>::project(Vector &u) const
   {
     const std::vector<double> gaps  = this->gaps(u, depth_at(u));
-    const auto                place = law.largest_openings(gaps);
+    const auto                place = law().largest_openings(gaps);
     for (unsigned int k = 0; k < candidates.size(); ++k)
       u.local_element(candidates[k].index) +=
         std::min(gaps[k] + place.allowances[k], 0.);
@@ -475,17 +498,17 @@ namespace ElastoPlastic
   SharedForces
   ContactSet<dim>::shared_forces(const Vector &u, const Vector &residual) const
   {
-    if (!law.exists())
+    if (!law().exists())
       return {};
     const auto   statuses = this->statuses();
-    const auto   place    = law.place(gaps(u, depth_at(u)), statuses);
+    const auto   place    = law().place(gaps(u, depth_at(u)), statuses);
     const auto   inside   = forces_inside(residual);
-    SharedForces result{law.rows(place, statuses), {}};
+    SharedForces result{law().rows(place, statuses), {}};
     for (unsigned int k = 0; k < candidates.size(); ++k)
       if (statuses[k] == ContactStatus::entering)
         result.entering.push_back(
           {candidates[k].index,
-           law.stiffness(k, place.openings.local_element(k)) * inside[k]});
+           law().stiffness(k, place.openings.local_element(k)) * inside[k]});
     return result;
   }
 

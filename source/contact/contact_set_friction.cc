@@ -17,6 +17,7 @@ namespace ElastoPlastic
   void
   ContactSet<dim>::begin_step(const Vector &u, const Tensor<1, dim - 1> &motion)
   {
+    wake_law();
     for (Node &node : candidates)
       node.anchor = horizontal_part<dim>(node, u) + motion;
   }
