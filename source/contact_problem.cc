@@ -16,8 +16,10 @@ namespace ElastoPlastic
     /// those that change the shape, and the contact would follow them.
     constexpr double loosest_reduction_if_incompressible = 1e-4;
 
-    /// So many steps in which the active set has changed are many.
-    constexpr unsigned int patience = 10;
+    /// This part of the nodes in contact is many; and so many iterations are,
+    /// in which the active set has changed.
+    constexpr double       many     = 0.1;
+    constexpr unsigned int patience = 5;
   } // namespace
 
 
@@ -243,8 +245,12 @@ namespace ElastoPlastic
   ContactProblem<dim>::update_active_set(const Vector &u,
                                          const Vector &residual)
   {
-    const bool changed = contact.update(u, residual);
-    change_law(u, changed);
+    const double n_before = contact.n_closed();
+    const bool   changed  = contact.update(u, residual);
+    const double n_after  = contact.n_closed();
+    change_law(u,
+               changed,
+               std::abs(n_after - n_before) > many * std::max(n_after, 1.));
     collect_unknowns(u, residual);
     return changed;
   }
@@ -255,7 +261,9 @@ namespace ElastoPlastic
   // changes by many nodes, and is near that of the solution.
   template <int dim>
   void
-  ContactProblem<dim>::change_law(const Vector &u, const bool set_has_changed)
+  ContactProblem<dim>::change_law(const Vector &u,
+                                  const bool    set_has_changed,
+                                  const bool    set_has_changed_much)
   {
     n_changes = set_has_changed ? n_changes + 1 : 0;
     if (law_has_rested)
@@ -267,7 +275,8 @@ namespace ElastoPlastic
             contact.find_entering(u);
           }
       }
-    else if (contact.ends_within_faces() && n_changes == patience)
+    else if (contact.ends_within_faces() &&
+             (set_has_changed_much || n_changes == patience))
       {
         law_rests = law_has_rested = true;
         n_changes                  = 0;
