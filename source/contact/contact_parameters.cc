@@ -18,10 +18,14 @@ namespace ElastoPlastic
       "Edge",
       edge,
       "Where the contact ends. at nodes: one node after the other comes into "
-      "contact; each makes the force jump where the body flows plastically, and "
-      "the contact area counts whole nodes. within faces: in a load history its "
-      "edge moves through the faces of the mesh, and force and contact area "
-      "change smoothly with the depth.");
+      "contact; each makes the force jump where the body flows plastically, "
+      "and the contact area counts whole nodes. within faces: in a load "
+      "history its edge moves through the faces of the mesh, and force and "
+      "contact area change smoothly with the depth. A node bears a part of the "
+      "pressure of its inner neighbours before it touches, and these may be "
+      "inside the indenter by a part of what it rises by between nodes, so "
+      "that the force is a little low on coarse meshes. A single step, without "
+      "'History' and 'Path', is at nodes in any case.");
     prm.add_parameter(
       "Geometry",
       geometry,
