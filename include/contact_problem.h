@@ -91,6 +91,9 @@ namespace ElastoPlastic
     update_active_set(const Vector &u, const Vector &residual) override;
 
     bool
+    is_itself() const override;
+
+    bool
     update_feasible_active_set(const Vector &u,
                                const Vector &residual) override;
 

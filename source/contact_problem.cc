@@ -288,9 +288,20 @@ namespace ElastoPlastic
 
   template <int dim>
   bool
+  ContactProblem<dim>::is_itself() const
+  {
+    return !law_rests;
+  }
+
+
+
+  template <int dim>
+  bool
   ContactProblem<dim>::update_feasible_active_set(const Vector &u,
                                                   const Vector &residual)
   {
+    contact.wake_law();
+    law_rests          = false;
     const bool changed = contact.update_feasible(u, residual);
     collect_unknowns(u, residual);
     return changed;

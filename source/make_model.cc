@@ -17,8 +17,9 @@ namespace ElastoPlastic
       if (parameters.analysis == Analysis::contact_with_error_bound &&
           result.geometry == ContactGeometry::automatic)
         result.geometry = ContactGeometry::vertical;
-      if (parameters.loading.is_single_step())
-        result.edge = EdgeRule::at_nodes;
+      if (parameters.loading.is_single_step() &&
+          result.edge == EdgeRule::within_faces)
+        result.edge = EdgeRule::measured_within_faces;
       return result;
     }
   } // namespace

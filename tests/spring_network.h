@@ -172,9 +172,11 @@ public:
     });
   }
 
-  void
-  begin_feasible_method() override
-  {}
+  bool
+  is_itself() const override
+  {
+    return true;
+  }
 
   bool
   update_feasible_active_set(const Vector &u, const Vector &residual) override

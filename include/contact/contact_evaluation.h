@@ -61,11 +61,20 @@ namespace ElastoPlastic
     Vector
     pressed_areas() const;
 
-    /// The pressure at the active nodes; zero elsewhere.
+    /// Which candidates are closed, as ContactFaces wants it.
+    Vector
+    kinds() const;
+
+    /// Of the active nodes.
+    Vector
+    pressing_forces() const;
+
+    /// The pressure at the nodes that are on the indenter, on the part of the
+    /// faces that is touched; zero elsewhere. Collective.
     Vector
     pressures() const;
 
-    /// What each active node has of the touched part of the faces; if the
+    /// What each closed node has of the touched part of the faces; if the
     /// contact ends at nodes, all of its own. Collective.
     Vector
     touched_areas() const;

@@ -82,9 +82,20 @@ namespace ElastoPlastic
     /// shape function over it, and of those of the nodes of a face that are not
     /// closed the part that is in proportion to its own. @p kinds has the Kind
     /// of each node, @p levels the level of the others. A face with a node that
-    /// is no candidate is touched as a whole. Collective.
+    /// is no candidate is touched as a whole. A node that is closed alone has
+    /// as much as one at the corner of a contact: one of 2^(dim-1) parts of
+    /// what belongs to it. Collective.
     Vector
     touched_areas(const Vector &kinds, const Vector &levels) const;
+
+    /// The pressures of the closed nodes that press with these @p forces on
+    /// these touched @p areas; zero elsewhere. Where the edge goes through
+    /// faces of a node, it has the mean of what the closed nodes of each of
+    /// them have together. Collective.
+    Vector
+    pressures(const Vector &kinds,
+              const Vector &forces,
+              const Vector &areas) const;
 
   private:
     static constexpr unsigned int n_nodes = 1 << (dim - 1);

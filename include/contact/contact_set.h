@@ -284,7 +284,7 @@ namespace ElastoPlastic
     const EdgeLaw &
     law() const
     {
-      return law_rests ? no_law : edge_law;
+      return law_rests || rule != EdgeRule::within_faces ? no_law : edge_law;
     }
 
     /// Those of the nodes that the indenter reaches, and the edge between them.
@@ -356,8 +356,8 @@ namespace ElastoPlastic
                  const double       force,
                  const double       force_inside) const
     {
-      return pressing > 0. &&
-             (!law().has_part(k) || force > EdgeLaw::full_share() * force_inside);
+      return pressing > 0. && (!law().has_part(k) ||
+                               force > EdgeLaw::full_share() * force_inside);
     }
 
     /// The smallest distance from the undisplaced indenter down to those of

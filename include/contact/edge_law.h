@@ -21,7 +21,10 @@ namespace ElastoPlastic
   enum class EdgeRule
   {
     within_faces,
-    at_nodes
+    at_nodes,
+    /// Nodes bear force as at_nodes; the area that is touched ends within
+    /// faces.
+    measured_within_faces
   };
 
   template <>

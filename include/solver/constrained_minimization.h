@@ -117,6 +117,11 @@ namespace ElastoPlastic
     virtual bool
     update_active_set(const Vector &u, const Vector &residual) = 0;
 
+    /// Whether the set is that of the problem itself, and not of a simpler one
+    /// on the way to it.
+    virtual bool
+    is_itself() const = 0;
+
     /// The active set of a feasible method: the candidates that touch their
     /// bound and press against it.
     /// @return whether the set has changed.

@@ -61,19 +61,66 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  typename ContactEvaluation<dim>::Vector
+  ContactEvaluation<dim>::kinds() const
+  {
+    Vector result(u.get_partitioner());
+    for (const Node &node : contact.candidates)
+      result.local_element(node.index) = node.status == ContactStatus::closed ?
+                                           ContactFaces<dim>::closed :
+                                           ContactFaces<dim>::not_closed;
+    return result;
+  }
+
+
+
   // (Vertical forces and projected areas have the same quotient as normal
   // forces and inclined areas.)
   template <int dim>
   typename ContactEvaluation<dim>::Vector
-  ContactEvaluation<dim>::pressures() const
+  ContactEvaluation<dim>::pressing_forces() const
   {
     Vector result(residual.get_partitioner());
     for (const Node &node : contact.candidates)
       if (node.is_active())
         result.local_element(node.index) =
           contact.pressing_force(node, u, residual) *
-          contact.bounds.inclination(node) / areas.local_element(node.index);
+          contact.bounds.inclination(node);
     return result;
+  }
+
+
+
+  // What the entering nodes bear belongs to the closed ones that it is a share
+  // of: a closed node has q_k = 1 + sum_b t_kb q_b times its own force.
+  template <int dim>
+  typename ContactEvaluation<dim>::Vector
+  ContactEvaluation<dim>::pressures() const
+  {
+    Vector result = pressing_forces();
+    if (!contact.law().exists())
+      {
+        for (const unsigned int i : contact.active_entries())
+          result.local_element(i) /= areas.local_element(i);
+        return result;
+      }
+    const SharedForces shared = contact.shared_forces(u, residual);
+    Vector             factors(u.get_partitioner());
+    contact.set_candidate_entries(factors, 1.);
+    for (bool changed = true; changed;)
+      {
+        Vector next(u.get_partitioner());
+        contact.set_candidate_entries(next, 1.);
+        shared.rows->sums(factors, [&](const unsigned int i, const double sum) {
+          next.local_element(i) += sum;
+        });
+        factors -= next;
+        changed = factors.linfty_norm() > 1e-12;
+        factors = next;
+      }
+    result.scale(factors);
+    return contact.faces.pressures(kinds(), result, touched_areas());
   }
 
 
@@ -82,27 +129,22 @@ namespace ElastoPlastic
   typename ContactEvaluation<dim>::Vector
   ContactEvaluation<dim>::touched_areas() const
   {
-    if (!contact.law().exists())
+    if (!contact.edge_law.exists())
       return areas;
     const std::vector<double> gaps = contact.gaps(u, contact.depth());
     const auto place = contact.law().place(gaps, contact.statuses());
-    Vector     kinds(u.get_partitioner()), levels(u.get_partitioner());
+    Vector     levels(u.get_partitioner());
     for (unsigned int k = 0; k < gaps.size(); ++k)
       {
-        const Node        &node = contact.candidates[k];
-        const double       rise = contact.law().rise(k);
-        const unsigned int i    = node.index;
-        kinds.local_element(i)  = node.status == ContactStatus::closed ?
-                                    ContactFaces<dim>::closed :
-                                    ContactFaces<dim>::not_closed;
-        levels.local_element(i) =
+        const double rise = contact.edge_law.rise(k);
+        levels.local_element(contact.candidates[k].index) =
           rise > 0. ?
             std::clamp((gaps[k] + place.allowances[k]) / rise, 0., 1.) :
             1.;
       }
     return contact.bounds.follow_deformation() ?
-             contact.faces.moved(u).touched_areas(kinds, levels) :
-             contact.faces.touched_areas(kinds, levels);
+             contact.faces.moved(u).touched_areas(kinds(), levels) :
+             contact.faces.touched_areas(kinds(), levels);
   }
 
 
@@ -116,7 +158,7 @@ namespace ElastoPlastic
     double         min_pressure = std::numeric_limits<double>::infinity();
     {
       const Vector pressures = this->pressures();
-      for (const unsigned int i : contact.active_entries())
+      for (const unsigned int i : contact.closed_entries())
         {
           max_pressure = std::max(max_pressure, pressures.local_element(i));
           min_pressure = std::min(min_pressure, pressures.local_element(i));

@@ -183,11 +183,56 @@ namespace ElastoPlastic
       }
     result.compress(VectorOperation::add);
     for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
-      result.local_element(i) =
-        kinds.local_element(i) == closed ?
-          whole.local_element(i) + result.local_element(i) :
-          0.;
+      {
+        const double of_node = whole.local_element(i);
+        double      &touched = result.local_element(i);
+        touched              = kinds.local_element(i) == closed ?
+                                 std::max(of_node + touched, of_node / n_nodes) :
+                                 0.;
+      }
     return result;
+  }
+
+
+
+  template <int dim>
+  typename ContactFaces<dim>::Vector
+  ContactFaces<dim>::pressures(const Vector &kinds,
+                               const Vector &forces,
+                               const Vector &areas) const
+  {
+    const GhostValues ghosts_of_kinds(kinds), ghosts_of_forces(forces),
+      ghosts_of_areas(areas);
+    Vector sums(vector_layout), numbers(vector_layout);
+    for (const Face &face : faces)
+      {
+        unsigned int n_others = 0;
+        double       force = 0, area = 0;
+        for (const auto dof : face.dofs)
+          if (kinds(dof) == closed)
+            {
+              force += forces(dof);
+              area += areas(dof);
+            }
+          else
+            n_others += (kinds(dof) == not_closed);
+        if (n_others > 0 && area > 0.)
+          for (const auto dof : face.dofs)
+            if (kinds(dof) == closed)
+              {
+                sums(dof) += force / area;
+                numbers(dof) += 1.;
+              }
+      }
+    sums.compress(VectorOperation::add);
+    numbers.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < sums.locally_owned_size(); ++i)
+      if (kinds.local_element(i) == closed)
+        sums.local_element(i) =
+          numbers.local_element(i) > 0. ?
+            sums.local_element(i) / numbers.local_element(i) :
+            forces.local_element(i) / areas.local_element(i);
+    return sums;
   }
 
 

@@ -67,7 +67,7 @@ namespace ElastoPlastic
           nodes.push_back(node);
         }
     neighbors.clear();
-    if (rule == EdgeRule::within_faces || bounds.follow_deformation())
+    if (rule != EdgeRule::at_nodes || bounds.follow_deformation())
       {
         faces.reinit(
           dof_handler, constraints, contact_boundaries, kinematics, layout);

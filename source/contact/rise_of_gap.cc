@@ -27,6 +27,8 @@ namespace ElastoPlastic
     constexpr double largest_area_outside = 2.;
     /// Against the largest, smaller rises are rounding.
     constexpr double smallest_rise = 1e-12;
+    /// And with still larger ones, a surface is flat.
+    constexpr double flat = 1e-6;
 
 
 
@@ -90,10 +92,9 @@ namespace ElastoPlastic
                        return nodes[j].gap < nodes[k].gap;
                      });
 
-    std::vector<double> feet(nodes.size()), full_rises(nodes.size()),
-      areas_outside(nodes.size());
+    std::vector<double> full_rises(nodes.size()), areas_outside(nodes.size());
     std::vector<std::vector<Neighbor>> inner_neighbors(nodes.size());
-    for (const unsigned int b : from_low_to_high)
+    for (unsigned int b = 0; b < nodes.size(); ++b)
       {
         double sum = 0;
         for (const unsigned int j : neighbors[b])
@@ -103,24 +104,34 @@ namespace ElastoPlastic
               sum += rise;
               inner_neighbors[b].push_back({j, rise});
             }
-        feet[b] = inner_neighbors[b].empty() ? nodes[b].gap : 0.;
         for (auto &[j, weight] : inner_neighbors[b])
           {
             full_rises[b] += weight * weight / sum;
             weight /= sum;
-            feet[b] += weight * feet[j];
           }
+      }
+    const double largest_rise =
+      nodes.empty() ? 0. :
+                      *std::max_element(full_rises.begin(), full_rises.end());
+
+    // (On a flat, feet are where the node is.)
+    std::vector<double> feet(nodes.size());
+    for (const unsigned int b : from_low_to_high)
+      {
+        const double inclined =
+          largest_rise > 0. ?
+            std::min(1., full_rises[b] / (flat * largest_rise)) :
+            0.;
+        feet[b] = (1. - inclined) * nodes[b].gap;
+        for (const auto &[j, weight] : inner_neighbors[b])
+          feet[b] += inclined * weight * feet[j];
         rises[b] = std::min(full_rises[b],
                             largest_part_of_height * (nodes[b].gap - feet[b]));
       }
 
-    const double negligible =
-      nodes.empty() ?
-        0. :
-        smallest_rise * *std::max_element(rises.begin(), rises.end());
     for (unsigned int b = 0; b < nodes.size(); ++b)
       {
-        if (rises[b] <= negligible)
+        if (rises[b] <= smallest_rise * largest_rise)
           continue;
         for (const auto &[j, weight] : inner_neighbors[b])
           {

@@ -49,8 +49,8 @@ namespace ElastoPlastic
       "at t = 0: a table of times and displacements, linear in between and "
       "constant after the last, such as 1: 0 | 2: 0.5, in three dimensions with "
       "x and y, such as 1: 0, 0 | 2: 0.5, 0; or an expression in t, in three "
-      "dimensions two of them, separated by a semicolon. Then the contact ends "
-      "at nodes. Empty: the indenter moves up and down only. Unit: length.",
+      "dimensions two of them, separated by a semicolon. Empty: the indenter "
+      "moves up and down only. Unit: length.",
       Patterns::Anything());
     prm.add_parameter(
       "Number of steps",

@@ -162,6 +162,7 @@ namespace ElastoPlastic
   NewtonIteration::has_converged()
   {
     return step.iteration > 0 && constrained_unknowns_at_place &&
+           problem.is_itself() &&
            (free_norm <= parameters.tolerance * force_norm ||
             (free_norm > 0.5 * previous_free_norm && is_rounding()));
   }
