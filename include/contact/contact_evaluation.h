@@ -65,17 +65,12 @@ namespace ElastoPlastic
     Vector
     kinds() const;
 
-    /// Of the active nodes.
-    Vector
-    pressing_forces() const;
-
-    /// The pressure at the nodes that are on the indenter, on the part of the
-    /// faces that is touched; zero elsewhere. Collective.
+    /// The pressure at the active nodes; zero elsewhere.
     Vector
     pressures() const;
 
     /// What each closed node has of the touched part of the faces; if the
-    /// contact ends at nodes, all of its own. Collective.
+    /// contact ends at nodes, what each has of them. Collective.
     Vector
     touched_areas() const;
 

@@ -78,6 +78,12 @@ namespace ElastoPlastic
     std::vector<EdgeLaw::Pair>
     neighbors() const;
 
+    /// The levels of nodes that are not closed, of the @p gaps of these and of
+    /// the next ones behind them; 1 at those that are no neighbours of closed
+    /// ones. Collective.
+    Vector
+    levels(const Vector &kinds, const Vector &gaps) const;
+
     /// What each closed node has of the touched part: the integral of its own
     /// shape function over it, and of those of the nodes of a face that are not
     /// closed the part that is in proportion to its own. @p kinds has the Kind
@@ -87,15 +93,6 @@ namespace ElastoPlastic
     /// what belongs to it. Collective.
     Vector
     touched_areas(const Vector &kinds, const Vector &levels) const;
-
-    /// The pressures of the closed nodes that press with these @p forces on
-    /// these touched @p areas; zero elsewhere. Where the edge goes through
-    /// faces of a node, it has the mean of what the closed nodes of each of
-    /// them have together. Collective.
-    Vector
-    pressures(const Vector &kinds,
-              const Vector &forces,
-              const Vector &areas) const;
 
   private:
     static constexpr unsigned int n_nodes = 1 << (dim - 1);

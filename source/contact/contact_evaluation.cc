@@ -79,48 +79,15 @@ namespace ElastoPlastic
   // forces and inclined areas.)
   template <int dim>
   typename ContactEvaluation<dim>::Vector
-  ContactEvaluation<dim>::pressing_forces() const
+  ContactEvaluation<dim>::pressures() const
   {
     Vector result(residual.get_partitioner());
     for (const Node &node : contact.candidates)
       if (node.is_active())
         result.local_element(node.index) =
           contact.pressing_force(node, u, residual) *
-          contact.bounds.inclination(node);
+          contact.bounds.inclination(node) / areas.local_element(node.index);
     return result;
-  }
-
-
-
-  // What the entering nodes bear belongs to the closed ones that it is a share
-  // of: a closed node has q_k = 1 + sum_b t_kb q_b times its own force.
-  template <int dim>
-  typename ContactEvaluation<dim>::Vector
-  ContactEvaluation<dim>::pressures() const
-  {
-    Vector result = pressing_forces();
-    if (!contact.law().exists())
-      {
-        for (const unsigned int i : contact.active_entries())
-          result.local_element(i) /= areas.local_element(i);
-        return result;
-      }
-    const SharedForces shared = contact.shared_forces(u, residual);
-    Vector             factors(u.get_partitioner());
-    contact.set_candidate_entries(factors, 1.);
-    for (bool changed = true; changed;)
-      {
-        Vector next(u.get_partitioner());
-        contact.set_candidate_entries(next, 1.);
-        shared.rows->sums(factors, [&](const unsigned int i, const double sum) {
-          next.local_element(i) += sum;
-        });
-        factors -= next;
-        changed = factors.linfty_norm() > 1e-12;
-        factors = next;
-      }
-    result.scale(factors);
-    return contact.faces.pressures(kinds(), result, touched_areas());
   }
 
 
@@ -131,20 +98,15 @@ namespace ElastoPlastic
   {
     if (!contact.edge_law.exists())
       return areas;
-    const std::vector<double> gaps = contact.gaps(u, contact.depth());
-    const auto place = contact.law().place(gaps, contact.statuses());
-    Vector     levels(u.get_partitioner());
-    for (unsigned int k = 0; k < gaps.size(); ++k)
-      {
-        const double rise = contact.edge_law.rise(k);
-        levels.local_element(contact.candidates[k].index) =
-          rise > 0. ?
-            std::clamp((gaps[k] + place.allowances[k]) / rise, 0., 1.) :
-            1.;
-      }
+    const std::vector<double> of_candidates = contact.gaps(u, contact.depth());
+    Vector                    gaps(u.get_partitioner());
+    for (unsigned int k = 0; k < of_candidates.size(); ++k)
+      gaps.local_element(contact.candidates[k].index) = of_candidates[k];
+    const Vector kinds  = this->kinds();
+    const Vector levels = contact.faces.levels(kinds, gaps);
     return contact.bounds.follow_deformation() ?
-             contact.faces.moved(u).touched_areas(kinds(), levels) :
-             contact.faces.touched_areas(kinds(), levels);
+             contact.faces.moved(u).touched_areas(kinds, levels) :
+             contact.faces.touched_areas(kinds, levels);
   }
 
 
@@ -158,7 +120,7 @@ namespace ElastoPlastic
     double         min_pressure = std::numeric_limits<double>::infinity();
     {
       const Vector pressures = this->pressures();
-      for (const unsigned int i : contact.closed_entries())
+      for (const unsigned int i : contact.active_entries())
         {
           max_pressure = std::max(max_pressure, pressures.local_element(i));
           min_pressure = std::min(min_pressure, pressures.local_element(i));

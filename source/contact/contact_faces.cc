@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/ghost_values.h"
@@ -25,6 +26,21 @@ namespace ElastoPlastic
         return {0., 0.};
       const double root = at_0 / (at_0 - at_1);
       return at_0 < 0 ? std::make_pair(0., root) : std::make_pair(root, 1.);
+    }
+
+
+
+    /// How far from the edge, up to one element, a node with this @p gap is
+    /// that grows by @p growth to the next node, if gaps grow like Hertz' with
+    /// the power 3/2 of the way from the edge.
+    double
+    elements_from_edge(const double gap, const double growth)
+    {
+      if (gap <= 0.)
+        return 0.;
+      const double ratio =
+        std::pow(gap / (gap + std::max(growth, 0.)), 2. / 3.);
+      return ratio < 0.5 ? ratio / (1. - ratio) : 1.;
     }
   } // namespace
 
@@ -142,6 +158,41 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  typename ContactFaces<dim>::Vector
+  ContactFaces<dim>::levels(const Vector &kinds, const Vector &gaps) const
+  {
+    const GhostValues ghosts_of_kinds(kinds), ghosts_of_gaps(gaps);
+    Vector            are_near(vector_layout), growth(vector_layout);
+    for (const Face &face : faces)
+      if (std::any_of(face.dofs.begin(), face.dofs.end(), [&](const auto dof) {
+            return kinds(dof) == closed;
+          }))
+        for (const auto dof : face.dofs)
+          if (kinds(dof) == not_closed)
+            are_near(dof) = 1.;
+    are_near.compress(VectorOperation::max);
+    const GhostValues ghosts_of_near(are_near);
+    for (const Face &face : faces)
+      for (const auto near : face.dofs)
+        if (are_near(near) == 1.)
+          for (const auto far : face.dofs)
+            if (kinds(far) == not_closed && are_near(far) == 0.)
+              growth(near) =
+                std::max<double>(growth(near), gaps(far) - gaps(near));
+    growth.compress(VectorOperation::max);
+
+    Vector result(vector_layout);
+    for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
+      result.local_element(i) =
+        are_near.local_element(i) == 1. ?
+          elements_from_edge(gaps.local_element(i), growth.local_element(i)) :
+          1.;
+    return result;
+  }
+
+
+
   // The level of a closed node is as far below zero as the mean of the others
   // is below one: on a face of two nodes, the part 1 - level is touched.
   template <int dim>
@@ -191,48 +242,6 @@ namespace ElastoPlastic
                                  0.;
       }
     return result;
-  }
-
-
-
-  template <int dim>
-  typename ContactFaces<dim>::Vector
-  ContactFaces<dim>::pressures(const Vector &kinds,
-                               const Vector &forces,
-                               const Vector &areas) const
-  {
-    const GhostValues ghosts_of_kinds(kinds), ghosts_of_forces(forces),
-      ghosts_of_areas(areas);
-    Vector sums(vector_layout), numbers(vector_layout);
-    for (const Face &face : faces)
-      {
-        unsigned int n_others = 0;
-        double       force = 0, area = 0;
-        for (const auto dof : face.dofs)
-          if (kinds(dof) == closed)
-            {
-              force += forces(dof);
-              area += areas(dof);
-            }
-          else
-            n_others += (kinds(dof) == not_closed);
-        if (n_others > 0 && area > 0.)
-          for (const auto dof : face.dofs)
-            if (kinds(dof) == closed)
-              {
-                sums(dof) += force / area;
-                numbers(dof) += 1.;
-              }
-      }
-    sums.compress(VectorOperation::add);
-    numbers.compress(VectorOperation::add);
-    for (unsigned int i = 0; i < sums.locally_owned_size(); ++i)
-      if (kinds.local_element(i) == closed)
-        sums.local_element(i) =
-          numbers.local_element(i) > 0. ?
-            sums.local_element(i) / numbers.local_element(i) :
-            forces.local_element(i) / areas.local_element(i);
-    return sums;
   }
 
 

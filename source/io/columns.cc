@@ -50,9 +50,9 @@ namespace ElastoPlastic
       {"wall_seconds", "seconds", "of the solve", &R::wall_seconds},
       {"memory_mb", "MB", "peak memory of all ranks together", &R::memory_mb},
       {"max_hanging_penetration", "length", "largest penetration of a hanging node", &R::max_hanging_penetration},
-      {"min_pressure", "stress", "smallest pressure of a node on the indenter; negative would be tension", &R::min_pressure},
+      {"min_pressure", "stress", "smallest pressure of an active node; negative would be tension", &R::min_pressure},
       {"contact_area", "area", "of the touched part of the faces (`Contact/Edge = at nodes`: sum of the lumped areas of the active nodes)", &R::contact_area},
-      {"max_pressure", "stress", "largest contact pressure of a node", &R::max_pressure},
+      {"max_pressure", "stress", "largest nodal contact pressure", &R::max_pressure},
       {"edge_penetration", "length", "largest penetration of a node, those at the edge of the contact included", &R::edge_penetration},
       {"energy", "force x length", "the minimum of Pi; if back stresses recover, there is none, and this is the elastic energy plus the plastic work of the step, less the work of given forces", &R::energy}};
     return columns;
@@ -70,7 +70,7 @@ namespace ElastoPlastic
       {"depth", "length", "of the indenter", &R::depth},
       {"force", "force", "of the indenter", &R::force},
       {"contact_area", "area", "as in statistics.csv", &R::contact_area},
-      {"max_pressure", "stress", "largest contact pressure of a node", &R::max_pressure},
+      {"max_pressure", "stress", "largest nodal contact pressure", &R::max_pressure},
       {"active_nodes", "1", "nodes in contact", &R::active_nodes},
       {"plastic_volume", "volume", "of the quadrature points that have yielded (plane strain: area)", &R::plastic_volume},
       {"max_equivalent_plastic_strain", "1", "its largest value at a quadrature point", &R::max_equivalent_plastic_strain},
