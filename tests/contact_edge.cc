@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // A contact that ends within faces: the touched area, which does not depend on
-// the nodes; what the nodes at the edge share; and the expansion of reduced
-// vectors that goes with it.
+// the nodes; the forces of nodes that touch and of nodes that are about to; and
+// the expansion of reduced vectors that goes with it.
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -24,7 +24,8 @@ namespace
 
   /// The unit square or cube under an indenter that touches it up to the
   /// distance @p radius from a corner, and from there on rises as under Hertz'
-  /// sphere.
+  /// sphere. (So far inside that all nodes there are closed, whatever those
+  /// outside allow.)
   template <int dim>
   class TouchedBlock
   {
@@ -41,7 +42,7 @@ namespace
                   on_surface[dim - 1]      = 0.;
                   const double behind_edge = on_surface.norm() - radius;
                   return behind_edge > 0. ? std::pow(behind_edge, 1.5) :
-                                            behind_edge;
+                                            behind_edge - 0.5;
                 }),
                 kinematics,
                 rule)
@@ -59,8 +60,6 @@ namespace
                      zero);
       contact.place(0.);
       contact.activate_touching(zero);
-      contact.note_edge(zero);
-      contact.divide_edge(0.);
     }
 
     double
@@ -70,21 +69,23 @@ namespace
     }
 
     void
-    check_shared_rows() const
+    check_forces() const
     {
-      const auto  &rows = *contact.shared_rows();
-      const Vector u = sample(1.), forces = sample(2.);
-      Vector       on_active = zero;
-      for (const unsigned int i : contact.active_entries())
-        on_active.local_element(i) = forces.local_element(i);
-      const double work = on_active * rows.sums(u);
-      verify("  shares are the transpose of sums",
-             std::abs(rows.shares(forces) * u - work) < 1e-12 * std::abs(work));
-
+      const Vector forces     = sample(2.);
+      const auto   shared     = contact.shared_forces(zero, forces);
+      const auto   n_entering = contact.n_active() - contact.n_closed();
+      bool         are_stiff  = true;
+      for (const EnteringUnknown &unknown : shared.entering)
+        are_stiff = are_stiff && unknown.stiffness > 0.;
+      verify("  some nodes are entering, with a stiffness",
+             n_entering > 0 &&
+               Utilities::MPI::sum(shared.entering.size(), MPI_COMM_WORLD) ==
+                 n_entering &&
+               !Utilities::MPI::logical_or(!are_stiff, MPI_COMM_WORLD));
       double all_forces = 0;
       for (const double force : contact.vertical_forces_on_body(forces))
         all_forces -= force;
-      verify("  the force of the indenter is that on nodes and neighbours",
+      verify("  the force of the indenter is that on all of them",
              std::abs(
                Utilities::MPI::sum(all_forces, MPI_COMM_WORLD) -
                ContactEvaluation<dim>(contact, zero, forces).state().force),
@@ -94,37 +95,59 @@ namespace
     void
     check_expansion(const bool are_coupled) const
     {
-      const auto            active = contact.active_entries();
-      const ReducedUnknowns unknowns(are_coupled ? std::vector<unsigned int>() :
-                                                   active,
-                                     are_coupled ? active :
-                                                   std::vector<unsigned int>(),
+      output() << (are_coupled ? "  coupled" : "  constrained") << std::endl;
+      const auto closed = contact.closed_entries();
+      using Entries     = std::vector<unsigned int>;
+      const ReducedUnknowns unknowns(are_coupled ? Entries() : closed,
+                                     are_coupled ? closed : Entries(),
                                      MPI_COMM_WORLD,
-                                     active,
-                                     contact.shared_rows());
-      Vector reduced = sample(1.), forces = sample(2.);
+                                     contact.shared_forces(zero, sample(2.)));
+      Vector reduced = sample(1.), forces = sample(3.);
       unknowns.set_leading_value(reduced, are_coupled ? 0.7 : 0.);
       Vector expanded = reduced, contracted = forces;
       unknowns.expand(expanded);
       unknowns.contract(contracted);
       const double work = expanded * forces;
-      verify("  contraction is the transpose of the expansion",
+      verify("    contraction is the transpose of the expansion",
              std::abs(reduced * contracted - work) < 1e-12 * std::abs(work));
 
-      // a rigid motion of all is one of the indenter
-      if (!are_coupled)
-        return;
-      Vector one = zero;
-      one        = 1.;
-      unknowns.set_leading_value(one, 1.);
-      unknowns.expand(one);
-      one.add(-1.);
-      verify("  the indenter and all nodes move together",
-             one.linfty_norm(),
-             1e-14);
+      // (of reduced forces: nothing is left at closed nodes)
+      unknowns.set_leading_value(forces, are_coupled ? 0.4 : 0.);
+      Vector bound = reduced, released = forces;
+      unknowns.bind_entering(bound);
+      unknowns.release_entering(released);
+      const double own_work = bound * forces;
+      verify("    so are the two of preconditioners",
+             std::abs(released * reduced - own_work) <
+               1e-12 * std::abs(own_work));
+
+      if (are_coupled)
+        check_motion(unknowns);
     }
 
   private:
+    /// A rigid motion of the indenter, and one of all.
+    void
+    check_motion(const ReducedUnknowns &unknowns) const
+    {
+      Vector moved = zero, expected = zero;
+      unknowns.set_leading_value(moved, 1.);
+      unknowns.expand(moved);
+      for (const unsigned int i : contact.active_entries())
+        expected.local_element(i) = 1.;
+      moved -= expected;
+      verify("    all nodes that bear force move with the indenter",
+             moved.linfty_norm(),
+             1e-14);
+
+      Vector one = zero;
+      one        = 1.;
+      unknowns.reduce_motion(one, 1.);
+      unknowns.expand(one);
+      one.add(-1.);
+      verify("    a rigid motion of all is one", one.linfty_norm(), 1e-14);
+    }
+
     Vector
     sample(const double frequency) const
     {
@@ -180,7 +203,7 @@ namespace
            largest_error_of_area<dim>(degree, Kinematics::cartesian),
            error_of_area);
     const TouchedBlock<dim> block(degree, 0.57);
-    block.check_shared_rows();
+    block.check_forces();
     block.check_expansion(false);
     block.check_expansion(true);
     // (in space, the lumped areas of quadratic elements are as good)
@@ -203,5 +226,11 @@ main(int argc, char *argv[])
   check<2>(2, 0.02);
   check<3>(1, 0.06);
   check<3>(2, 0.03);
-  verify("rings", largest_error_of_area<2>(1, Kinematics::axisymmetric), 1e-12);
+  const double error = largest_error_of_area<2>(1, Kinematics::axisymmetric);
+  verify("rings", error, 1e-12);
+  verify("  closer than the area that counts nodes",
+         error,
+         largest_error_of_area<2>(1,
+                                  Kinematics::axisymmetric,
+                                  EdgeRule::at_nodes));
 }

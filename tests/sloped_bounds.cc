@@ -3,15 +3,18 @@
 
 // Contact along the normal of the indenter, above the present places of the
 // nodes or on its tangent planes above the undeformed ones, with finite
-// strains: on the nodes that touch a paraboloid, or share their force, the
-// tangent with slopes and curvature is the derivative of the forces along the
-// bounds. In two and three dimensions, with a given depth and with a given
-// force, without and with friction.
+// strains: on the nodes that touch a paraboloid, and those that its edge is on
+// its way to, the tangent with slopes, curvature and the changes of shares is
+// the derivative of the forces along the bounds. In two and three dimensions,
+// with a given depth and with a given force, without and with friction.
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include <algorithm>
 
 #include "contact/contact_set.h"
 #include "material/material_parameters.h"
@@ -58,6 +61,24 @@ namespace
     parameters.isotropic_moduli = {0.1};
     return parameters;
   }
+
+
+
+  /// A tenth of the height, the same everywhere.
+  template <int dim>
+  class Compression : public Function<dim>
+  {
+  public:
+    Compression()
+      : Function<dim>(dim)
+    {}
+
+    double
+    value(const Point<dim> &x, const unsigned int component) const override
+    {
+      return component == dim - 1 ? -0.1 * (1. + x[dim - 1]) : 0.;
+    }
+  };
 
 
 
@@ -120,14 +141,15 @@ namespace
       solid.predict_flow(u, u);
       solid.linearize(u);
       solid.vmult(product, expanded);
-      here.add_curvature(product, expanded);
-      here.contract(product);
+      here.reduce_product(product, expanded, step);
 
       const double h        = 1e-7;
+      const auto   set      = contact.fingerprint();
       VectorType   quotient = reduced_forces(expanded, -h);
       quotient -= reduced_forces(expanded, h);
       quotient /= 2. * h;
       quotient -= product;
+      verify("  the same nodes are entering", contact.fingerprint() == set);
       verify("  tangent is the derivative of the forces",
              quotient.l2_norm() / product.l2_norm(),
              PackedDeviator<dim>::largest_turn);
@@ -143,27 +165,53 @@ namespace
     }
 
   private:
-    /// Presses the paraboloid into the block, and lets the contact end within
-    /// faces.
+    /// Presses the paraboloid into the block, which is compressed around it, so
+    /// that the edge of the contact is between nodes.
     void
     touch(const Control control)
     {
-      contact.set_load({Control::depth, 0.15});
+      contact.set_load({Control::depth, 0.35});
+      VectorTools::interpolate(dof_handler, Compression<dim>(), u);
       contact.activate_touching(u);
-      contact.note_edge(u);
-      contact.divide_edge(0.16);
-      contact.set_load({Control::depth, 0.16});
-      VectorType shifted = sample(3.);
-      u.equ(0.01, shifted);
+      u.add(0.002, sample(3.));
       contact.move_active(u);
+      contact.find_entering(u);
       if (control == Control::force)
         contact.set_load({Control::force, 1.});
       if (contact.has_friction())
         let_slip();
-      output() << "  nodes touch, "
-               << (contact.shared_rows() ? "some share their force" :
-                                           "none shares its force")
-               << std::endl;
+      check_entering();
+    }
+
+    /// Nodes that are entering from inside are at their bound, where the
+    /// tangent has a jump.
+    void
+    leave_bounds()
+    {
+      const auto closed = contact.closed_entries();
+      for (const unsigned int i : contact.active_entries())
+        if (std::find(closed.begin(), closed.end(), i) == closed.end())
+          u.local_element(i) -= 0.008;
+      contact.return_to_bounds(u);
+      contact.find_entering(u);
+    }
+
+    /// (Nodes that pull share nothing.)
+    void
+    check_entering()
+    {
+      compute_residual(residual, u);
+      bool are_pressed = true, are_stiff = true;
+      for (const unsigned int i : contact.active_entries())
+        are_pressed = are_pressed && residual.local_element(i) > 0.;
+      for (const EnteringUnknown &unknown :
+           contact.shared_forces(u, residual).entering)
+        are_stiff = are_stiff && unknown.stiffness > 0.;
+      verify("  some nodes touch, others are entering",
+             contact.n_closed() > 0 && contact.n_active() > contact.n_closed());
+      verify("  all press, and what enters has a stiffness",
+             !Utilities::MPI::logical_or(!are_pressed || !are_stiff,
+                                         MPI_COMM_WORLD));
     }
 
     /// Until some nodes slip.
@@ -176,7 +224,9 @@ namespace
           compute_residual(residual, u);
           contact.update(u, residual);
           contact.move_active(u);
+          contact.find_entering(u);
         }
+      leave_bounds();
       const unsigned int n_held =
         Utilities::MPI::sum(contact.stuck_entries().size(), MPI_COMM_WORLD);
       verify("  some nodes stick, others slip",
@@ -193,28 +243,28 @@ namespace
     ReducedUnknowns
     unknowns(const VectorType &displacement, const VectorType &forces) const
     {
-      const auto active          = contact.active_entries();
+      const auto closed          = contact.closed_entries();
       const bool is_force_driven = contact.is_force_driven();
       auto       held            = contact.stuck_entries();
       if (!is_force_driven)
-        held.insert(held.end(), active.begin(), active.end());
+        held.insert(held.end(), closed.begin(), closed.end());
       ReducedUnknowns result(held,
-                             is_force_driven ? active :
+                             is_force_driven ? closed :
                                                std::vector<unsigned int>(),
                              MPI_COMM_WORLD,
-                             active,
-                             contact.shared_rows());
+                             contact.shared_forces(displacement, forces));
       result.set_sloped_bounds(contact.sloped_bounds(displacement, forces));
       return result;
     }
 
     /// Where @p direction and the bounds lead.
     VectorType
-    reduced_forces(const VectorType &direction, const double way) const
+    reduced_forces(const VectorType &direction, const double way)
     {
       VectorType moved = u, forces(u);
       moved.add(way, direction);
       contact.return_to_bounds(moved);
+      contact.find_entering(moved);
       compute_residual(forces, moved);
       unknowns(moved, forces).contract(forces);
       return forces;
