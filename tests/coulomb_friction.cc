@@ -56,14 +56,11 @@ namespace
   /// little smaller does not.
   template <int dim>
   bool
-  is_at_limit(const ContactForce<dim>  &force,
-              const TangentVector<dim> &slope,
-              const double              share)
+  is_at_limit(const ContactForce<dim> &force, const TangentVector<dim> &slope)
   {
     const auto sticks = [&](const double coefficient) {
       FrictionState<dim> state;
-      CoulombFriction<dim>(coefficient, 1.)
-        .update(state, force, {}, slope, share, 1.);
+      CoulombFriction<dim>(coefficient, 1.).update(state, force, {}, slope, 1.);
       return state.sticks;
     };
     return sticks((1. + 1e-8) * mu) && !sticks((1. - 1e-8) * mu);
@@ -73,10 +70,8 @@ namespace
 
   template <int dim>
   void
-  check_force(const double share)
+  check_force()
   {
-    output() << "  The indenter bears " << share
-             << " times the vertical force of the node" << std::endl;
     const CoulombFriction<dim> friction(mu, 1.);
     const TangentVector<dim>   slip = vector<dim>(-0.02, 0.05);
     const auto                 here = surface<dim>({});
@@ -85,18 +80,14 @@ namespace
     const double               way = std::sqrt(tangent_product(slip, slip, b));
     state                          = {false, slip / way, 1. / way};
 
-    const auto law = friction.force_slope(here, state, slip, share);
+    const auto              law = friction.force_slope(here, state, slip);
     const ContactForce<dim> force(2., -2. * law.value, b);
-    const ContactForce<dim> of_others((share - 1.) * 2.,
-                                      -(share - 1.) * 2. * b,
-                                      b);
     const double            tangential =
       std::sqrt(tangent_product(force.tangential, force.tangential, b));
     verify("  tangential over normal force",
-           std::abs(tangential / (force.normal + of_others.normal) - mu),
+           std::abs(tangential / force.normal - mu),
            1e-14);
-    verify("  at the limit of the switching test",
-           is_at_limit(force, b, share));
+    verify("  at the limit of the switching test", is_at_limit(force, b));
     verify("  in the direction of the slip",
            (force.tangential / tangential - state.direction).norm(),
            1e-14);
@@ -108,8 +99,7 @@ namespace
         TangentVector<dim> step;
         step[j]       = h;
         const auto at = [&](const TangentVector<dim> &x) {
-          return friction.force_slope(surface<dim>(x), state, slip + x, share)
-            .value;
+          return friction.force_slope(surface<dim>(x), state, slip + x).value;
         };
         const auto quotient = (at(step) - at(-step)) / (2. * h);
         for (unsigned int i = 0; i < dim - 1; ++i)
@@ -129,18 +119,17 @@ namespace
     FrictionState<dim>         state;
     verify("  sticks below the limit",
            !friction.update(
-             state, {1., vector<dim>(0.2, 0.2), flat}, none, flat, 1., 1.) &&
+             state, {1., vector<dim>(0.2, 0.2), flat}, none, flat, 1.) &&
              state.sticks);
     verify("  slips beyond it",
            friction.update(
-             state, {1., vector<dim>(-0.4, 0.), flat}, none, flat, 1., 1.) &&
+             state, {1., vector<dim>(-0.4, 0.), flat}, none, flat, 1.) &&
              !state.sticks && state.direction[0] == -1.);
     verify("  goes on",
            !friction.update(state,
                             {1., vector<dim>(-0.3, 0.), flat},
                             vector<dim>(-0.1, 0.1),
                             flat,
-                            1.,
                             1.) &&
              !state.sticks);
     verify("  sticks where friction would drive it",
@@ -148,16 +137,11 @@ namespace
                            {1., vector<dim>(-0.3, 0.), flat},
                            vector<dim>(0.1, 0.),
                            flat,
-                           1.,
                            1.) &&
              state.sticks);
-    verify("  what is shared adds to the limit",
-           !friction.update(
-             state, {1., vector<dim>(-0.4, 0.), flat}, none, flat, 1.5, 1.));
-    verify(
-      "  never slips",
-      !CoulombFriction<dim>(std::numeric_limits<double>::infinity(), 1.)
-         .update(state, {1., vector<dim>(9., 0.), flat}, none, flat, 1., 1.));
+    verify("  never slips",
+           !CoulombFriction<dim>(std::numeric_limits<double>::infinity(), 1.)
+              .update(state, {1., vector<dim>(9., 0.), flat}, none, flat, 1.));
   }
 
 
@@ -167,8 +151,7 @@ namespace
   check()
   {
     output() << dim << "D" << std::endl;
-    check_force<dim>(1.);
-    check_force<dim>(1.6);
+    check_force<dim>();
     check_switching<dim>();
   }
 } // namespace
@@ -189,7 +172,7 @@ main(int argc, char *argv[])
   state.direction[0] = 1. / std::sqrt(17.);
   try
     {
-      CoulombFriction<2>(mu, 1.).force_slope(steep, state, state.direction, 1.);
+      CoulombFriction<2>(mu, 1.).force_slope(steep, state, state.direction);
       output() << "not refused" << std::endl;
     }
   catch (const ConvergenceError &error)
