@@ -250,7 +250,7 @@ namespace ElastoPlastic
     const double n_after  = contact.n_closed();
     change_law(u,
                changed,
-               std::abs(n_after - n_before) > many * std::max(n_after, 1.));
+               std::abs(n_after - n_before) > std::max(many * n_after, 1.));
     collect_unknowns(u, residual);
     return changed;
   }

@@ -88,9 +88,9 @@ namespace ElastoPlastic
     /// shape function over it, and of those of the nodes of a face that are not
     /// closed the part that is in proportion to its own. @p kinds has the Kind
     /// of each node, @p levels the level of the others. A face with a node that
-    /// is no candidate is touched as a whole. A node that is closed alone has
-    /// as much as one at the corner of a contact: one of 2^(dim-1) parts of
-    /// what belongs to it. Collective.
+    /// is no candidate is touched as a whole. A node none of
+    /// whose faces has closed nodes only counts as a whole, too: there is no
+    /// edge that could be followed. Collective.
     Vector
     touched_areas(const Vector &kinds, const Vector &levels) const;
 

@@ -10,7 +10,6 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <set>
 #include <vector>
@@ -369,6 +368,11 @@ namespace ElastoPlastic
     /// the nearest candidates and activates them. @return whether it has.
     bool
     find_contact(const Vector &u);
+
+    /// Where no node is closed, there is no force that others could have a part
+    /// of: then none is entering.
+    void
+    open_without_closed();
 
     /// Sets the status of all candidates to what status(number, node) says; @p
     /// u says where nodes are that become active. @return whether any status

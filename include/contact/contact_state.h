@@ -25,8 +25,8 @@ namespace ElastoPlastic
     /// The largest violation of the bounds of the candidates.
     double max_penetration = 0;
     /// max(u_d - (g - depth), 0) over the candidates: how deep the nodes beside
-    /// the edge of the contact, which share their bounds with others, are in
-    /// the indenter.
+    /// the edge of the contact, which may be inside by what the edge allows
+    /// them (EdgeLaw), are in the indenter.
     double edge_penetration = 0;
     /// The same over the nodes without a pressure of their own: hanging ones,
     /// which follow their masters, and those without area.

@@ -202,7 +202,7 @@ namespace ElastoPlastic
   {
     const Vector      whole = areas();
     const GhostValues ghosts_of_kinds(kinds), ghosts_of_levels(levels);
-    Vector            result(vector_layout);
+    Vector            result(vector_layout), has_closed_face(vector_layout);
     for (const Face &face : faces)
       {
         unsigned int n_others = 0, n_closed = 0;
@@ -213,6 +213,9 @@ namespace ElastoPlastic
             n_closed += (kinds(dof) == closed);
             sum += (kinds(dof) == not_closed ? levels(dof) : 0.);
           }
+        if (n_closed == n_nodes)
+          for (const auto dof : face.dofs)
+            has_closed_face(dof) = 1.;
         if (n_others == 0 || n_closed == 0 || n_others + n_closed < n_nodes)
           continue;
 
@@ -233,14 +236,13 @@ namespace ElastoPlastic
               (own > 0. ? touched[n] * all / own : 0.) - face.areas[n];
       }
     result.compress(VectorOperation::add);
+    has_closed_face.compress(VectorOperation::max);
     for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
-      {
-        const double of_node = whole.local_element(i);
-        double      &touched = result.local_element(i);
-        touched              = kinds.local_element(i) == closed ?
-                                 std::max(of_node + touched, of_node / n_nodes) :
-                                 0.;
-      }
+      result.local_element(i) =
+        kinds.local_element(i) == closed ?
+          whole.local_element(i) +
+            has_closed_face.local_element(i) * result.local_element(i) :
+          0.;
     return result;
   }
 

@@ -216,13 +216,18 @@ namespace ElastoPlastic
           sum += gaps[k] + place.allowances[k];
       return Utilities::MPI::sum(sum, communicator) / n_closed;
     };
+    double largest = 0;
+    for (unsigned int k = 0; k < heights.size(); ++k)
+      if (statuses[k] == ContactStatus::closed)
+        largest = std::max(largest, std::abs(heights[k]));
+    largest      = Utilities::MPI::max(largest, communicator);
     double depth = present_depth, left = distance(depth), slope = -1.;
     for (unsigned int i = 0; i < n_secant_steps; ++i)
       {
         const double step = -left / slope;
         const double next = depth + step;
-        if (std::abs(step) <=
-            std::numeric_limits<double>::epsilon() * std::abs(next))
+        if (std::abs(step) <= std::numeric_limits<double>::epsilon() *
+                                std::max(std::abs(next), largest))
           break;
         const double left_there = distance(next);
         slope = std::clamp((left_there - left) / step, -2., -1.);
@@ -329,6 +334,7 @@ namespace ElastoPlastic
         });
       }
     find_contact(u);
+    open_without_closed();
   }
 
 
@@ -346,6 +352,17 @@ namespace ElastoPlastic
                ContactStatus::closed :
                law().status_at(k, gaps[k] + place.allowances[k]);
     });
+    open_without_closed();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSet<dim>::open_without_closed()
+  {
+    if (n_closed() == 0)
+      deactivate_all();
   }
 
 
@@ -406,7 +423,9 @@ namespace ElastoPlastic
         return law().has_part(k) ? ContactStatus::entering :
                                    ContactStatus::open;
       });
-    return find_contact(u) || changed || turned;
+    const bool found = find_contact(u);
+    open_without_closed();
+    return found || changed || turned;
   }
 
 
@@ -430,7 +449,9 @@ namespace ElastoPlastic
                  ContactStatus::closed :
                  law().status_at(k, distance);
       });
-    return find_contact(u) || changed;
+    const bool found = find_contact(u);
+    open_without_closed();
+    return found || changed;
   }
 
 

@@ -85,11 +85,14 @@ namespace ElastoPlastic
 
 
 
+  // (A node that is entering presses with next to nothing at first: without a
+  // law that says how much it may stick for that, it does not.)
   template <int dim>
   bool
   ContactSet<dim>::is_held(const Node &node, const unsigned int d) const
   {
-    return friction.exists() && node.friction.sticks && node.free[d];
+    return friction.exists() && node.friction.sticks && node.free[d] &&
+           (friction.dissipates() || node.status == ContactStatus::closed);
   }
 
 

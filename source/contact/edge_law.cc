@@ -6,7 +6,6 @@
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "contact/edge_law.h"
@@ -145,7 +144,8 @@ namespace ElastoPlastic
           {
             result.allowances[k] = allowance(k, result.openings);
             const double y       = opening(k, gaps[k] + result.allowances[k]);
-            changed |= (y != result.openings.local_element(k));
+            const double before  = result.openings.local_element(k);
+            changed |= (y < before || y > before); // (not if it is no number)
             result.openings.local_element(k) = y;
           }
         changed =

@@ -106,7 +106,7 @@ namespace ElastoPlastic
             }
         for (auto &[j, weight] : inner_neighbors[b])
           {
-            full_rises[b] += weight * weight / sum;
+            full_rises[b] += weight * (weight / sum);
             weight /= sum;
           }
       }

@@ -149,16 +149,11 @@ namespace ElastoPlastic
     for (const SlopedBound &bound : sloped_bounds)
       add_along_force_slope(forces, bound, forces.local_element(bound.index));
     if (shared.rows)
-      {
-        Vector shares(forces.get_partitioner());
-        shared.rows->shares(forces,
-                            [&](const unsigned int i, const double share) {
-                              shares.local_element(i) = share;
-                            });
-        for (const EnteringUnknown &unknown : shared.entering)
-          forces.local_element(unknown.index) -=
-            shares.local_element(unknown.index);
-      }
+      // (zero but for entering ones)
+      shared.rows->shares(forces,
+                          [&](const unsigned int i, const double share) {
+                            forces.local_element(i) -= share;
+                          });
     set_leading_value(forces,
                       has_coupling() ? Utilities::MPI::sum(sum, communicator) :
                                        0.);
