@@ -11,7 +11,8 @@
 namespace ElastoPlastic
 {
   /// How the gap function rises from node to node, of all nodes of all ranks:
-  /// the coefficients of EdgeLaw. All of it changes continuously with the gaps.
+  /// the coefficients of EdgeLaw. The rises, and the products of coefficients
+  /// and rises, change continuously with the gaps.
   struct RiseOfGap
   {
     /// Of @p nodes in ascending order, the same on all ranks, and the pairs of
