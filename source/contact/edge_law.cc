@@ -78,6 +78,9 @@ namespace ElastoPlastic
           begin = all.size();
         all.insert(all.end(), of_ranks[r].begin(), of_ranks[r].end());
       }
+    layout.reset();
+    if (all.empty())
+      return;
     const RiseOfGap rise(all, pairs, communicator);
 
     IndexSet owned(all.size()), relevant(all.size());
