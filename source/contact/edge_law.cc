@@ -78,8 +78,9 @@ namespace ElastoPlastic
           begin = all.size();
         all.insert(all.end(), of_ranks[r].begin(), of_ranks[r].end());
       }
+    // (deal.II's partitions have more indices than ranks.)
     layout.reset();
-    if (all.empty())
+    if (all.size() <= of_ranks.size())
       return;
     const RiseOfGap rise(all, pairs, communicator);
 
