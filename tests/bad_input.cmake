@@ -438,14 +438,14 @@ add_message_test(tractions_beyond_limit 4 "Error: No equilibrium has been found 
   ${_files}/pulled_too_far.prm --quiet --overwrite --output-directory tractions_beyond_limit --set Dimension=3
   --set "Boundary conditions/Roller=left, bottom, front, back" --set "Boundary conditions/Traction=right: 2*t@ 0@ 0")
 add_message_test(unsafe_tractions 4 "Error: There is no equilibrium under the largest load of tractions and body forces: the limit load of the body is between 0.57735[0-9]* and 0.57735[0-9]* times that. Prescribe smaller loads"
-  ${_files}/pulled_too_far.prm --quiet --overwrite --output-directory unsafe_tractions --set "Contact/Edge=at nodes")
+  ${_files}/pulled_too_far.prm --quiet --overwrite --output-directory unsafe_tractions)
 # The exact limit of the punch is 10.3: what the first mesh bears, the next one does not.
 add_message_test(adapted_mesh_too_soft 0 "Warning: No equilibrium has been found on the adapted mesh under the load of step 5. the next step begins with the interpolated state"
   ${_circular_punch} --output-directory adapted_mesh_too_soft --set "Loading/History=1: force 10.5 | 2: force 0"
   --set "Loading/Number of steps=10" --set "Loading/Maximum number of cuts=2"
   --set "Refinement/Steps between adaptations=5" --set "Refinement/Refinement fraction=0.1")
 add_message_test(indenter_has_left 3 "Error: Load step 2 from t = 1 .depth 0.0095[0-9]*. fails even if it ends at t = 2, .*The indenter has left the contact boundary: there is nothing below it"
-  ${CMAKE_SOURCE_DIR}/parameter_files/friction/mindlin_cylinder.prm --quiet --overwrite --output-directory indenter_has_left --set "Contact/Edge=at nodes" --set "Geometry/Local refinements=7"
+  ${CMAKE_SOURCE_DIR}/parameter_files/friction/mindlin_cylinder.prm --quiet --overwrite --output-directory indenter_has_left --set "Geometry/Local refinements=7"
   --set "Refinement/Elements over contact radius=0" --set "Loading/History=1: force 836.8 | 2: force 836.8" --set "Loading/Path=1: 0 | 2: 100"
   --set "Loading/Number of steps=2" --set "Loading/Maximum number of cuts=0" --set "Output/Fields=never")
 add_message_test(sinks_without_end 3 "The indenter sinks without end: its depth exceeds the size of the body by far"

@@ -78,9 +78,8 @@ namespace ElastoPlastic
           begin = all.size();
         all.insert(all.end(), of_ranks[r].begin(), of_ranks[r].end());
       }
-    // (deal.II's partitions have more indices than ranks.)
     layout.reset();
-    if (all.size() <= of_ranks.size())
+    if (all.empty()) // (deal.II makes no partition of nothing)
       return;
     const RiseOfGap rise(all, pairs, communicator);
 
