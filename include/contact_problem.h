@@ -19,7 +19,7 @@ namespace ElastoPlastic
   ///
   ///   Pi(u) = int W(strain(u)) dx - forces . u
   ///
-  /// where supports and active contact nodes are constrained; or, if the force
+  /// where supports and closed contact nodes are constrained; or, if the force
   /// F on the indenter is given,
   ///
   ///   Pi(u, delta) = int W(strain(u)) dx - forces . u - F delta
@@ -147,7 +147,6 @@ namespace ElastoPlastic
 
     ReducedUnknowns unknowns;
     unsigned int    n_changes      = 0;
-    bool            law_rests      = false;
     bool            law_has_rested = false;
     /// Of the indenter, in the last increment; zero if its depth is given.
     double downward_motion = 0;

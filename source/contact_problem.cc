@@ -268,9 +268,9 @@ namespace ElastoPlastic
     n_changes = set_has_changed ? n_changes + 1 : 0;
     if (law_has_rested)
       {
-        if (law_rests && (n_changes == 0 || n_changes == patience))
+        if (contact.law_is_resting() &&
+            (n_changes == 0 || n_changes == patience))
           {
-            law_rests = false;
             contact.wake_law();
             contact.find_entering(u);
           }
@@ -278,8 +278,8 @@ namespace ElastoPlastic
     else if (contact.ends_within_faces() &&
              (set_has_changed_much || n_changes == patience))
       {
-        law_rests = law_has_rested = true;
-        n_changes                  = 0;
+        law_has_rested = true;
+        n_changes      = 0;
         contact.rest_law();
       }
   }
@@ -290,7 +290,7 @@ namespace ElastoPlastic
   bool
   ContactProblem<dim>::is_itself() const
   {
-    return !law_rests;
+    return !contact.law_is_resting();
   }
 
 
@@ -301,7 +301,6 @@ namespace ElastoPlastic
                                                   const Vector &residual)
   {
     contact.wake_law();
-    law_rests          = false;
     const bool changed = contact.update_feasible(u, residual);
     collect_unknowns(u, residual);
     return changed;

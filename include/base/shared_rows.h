@@ -35,7 +35,8 @@ namespace ElastoPlastic
       const std::shared_ptr<const Utilities::MPI::Partitioner> &layout);
 
     /// Calls receive(i, sum_j t_ij u_j) for the unknowns i of this rank that
-    /// have a row. Collective.
+    /// have a row, in the order of their numbers, when u is no longer needed.
+    /// Collective.
     template <typename Receive>
     void
     sums(const Vector &u, const Receive &receive) const
@@ -50,8 +51,8 @@ namespace ElastoPlastic
       few.zero_out_ghost_values();
     }
 
-    /// Calls receive(j, sum_i t_ij f_i) for all few unknowns of this rank.
-    /// Collective.
+    /// Calls receive(j, sum_i t_ij f_i) for all few unknowns of this rank, in
+    /// the order of their numbers, when f is no longer needed. Collective.
     template <typename Receive>
     void
     shares(const Vector &f, const Receive &receive) const
@@ -89,7 +90,8 @@ namespace ElastoPlastic
   {
     /// t_jb, with the entering unknowns b; null if there are none.
     std::shared_ptr<const SharedRows> rows;
-    std::vector<EnteringUnknown>      entering;
+    /// In the order of their numbers.
+    std::vector<EnteringUnknown> entering;
   };
 } // namespace ElastoPlastic
 

@@ -61,13 +61,6 @@ namespace ElastoPlastic
     Vector
     areas() const;
 
-    /// The partition of all vectors.
-    const std::shared_ptr<const Utilities::MPI::Partitioner> &
-    layout() const
-    {
-      return vector_layout;
-    }
-
     /// The same faces, where the displacement @p u has brought them, seen from
     /// above. Collective.
     ContactFaces

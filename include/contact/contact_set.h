@@ -102,17 +102,11 @@ namespace ElastoPlastic
     }
 
     bool
-    is_force_driven() const
-    {
-      return given_force.has_value();
-    }
+    is_force_driven() const;
 
     /// F; zero if a depth drives the indenter.
     double
-    force() const
-    {
-      return given_force.value_or(0.);
-    }
+    force() const;
 
     /// Where the indenter is when the body has the displacement @p u, in which
     /// the closed nodes, if a force drives them, have moved together: the mean
@@ -143,6 +137,8 @@ namespace ElastoPlastic
     rest_law();
     void
     wake_law();
+    bool
+    law_is_resting() const;
 
     /// Takes none as active.
     void
@@ -214,10 +210,7 @@ namespace ElastoPlastic
 
     /// Whether its edge moves through the faces now.
     bool
-    ends_within_faces() const
-    {
-      return law().exists();
-    }
+    ends_within_faces() const;
 
     /// Whether a motion along the bounds to first order leaves them.
     bool
@@ -274,16 +267,13 @@ namespace ElastoPlastic
     /// An indenter that no force pushes does not press on any node, and has
     /// none to tell it its place: it follows the body without holding it.
     bool
-    presses() const
-    {
-      return !is_force_driven() || force() > 0.;
-    }
+    presses() const;
 
     /// The law in force.
     const EdgeLaw &
     law() const
     {
-      return law_rests || rule != EdgeRule::within_faces ? no_law : edge_law;
+      return law_rests ? no_law : edge_law;
     }
 
     /// Those of the nodes that the indenter reaches, and the edge between them.
@@ -322,6 +312,13 @@ namespace ElastoPlastic
     bool
     update_friction(const Vector &u, const Vector &residual);
 
+    /// How its horizontal force follows from the vertical one; whatever a skew
+    /// plane of symmetry ties. @throws ConvergenceError as CoulombFriction
+    ForceSlope<dim>
+    force_law(const Node                 &node,
+              const IndenterSurface<dim> &surface,
+              const Vector               &u) const;
+
     SlopedBound
     sloped_bound(const Node &node, const Vector &u) const;
 
@@ -353,11 +350,7 @@ namespace ElastoPlastic
     stays_closed(const unsigned int k,
                  const double       pressing,
                  const double       force,
-                 const double       force_inside) const
-    {
-      return pressing > 0. && (!law().has_part(k) ||
-                               force > EdgeLaw::full_share() * force_inside);
-    }
+                 const double       force_inside) const;
 
     /// The smallest distance from the undisplaced indenter down to those of
     /// @p some nodes that are candidates or without area. Collective.

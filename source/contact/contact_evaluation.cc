@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/rethrow_collectively.h"
 #include "contact/contact_evaluation.h"
 
 namespace ElastoPlastic
@@ -96,7 +97,7 @@ namespace ElastoPlastic
   typename ContactEvaluation<dim>::Vector
   ContactEvaluation<dim>::touched_areas() const
   {
-    if (!contact.edge_law.exists())
+    if (contact.rule == EdgeRule::at_nodes)
       return areas;
     const std::vector<double> of_candidates = contact.gaps(u, contact.depth());
     Vector                    gaps(u.get_partitioner());
@@ -227,10 +228,19 @@ namespace ElastoPlastic
   ContactEvaluation<dim>::forces_on_body() const
   {
     Vector forces = contact.vertical_forces_on_body(residual);
-    for (const SlopedBound &bound : contact.sloped_bounds(u, residual))
-      for (unsigned int d = 0; d < bound.n_others; ++d)
-        forces.local_element(bound.others[d]) =
-          bound.force_slope[d] * bound.force;
+    if (contact.has_sloped_bounds())
+      rethrow_collectively(contact.communicator, [&]() {
+        for (const Node &node : contact.candidates)
+          if (node.is_active())
+            {
+              const auto slope =
+                contact.force_law(node, contact.bounds.surface(node, u), u)
+                  .value;
+              for (unsigned int d = 0; d < dim - 1; ++d)
+                forces.local_element(node.horizontal[d]) =
+                  slope[d] * residual.local_element(node.index);
+            }
+      });
     for (const unsigned int i : contact.stuck_entries())
       forces.local_element(i) = -residual.local_element(i);
     return forces;

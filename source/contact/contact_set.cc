@@ -71,7 +71,8 @@ namespace ElastoPlastic
       {
         faces.reinit(
           dof_handler, constraints, contact_boundaries, kinematics, layout);
-        neighbors = faces.neighbors();
+        if (rule == EdgeRule::within_faces)
+          neighbors = faces.neighbors();
       }
     find_candidates();
   }
@@ -98,7 +99,7 @@ namespace ElastoPlastic
               candidates.back().gap = node.gap;
             }
         }
-    if (rule == EdgeRule::at_nodes)
+    if (rule != EdgeRule::within_faces)
       return;
     std::vector<EdgeLaw::Node> of_law;
     for (const Node &node : candidates)
@@ -269,189 +270,10 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  bool
-  ContactSet<dim>::find_contact(const Vector &u)
-  {
-    if (force() == 0. || n_closed() > 0)
-      return false;
-    present_depth                     = nearest_distance(candidates, u);
-    const std::vector<double> heights = this->heights(u);
-    return set_statuses(u, [&](const unsigned int k, const Node &) {
-      return heights[k] <= present_depth ? ContactStatus::closed :
-                                           ContactStatus::open;
-    });
-  }
-
-
-
-  template <int dim>
-  template <typename Status>
-  bool
-  ContactSet<dim>::set_statuses(const Vector &u, const Status &status)
-  {
-    bool changed = false;
-    for (unsigned int k = 0; k < candidates.size(); ++k)
-      {
-        Node      &node = candidates[k];
-        const auto next = presses() ? status(k, node) : ContactStatus::open;
-        if (next == node.status)
-          continue;
-        const bool was_active = node.is_active();
-        changed               = true;
-        node.status           = next;
-        if (node.is_active() && !was_active)
-          begin_friction(node, u);
-      }
-    return Utilities::MPI::logical_or(changed, communicator);
-  }
-
-
-
-  template <int dim>
   double
   ContactSet<dim>::bound(const Node &node, const Vector &u) const
   {
     return bounds.value(node, u) - present_depth;
-  }
-
-
-
-  // (What is closed allows nothing to what is inside.)
-  template <int dim>
-  void
-  ContactSet<dim>::activate_touching(const Vector &u)
-  {
-    const double              tolerance = 1e-8 * std::abs(present_depth);
-    const std::vector<double> gaps      = this->gaps(u, present_depth);
-    for (bool changed = true; changed;)
-      {
-        const auto place = law().place(gaps, statuses());
-        changed = set_statuses(u, [&](const unsigned int k, const Node &node) {
-          const double distance = gaps[k] + place.allowances[k];
-          return node.status == ContactStatus::closed || distance <= tolerance ?
-                   ContactStatus::closed :
-                   law().status_at(k, distance);
-        });
-      }
-    find_contact(u);
-    open_without_closed();
-  }
-
-
-
-  template <int dim>
-  void
-  ContactSet<dim>::find_entering(const Vector &u)
-  {
-    if (!law().exists())
-      return;
-    const std::vector<double> gaps  = this->gaps(u, depth_at(u));
-    const auto                place = law().place(gaps, statuses());
-    set_statuses(u, [&](const unsigned int k, const Node &node) {
-      return node.status == ContactStatus::closed ?
-               ContactStatus::closed :
-               law().status_at(k, gaps[k] + place.allowances[k]);
-    });
-    open_without_closed();
-  }
-
-
-
-  template <int dim>
-  void
-  ContactSet<dim>::open_without_closed()
-  {
-    if (n_closed() == 0)
-      deactivate_all();
-  }
-
-
-
-  template <int dim>
-  void
-  ContactSet<dim>::rest_law()
-  {
-    law_rests = true;
-    set_statuses(Vector(), [](const unsigned int, const Node &node) {
-      return node.status == ContactStatus::closed ? ContactStatus::closed :
-                                                    ContactStatus::open;
-    });
-  }
-
-
-
-  template <int dim>
-  void
-  ContactSet<dim>::wake_law()
-  {
-    law_rests = false;
-  }
-
-
-
-  template <int dim>
-  void
-  ContactSet<dim>::deactivate_all()
-  {
-    set_statuses(Vector(), [](const unsigned int, const Node &) {
-      return ContactStatus::open;
-    });
-  }
-
-
-
-  template <int dim>
-  bool
-  ContactSet<dim>::update(const Vector &u, const Vector &residual)
-  {
-    present_depth                    = depth_at(u);
-    const std::vector<double> gaps   = this->gaps(u, present_depth);
-    const auto                place  = law().place(gaps, statuses());
-    const std::vector<double> inside = forces_inside(residual);
-    const bool                turned = update_friction(u, residual);
-    const bool                changed =
-      set_statuses(u, [&](const unsigned int k, const Node &node) {
-        const double distance = gaps[k] + place.allowances[k];
-        if (node.status != ContactStatus::closed)
-          return distance < 0. ? ContactStatus::closed :
-                                 law().status_at(k, distance);
-        if (stays_closed(k,
-                         pressing_force(node, u, residual),
-                         residual.local_element(node.index),
-                         inside[k]))
-          return ContactStatus::closed;
-        return law().has_part(k) ? ContactStatus::entering :
-                                   ContactStatus::open;
-      });
-    const bool found = find_contact(u);
-    open_without_closed();
-    return found || changed || turned;
-  }
-
-
-
-  // (Nodes that have moved together differ in the last digits.)
-  template <int dim>
-  bool
-  ContactSet<dim>::update_feasible(const Vector &u, const Vector &residual)
-  {
-    present_depth                      = depth_at(u);
-    const double              rounding = 1e-13 * std::abs(present_depth);
-    const std::vector<double> gaps     = this->gaps(u, present_depth);
-    const auto                place    = law().largest_openings(gaps);
-    const std::vector<double> inside   = forces_inside(residual);
-    const bool                changed =
-      set_statuses(u, [&](const unsigned int k, const Node &node) {
-        const double distance = gaps[k] + place.allowances[k];
-        const double force    = residual.local_element(node.index);
-        return distance <= rounding &&
-                   stays_closed(k, force, force, inside[k]) ?
-                 ContactStatus::closed :
-                 law().status_at(k, distance);
-      });
-    const bool found = find_contact(u);
-    open_without_closed();
-    return found || changed;
   }
 
 

@@ -28,16 +28,17 @@ namespace ElastoPlastic
   TangentVector<dim>
   ContactSet<dim>::slip(const Node &node, const Vector &u) const
   {
-    TangentVector<dim> result = horizontal_part<dim>(node, u) - node.anchor;
+    TangentVector<dim> of_free = horizontal_part<dim>(node, u) - node.anchor;
     for (unsigned int d = 0; d < dim - 1; ++d)
       if (!node.free[d])
-        result[d] = 0.;
-    return result;
+        of_free[d] = 0.;
+    return node.ties * of_free;
   }
 
 
 
-  // (What a support takes is not known to be friction.)
+  // What a support takes is not known to be friction. Along a skew plane of
+  // symmetry, the force is that of the free displacement, condensed.
   template <int dim>
   ContactForce<dim>
   ContactSet<dim>::contact_force(const Node                 &node,
@@ -45,10 +46,17 @@ namespace ElastoPlastic
                                  const Vector               &residual) const
   {
     const double       vertical   = residual.local_element(node.index);
-    TangentVector<dim> horizontal = horizontal_part<dim>(node, residual);
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      if (!node.free[d])
-        horizontal[d] = -surface.slope[d] * vertical;
+    const auto         condensed  = horizontal_part<dim>(node, residual);
+    TangentVector<dim> horizontal = -vertical * surface.slope;
+    for (unsigned int e = 0; e < dim - 1; ++e)
+      if (node.free[e])
+        {
+          TangentVector<dim> way;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            way[d] = node.ties[d][e];
+          horizontal += (condensed[e] + vertical * (way * surface.slope)) /
+                        (way * way) * way;
+        }
     return {vertical, horizontal, surface.slope};
   }
 
@@ -178,6 +186,19 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  ForceSlope<dim>
+  ContactSet<dim>::force_law(const Node                 &node,
+                             const IndenterSurface<dim> &surface,
+                             const Vector               &u) const
+  {
+    if (friction.dissipates() && !node.friction.sticks)
+      return friction.force_slope(surface, node.friction, slip(node, u));
+    return {surface.slope, surface.curvature};
+  }
+
+
+
+  template <int dim>
   SlopedBound
   ContactSet<dim>::sloped_bound(const Node &node, const Vector &u) const
   {
@@ -185,15 +206,13 @@ namespace ElastoPlastic
     bound.index    = node.index;
     bound.entering = node.status == ContactStatus::entering;
 
-    const IndenterSurface<dim> surface = bounds.surface(node, u);
-    ForceSlope<dim>            law{surface.slope, surface.curvature};
-    if (friction.dissipates() && !node.friction.sticks)
-      law = friction.force_slope(surface, node.friction, slip(node, u));
-    const auto tied        = transpose(node.ties);
-    const auto slope       = tied * surface.slope;
-    const auto force_slope = tied * law.value;
-    const auto curvature   = tied * law.derivative * node.ties;
-    bound.n_others         = dim - 1;
+    const IndenterSurface<dim> surface     = bounds.surface(node, u);
+    const ForceSlope<dim>      law         = force_law(node, surface, u);
+    const auto                 tied        = transpose(node.ties);
+    const auto                 slope       = tied * surface.slope;
+    const auto                 force_slope = tied * law.value;
+    const auto                 curvature   = tied * law.derivative * node.ties;
+    bound.n_others                         = dim - 1;
     for (unsigned int d = 0; d < dim - 1; ++d)
       {
         bound.others[d] = node.horizontal[d];

@@ -113,6 +113,64 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  bool
+  ContactSet<dim>::presses() const
+  {
+    return !is_force_driven() || force() > 0.;
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSet<dim>::is_force_driven() const
+  {
+    return given_force.has_value();
+  }
+
+
+
+  template <int dim>
+  double
+  ContactSet<dim>::force() const
+  {
+    return given_force.value_or(0.);
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSet<dim>::law_is_resting() const
+  {
+    return law_rests;
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSet<dim>::ends_within_faces() const
+  {
+    return law().exists();
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSet<dim>::stays_closed(const unsigned int k,
+                                const double       pressing,
+                                const double       force,
+                                const double       force_inside) const
+  {
+    return pressing > 0. &&
+           (!law().has_part(k) || force > EdgeLaw::full_share() * force_inside);
+  }
+
+
+
   template class ContactSet<2>;
   template class ContactSet<3>;
 } // namespace ElastoPlastic

@@ -194,16 +194,13 @@ namespace ElastoPlastic
     const std::vector<double> own = entering_values(forces);
     for (unsigned int n = 0; n < n_terms; ++n)
       {
-        Vector shares(forces.get_partitioner());
+        unsigned int k = 0;
         shared.rows->shares(forces,
                             [&](const unsigned int i, const double share) {
-                              shares.local_element(i) = share;
+                              if (k < own.size() &&
+                                  shared.entering[k].index == i)
+                                forces.local_element(i) = own[k++] + share;
                             });
-        for (unsigned int k = 0; k < own.size(); ++k)
-          {
-            const unsigned int i    = shared.entering[k].index;
-            forces.local_element(i) = own[k] + shares.local_element(i);
-          }
       }
     for (const SlopedBound &bound : sloped_bounds)
       if (bound.entering)
@@ -225,16 +222,15 @@ namespace ElastoPlastic
     const std::vector<double> own = entering_values(increment);
     for (unsigned int n = 0; n < n_terms; ++n)
       {
-        Vector sums(increment.get_partitioner());
+        unsigned int k = 0;
         shared.rows->sums(increment,
                           [&](const unsigned int i, const double sum) {
-                            sums.local_element(i) = sum;
+                            while (k < own.size() &&
+                                   shared.entering[k].index < i)
+                              ++k;
+                            if (k < own.size() && shared.entering[k].index == i)
+                              increment.local_element(i) = own[k] + sum;
                           });
-        for (unsigned int k = 0; k < own.size(); ++k)
-          {
-            const unsigned int i       = shared.entering[k].index;
-            increment.local_element(i) = own[k] + sums.local_element(i);
-          }
       }
   }
 
