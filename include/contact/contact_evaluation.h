@@ -12,10 +12,12 @@ namespace ElastoPlastic
   /// of the nodes that touch, for tables and fields. Nothing here decides on
   /// the solution.
   ///
-  /// Without friction, a pressure is the force of a node over the area on which
-  /// it presses; a contact that ends within faces has areas of its own
-  /// (doc/theory.md, "The edge of the contact"). Where the bounds follow the
-  /// deformation, areas are those of the present place.
+  /// A traction is a force over the area on which it acts. Where a contact ends
+  /// within faces, nodes that bear a force before the indenter reaches them
+  /// hand it to their inner neighbours, and the last ones that it has reached
+  /// bear on the touched part of their faces (doc/theory.md, "The edge of the
+  /// contact"). Where the bounds follow the deformation, areas are those of the
+  /// present place.
   template <int dim>
   class ContactEvaluation
   {
@@ -57,22 +59,44 @@ namespace ElastoPlastic
   private:
     using Node = typename ContactSet<dim>::Node;
 
-    /// The areas on which the nodes would press.
-    Vector
-    pressed_areas() const;
+    /// Which candidates the indenter has reached. (Entering ones bear a force
+    /// before, and may be inside when it has.)
+    std::vector<bool>
+    find_reached() const;
 
-    /// Which candidates are closed, as ContactFaces wants it.
+    /// The lumped areas.
     Vector
-    kinds() const;
+    lumped_areas() const;
 
-    /// The pressure at the active nodes; zero elsewhere.
+    /// What each node that is reached has of the touched part of the faces; if
+    /// the contact ends at nodes, what each has of them. Collective.
+    Vector
+    find_touched_areas() const;
+
+    /// The areas on which the forces act that the nodes have been handed. At
+    /// the edge they are between touched and lumped ones: such that the
+    /// pressure is as close to that of the inner neighbours as it can be.
+    /// Collective.
+    Vector
+    find_bearing_areas() const;
+
+    /// What the candidates bear in normal direction, over the inclination of
+    /// the surface, where they bear it. Collective.
+    std::vector<double>
+    normal_forces() const;
+
+    /// @p values of the candidates, those of nodes not reached handed to inner
+    /// neighbours. Collective.
+    std::vector<double>
+    handed_inside(const std::vector<double> &values) const;
+
+    /// Ones in the vertical component of nodes that are reached.
+    Vector
+    touched() const;
+
+    /// The pressure at the nodes that are reached; zero elsewhere. Collective.
     Vector
     pressures() const;
-
-    /// What each closed node has of the touched part of the faces; if the
-    /// contact ends at nodes, what each has of them. Collective.
-    Vector
-    touched_areas() const;
 
     /// Penetration and complementarity of the candidates, of this rank.
     void
@@ -82,13 +106,14 @@ namespace ElastoPlastic
     void
     add_friction(ContactState &state) const;
 
-    /// Of this rank. Collective.
+    /// Of this rank.
     void
     add_areas(ContactState &state) const;
 
-    const ContactSet<dim> &contact;
-    const Vector          &u, &residual;
-    const Vector           areas;
+    const ContactSet<dim>  &contact;
+    const Vector           &u, &residual;
+    const std::vector<bool> reached;
+    const Vector            areas, touched_areas, bearing_areas;
   };
 } // namespace ElastoPlastic
 

@@ -21,6 +21,7 @@
 #include "contact/contact_state.h"
 #include "contact/coulomb_friction.h"
 #include "contact/edge_law.h"
+#include "contact/face_filter.h"
 #include "loading/load.h"
 
 namespace ElastoPlastic
@@ -159,7 +160,6 @@ namespace ElastoPlastic
     update(const Vector &u, const Vector &residual);
 
     /// The same for a feasible @p u: closed are those that touch and press.
-    /// @return whether the set has changed on any rank.
     bool
     update_feasible(const Vector &u, const Vector &residual);
 
@@ -276,8 +276,7 @@ namespace ElastoPlastic
       return law_rests ? no_law : edge_law;
     }
 
-    /// Those of the nodes that the indenter reaches, and the edge between them.
-    /// Collective.
+    /// Those that the indenter reaches, and the edge between them. Collective.
     void
     find_candidates();
 
@@ -389,6 +388,7 @@ namespace ElastoPlastic
     std::vector<Node> hanging_nodes;
 
     ContactFaces<dim>          faces;
+    FaceFilter<dim>            filter;
     std::vector<EdgeLaw::Pair> neighbors;
     EdgeLaw                    edge_law;
     const EdgeLaw              no_law;

@@ -144,6 +144,15 @@ namespace ElastoPlastic
     std::vector<double>
     forces_inside(const std::vector<double> &forces) const;
 
+    /// Hands the @p values of nodes that do not @p keep them to their inner
+    /// neighbours, and on until all are kept; to each in proportion to its part
+    /// c_jb lambda_j of forces_inside(). Nodes without such neighbours keep
+    /// theirs. Collective.
+    std::vector<double>
+    handed_inside(const std::vector<double> &values,
+                  const std::vector<bool>   &keep,
+                  const std::vector<double> &forces) const;
+
     /// The share P'(y) of these that a node with the opening y has.
     static double
     share(const double opening);

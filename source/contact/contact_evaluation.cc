@@ -1,11 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/rethrow_collectively.h"
 #include "contact/contact_evaluation.h"
@@ -37,14 +34,34 @@ namespace ElastoPlastic
     : contact(contact)
     , u(u)
     , residual(residual)
-    , areas(pressed_areas())
+    , reached(find_reached())
+    , areas(lumped_areas())
+    , touched_areas(find_touched_areas())
+    , bearing_areas(find_bearing_areas())
   {}
 
 
 
   template <int dim>
+  std::vector<bool>
+  ContactEvaluation<dim>::find_reached() const
+  {
+    const std::vector<double> gaps = contact.gaps(u, contact.depth());
+    std::vector<bool>         result;
+    for (unsigned int k = 0; k < gaps.size(); ++k)
+      {
+        const ContactStatus status = contact.candidates[k].status;
+        result.push_back(status == ContactStatus::closed ||
+                         (status == ContactStatus::entering && gaps[k] <= 0.));
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
   typename ContactEvaluation<dim>::Vector
-  ContactEvaluation<dim>::pressed_areas() const
+  ContactEvaluation<dim>::lumped_areas() const
   {
     Vector       result(u.get_partitioner());
     const bool   moves = contact.bounds.follow_deformation();
@@ -64,46 +81,19 @@ namespace ElastoPlastic
 
   template <int dim>
   typename ContactEvaluation<dim>::Vector
-  ContactEvaluation<dim>::kinds() const
-  {
-    Vector result(u.get_partitioner());
-    for (const Node &node : contact.candidates)
-      result.local_element(node.index) = node.status == ContactStatus::closed ?
-                                           ContactFaces<dim>::closed :
-                                           ContactFaces<dim>::not_closed;
-    return result;
-  }
-
-
-
-  // (Vertical forces and projected areas have the same quotient as normal
-  // forces and inclined areas.)
-  template <int dim>
-  typename ContactEvaluation<dim>::Vector
-  ContactEvaluation<dim>::pressures() const
-  {
-    Vector result(residual.get_partitioner());
-    for (const Node &node : contact.candidates)
-      if (node.is_active())
-        result.local_element(node.index) =
-          contact.pressing_force(node, u, residual) *
-          contact.bounds.inclination(node) / areas.local_element(node.index);
-    return result;
-  }
-
-
-
-  template <int dim>
-  typename ContactEvaluation<dim>::Vector
-  ContactEvaluation<dim>::touched_areas() const
+  ContactEvaluation<dim>::find_touched_areas() const
   {
     if (contact.rule == EdgeRule::at_nodes)
       return areas;
     const std::vector<double> of_candidates = contact.gaps(u, contact.depth());
-    Vector                    gaps(u.get_partitioner());
+    Vector gaps(u.get_partitioner()), kinds(u.get_partitioner());
     for (unsigned int k = 0; k < of_candidates.size(); ++k)
-      gaps.local_element(contact.candidates[k].index) = of_candidates[k];
-    const Vector kinds  = this->kinds();
+      {
+        const unsigned int i   = contact.candidates[k].index;
+        gaps.local_element(i)  = of_candidates[k];
+        kinds.local_element(i) = reached[k] ? ContactFaces<dim>::closed :
+                                              ContactFaces<dim>::not_closed;
+      }
     const Vector levels = contact.faces.levels(kinds, gaps);
     return contact.bounds.follow_deformation() ?
              contact.faces.moved(u).touched_areas(kinds, levels) :
@@ -113,112 +103,99 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  ContactState
-  ContactEvaluation<dim>::state() const
+  typename ContactEvaluation<dim>::Vector
+  ContactEvaluation<dim>::find_bearing_areas() const
   {
-    const MPI_Comm communicator = contact.communicator;
-    double         max_pressure = 0;
-    double         min_pressure = std::numeric_limits<double>::infinity();
-    {
-      const Vector pressures = this->pressures();
-      for (const unsigned int i : contact.active_entries())
-        {
-          max_pressure = std::max(max_pressure, pressures.local_element(i));
-          min_pressure = std::min(min_pressure, pressures.local_element(i));
-        }
-    }
-
-    ContactState state;
-    add_distances(state);
-    add_friction(state);
-    add_areas(state);
-    for (double *const sum : {&state.force,
-                              &state.contact_area,
-                              &state.complementarity_error,
-                              &state.tangential_force[0],
-                              &state.tangential_force[1],
-                              &state.stick_area,
-                              &state.frictional_dissipation})
-      *sum = Utilities::MPI::sum(*sum, communicator);
-    for (double *const largest : {&state.max_penetration,
-                                  &state.edge_penetration,
-                                  &state.max_hanging_penetration})
-      *largest = Utilities::MPI::max(*largest, communicator);
-    state.active_nodes = contact.n_active();
-    state.max_pressure = Utilities::MPI::max(max_pressure, communicator);
-    if (state.active_nodes > 0)
-      state.min_pressure = Utilities::MPI::min(min_pressure, communicator);
-    const double scale          = std::abs(state.force * contact.depth());
-    state.complementarity_error = state.active_nodes > 0 && scale > 0. ?
-                                    state.complementarity_error / scale :
-                                    0.;
-    return state;
-  }
-
-
-
-  template <int dim>
-  void
-  ContactEvaluation<dim>::add_distances(ContactState &state) const
-  {
-    const std::vector<double> gaps = contact.gaps(u, contact.depth());
-    const auto place = contact.law().place(gaps, contact.statuses());
-    for (unsigned int k = 0; k < gaps.size(); ++k)
-      {
-        const Node  &node     = contact.candidates[k];
-        const double force    = residual.local_element(node.index);
-        const double distance = gaps[k] + place.allowances[k];
-        if (node.is_active())
-          state.force += force;
-        if (node.status != ContactStatus::entering)
-          state.complementarity_error += std::abs(force * distance);
-        state.max_penetration  = std::max(state.max_penetration, -distance);
-        state.edge_penetration = std::max(state.edge_penetration, -gaps[k]);
-      }
-    for (const Node &node : contact.hanging_nodes)
-      state.max_hanging_penetration =
-        std::max(state.max_hanging_penetration,
-                 u.local_element(node.index) - contact.bound(node, u));
-  }
-
-
-
-  template <int dim>
-  void
-  ContactEvaluation<dim>::add_friction(ContactState &state) const
-  {
-    const Vector forces = forces_on_body();
+    if (!contact.law().exists())
+      return areas;
+    const Vector        whole = contact.bounds.follow_deformation() ?
+                                  contact.faces.moved(u).areas() :
+                                  contact.faces.areas();
+    std::vector<double> of_active;
     for (const Node &node : contact.candidates)
-      {
-        const auto force = horizontal_part<dim>(node, forces);
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          state.tangential_force[d] += force[d];
-        if (!node.is_active() || !contact.friction.exists() ||
-            node.friction.sticks)
-          continue;
-        const auto surface = contact.bounds.surface(node, u);
-        state.frictional_dissipation += tangent_product(
-          contact.contact_force(node, surface, residual).tangential,
-          contact.slip(node, u),
-          surface.slope);
-      }
+      of_active.push_back(node.is_active() ? areas.local_element(node.index) :
+                                             0.);
+    const std::vector<double> own    = normal_forces();
+    const std::vector<double> inside = contact.law().forces_inside(own);
+    const std::vector<double> areas_inside =
+      contact.law().forces_inside(of_active);
+    const std::vector<double> handed = handed_inside(own);
+
+    Vector result = areas;
+    for (unsigned int k = 0; k < own.size(); ++k)
+      if (reached[k] && inside[k] > 0.)
+        {
+          const unsigned int i      = contact.candidates[k].index;
+          const double       lumped = areas.local_element(i);
+          const double       touched =
+            lumped * touched_areas.local_element(i) / whole.local_element(i);
+          const auto [smaller, larger] = std::minmax(lumped, touched);
+          result.local_element(i) =
+            std::clamp(handed[k] * areas_inside[k] / inside[k],
+                       smaller,
+                       larger);
+        }
+    return result;
+  }
+
+
+
+  // (Vertical forces and projected areas have the same quotient as normal
+  // forces and inclined areas.)
+  template <int dim>
+  std::vector<double>
+  ContactEvaluation<dim>::normal_forces() const
+  {
+    std::vector<double> result;
+    for (const Node &node : contact.candidates)
+      result.push_back(node.is_active() ?
+                         contact.pressing_force(node, u, residual) *
+                           contact.bounds.inclination(node) :
+                         0.);
+    return result;
   }
 
 
 
   template <int dim>
-  void
-  ContactEvaluation<dim>::add_areas(ContactState &state) const
+  std::vector<double>
+  ContactEvaluation<dim>::handed_inside(const std::vector<double> &values) const
   {
-    const Vector touched = touched_areas();
+    std::vector<double> forces;
     for (const Node &node : contact.candidates)
-      if (node.is_active())
+      forces.push_back(node.is_active() ? residual.local_element(node.index) :
+                                          0.);
+    return contact.law().handed_inside(values, reached, forces);
+  }
+
+
+
+  template <int dim>
+  typename ContactEvaluation<dim>::Vector
+  ContactEvaluation<dim>::touched() const
+  {
+    Vector result(u.get_partitioner());
+    for (unsigned int k = 0; k < reached.size(); ++k)
+      result.local_element(contact.candidates[k].index) = reached[k] ? 1. : 0.;
+    return result;
+  }
+
+
+
+  template <int dim>
+  typename ContactEvaluation<dim>::Vector
+  ContactEvaluation<dim>::pressures() const
+  {
+    Vector                    result(residual.get_partitioner());
+    const std::vector<double> forces = handed_inside(normal_forces());
+    for (unsigned int k = 0; k < forces.size(); ++k)
+      if (reached[k])
         {
-          const double area = touched.local_element(node.index);
-          state.contact_area += area;
-          if (contact.friction.exists() && node.friction.sticks)
-            state.stick_area += area;
+          const unsigned int i    = contact.candidates[k].index;
+          result.local_element(i) = forces[k] / bearing_areas.local_element(i);
         }
+    contact.filter.apply(result, touched());
+    return result;
   }
 
 
@@ -276,8 +253,11 @@ namespace ElastoPlastic
         gap.local_element(node.index) =
           contact.bound(node, u) - u.local_element(node.index);
     pressure = pressures();
-    for (const unsigned int i : contact.active_entries())
-      active.local_element(i) = 1.;
+    active   = touched();
+    // (one without area is pressed where its neighbours are)
+    for (const Node &node : contact.hanging_nodes)
+      if (node.without_area && pressure.local_element(node.index) > 0.)
+        active.local_element(node.index) = 1.;
   }
 
 
@@ -286,20 +266,34 @@ namespace ElastoPlastic
   void
   ContactEvaluation<dim>::friction_fields(Vector &shear, Vector &stick) const
   {
+    std::vector<TangentVector<dim>> forces;
     for (const Node &node : contact.candidates)
-      if (node.is_active())
+      forces.push_back(
+        node.is_active() ?
+          contact.contact_force(node, contact.bounds.surface(node, u), residual)
+            .tangential :
+          TangentVector<dim>());
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      {
+        std::vector<double> components;
+        for (const auto &force : forces)
+          components.push_back(force[d]);
+        components = handed_inside(components);
+        for (unsigned int k = 0; k < forces.size(); ++k)
+          forces[k][d] = components[k];
+      }
+    for (unsigned int k = 0; k < forces.size(); ++k)
+      if (reached[k])
         {
+          const Node &node                = contact.candidates[k];
           stick.local_element(node.index) = node.friction.sticks ? 1. : 0.;
-          const auto   surface            = contact.bounds.surface(node, u);
-          const double area               = areas.local_element(node.index) *
-                              std::sqrt(1. + surface.slope * surface.slope) /
+          const auto   slope = contact.bounds.surface(node, u).slope;
+          const double area  = bearing_areas.local_element(node.index) *
+                              std::sqrt(1. + slope * slope) /
                               contact.bounds.inclination(node);
-          set_tangent_vector<dim>(
-            shear,
-            node,
-            contact.contact_force(node, surface, residual).tangential / -area,
-            surface.slope);
+          set_tangent_vector<dim>(shear, node, forces[k] / -area, slope);
         }
+    contact.filter.apply(shear, touched());
   }
 
 

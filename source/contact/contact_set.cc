@@ -66,6 +66,8 @@ namespace ElastoPlastic
             }
           nodes.push_back(node);
         }
+    filter.reinit(
+      dof_handler, constraints, contact_boundaries, kinematics, layout);
     neighbors.clear();
     if (rule != EdgeRule::at_nodes || bounds.follow_deformation())
       {

@@ -206,6 +206,41 @@ namespace ElastoPlastic
 
 
 
+  // It ends: inner neighbours are lower.
+  std::vector<double>
+  EdgeLaw::handed_inside(const std::vector<double> &values,
+                         const std::vector<bool>   &keep,
+                         const std::vector<double> &forces) const
+  {
+    std::vector<double> result = values;
+    if (!exists())
+      return result;
+    const std::vector<double> inside = forces_inside(forces);
+    Vector                    quotients(layout);
+    for (bool has_moved = true; has_moved;)
+      {
+        has_moved = false;
+        quotients = 0.;
+        for (unsigned int k = 0; k < result.size(); ++k)
+          if (!keep[k] && inside[k] > 0. && result[k] != 0.)
+            {
+              quotients.local_element(k) = result[k] / inside[k];
+              result[k]                  = 0.;
+              has_moved                  = true;
+            }
+        quotients.update_ghost_values();
+        for (unsigned int k = 0; k < result.size(); ++k)
+          for (const auto &[outer, coefficient] : outer_neighbors[k])
+            result[k] +=
+              coefficient * forces[k] * quotients.local_element(outer);
+        has_moved =
+          Utilities::MPI::logical_or(has_moved, layout->get_mpi_communicator());
+      }
+    return result;
+  }
+
+
+
   std::shared_ptr<const SharedRows>
   EdgeLaw::rows(const Place                      &place,
                 const std::vector<ContactStatus> &statuses) const
