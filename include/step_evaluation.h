@@ -8,6 +8,7 @@
 #include "evaluation/boundary_displacements.h"
 #include "evaluation/imprint.h"
 #include "evaluation/last_step.h"
+#include "evaluation/pressure_guard.h"
 #include "evaluation/probe_points.h"
 #include "evaluation/small_strain_guard.h"
 #include "io/log.h"
@@ -57,9 +58,9 @@ namespace ElastoPlastic
     note(const SolveResult &result, const LastStep &last_step);
 
     /// Warns if @p result has left the theory of small strains, with each limit
-    /// once.
+    /// once, and, once, of pressures that cannot be. Collective.
     void
-    warn_of_large_strains(const SolveResult &result);
+    warn_of_limits(const SolveResult &result);
 
     /// The same without a word: that has been said.
     void
@@ -84,6 +85,13 @@ namespace ElastoPlastic
     warning_of_missed_contact() const;
 
     void
+    warn_of_large_strains(const SolveResult &result);
+
+    /// Collective.
+    void
+    warn_of_pressure(const SolveResult &result);
+
+    void
     measure_elements(SolveResult &result, const SolveResult &before) const;
 
     void
@@ -102,6 +110,7 @@ namespace ElastoPlastic
     const ProbePoints<dim>           probe_points;
     Imprint<dim>                     imprint;
     SmallStrainGuard<dim>            small_strain_guard;
+    PressureGuard                    pressure_guard;
   };
 } // namespace ElastoPlastic
 

@@ -29,6 +29,7 @@ namespace ElastoPlastic
               parameters.profile_lines)
     , small_strain_guard(
         NominalContact<dim>(body.model, body.triangulation, body.gap_function))
+    , pressure_guard(body.model.materials)
   {}
 
 
@@ -232,9 +233,43 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  StepEvaluation<dim>::warn_of_pressure(const SolveResult &result)
+  {
+    const double strain = result.max_equivalent_plastic_strain;
+    if (!pressure_guard.is_exceeded(result.max_pressure, strain))
+      return;
+    std::ostringstream text;
+    text.precision(4);
+    text << "Step " << result.step << ": the contact pressure at ("
+         << body.contact_evaluation().place_of_largest_pressure() << ") is "
+         << result.max_pressure
+         << ", more than a large body with this yield stress can bear ("
+         << pressure_guard.limit(strain)
+         << " at most). In a thin layer on something rigid that may be; else "
+            "the mesh is too coarse for this contact, or locks. See 'Pressures "
+            "that cannot be' in doc/user_guide.md. This is not said again.";
+    log.warn(text.str());
+  }
+
+
+
+  template <int dim>
+  void
+  StepEvaluation<dim>::warn_of_limits(const SolveResult &result)
+  {
+    warn_of_large_strains(result);
+    warn_of_pressure(result);
+  }
+
+
+
+  template <int dim>
+  void
   StepEvaluation<dim>::do_not_repeat(const SolveResult &result)
   {
     small_strain_guard.warning(result);
+    pressure_guard.is_exceeded(result.max_pressure,
+                               result.max_equivalent_plastic_strain);
   }
 
 

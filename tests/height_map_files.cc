@@ -73,7 +73,7 @@ void
 print_heights(const IndenterParameters &parameters)
 {
   parameters.check(3);
-  const GapFunction<3> gap(make_indenter<3>(parameters), 0);
+  const GapFunction<3> gap(make_indenter<3>(parameters), 0, 1);
 
   std::cout << "  " << parameters.file << ":";
   for (const double y : {1., -1.})
@@ -187,7 +187,7 @@ print_matrices()
   IndenterParameters profile = height_map("height matrix", "profile.txt");
   profile.size               = {4};
   profile.position           = {1};
-  const GapFunction<2> gap(make_indenter<2>(profile), 0);
+  const GapFunction<2> gap(make_indenter<2>(profile), 0, 1);
   std::cout << "  profile.txt:";
   for (const double x : {-1.1, -1., 0., 1., 2., 3., 3.1})
     std::cout << ' ' << gap.value(Point<2>(x, 0));

@@ -35,7 +35,7 @@ print_profile(const std::string                 &name,
               const std::vector<Point<dim - 1>> &points)
 {
   parameters.check(dim);
-  const GapFunction<dim> gap(make_indenter<dim>(parameters), 0);
+  const GapFunction<dim> gap(make_indenter<dim>(parameters), 0, 1);
 
   std::cout << "  " << name << ":";
   for (const auto &x : points)
@@ -135,11 +135,11 @@ print_gaps()
   // R - sqrt(R^2 - r^2) would lose all digits here.
   IndenterParameters large = shape("sphere");
   large.radius             = 1e8;
-  std::cout
-    << "Huge sphere: "
-    << GapFunction<3>(make_indenter<3>(large), 0).value(Point<3>(0.6, 0.8, 0)) *
-         2e8
-    << std::endl;
+  std::cout << "Huge sphere: "
+            << GapFunction<3>(make_indenter<3>(large), 0, 1)
+                   .value(Point<3>(0.6, 0.8, 0)) *
+                 2e8
+            << std::endl;
 }
 
 

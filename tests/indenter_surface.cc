@@ -135,14 +135,14 @@ main(int argc, char **argv)
   parameters.position    = {1, 2};
   parameters.initial_gap = 0.25;
   parameters.reach       = 3;
-  const GapFunction<3> gap(make_indenter<3>(parameters), 10);
+  const GapFunction<3> gap(make_indenter<3>(parameters), 10, 1);
   print<3>("within reach", gap.surface({2, 4, 9.5}));
   print<3>("beyond reach", gap.surface({5, 2, 9.5}));
 
   std::cout << "Nodes below a tip, an edge, and beside" << std::endl;
   for (const std::string type : {"sphere", "cone", "wedge"})
     for (const Point<2> &origin : {Point<2>(0, 1e-16), Point<2>(0.1, 0)})
-      print<3>(type, shape<3>(type)->surface_for(origin, {0.3, 0.4}));
+      print<3>(type, shape<3>(type)->surface_for(origin, {0.3, 0.4}, 1e-12));
   parameters.type            = "pyramid";
   parameters.n_faces         = 4;
   parameters.face_angle      = 45;
@@ -153,7 +153,7 @@ main(int argc, char **argv)
   const auto pyramid         = make_indenter<3>(parameters).shape;
   for (const Point<2> &origin :
        {Point<2>(), Point<2>(1, 1e-16), Point<2>(0.9, 0.1), Point<2>(0, -1)})
-    print<3>("pyramid", pyramid->surface_for(origin, {1.1, 0.2}));
-  const GapFunction<3> above(make_indenter<3>(parameters), 10);
+    print<3>("pyramid", pyramid->surface_for(origin, {1.1, 0.2}, 1e-12));
+  const GapFunction<3> above(make_indenter<3>(parameters), 10, 1);
   print<3>("gap", above.surface_for({1, 0, 10}, {1.1, 0.2, 9.5}));
 }

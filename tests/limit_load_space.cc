@@ -218,7 +218,7 @@ namespace
     auto parameters  = on_rollers({"left", "front"});
     parameters.free  = {"right", "back"};
     parameters.fixed = {"bottom"};
-    const GapFunction<3> gap(make_indenter<3>(indenter), 0.);
+    const GapFunction<3> gap(make_indenter<3>(indenter), 0., 1);
     const SpaceBody      body = make_space_body(
       mesh,
       BoundaryConditions<3>(parameters, names_of_box),

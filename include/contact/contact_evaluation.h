@@ -35,6 +35,10 @@ namespace ElastoPlastic
     ContactState
     state() const;
 
+    /// The node with the largest pressure, in the undeformed body. Collective.
+    Point<dim>
+    place_of_largest_pressure() const;
+
     /// The nodal forces of the indenter on the body.
     Vector
     forces_on_body() const;

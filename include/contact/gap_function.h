@@ -18,9 +18,11 @@ namespace ElastoPlastic
   {
   public:
     /// @param surface_height is the last coordinate of the highest point of
-    /// the contact surface.
+    /// the contact surface, and @p body_size what the rounding errors of
+    /// coordinates are in proportion to.
     GapFunction(const PlacedIndenter<dim> &indenter,
-                const double               surface_height);
+                const double               surface_height,
+                const double               body_size);
 
     bool
     has_indenter() const;
@@ -65,6 +67,7 @@ namespace ElastoPlastic
 
     const PlacedIndenter<dim> indenter;
     const double              tip_height;
+    const double              rounding;
     Point<dim - 1>            present_position;
   };
 } // namespace ElastoPlastic

@@ -54,9 +54,12 @@ namespace ElastoPlastic
     /// body: surface(@p x), unless a sharp tip or edge is above @p origin. Such
     /// a node stays below it, as symmetry demands: to the sides, the height is
     /// that of the tip or edge itself. Otherwise rounding errors would decide
-    /// to which side the node slides.
+    /// to which side the node slides; those of its coordinates are up to
+    /// @p rounding.
     virtual IndenterSurface<dim>
-    surface_for(const Point<dim - 1> &origin, const Point<dim - 1> &x) const;
+    surface_for(const Point<dim - 1> &origin,
+                const Point<dim - 1> &x,
+                const double          rounding) const;
 
     /// Whether the profile is certainly a convex function where it is finite:
     /// false, unless a shape knows better.
@@ -122,14 +125,6 @@ namespace ElastoPlastic
   }
 
 
-
-  /// Whether a distance from a sharp tip or edge is a rounding error of the
-  /// coordinates of a mesh node.
-  inline bool
-  vanishes(const double distance)
-  {
-    return distance <= 1e-12;
-  }
 } // namespace ElastoPlastic
 
 #endif

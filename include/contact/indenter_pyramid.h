@@ -43,7 +43,9 @@ namespace ElastoPlastic
     surface(const Point<2> &x) const override;
 
     IndenterSurface<3>
-    surface_for(const Point<2> &origin, const Point<2> &x) const override;
+    surface_for(const Point<2> &origin,
+                const Point<2> &x,
+                const double    rounding) const override;
 
     bool
     is_convex() const override;

@@ -34,7 +34,8 @@ namespace ElastoPlastic
 
     IndenterSurface<dim>
     surface_for(const Point<dim - 1> &origin,
-                const Point<dim - 1> &x) const override;
+                const Point<dim - 1> &x,
+                const double          rounding) const override;
 
     bool
     is_convex() const override;

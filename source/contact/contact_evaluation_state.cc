@@ -124,8 +124,31 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  Point<dim>
+  ContactEvaluation<dim>::place_of_largest_pressure() const
+  {
+    const Vector                  pressures = this->pressures();
+    std::pair<double, Point<dim>> largest(0., Point<dim>());
+    for (const Node &node : contact.candidates)
+      if (const double p = pressures.local_element(node.index);
+          p > largest.first)
+        largest = {p, node.position};
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(contact.communicator, largest))
+      if (of_rank.first > largest.first)
+        largest = of_rank;
+    return largest.second;
+  }
+
+
+
   template ContactState
   ContactEvaluation<2>::state() const;
   template ContactState
   ContactEvaluation<3>::state() const;
+  template Point<2>
+  ContactEvaluation<2>::place_of_largest_pressure() const;
+  template Point<3>
+  ContactEvaluation<3>::place_of_largest_pressure() const;
 } // namespace ElastoPlastic

@@ -11,9 +11,11 @@ namespace ElastoPlastic
 {
   template <int dim>
   GapFunction<dim>::GapFunction(const PlacedIndenter<dim> &indenter,
-                                const double               surface_height)
+                                const double               surface_height,
+                                const double               body_size)
     : indenter(indenter)
     , tip_height(surface_height + indenter.initial_gap)
+    , rounding(1e-12 * body_size)
     , present_position(indenter.position)
   {}
 
@@ -91,7 +93,7 @@ namespace ElastoPlastic
     if (!reaches(x))
       return {std::numeric_limits<double>::infinity(), {}, {}};
     IndenterSurface<dim> result =
-      indenter.shape->surface_for(offset(origin), x);
+      indenter.shape->surface_for(offset(origin), x, rounding);
     result.height += tip_height - p[dim - 1];
     return result;
   }

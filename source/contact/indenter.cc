@@ -106,7 +106,8 @@ namespace ElastoPlastic
   template <int dim>
   IndenterSurface<dim>
   Indenter<dim>::surface_for(const Point<dim - 1> & /*origin*/,
-                             const Point<dim - 1> &x) const
+                             const Point<dim - 1> &x,
+                             const double          rounding) const
   {
     return surface(x);
   }

@@ -89,14 +89,16 @@ namespace ElastoPlastic
 
 
   IndenterSurface<3>
-  IndenterPyramid::surface_for(const Point<2> &origin, const Point<2> &x) const
+  IndenterPyramid::surface_for(const Point<2> &origin,
+                               const Point<2> &x,
+                               const double    rounding) const
   {
     if (shape.rounding_radius > 0)
       return rounded_surface(x);
-    if (vanishes(origin.norm()))
+    if (origin.norm() <= rounding)
       return {0., {}, {}};
     const Tensor<1, 2> edge = sector(origin).edge;
-    return vanishes((origin - (origin * edge) * edge).norm()) ?
+    return (origin - (origin * edge) * edge).norm() <= rounding ?
              sharp_edge(x, edge) :
              sharp_surface(x);
   }

@@ -59,10 +59,11 @@ namespace ElastoPlastic
   template <int dim>
   IndenterSurface<dim>
   IndenterSymmetric<dim>::surface_for(const Point<dim - 1> &origin,
-                                      const Point<dim - 1> &x) const
+                                      const Point<dim - 1> &x,
+                                      const double          rounding) const
   {
     const SectionPoint tip = section.at(0.);
-    if (tip.slope > 0. && vanishes(across(origin).norm()))
+    if (tip.slope > 0. && across(origin).norm() <= rounding)
       return {tip.height, {}, {}};
     return surface(x);
   }

@@ -167,7 +167,7 @@ namespace ElastoPlastic
             const StepResult step   = evaluation.of_step(result);
             commit_step(result);
             statistics.add_step(step);
-            evaluation.warn_of_large_strains(result);
+            evaluation.warn_of_limits(result);
             step_is_under_way = false;
           }
         catch (const ConvergenceError &error)

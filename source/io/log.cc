@@ -98,7 +98,7 @@ namespace ElastoPlastic
       << format(
            "  depth %.10g, force %.10g, contact area %.6g, largest pressure %.6g, "
            "plastic volume %.6g\n"
-           "  force balance %.1e, penetration %.1e (hanging nodes "
+           "  force balance %.1e, penetration %.1e (edge %.1e, hanging nodes "
            "%.1e), complementarity %.1e; %.2f s, %.0f MB",
            r.depth,
            r.force,
@@ -107,6 +107,7 @@ namespace ElastoPlastic
            r.plastic_volume,
            r.force_balance_error,
            r.max_penetration,
+           r.edge_penetration,
            r.max_hanging_penetration,
            r.complementarity_error,
            r.wall_seconds,

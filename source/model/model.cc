@@ -27,7 +27,8 @@ namespace ElastoPlastic
                             range_of_heights(triangulation,
                                              model.boundary_conditions.ids(
                                                BoundaryConditionType::contact))
-                              .second);
+                              .second,
+                            body_size(triangulation));
   }
 
 
