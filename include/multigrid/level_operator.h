@@ -55,6 +55,10 @@ namespace ElastoPlastic
     void
     set_held(const LevelVector &constrained, const LevelVector &slopes);
 
+    /// Adds the stiffnesses @p springs to the diagonal.
+    void
+    set_springs(const LevelVector &springs);
+
     /// Whether this rank owns held unknowns on slopes.
     bool
     has_slopes() const
@@ -120,6 +124,13 @@ namespace ElastoPlastic
       std::array<float, dim - 1> slopes;
     };
     std::vector<Sloped> sloped;
+
+    struct Spring
+    {
+      unsigned int index;
+      float        stiffness;
+    };
+    std::vector<Spring> springs;
 
     /// Local indices of constrained unknowns, and of those and the eliminated
     /// ones.

@@ -142,6 +142,10 @@ namespace ElastoPlastic
     void
     set_slopes(Vector &vector) const;
 
+    /// Sets the stiffnesses of entering unknowns.
+    void
+    set_springs(Vector &vector) const;
+
   private:
     std::vector<double>
     entering_values(const Vector &vector) const;

@@ -13,7 +13,7 @@
 
 namespace ElastoPlastic
 {
-  /// The unknowns that a preconditioner holds.
+  /// The unknowns that a preconditioner holds, and those that springs hold.
   struct HeldUnknowns
   {
     /// Ones at those that this rank owns, zeros elsewhere.
@@ -23,6 +23,9 @@ namespace ElastoPlastic
     /// (A node's unknowns are consecutive, and the one that is held the last.)
     /// Without size if no bound is sloped.
     VectorType slopes;
+    /// The stiffnesses of the springs, which add to the diagonal. Without size
+    /// if there are none.
+    VectorType springs;
   };
 
 
@@ -65,12 +68,16 @@ namespace ElastoPlastic
     {
       system_matrix = 0;
       tangent.add_matrix(system_matrix, with_held(held));
+      add_springs(held);
     }
 
     const TrilinosWrappers::SparseMatrix &
     matrix() const;
 
   private:
+    void
+    add_springs(const HeldUnknowns &held);
+
     /// The constraints and, as homogeneous ones, those of the held unknowns.
     AffineConstraints<double>
     with_held(const HeldUnknowns &held) const;

@@ -94,6 +94,18 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  LevelOperator<dim>::set_springs(const LevelVector &stiffnesses)
+  {
+    springs.clear();
+    for (unsigned int i = 0; i < stiffnesses.locally_owned_size(); ++i)
+      if (const float stiffness = stiffnesses.local_element(i); stiffness > 0.f)
+        springs.push_back({i, stiffness});
+  }
+
+
+
+  template <int dim>
+  void
   LevelOperator<dim>::expand(LevelVector &vector) const
   {
     for (const auto &[index, slopes] : sloped)
@@ -132,6 +144,8 @@ namespace ElastoPlastic
     expand(source);
     kernel->vmult(result, vector, tangents);
     contract(result);
+    for (const auto &[index, stiffness] : springs)
+      result.local_element(index) += stiffness * vector.local_element(index);
 
     for (unsigned int i = 0; i < cut_off_indices.size(); ++i)
       {
@@ -187,6 +201,8 @@ namespace ElastoPlastic
       for (unsigned int d = 0; d < dim - 1; ++d)
         values.local_element(index - (dim - 1) + d) +=
           slopes[d] * slopes[d] * values.local_element(index);
+    for (const auto &[index, stiffness] : springs)
+      values.local_element(index) += stiffness;
     for (const unsigned int i : cut_off_indices)
       values.local_element(i) = 1.f;
     for (unsigned int i = 0; i < values.locally_owned_size(); ++i)

@@ -43,6 +43,20 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  void
+  TangentMatrix<dim>::add_springs(const HeldUnknowns &held)
+  {
+    if (held.springs.size() == 0)
+      return;
+    for (const types::global_dof_index dof : dof_handler->locally_owned_dofs())
+      if (held.springs(dof) != 0. && held.constrained(dof) == 0.)
+        system_matrix.add(dof, dof, held.springs(dof));
+    system_matrix.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
   AffineConstraints<double>
   TangentMatrix<dim>::with_held(const HeldUnknowns &held) const
   {

@@ -142,6 +142,11 @@ namespace ElastoPlastic
         tangent.initialize_vector(held.slopes);
         unknowns.set_slopes(held.slopes);
       }
+    if (unknowns.have_entering())
+      {
+        tangent.initialize_vector(held.springs);
+        unknowns.set_springs(held.springs);
+      }
     while (true)
       try
         {
