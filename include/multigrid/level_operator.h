@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/shared_rows.h"
 #include "mechanics/cell_kernel.h"
 
 namespace ElastoPlastic
@@ -59,6 +60,11 @@ namespace ElastoPlastic
     void
     set_springs(const LevelVector &springs);
 
+    /// Lets held unknowns move against the entering ones that share their
+    /// forces. Not for levels that corrections are taken from.
+    void
+    set_shared(const SharedForces &shared_forces);
+
     /// Whether this rank owns held unknowns on slopes.
     bool
     has_slopes() const
@@ -107,6 +113,15 @@ namespace ElastoPlastic
                const AffineConstraints<double> &all_constraints) const;
 
   private:
+    /// Moves held unknowns, which are at zero, against entering ones; and the
+    /// transpose. (What these share among themselves is left out: see
+    /// ReducedUnknowns::release_entering().)
+    void
+    move_held(LevelVector &vector) const;
+
+    void
+    share_forces(LevelVector &forces) const;
+
     using Number = typename CellTangents<dim>::Number;
     using Kernel = CellKernel<dim, CellTangents<dim>>;
 
@@ -131,6 +146,9 @@ namespace ElastoPlastic
       float        stiffness;
     };
     std::vector<Spring> springs;
+
+    SharedForces               shared;
+    mutable std::vector<float> entering_values;
 
     /// Local indices of constrained unknowns, and of those and the eliminated
     /// ones.

@@ -71,6 +71,13 @@ namespace ElastoPlastic
       return shared.rows != nullptr;
     }
 
+    /// What they share with others.
+    const SharedForces &
+    shared_forces() const
+    {
+      return shared;
+    }
+
     /// Whether bounds are sloped.
     bool
     have_slopes() const

@@ -8,6 +8,7 @@
 
 #include <memory>
 
+#include "base/shared_rows.h"
 #include "solver/matrix_preconditioner.h"
 #include "solver/tangent_operator.h"
 
@@ -26,6 +27,9 @@ namespace ElastoPlastic
     /// The stiffnesses of the springs, which add to the diagonal. Without size
     /// if there are none.
     VectorType springs;
+    /// Those that are held move against those that share their forces, as far
+    /// as a preconditioner can take account of it.
+    SharedForces shared;
   };
 
 

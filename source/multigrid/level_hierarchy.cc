@@ -174,6 +174,8 @@ namespace ElastoPlastic
       {
         level_operators[l]->set_held(constrained, slopes);
         level_operators[l]->set_springs(springs);
+        if (l == max_level())
+          level_operators[l]->set_shared(held.shared);
         if (l == 0)
           break;
         level_operators[l - 1]->initialize_vector(coarse);

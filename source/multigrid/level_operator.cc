@@ -106,6 +106,51 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  LevelOperator<dim>::set_shared(const SharedForces &shared_forces)
+  {
+    shared = shared_forces;
+    entering_values.resize(shared.entering.size());
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::move_held(LevelVector &vector) const
+  {
+    if (!shared.rows)
+      return;
+    auto entering = shared.entering.begin();
+    shared.rows->sums(vector, [&](const unsigned int i, const double sum) {
+      while (entering != shared.entering.end() && entering->index < i)
+        ++entering;
+      if (entering == shared.entering.end() || entering->index != i)
+        vector.local_element(i) -= sum;
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::share_forces(LevelVector &forces) const
+  {
+    if (!shared.rows)
+      return;
+    for (unsigned int k = 0; k < shared.entering.size(); ++k)
+      std::swap(entering_values[k] = 0.f,
+                forces.local_element(shared.entering[k].index));
+    unsigned int k = 0;
+    shared.rows->shares(forces, [&](const unsigned int i, const double share) {
+      if (k < shared.entering.size() && shared.entering[k].index == i)
+        forces.local_element(i) = entering_values[k++] - share;
+    });
+  }
+
+
+
+  template <int dim>
+  void
   LevelOperator<dim>::expand(LevelVector &vector) const
   {
     for (const auto &[index, slopes] : sloped)
@@ -141,9 +186,11 @@ namespace ElastoPlastic
       std::swap(cut_off_values[i] = 0.f,
                 source.local_element(cut_off_indices[i]));
 
+    move_held(source);
     expand(source);
     kernel->vmult(result, vector, tangents);
     contract(result);
+    share_forces(result);
     for (const auto &[index, stiffness] : springs)
       result.local_element(index) += stiffness * vector.local_element(index);
 
@@ -201,6 +248,20 @@ namespace ElastoPlastic
       for (unsigned int d = 0; d < dim - 1; ++d)
         values.local_element(index - (dim - 1) + d) +=
           slopes[d] * slopes[d] * values.local_element(index);
+    if (shared.rows)
+      {
+        // (a share is at most a half, its square at most half of it)
+        unsigned int k = 0;
+        shared.rows->shares(values,
+                            [&](const unsigned int i, const double sum) {
+                              if (k < shared.entering.size() &&
+                                  shared.entering[k].index == i)
+                                {
+                                  values.local_element(i) += 0.5 * sum;
+                                  ++k;
+                                }
+                            });
+      }
     for (const auto &[index, stiffness] : springs)
       values.local_element(index) += stiffness;
     for (const unsigned int i : cut_off_indices)

@@ -146,6 +146,7 @@ namespace ElastoPlastic
       {
         tangent.initialize_vector(held.springs);
         unknowns.set_springs(held.springs);
+        held.shared = unknowns.shared_forces();
       }
     while (true)
       try
