@@ -68,6 +68,24 @@ namespace ElastoPlastic
         receive(entries[k], few.local_element(k));
     }
 
+    struct Entry
+    {
+      types::global_dof_index row, column;
+      double                  value;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int /* version */)
+      {
+        archive &row &column &value;
+      }
+    };
+
+    /// The entries in the rows of this rank, with the global indices of vectors
+    /// of all unknowns, which have this @p layout. Collective.
+    std::vector<Entry>
+    global_entries(const Utilities::MPI::Partitioner &layout) const;
+
   private:
     const Rows                      rows;
     const std::vector<unsigned int> entries;

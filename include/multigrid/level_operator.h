@@ -102,6 +102,10 @@ namespace ElastoPlastic
     void
     inverse_diagonal(LevelVector &values) const;
 
+    /// Copies the entries of the unknowns that have springs.
+    void
+    copy_at_springs(LevelVector &to, const LevelVector &from) const;
+
     /// Sets the entries of the unknowns that are cut off to zero.
     void
     zero_constrained(LevelVector &vector) const;
@@ -121,6 +125,10 @@ namespace ElastoPlastic
 
     void
     share_forces(LevelVector &forces) const;
+
+    /// What both springs and shares add.
+    void
+    add_edge_to_diagonal(LevelVector &values) const;
 
     using Number = typename CellTangents<dim>::Number;
     using Kernel = CellKernel<dim, CellTangents<dim>>;

@@ -5,8 +5,12 @@
 #define solver_tangent_preconditioner_h
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <map>
 #include <memory>
+#include <set>
+#include <vector>
 
 #include "base/shared_rows.h"
 #include "solver/matrix_preconditioner.h"
@@ -70,21 +74,44 @@ namespace ElastoPlastic
     void
     assemble(const Operator &tangent, const HeldUnknowns &held)
     {
+      const Moves moves = moves_of(held.shared);
+      make_room_for(moves);
       system_matrix = 0;
-      tangent.add_matrix(system_matrix, with_held(held));
-      add_springs(held);
+      tangent.add_matrix(system_matrix, with_held(held, moves));
+      add_springs(held, moves);
     }
 
     const TrilinosWrappers::SparseMatrix &
     matrix() const;
 
   private:
+    using Combination = std::map<types::global_dof_index, double>;
+    /// sum_b t_ib w_b for the unknowns i that have a row in SharedForces, as
+    /// combinations of displacements of entering unknowns.
+    using Moves = std::map<types::global_dof_index, Combination>;
+
+    /// Those of all ranks. Collective.
+    Moves
+    moves_of(const SharedForces &shared) const;
+
+    /// Makes a new sparsity pattern if the present one lacks their entries.
+    /// Those that it has stay: the edge of a contact comes and goes.
     void
-    add_springs(const HeldUnknowns &held);
+    make_room_for(const Moves &moves);
+
+    void
+    make_pattern();
+
+    /// The entries that cells have once their unknowns move with others.
+    void
+    add_to_pattern_of_moves(TrilinosWrappers::SparsityPattern &pattern) const;
+
+    void
+    add_springs(const HeldUnknowns &held, const Moves &moves);
 
     /// The constraints and, as homogeneous ones, those of the held unknowns.
     AffineConstraints<double>
-    with_held(const HeldUnknowns &held) const;
+    with_held(const HeldUnknowns &held, const Moves &moves) const;
 
     /// With the values of unknowns that other ranks own.
     VectorType
@@ -94,6 +121,9 @@ namespace ElastoPlastic
     const AffineConstraints<double> *constraints = nullptr;
     IndexSet                         relevant_dofs;
     TrilinosWrappers::SparseMatrix   system_matrix;
+    /// By unknowns, those that they have moved with, on all ranks.
+    std::map<types::global_dof_index, std::set<types::global_dof_index>>
+      partners;
   };
 
 

@@ -248,26 +248,46 @@ namespace ElastoPlastic
       for (unsigned int d = 0; d < dim - 1; ++d)
         values.local_element(index - (dim - 1) + d) +=
           slopes[d] * slopes[d] * values.local_element(index);
-    if (shared.rows)
-      {
-        // (a share is at most a half, its square at most half of it)
-        unsigned int k = 0;
-        shared.rows->shares(values,
-                            [&](const unsigned int i, const double sum) {
-                              if (k < shared.entering.size() &&
-                                  shared.entering[k].index == i)
-                                {
-                                  values.local_element(i) += 0.5 * sum;
-                                  ++k;
-                                }
-                            });
-      }
-    for (const auto &[index, stiffness] : springs)
-      values.local_element(index) += stiffness;
+    add_edge_to_diagonal(values);
     for (const unsigned int i : cut_off_indices)
       values.local_element(i) = 1.f;
     for (unsigned int i = 0; i < values.locally_owned_size(); ++i)
       values.local_element(i) = 1.f / values.local_element(i);
+  }
+
+
+
+  // As the shares t_jb of no j exceed 1 together, and (sum_b t_jb u_b)^2 <=
+  // sum_b t_jb u_b^2 then, this is enough for that what is shared raises no
+  // eigenvalue that counts for a smoother. Nor do springs.
+  template <int dim>
+  void
+  LevelOperator<dim>::add_edge_to_diagonal(LevelVector &values) const
+  {
+    unsigned int k = 0;
+    if (shared.rows)
+      shared.rows->shares(values,
+                          [&](const unsigned int i, const double share) {
+                            if (k < shared.entering.size() &&
+                                shared.entering[k].index == i)
+                              {
+                                values.local_element(i) += share;
+                                ++k;
+                              }
+                          });
+    for (const auto &[index, stiffness] : springs)
+      values.local_element(index) += stiffness;
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::copy_at_springs(LevelVector       &to,
+                                      const LevelVector &from) const
+  {
+    for (const Spring &spring : springs)
+      to.local_element(spring.index) = from.local_element(spring.index);
   }
 
 
