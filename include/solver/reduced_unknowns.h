@@ -117,10 +117,9 @@ namespace ElastoPlastic
     void
     contract_diagonal(Vector &diagonal) const;
 
-    /// A preconditioner knows no openings: makes of reduced @p forces those
-    /// that belong to the entering unknowns themselves, and of a reduced
-    /// increment of these that of their openings. Where else they depend on
-    /// others is left out.
+    /// Preconditioners have displacements for unknowns, not openings: makes of
+    /// reduced @p forces those that belong to the displacements of entering
+    /// unknowns, and of a reduced increment with these one with openings.
     void
     release_entering(Vector &forces) const;
     void

@@ -30,10 +30,10 @@ namespace ElastoPlastic
     VectorType slopes;
     /// The stiffnesses of the springs, which add to the diagonal. Without size
     /// if there are none.
-    VectorType springs;
+    VectorType springs = {};
     /// Those that are held move against those that share their forces, as far
     /// as a preconditioner can take account of it.
-    SharedForces shared;
+    SharedForces shared = {};
   };
 
 
