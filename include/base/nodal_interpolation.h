@@ -94,6 +94,15 @@ namespace ElastoPlastic
       others.for_each_copy(receive);
     }
 
+    /// Calls receive(unknown, index, weight) for all entries.
+    template <typename Receive>
+    void
+    for_each_entry(const Receive &receive) const
+    {
+      of_nodes.for_each_entry(receive);
+      others.for_each_entry(receive);
+    }
+
     unsigned int
     n_unknowns() const
     {
@@ -189,6 +198,16 @@ namespace ElastoPlastic
               entries[row_starts[k]].weight > Number(1. - 1e-6))
             for (unsigned int c = 0; c < n; ++c)
               receive(unknowns[k] + c, entries[row_starts[k]].index + c);
+      }
+
+      template <typename Receive>
+      void
+      for_each_entry(const Receive &receive) const
+      {
+        for (unsigned int k = 0; k < unknowns.size(); ++k)
+          for (unsigned int j = row_starts[k]; j < row_starts[k + 1]; ++j)
+            for (unsigned int c = 0; c < n; ++c)
+              receive(unknowns[k] + c, entries[j].index + c, entries[j].weight);
       }
     };
 

@@ -37,9 +37,10 @@ namespace ElastoPlastic
     /// Calls receive(i, sum_j t_ij u_j) for the unknowns i of this rank that
     /// have a row, in the order of their numbers, when u is no longer needed.
     /// Collective.
-    template <typename Receive>
+    template <typename Number, typename Receive>
     void
-    sums(const Vector &u, const Receive &receive) const
+    sums(const LinearAlgebra::distributed::Vector<Number> &u,
+         const Receive                                    &receive) const
     {
       for (unsigned int k = 0; k < entries.size(); ++k)
         few.local_element(k) = u.local_element(entries[k]);
@@ -53,9 +54,10 @@ namespace ElastoPlastic
 
     /// Calls receive(j, sum_i t_ij f_i) for all few unknowns of this rank, in
     /// the order of their numbers, when f is no longer needed. Collective.
-    template <typename Receive>
+    template <typename Number, typename Receive>
     void
-    shares(const Vector &f, const Receive &receive) const
+    shares(const LinearAlgebra::distributed::Vector<Number> &f,
+           const Receive                                    &receive) const
     {
       few = 0.;
       rows.add_transpose(few.begin(), [&](const unsigned int k) {
@@ -65,6 +67,24 @@ namespace ElastoPlastic
       for (unsigned int k = 0; k < entries.size(); ++k)
         receive(entries[k], few.local_element(k));
     }
+
+    struct Entry
+    {
+      types::global_dof_index row, column;
+      double                  value;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int /* version */)
+      {
+        archive &row &column &value;
+      }
+    };
+
+    /// The entries in the rows of this rank, with the global indices of vectors
+    /// of all unknowns, which have this @p layout. Collective.
+    std::vector<Entry>
+    global_entries(const Utilities::MPI::Partitioner &layout) const;
 
   private:
     const Rows                      rows;

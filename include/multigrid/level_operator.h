@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/shared_rows.h"
 #include "mechanics/cell_kernel.h"
 
 namespace ElastoPlastic
@@ -55,6 +56,15 @@ namespace ElastoPlastic
     void
     set_held(const LevelVector &constrained, const LevelVector &slopes);
 
+    /// Adds the stiffnesses @p springs to the diagonal.
+    void
+    set_springs(const LevelVector &springs);
+
+    /// Lets held unknowns move against the entering ones that share their
+    /// forces. Not for levels that corrections are taken from.
+    void
+    set_shared(const SharedForces &shared_forces);
+
     /// Whether this rank owns held unknowns on slopes.
     bool
     has_slopes() const
@@ -92,6 +102,10 @@ namespace ElastoPlastic
     void
     inverse_diagonal(LevelVector &values) const;
 
+    /// Copies the entries of the unknowns that have springs.
+    void
+    copy_at_springs(LevelVector &to, const LevelVector &from) const;
+
     /// Sets the entries of the unknowns that are cut off to zero.
     void
     zero_constrained(LevelVector &vector) const;
@@ -103,6 +117,19 @@ namespace ElastoPlastic
                const AffineConstraints<double> &all_constraints) const;
 
   private:
+    /// Moves held unknowns, which are at zero, against entering ones; and the
+    /// transpose. (What these share among themselves is left out: see
+    /// ReducedUnknowns::release_entering().)
+    void
+    move_held(LevelVector &vector) const;
+
+    void
+    share_forces(LevelVector &forces) const;
+
+    /// What both springs and shares add.
+    void
+    add_edge_to_diagonal(LevelVector &values) const;
+
     using Number = typename CellTangents<dim>::Number;
     using Kernel = CellKernel<dim, CellTangents<dim>>;
 
@@ -120,6 +147,16 @@ namespace ElastoPlastic
       std::array<float, dim - 1> slopes;
     };
     std::vector<Sloped> sloped;
+
+    struct Spring
+    {
+      unsigned int index;
+      float        stiffness;
+    };
+    std::vector<Spring> springs;
+
+    SharedForces               shared;
+    mutable std::vector<float> entering_values;
 
     /// Local indices of constrained unknowns, and of those and the eliminated
     /// ones.

@@ -24,8 +24,8 @@ namespace ElastoPlastic
 
     virtual ~MatrixPreconditioner() = default;
 
-    /// Prepares for @p matrix: always the same object, with the same pattern,
-    /// which must outlive this one. Collective.
+    /// Prepares for @p matrix: always the same object, whose pattern may have
+    /// grown, which must outlive this one. Collective.
     /// @throws ConvergenceError if it is found to be singular, FileError if
     /// memory is missing.
     virtual void

@@ -71,6 +71,13 @@ namespace ElastoPlastic
       return shared.rows != nullptr;
     }
 
+    /// What they share with others.
+    const SharedForces &
+    shared_forces() const
+    {
+      return shared;
+    }
+
     /// Whether bounds are sloped.
     bool
     have_slopes() const
@@ -110,10 +117,9 @@ namespace ElastoPlastic
     void
     contract_diagonal(Vector &diagonal) const;
 
-    /// A preconditioner knows no openings: makes of reduced @p forces those
-    /// that belong to the entering unknowns themselves, and of a reduced
-    /// increment of these that of their openings. Where else they depend on
-    /// others is left out.
+    /// Preconditioners have displacements for unknowns, not openings: makes of
+    /// reduced @p forces those that belong to the displacements of entering
+    /// unknowns, and of a reduced increment with these one with openings.
     void
     release_entering(Vector &forces) const;
     void
@@ -141,6 +147,10 @@ namespace ElastoPlastic
     /// unknowns that they depend on.
     void
     set_slopes(Vector &vector) const;
+
+    /// Sets the stiffnesses of entering unknowns.
+    void
+    set_springs(Vector &vector) const;
 
   private:
     std::vector<double>

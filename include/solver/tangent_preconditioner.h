@@ -5,15 +5,20 @@
 #define solver_tangent_preconditioner_h
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <map>
 #include <memory>
+#include <set>
+#include <vector>
 
+#include "base/shared_rows.h"
 #include "solver/matrix_preconditioner.h"
 #include "solver/tangent_operator.h"
 
 namespace ElastoPlastic
 {
-  /// The unknowns that a preconditioner holds.
+  /// The unknowns that a preconditioner holds, and those that springs hold.
   struct HeldUnknowns
   {
     /// Ones at those that this rank owns, zeros elsewhere.
@@ -23,6 +28,12 @@ namespace ElastoPlastic
     /// (A node's unknowns are consecutive, and the one that is held the last.)
     /// Without size if no bound is sloped.
     VectorType slopes;
+    /// The stiffnesses of the springs, which add to the diagonal. Without size
+    /// if there are none.
+    VectorType springs = {};
+    /// Those that are held move against those that share their forces, as far
+    /// as a preconditioner can take account of it.
+    SharedForces shared = {};
   };
 
 
@@ -63,17 +74,44 @@ namespace ElastoPlastic
     void
     assemble(const Operator &tangent, const HeldUnknowns &held)
     {
+      const Moves moves = moves_of(held.shared);
+      make_room_for(moves);
       system_matrix = 0;
-      tangent.add_matrix(system_matrix, with_held(held));
+      tangent.add_matrix(system_matrix, with_held(held, moves));
+      add_springs(held, moves);
     }
 
     const TrilinosWrappers::SparseMatrix &
     matrix() const;
 
   private:
+    using Combination = std::map<types::global_dof_index, double>;
+    /// sum_b t_ib w_b for the unknowns i that have a row in SharedForces, as
+    /// combinations of displacements of entering unknowns.
+    using Moves = std::map<types::global_dof_index, Combination>;
+
+    /// Those of all ranks. Collective.
+    Moves
+    moves_of(const SharedForces &shared) const;
+
+    /// Makes a new sparsity pattern if the present one lacks their entries.
+    /// Those that it has stay: the edge of a contact comes and goes.
+    void
+    make_room_for(const Moves &moves);
+
+    void
+    make_pattern();
+
+    /// The entries that cells have once their unknowns move with others.
+    void
+    add_to_pattern_of_moves(TrilinosWrappers::SparsityPattern &pattern) const;
+
+    void
+    add_springs(const HeldUnknowns &held, const Moves &moves);
+
     /// The constraints and, as homogeneous ones, those of the held unknowns.
     AffineConstraints<double>
-    with_held(const HeldUnknowns &held) const;
+    with_held(const HeldUnknowns &held, const Moves &moves) const;
 
     /// With the values of unknowns that other ranks own.
     VectorType
@@ -83,6 +121,9 @@ namespace ElastoPlastic
     const AffineConstraints<double> *constraints = nullptr;
     IndexSet                         relevant_dofs;
     TrilinosWrappers::SparseMatrix   system_matrix;
+    /// By unknowns, those that they have moved with, on all ranks.
+    std::map<types::global_dof_index, std::set<types::global_dof_index>>
+      partners;
   };
 
 

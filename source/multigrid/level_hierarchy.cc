@@ -161,15 +161,21 @@ namespace ElastoPlastic
   {
     update_tangents(solid);
 
-    LevelVector constrained, slopes, coarse;
+    LevelVector constrained, slopes, springs, coarse;
     level_operators[max_level()]->initialize_vector(constrained);
     slopes.reinit(constrained);
+    springs.reinit(constrained);
     constrained.copy_locally_owned_data_from(held.constrained);
     if (held.slopes.size() > 0)
       slopes.copy_locally_owned_data_from(held.slopes);
+    if (held.springs.size() > 0)
+      springs.copy_locally_owned_data_from(held.springs);
     for (unsigned int l = max_level();; --l)
       {
         level_operators[l]->set_held(constrained, slopes);
+        level_operators[l]->set_springs(springs);
+        if (l == max_level())
+          level_operators[l]->set_shared(held.shared);
         if (l == 0)
           break;
         level_operators[l - 1]->initialize_vector(coarse);
@@ -178,12 +184,18 @@ namespace ElastoPlastic
             two_level_transfers[l]->inject(coarse, *field);
             *field = coarse;
           }
+        coarse = 0.f;
+        two_level_transfers[l]->restrict_and_add(coarse, springs);
+        springs = coarse;
       }
-    held_on_coarsest_level.constrained.reinit(constrained.get_partitioner());
-    held_on_coarsest_level.slopes.reinit(constrained.get_partitioner());
-    held_on_coarsest_level.constrained.copy_locally_owned_data_from(
-      constrained);
-    held_on_coarsest_level.slopes.copy_locally_owned_data_from(slopes);
+    for (const auto &[copy, field] :
+         {std::pair{&held_on_coarsest_level.constrained, &constrained},
+          std::pair{&held_on_coarsest_level.slopes, &slopes},
+          std::pair{&held_on_coarsest_level.springs, &springs}})
+      {
+        copy->reinit(field->get_partitioner());
+        copy->copy_locally_owned_data_from(*field);
+      }
   }
 
 

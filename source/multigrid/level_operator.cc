@@ -94,6 +94,63 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  LevelOperator<dim>::set_springs(const LevelVector &stiffnesses)
+  {
+    springs.clear();
+    for (unsigned int i = 0; i < stiffnesses.locally_owned_size(); ++i)
+      if (const float stiffness = stiffnesses.local_element(i); stiffness > 0.f)
+        springs.push_back({i, stiffness});
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::set_shared(const SharedForces &shared_forces)
+  {
+    shared = shared_forces;
+    entering_values.resize(shared.entering.size());
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::move_held(LevelVector &vector) const
+  {
+    if (!shared.rows)
+      return;
+    auto entering = shared.entering.begin();
+    shared.rows->sums(vector, [&](const unsigned int i, const double sum) {
+      while (entering != shared.entering.end() && entering->index < i)
+        ++entering;
+      if (entering == shared.entering.end() || entering->index != i)
+        vector.local_element(i) -= sum;
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::share_forces(LevelVector &forces) const
+  {
+    if (!shared.rows)
+      return;
+    for (unsigned int k = 0; k < shared.entering.size(); ++k)
+      std::swap(entering_values[k] = 0.f,
+                forces.local_element(shared.entering[k].index));
+    unsigned int k = 0;
+    shared.rows->shares(forces, [&](const unsigned int i, const double share) {
+      if (k < shared.entering.size() && shared.entering[k].index == i)
+        forces.local_element(i) = entering_values[k++] - share;
+    });
+  }
+
+
+
+  template <int dim>
+  void
   LevelOperator<dim>::expand(LevelVector &vector) const
   {
     for (const auto &[index, slopes] : sloped)
@@ -129,9 +186,13 @@ namespace ElastoPlastic
       std::swap(cut_off_values[i] = 0.f,
                 source.local_element(cut_off_indices[i]));
 
+    move_held(source);
     expand(source);
     kernel->vmult(result, vector, tangents);
     contract(result);
+    share_forces(result);
+    for (const auto &[index, stiffness] : springs)
+      result.local_element(index) += stiffness * vector.local_element(index);
 
     for (unsigned int i = 0; i < cut_off_indices.size(); ++i)
       {
@@ -187,10 +248,46 @@ namespace ElastoPlastic
       for (unsigned int d = 0; d < dim - 1; ++d)
         values.local_element(index - (dim - 1) + d) +=
           slopes[d] * slopes[d] * values.local_element(index);
+    add_edge_to_diagonal(values);
     for (const unsigned int i : cut_off_indices)
       values.local_element(i) = 1.f;
     for (unsigned int i = 0; i < values.locally_owned_size(); ++i)
       values.local_element(i) = 1.f / values.local_element(i);
+  }
+
+
+
+  // As the shares t_jb of no j exceed 1 together, and (sum_b t_jb u_b)^2 <=
+  // sum_b t_jb u_b^2 then, this is enough for that what is shared raises no
+  // eigenvalue that counts for a smoother. Nor do springs.
+  template <int dim>
+  void
+  LevelOperator<dim>::add_edge_to_diagonal(LevelVector &values) const
+  {
+    unsigned int k = 0;
+    if (shared.rows)
+      shared.rows->shares(values,
+                          [&](const unsigned int i, const double share) {
+                            if (k < shared.entering.size() &&
+                                shared.entering[k].index == i)
+                              {
+                                values.local_element(i) += share;
+                                ++k;
+                              }
+                          });
+    for (const auto &[index, stiffness] : springs)
+      values.local_element(index) += stiffness;
+  }
+
+
+
+  template <int dim>
+  void
+  LevelOperator<dim>::copy_at_springs(LevelVector       &to,
+                                      const LevelVector &from) const
+  {
+    for (const Spring &spring : springs)
+      to.local_element(spring.index) = from.local_element(spring.index);
   }
 
 

@@ -198,6 +198,9 @@ namespace ElastoPlastic
         matrix.inverse_diagonal(settings.preconditioner->get_vector());
 
         auto &[diagonal, largest_eigenvalue] = estimates[level];
+        // (Springs raise no eigenvalue: LevelOperator::inverse_diagonal().)
+        if (diagonal)
+          matrix.copy_at_springs(diagonal->get_vector(), inverse);
         if (diagonal && are_alike(inverse, diagonal->get_vector()))
           {
             settings.eig_cg_n_iterations = 0;

@@ -98,10 +98,9 @@ namespace ElastoPlastic
       void
       initialize(const TrilinosWrappers::SparseMatrix &matrix) override
       {
-        if (!solver)
+        if (!solver || problem.GetMatrix() != &matrix.trilinos_matrix() ||
+            n_entries != matrix.n_nonzero_elements())
           analyze(matrix);
-        Assert(problem.GetMatrix() == &matrix.trilinos_matrix(),
-               ExcInternalError());
         const SilentErrorStream silence;
         check(solver->NumericFactorization());
       }
@@ -125,6 +124,7 @@ namespace ElastoPlastic
       void
       analyze(const TrilinosWrappers::SparseMatrix &matrix)
       {
+        n_entries = matrix.n_nonzero_elements();
         problem.SetOperator(
           const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
         solver.reset(Amesos().Create(matrix.m() <= largest_small_system ?
@@ -168,6 +168,7 @@ namespace ElastoPlastic
 
       mutable Epetra_LinearProblem       problem;
       std::unique_ptr<Amesos_BaseSolver> solver;
+      std::uint64_t                      n_entries = 0;
       /// The solver, if it is that.
       Amesos_Mumps *mumps = nullptr;
     };

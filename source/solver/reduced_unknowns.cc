@@ -296,4 +296,13 @@ namespace ElastoPlastic
       for (unsigned int j = 0; !bound.entering && j < bound.n_others; ++j)
         vector.local_element(bound.others[j]) = bound.slope[j];
   }
+
+
+
+  void
+  ReducedUnknowns::set_springs(Vector &vector) const
+  {
+    for (const auto &[index, stiffness] : shared.entering)
+      vector.local_element(index) = stiffness;
+  }
 } // namespace ElastoPlastic

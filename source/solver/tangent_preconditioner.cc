@@ -4,6 +4,8 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <functional>
+
 #include "solver/tangent_preconditioner.h"
 
 namespace ElastoPlastic
@@ -16,14 +18,113 @@ namespace ElastoPlastic
     dof_handler = &new_dof_handler;
     constraints = &new_constraints;
     DoFTools::extract_locally_relevant_dofs(*dof_handler, relevant_dofs);
+    partners.clear();
+    make_pattern();
+  }
 
+
+
+  template <int dim>
+  void
+  TangentMatrix<dim>::make_pattern()
+  {
+    IndexSet writable_rows = relevant_dofs;
+    for (const auto &[dof, others] : partners)
+      if (relevant_dofs.is_element(dof))
+        writable_rows.add_indices(others.begin(), others.end());
     TrilinosWrappers::SparsityPattern pattern(dof_handler->locally_owned_dofs(),
                                               dof_handler->locally_owned_dofs(),
-                                              relevant_dofs,
+                                              writable_rows,
                                               dof_handler->get_communicator());
     DoFTools::make_sparsity_pattern(*dof_handler, pattern, *constraints, false);
+    if (!partners.empty())
+      add_to_pattern_of_moves(pattern);
     pattern.compress();
     system_matrix.reinit(pattern);
+  }
+
+
+
+  template <int dim>
+  void
+  TangentMatrix<dim>::add_to_pattern_of_moves(
+    TrilinosWrappers::SparsityPattern &pattern) const
+  {
+    std::vector<types::global_dof_index> of_cell(
+      dof_handler->get_fe().n_dofs_per_cell());
+    for (const auto &cell : dof_handler->active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(of_cell);
+          std::set<types::global_dof_index> all, moving;
+          for (const auto dof : of_cell)
+            if (const auto *masters = constraints->get_constraint_entries(dof))
+              for (const auto &master : *masters)
+                all.insert(master.first);
+            else
+              all.insert(dof);
+          for (const auto dof : all)
+            if (const auto found = partners.find(dof); found != partners.end())
+              moving.insert(found->second.begin(), found->second.end());
+          if (moving.empty())
+            continue;
+          all.insert(moving.begin(), moving.end());
+          const std::vector<types::global_dof_index> columns(all.begin(),
+                                                             all.end());
+          for (const auto row : columns)
+            pattern.add_entries(row, columns.begin(), columns.end(), true);
+        }
+  }
+
+
+
+  // As -w_b = u_b + sum_c t_bc (-w_c) (doc/theory.md, "The edge of the
+  // contact"), the outermost ones first. These have no row: the recursion ends.
+  template <int dim>
+  typename TangentMatrix<dim>::Moves
+  TangentMatrix<dim>::moves_of(const SharedForces &shared) const
+  {
+    Moves moves;
+    if (!shared.rows)
+      return moves;
+    VectorType layout(dof_handler->locally_owned_dofs(),
+                      dof_handler->get_communicator());
+    Moves      rows;
+    for (const auto &of_rank : Utilities::MPI::all_gather(
+           dof_handler->get_communicator(),
+           shared.rows->global_entries(*layout.get_partitioner())))
+      for (const auto &[row, column, value] : of_rank)
+        rows[row][column] = value;
+
+    const std::function<const Combination &(types::global_dof_index)> find =
+      [&](const types::global_dof_index unknown) -> const Combination & {
+      const auto [move, is_new] = moves.try_emplace(unknown);
+      if (const auto row = rows.find(unknown); is_new && row != rows.end())
+        for (const auto &[entering, share] : row->second)
+          {
+            move->second[entering] += share;
+            for (const auto &[outer, value] : find(entering))
+              move->second[outer] += share * value;
+          }
+      return move->second;
+    };
+    for (const auto &row : rows)
+      find(row.first);
+    return moves;
+  }
+
+
+
+  template <int dim>
+  void
+  TangentMatrix<dim>::make_room_for(const Moves &moves)
+  {
+    bool is_new = false;
+    for (const auto &[unknown, combination] : moves)
+      for (const auto &entry : combination)
+        is_new |= partners[unknown].insert(entry.first).second;
+    if (is_new)
+      make_pattern();
   }
 
 
@@ -42,9 +143,34 @@ namespace ElastoPlastic
 
 
 
+  // A spring acts on -w_b.
+  template <int dim>
+  void
+  TangentMatrix<dim>::add_springs(const HeldUnknowns &held, const Moves &moves)
+  {
+    if (held.springs.size() == 0)
+      return;
+    for (const types::global_dof_index dof : dof_handler->locally_owned_dofs())
+      if (const double stiffness = held.springs(dof);
+          stiffness != 0. && held.constrained(dof) == 0.)
+        {
+          Combination opening;
+          if (const auto found = moves.find(dof); found != moves.end())
+            opening = found->second;
+          opening[dof] = 1.;
+          for (const auto &[row, at_row] : opening)
+            for (const auto &[column, at_column] : opening)
+              system_matrix.add(row, column, stiffness * at_row * at_column);
+        }
+    system_matrix.compress(VectorOperation::add);
+  }
+
+
+
   template <int dim>
   AffineConstraints<double>
-  TangentMatrix<dim>::with_held(const HeldUnknowns &held) const
+  TangentMatrix<dim>::with_held(const HeldUnknowns &held,
+                                const Moves        &moves) const
   {
     const VectorType constrained = with_ghosts(held.constrained);
     const bool       is_sloped   = held.slopes.size() > 0;
@@ -62,6 +188,10 @@ namespace ElastoPlastic
               if (slopes(other) != 0. && constrained(other) == 0.)
                 all_constraints.add_entry(dof, other, slopes(other));
         }
+    for (const auto &[unknown, combination] : moves)
+      if (relevant_dofs.is_element(unknown) && constrained(unknown) != 0.)
+        for (const auto &[entering, value] : combination)
+          all_constraints.add_entry(unknown, entering, -value);
     all_constraints.close();
     return all_constraints;
   }

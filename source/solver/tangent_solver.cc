@@ -142,6 +142,12 @@ namespace ElastoPlastic
         tangent.initialize_vector(held.slopes);
         unknowns.set_slopes(held.slopes);
       }
+    if (unknowns.have_entering())
+      {
+        tangent.initialize_vector(held.springs);
+        unknowns.set_springs(held.springs);
+        held.shared = unknowns.shared_forces();
+      }
     while (true)
       try
         {
