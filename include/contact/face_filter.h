@@ -28,7 +28,8 @@ namespace ElastoPlastic
   ///
   /// A node gets the mean of the q of its faces, weighted with their areas; so
   /// does a node without area, that of quadratic elements on the axis of an
-  /// axisymmetric body. Faces that are not touched as a whole stay as they are.
+  /// axisymmetric body. Only faces that are touched as a whole count, and
+  /// nodes without any stay as they are.
   /// For linear elements, this changes nothing, and is not done.
   template <int dim>
   class FaceFilter

@@ -148,21 +148,24 @@ namespace ElastoPlastic
       const GhostValues ghosts_of_values(values), ghosts_of_touched(everywhere);
       std::vector<double> of_nodes;
       for (const Face &face : faces)
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            of_nodes.clear();
-            for (unsigned int n = 0; n < face.areas.size(); ++n)
-              of_nodes.push_back(values(face.dofs[n * dim + d]));
-            if (is_touched(face, everywhere))
+        {
+          if (!is_touched(face, everywhere))
+            continue;
+          const double area =
+            std::accumulate(face.areas.begin(), face.areas.end(), 0.);
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              of_nodes.clear();
+              for (unsigned int n = 0; n < face.areas.size(); ++n)
+                of_nodes.push_back(values(face.dofs[n * dim + d]));
               of_nodes = filtered(face, of_nodes);
-            const double area =
-              std::accumulate(face.areas.begin(), face.areas.end(), 0.);
-            for (unsigned int n = 0; n < face.areas.size(); ++n)
-              {
-                sums(face.dofs[n * dim + d]) += area * of_nodes[n];
-                areas(face.dofs[n * dim + d]) += area;
-              }
-          }
+              for (unsigned int n = 0; n < face.areas.size(); ++n)
+                {
+                  sums(face.dofs[n * dim + d]) += area * of_nodes[n];
+                  areas(face.dofs[n * dim + d]) += area;
+                }
+            }
+        }
     }
     sums.compress(VectorOperation::add);
     areas.compress(VectorOperation::add);

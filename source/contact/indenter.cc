@@ -107,7 +107,7 @@ namespace ElastoPlastic
   IndenterSurface<dim>
   Indenter<dim>::surface_for(const Point<dim - 1> & /*origin*/,
                              const Point<dim - 1> &x,
-                             const double          rounding) const
+                             const double /* rounding */) const
   {
     return surface(x);
   }

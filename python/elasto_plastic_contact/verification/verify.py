@@ -16,6 +16,7 @@ import math
 
 from . import uniaxial as exact_uniaxial
 from .contact_edge import contact_edge, contact_mesh
+from .contact_pressure import contact_pressure
 from .runner import E, E_STAR, NU, Runner, add_program
 from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, error_bound,
                           error_bound_ranks, error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, limit_load,
@@ -285,7 +286,7 @@ ALL = {
                      force_control, hertz, hertz_axisymmetric, hertz_cylinder,
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space, sectors,
-                     sphere_indentation, cone_indentation, contact_edge, contact_mesh, imprint,
+                     sphere_indentation, cone_indentation, contact_edge, contact_mesh, contact_pressure, imprint,
                      imprint_ranks, probes, mean_strain_of_rings, strip_punch, strip_punch_locks,
                      limit_load, limit_load_revolution, limit_load_space, limit_load_factors, body_force, blas_kernels,
                      safe_load, error_bound, error_bound_ranks,
