@@ -12,11 +12,8 @@
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    /// Enough for all digits.
-    constexpr unsigned int n_secant_steps = 20;
-  } // namespace
+  /// Enough for all digits.
+  static constexpr unsigned int n_secant_steps = 20;
 
 
 
