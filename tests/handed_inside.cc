@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The forces of nodes that the indenter has not reached go to their inner
-// neighbours, over several nodes and ranks, and none is lost.
+// neighbours, over several nodes and ranks, and none is lost. Which those are.
 
 #include "contact/edge_law.h"
 #include "verdict.h"
@@ -47,10 +47,15 @@ namespace
           forces.push_back(10. - k);
           keep.push_back(k < n_kept);
         }
+      return of_all_ranks(law.handed_inside(values, keep, forces));
+    }
+
+    static std::vector<double>
+    of_all_ranks(const std::vector<double> &values)
+    {
       std::vector<double> all;
       for (const auto &of_rank :
-           Utilities::MPI::all_gather(MPI_COMM_WORLD,
-                                      law.handed_inside(values, keep, forces)))
+           Utilities::MPI::all_gather(MPI_COMM_WORLD, values))
         all.insert(all.end(), of_rank.begin(), of_rank.end());
       return all;
     }
@@ -86,6 +91,28 @@ main(int argc, char **argv)
   print("three are", line.handed_inside(value, 3));
   print("negative ones, too",
         line.handed_inside([&](const unsigned int k) { return -value(k); }, 3));
+  // (gaps; which are closed, entering and open)
+  const auto passed = [&](const std::vector<double> &gaps,
+                          const std::string         &statuses) {
+    std::vector<double>        own_gaps;
+    std::vector<ContactStatus> own;
+    for (unsigned int k = line.begin; k < line.end; ++k)
+      {
+        own_gaps.push_back(gaps[k]);
+        own.push_back(statuses[k] == 'c' ? ContactStatus::closed :
+                      statuses[k] == 'e' ? ContactStatus::entering :
+                                           ContactStatus::open);
+      }
+    std::vector<double> flags;
+    for (const bool has_passed : line.law.passed(own_gaps, own))
+      flags.push_back(has_passed ? 1. : 0.);
+    return line.of_all_ranks(flags);
+  };
+  print("passed: inside before the edge",
+        passed({0., 0., -1., -1., 1., 2.}, "cceeoo"));
+  print("passed: not outside of it",
+        passed({0., 0., 0., 1., 2., 3.}, "ccceeo"));
+  print("passed: in the middle", passed({0., 0., 1., 0., 0., 3.}, "ccecco"));
   print("at nodes nothing is",
         EdgeLaw().handed_inside({1., 2.}, {true, false}, {1., 1.}));
 }

@@ -89,16 +89,16 @@ namespace ElastoPlastic
     std::vector<double>
     normal_forces() const;
 
-    /// @p values of the candidates, those of nodes not reached handed to inner
+    /// @p values of the candidates, those of nodes not passed handed to inner
     /// neighbours. Collective.
     std::vector<double>
     handed_inside(const std::vector<double> &values) const;
 
-    /// Ones in the vertical component of nodes that are reached.
+    /// Ones in the vertical component of nodes that are passed.
     Vector
     touched() const;
 
-    /// The pressure at the nodes that are reached; zero elsewhere. Collective.
+    /// The pressure at the nodes that are passed; zero elsewhere. Collective.
     Vector
     pressures() const;
 
@@ -117,6 +117,8 @@ namespace ElastoPlastic
     const ContactSet<dim>  &contact;
     const Vector           &u, &residual;
     const std::vector<bool> reached;
+    /// EdgeLaw::passed(): these have tractions.
+    const std::vector<bool> passed;
     const Vector            areas, touched_areas, bearing_areas;
   };
 } // namespace ElastoPlastic

@@ -144,6 +144,13 @@ namespace ElastoPlastic
     std::vector<double>
     forces_inside(const std::vector<double> &forces) const;
 
+    /// Which nodes the edge has passed: the closed ones, and those that are
+    /// entering and inside (with gaps below zero) or have outer neighbours only
+    /// that it has passed. Collective.
+    std::vector<bool>
+    passed(const std::vector<double>        &gaps,
+           const std::vector<ContactStatus> &statuses) const;
+
     /// Hands the @p values of nodes that do not @p keep them to their inner
     /// neighbours, and on until all are kept; to each in proportion to its part
     /// c_jb lambda_j of forces_inside(). Nodes without such neighbours keep
@@ -199,6 +206,11 @@ namespace ElastoPlastic
       unsigned int node; ///< local to this rank, perhaps a ghost
       double       coefficient;
     };
+
+    /// Whether a node has outer neighbours, and none of them is @p outside,
+    /// where that is not zero.
+    bool
+    is_within(const unsigned int node, const Vector &outside) const;
 
     std::shared_ptr<const Utilities::MPI::Partitioner> layout;
     std::vector<std::vector<Entry>>                    outer_neighbors;

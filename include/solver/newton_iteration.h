@@ -136,6 +136,11 @@ namespace ElastoPlastic
     bool
     slope_has_shrunk(const Vector &direction, const double slope) const;
 
+    /// Whether the forces on the free unknowns are at most half of those where
+    /// the iteration began.
+    bool
+    forces_have_shrunk() const;
+
     /// Projected Jacobi sweeps, the energy decreasing.
     void
     smooth();

@@ -35,6 +35,8 @@ namespace ElastoPlastic
     , u(u)
     , residual(residual)
     , reached(find_reached())
+    , passed(contact.law().passed(contact.gaps(u, contact.depth()),
+                                  contact.statuses()))
     , areas(lumped_areas())
     , touched_areas(find_touched_areas())
     , bearing_areas(find_bearing_areas())
@@ -165,7 +167,7 @@ namespace ElastoPlastic
     for (const Node &node : contact.candidates)
       forces.push_back(node.is_active() ? residual.local_element(node.index) :
                                           0.);
-    return contact.law().handed_inside(values, reached, forces);
+    return contact.law().handed_inside(values, passed, forces);
   }
 
 
@@ -175,8 +177,8 @@ namespace ElastoPlastic
   ContactEvaluation<dim>::touched() const
   {
     Vector result(u.get_partitioner());
-    for (unsigned int k = 0; k < reached.size(); ++k)
-      result.local_element(contact.candidates[k].index) = reached[k] ? 1. : 0.;
+    for (unsigned int k = 0; k < passed.size(); ++k)
+      result.local_element(contact.candidates[k].index) = passed[k] ? 1. : 0.;
     return result;
   }
 
@@ -189,7 +191,7 @@ namespace ElastoPlastic
     Vector                    result(residual.get_partitioner());
     const std::vector<double> forces = handed_inside(normal_forces());
     for (unsigned int k = 0; k < forces.size(); ++k)
-      if (reached[k])
+      if (passed[k])
         {
           const unsigned int i    = contact.candidates[k].index;
           result.local_element(i) = forces[k] / bearing_areas.local_element(i);
@@ -283,7 +285,7 @@ namespace ElastoPlastic
           forces[k][d] = components[k];
       }
     for (unsigned int k = 0; k < forces.size(); ++k)
-      if (reached[k])
+      if (passed[k])
         {
           const Node &node                = contact.candidates[k];
           stick.local_element(node.index) = node.friction.sticks ? 1. : 0.;

@@ -20,8 +20,8 @@ namespace ElastoPlastic
     double         min_pressure = std::numeric_limits<double>::infinity();
     {
       const Vector pressures = this->pressures();
-      for (unsigned int k = 0; k < reached.size(); ++k)
-        if (reached[k])
+      for (unsigned int k = 0; k < passed.size(); ++k)
+        if (passed[k])
           {
             const double p =
               pressures.local_element(contact.candidates[k].index);

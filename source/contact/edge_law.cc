@@ -206,6 +206,52 @@ namespace ElastoPlastic
 
 
 
+  bool
+  EdgeLaw::is_within(const unsigned int node, const Vector &outside) const
+  {
+    const auto &outer_ones = outer_neighbors[node];
+    return !outer_ones.empty() &&
+           std::all_of(outer_ones.begin(),
+                       outer_ones.end(),
+                       [&](const Entry &outer) {
+                         return outside.local_element(outer.node) == 0.;
+                       });
+  }
+
+
+
+  std::vector<bool>
+  EdgeLaw::passed(const std::vector<double>        &gaps,
+                  const std::vector<ContactStatus> &statuses) const
+  {
+    std::vector<bool> result;
+    for (const ContactStatus status : statuses)
+      result.push_back(status != ContactStatus::open);
+    if (!exists())
+      return result;
+    Vector outside(layout);
+    for (bool changed = true; changed;)
+      {
+        changed = false;
+        for (unsigned int k = 0; k < result.size(); ++k)
+          outside.local_element(k) = result[k] ? 0. : 1.;
+        outside.update_ghost_values();
+        for (const unsigned int k : from_high_to_low)
+          if (result[k] && statuses[k] == ContactStatus::entering &&
+              gaps[k] > 0. && !is_within(k, outside))
+            {
+              result[k]                = false;
+              outside.local_element(k) = 1.;
+              changed                  = true;
+            }
+        changed =
+          Utilities::MPI::logical_or(changed, layout->get_mpi_communicator());
+      }
+    return result;
+  }
+
+
+
   // It ends: inner neighbours are lower.
   std::vector<double>
   EdgeLaw::handed_inside(const std::vector<double> &values,

@@ -50,7 +50,7 @@ namespace ElastoPlastic
         evaluate();
         if (current_energy.value <= start.value + 1e-4 * fraction * slope ||
             (has_not_grown(current_energy, start) &&
-             slope_has_shrunk(direction, slope)))
+             (slope_has_shrunk(direction, slope) || forces_have_shrunk())))
           return fraction;
       }
     u = base;
@@ -96,6 +96,15 @@ namespace ElastoPlastic
       {
         return std::numeric_limits<double>::infinity();
       }
+  }
+
+
+
+  // (Of tiny steps, slopes are rounding themselves.)
+  bool
+  NewtonIteration::forces_have_shrunk() const
+  {
+    return free_forces().l2_norm() <= 0.5 * free_norm;
   }
 
 
