@@ -87,7 +87,8 @@ print_gap(const IndenterParameters &parameters, const Point<dim> &p)
 {
   parameters.check(dim);
   const GapFunction<dim> gap(make_indenter<dim>(parameters),
-                             /* surface_height = */ 10);
+                             /* surface_height = */ 10,
+                             /* body_size = */ 1);
   std::cout << "  " << gap.has_indenter() << ' ' << gap.value(p) << std::endl;
 }
 
