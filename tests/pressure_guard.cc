@@ -4,6 +4,7 @@
 // Which contact pressures are beyond what a yield stress can bear.
 
 #include <cmath>
+#include <limits>
 
 #include "evaluation/pressure_guard.h"
 #include "verdict.h"
@@ -30,7 +31,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   // E / (3 (1 - nu) Y) = 444.4: the cavity; 2.222: three times Y.
   verify("spherical cavity",
