@@ -53,6 +53,7 @@ namespace
       DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
       zero.reinit(dof_handler.locally_owned_dofs(), relevant, MPI_COMM_WORLD);
       no_constraints.reinit(relevant);
+      no_constraints.close();
       contact.reinit(dof_handler,
                      no_constraints,
                      {2 * dim - 1},
