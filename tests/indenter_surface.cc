@@ -156,4 +156,11 @@ main(int argc, char **argv)
     print<3>("pyramid", pyramid->surface_for(origin, {1.1, 0.2}, 1e-12));
   const GapFunction<3> above(make_indenter<3>(parameters), 10, 1);
   print<3>("gap", above.surface_for({1, 0, 10}, {1.1, 0.2, 9.5}));
+
+  // (rounding errors of coordinates are those of a body of this size)
+  const GapFunction<3> large(make_indenter<3>(parameters), 10, 1e6);
+  print<3>("below an edge of a large one",
+           large.surface_for({1, 1e-7, 10}, {1.1, 0.2, 9.5}));
+  print<3>("beside that of a small one",
+           above.surface_for({1, 1e-7, 10}, {1.1, 0.2, 9.5}));
 }
