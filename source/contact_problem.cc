@@ -246,13 +246,13 @@ namespace ElastoPlastic
                                          const Vector &residual)
   {
     const double n_before = contact.n_closed();
-    const bool   changed  = contact.update(u, residual);
+    const auto   change   = contact.update(u, residual);
     const double n_after  = contact.n_closed();
     change_law(u,
-               changed,
+               change.statuses,
                std::abs(n_after - n_before) > std::max(many * n_after, 1.));
     collect_unknowns(u, residual);
-    return changed;
+    return bool(change);
   }
 
 

@@ -33,6 +33,20 @@ namespace ElastoPlastic
 
 
 
+  /// What of ContactSet has changed, on any rank.
+  struct ActiveSetChange
+  {
+    bool statuses = false; ///< of nodes: open, entering, closed
+    bool friction = false; ///< whether nodes stick
+
+    explicit operator bool() const
+    {
+      return statuses || friction;
+    }
+  };
+
+
+
   /// The nodes of the contact surface that the indenter can reach, and which
   /// of them touch it.
   ///
@@ -155,11 +169,11 @@ namespace ElastoPlastic
     /// than their share of what presses inside; others follow from where they
     /// are. A force F > 0 that has lost all of them moves the indenter to the
     /// nearest.
-    /// @return whether the set has changed on any rank.
-    bool
+    ActiveSetChange
     update(const Vector &u, const Vector &residual);
 
     /// The same for a feasible @p u: closed are those that touch and press.
+    /// @return whether the set has changed on any rank.
     bool
     update_feasible(const Vector &u, const Vector &residual);
 

@@ -133,7 +133,7 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  bool
+  ActiveSetChange
   ContactSet<dim>::update(const Vector &u, const Vector &residual)
   {
     present_depth                    = depth_at(u);
@@ -157,7 +157,7 @@ namespace ElastoPlastic
       });
     const bool found = find_contact(u);
     open_without_closed();
-    return found || changed || turned;
+    return {found || changed, turned};
   }
 
 
