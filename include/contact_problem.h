@@ -122,11 +122,11 @@ namespace ElastoPlastic
     collect_unknowns(const Vector &u, const Vector &residual);
 
     /// Lets a contact that ends within faces end at nodes for some steps, once,
-    /// if its set changes by many nodes, or does not settle.
+    /// if its edge jumps, or its set does not settle.
     void
-    change_law(const Vector &u,
-               const bool    set_has_changed,
-               const bool    set_has_changed_much);
+    change_law(const Vector          &u,
+               const Vector          &residual,
+               const ActiveSetChange &change);
 
     /// Pi(u) of a body that has @p stored this energy.
     Energy

@@ -16,9 +16,7 @@ namespace ElastoPlastic
     /// those that change the shape, and the contact would follow them.
     constexpr double loosest_reduction_if_incompressible = 1e-4;
 
-    /// This part of the nodes in contact is many; and so many iterations are,
-    /// in which the active set has changed.
-    constexpr double       many     = 0.1;
+    /// So many iterations in which the active set has changed are many.
     constexpr unsigned int patience = 5;
   } // namespace
 
@@ -245,27 +243,23 @@ namespace ElastoPlastic
   ContactProblem<dim>::update_active_set(const Vector &u,
                                          const Vector &residual)
   {
-    const double n_before = contact.n_closed();
-    const auto   change   = contact.update(u, residual);
-    const double n_after  = contact.n_closed();
-    change_law(u,
-               change.statuses,
-               std::abs(n_after - n_before) > std::max(many * n_after, 1.));
+    const ActiveSetChange change = contact.update(u, residual);
+    change_law(u, residual, change);
     collect_unknowns(u, residual);
     return bool(change);
   }
 
 
 
-  // The set of a contact that ends at nodes settles in fewer steps where it
-  // changes by many nodes, and is near that of the solution.
+  // The set of a contact that ends at nodes settles in fewer steps where its
+  // edge jumps, and is near that of the solution.
   template <int dim>
   void
-  ContactProblem<dim>::change_law(const Vector &u,
-                                  const bool    set_has_changed,
-                                  const bool    set_has_changed_much)
+  ContactProblem<dim>::change_law(const Vector          &u,
+                                  const Vector          &residual,
+                                  const ActiveSetChange &change)
   {
-    n_changes = set_has_changed ? n_changes + 1 : 0;
+    n_changes = change.statuses ? n_changes + 1 : 0;
     if (law_has_rested)
       {
         if (contact.law_is_resting() &&
@@ -273,10 +267,11 @@ namespace ElastoPlastic
           {
             contact.wake_law();
             contact.find_entering(u);
+            contact.update(u, residual);
           }
       }
     else if (contact.ends_within_faces() &&
-             (set_has_changed_much || n_changes == patience))
+             (change.edge_jumps || n_changes == patience))
       {
         law_has_rested = true;
         n_changes      = 0;

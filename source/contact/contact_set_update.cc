@@ -140,24 +140,32 @@ namespace ElastoPlastic
     const std::vector<double> gaps   = this->gaps(u, present_depth);
     const auto                place  = law().place(gaps, statuses());
     const std::vector<double> inside = forces_inside(residual);
-    const bool                turned = update_friction(u, residual);
-    const bool                changed =
+    ActiveSetChange           change;
+    change.friction = update_friction(u, residual);
+    change.statuses =
       set_statuses(u, [&](const unsigned int k, const Node &node) {
         const double distance = gaps[k] + place.allowances[k];
         if (node.status != ContactStatus::closed)
-          return distance < 0. ? ContactStatus::closed :
-                                 law().status_at(k, distance);
+          {
+            if (distance >= 0.)
+              return law().status_at(k, distance);
+            change.edge_jumps |= (node.status == ContactStatus::open);
+            return ContactStatus::closed;
+          }
         if (stays_closed(k,
                          pressing_force(node, u, residual),
                          residual.local_element(node.index),
                          inside[k]))
           return ContactStatus::closed;
+        change.edge_jumps |= (inside[k] == 0.);
         return law().has_part(k) ? ContactStatus::entering :
                                    ContactStatus::open;
       });
-    const bool found = find_contact(u);
+    change.edge_jumps =
+      Utilities::MPI::logical_or(change.edge_jumps, communicator);
+    change.statuses |= find_contact(u);
     open_without_closed();
-    return {found || changed, turned};
+    return change;
   }
 
 

@@ -25,6 +25,10 @@ namespace ElastoPlastic
     /// stays what it is at the bound.
     constexpr double smallest_opening = -1. / 3.;
 
+    /// The opening of a node that has just left the indenter is zero, but for
+    /// this.
+    constexpr double rounded_opening = 1e-8;
+
 
 
     /// P(y) = X (1 - (1 - y)^3) / 3.
@@ -54,7 +58,7 @@ namespace ElastoPlastic
   double
   EdgeLaw::stiffness(const unsigned int node, const double opening) const
   {
-    return opening > 0. && opening < 1. ?
+    return opening > -rounded_opening && opening < 1. ?
              2. * largest_share * (1. - opening) / rise(node) :
              0.;
   }
