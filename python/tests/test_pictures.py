@@ -7,6 +7,7 @@ import io
 import math
 import pathlib
 import re
+import shutil
 import tempfile
 import types
 import unittest
@@ -146,6 +147,18 @@ class Files(unittest.TestCase):
                       self.message("render", self.cone, "--steps", 13))
         self.assertIn("must end with .png, .svg or .pdf",
                       self.message("render", self.cone, "--output", self.folder / "picture.mesh"))
+
+    def test_runs_side_by_side(self):
+        sphere = self.folder / "sphere"
+        run("sphere_3d.prm", sphere, {"Refinement/Number of cycles": 1, "Geometry/Initial refinements": 2})
+        other = self.folder / "other"
+        shutil.copytree(sphere, other)
+        texts = self.texts_of("render", sphere, other, "--panels", "pressure", "--output", self.folder / "both.svg")
+        for words in ("(a)", "(b)", "sphere", "other", "contact pressure"):
+            self.assertIn(words, texts)
+        self.assertNotIn("von Mises", texts)
+        self.assertIn("no contact pressure to be seen from above",
+                      self.message("render", self.cone, "--panels", "pressure"))
 
     def test_zoom_on_a_small_contact(self):
         units = ("--length-unit", "mm", "--output", self.folder / "window.svg")

@@ -14,9 +14,9 @@ class Contact:
     radius: float
 
 
-def contact_at(results, step):
-    """The contact at an entry of surface.pvd, or None."""
-    surface = results.fields("surface", step)
+def contact_at(view):
+    """The contact that is seen in surface.pvd, or None."""
+    surface = view.fields("surface")
     points, pressure = surface["points"], surface["contact_pressure"].clip(min=0.)
     if pressure.sum() == 0.:
         return None
@@ -25,14 +25,14 @@ def contact_at(results, step):
     return Contact(centre, numpy.linalg.norm(loaded - centre, axis=1).max())
 
 
-def contact_to_look_at(results, steps):
-    """The largest one of the steps or, where there is none any more, the last one before; or None."""
-    if not results.has("surface.pvd"):
+def contact_to_look_at(views):
+    """The largest one of the views or, where there is none any more, the last one before; or None."""
+    if not all(view.results.has("surface.pvd") for view in views):
         return None
-    contacts = [contact for contact in (contact_at(results, step) for step in steps) if contact]
+    contacts = [contact for contact in map(contact_at, views) if contact]
     if contacts:
         return max(contacts, key=lambda contact: contact.radius)
-    return next(filter(None, (contact_at(results, step) for step in range(steps[0] - 1, -1, -1))), None)
+    return next(filter(None, map(contact_at, views[0].earlier())), None)
 
 
 def most_plastic_point(fields):

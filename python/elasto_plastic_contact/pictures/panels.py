@@ -45,15 +45,15 @@ def no_field(results, name, fields):
 
 
 class Panel:
-    """Colours from zero up to the largest value of all steps, or over their range if there are
+    """Colours from zero up to the largest value of all views, or over their range if there are
     negative ones; a window (left, right, bottom, top) around all of them."""
 
-    def __init__(self, results, steps, name, cmap):
-        self.results, self.name = results, name
+    def __init__(self, views, name, cmap):
+        self.name = name
         lowest, highest = 0., -math.inf
         boxes = []
-        for step in steps:
-            seen, values = self.look(step)
+        for view in views:
+            seen, values = self.look(view)
             used = seen.positions[numpy.unique(seen.quads)]
             boxes.append((used.min(axis=0), used.max(axis=0)))
             lowest, highest = min(lowest, values.min()), max(highest, values.max())
@@ -82,17 +82,17 @@ class Panel:
 class BodyPanel(Panel):
     """The deformed body with its plastic zone; a plane one with the indenter."""
 
-    def __init__(self, arguments, results, steps, times, contact):
-        self.arguments, self.contact, self.times = arguments, contact, times
-        fields = results.fields("solution", steps[-1])
+    def __init__(self, arguments, views, contact):
+        self.arguments, self.contact = arguments, contact
+        fields = views[-1].fields("solution")
         if arguments.field not in fields or arguments.field in ("points", "cells"):
-            raise no_field(results, arguments.field, fields)
+            raise no_field(views[-1].results, arguments.field, fields)
         self.is_norm = fields[arguments.field].ndim > 1
         self.flat = is_flat(fields["points"])
         self.cut = self.choose_cut(fields["points"])
         self.zoom = arguments.zoom or self.choose_zoom(fields["points"])
-        self.scale = self.choose_scale(results, steps, fields["points"])
-        super().__init__(results, steps, arguments.field, "viridis")
+        self.scale = self.choose_scale(views, fields["points"])
+        super().__init__(views, arguments.field, "viridis")
         if self.zoom != 1.:
             self.magnify(contact.centre if contact else most_plastic_point(fields))
         if self.flat:  # room for the indenter
@@ -115,13 +115,13 @@ class BodyPanel(Panel):
         size = numpy.ptp(points, axis=0).max() / self.contact.radius if self.contact else 0.
         return size / WINDOW if size > LARGE_BODY else 1.
 
-    def choose_scale(self, results, steps, points):
+    def choose_scale(self, views, points):
         if self.arguments.scale != "auto":
             try:
                 return float(self.arguments.scale)
             except ValueError:
                 raise UserError(f"--scale is '{self.arguments.scale}', but must be a number or 'auto'") from None
-        largest = max(magnitude(results.fields("solution", step)["displacement"]).max() for step in steps)
+        largest = max(magnitude(view.fields("solution")["displacement"]).max() for view in views)
         length = (points.max(axis=0) - points.min(axis=0)).max()
         return max(1., round_down(0.06 * length / self.zoom / largest)) if largest > 0. else 1.
 
@@ -137,17 +137,17 @@ class BodyPanel(Panel):
             window += [middle - half, middle + half]
         self.window = tuple(window)
 
-    def read(self, step):
+    def read(self, view):
         """Fields, points of the deformed body, and what makes the fields of each material continuous."""
-        fields = self.results.fields("solution", step)
+        fields = view.fields("solution")
         points, cells = fields["points"], fields["cells"]
         everywhere = Joined(points, cells)
         materials = fields["material_id"]
         within = everywhere if numpy.ptp(materials) == 0. else Joined(points, cells, materials)
         return fields, points + self.scale * everywhere(fields["displacement"]), everywhere, within
 
-    def look(self, step):
-        fields, points, everywhere, within = self.read(step)
+    def look(self, view):
+        fields, points, everywhere, within = self.read(view)
         return self.see(fields, points), within(magnitude(fields[self.arguments.field]))
 
     def see(self, fields, points):
@@ -156,12 +156,12 @@ class BodyPanel(Panel):
         cells = skin.cut_away(fields["points"], fields["cells"], self.cut, getattr(self.contact, "centre", None))
         return skin.look(points, skin.outer_faces(fields["points"], cells), skin.OBLIQUELY[self.cut])
 
-    def draw(self, axes, step):
+    def draw(self, axes, view):
         """Returns what the legend says of the lines."""
-        fields, points, everywhere, within = self.read(step)
+        fields, points, everywhere, within = self.read(view)
         seen, values = self.see(fields, points), within(magnitude(fields[self.arguments.field]))
         handles = []
-        if self.flat and self.draw_indenter(axes, fields["points"], step):
+        if self.flat and self.draw_indenter(axes, fields["points"], view):
             handles.append(Patch(facecolor=draw.INDENTER, edgecolor=draw.DARK, label="indenter"))
         self.draw_cells(axes, seen, values, within.nodes, not self.arguments.no_edges)
         if self.draw_plastic_zone(axes, seen, fields, everywhere):
@@ -177,8 +177,8 @@ class BodyPanel(Panel):
                         else ("equivalent_plastic_strain", 1e-12))
         return field in fields and draw.draw_contour(axes, seen, everywhere.nodes, everywhere(fields[field]), level)
 
-    def draw_indenter(self, axes, points, step):
-        found = outline(self.results, points[:, 1].max(), self.times[step], self.scale)
+    def draw_indenter(self, axes, points, view):
+        found = outline(view.results, points[:, 1].max(), view.time, self.scale)
         if found is None or self.arguments.no_indenter:
             return False
         x, y = found
@@ -191,21 +191,21 @@ class PressurePanel(Panel):
     """Those cells of the surface that are near the contact, from above."""
     flat = True
 
-    def __init__(self, arguments, results, steps, contact):
+    def __init__(self, arguments, views, contact):
         self.arguments, self.contact = arguments, contact
-        super().__init__(results, steps, "contact_pressure", draw.PRESSURE)
+        super().__init__(views, "contact_pressure", draw.PRESSURE)
 
-    def look(self, step):
-        surface = self.results.fields("surface", step)
+    def look(self, view):
+        surface = view.fields("surface")
         points, quads = surface["points"], surface["cells"]
         corners = points[quads] - self.contact.centre
         near = (numpy.abs(corners[:, :, :2]).min(axis=1) <= 1.3 * self.contact.radius).all(axis=1)
         seen = skin.look_at_plane(points, quads[near])
         return seen, Joined(points, quads)(surface["contact_pressure"])
 
-    def draw(self, axes, step):
-        seen, values = self.look(step)
-        surface = self.results.fields("surface", step)
+    def draw(self, axes, view):
+        seen, values = self.look(view)
+        surface = view.fields("surface")
         self.draw_cells(axes, seen, values, Joined(surface["points"], surface["cells"]).nodes,
                         not self.arguments.no_edges)
         return []

@@ -1,30 +1,35 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draw the deformed body of a run, with its plastic zone and the indenter and, in three
-dimensions, the contact pressure seen from above: one picture, the steps of a history side by side,
-or one picture for each step.
+dimensions, the contact pressure seen from above: one picture, the steps of a history or several
+runs side by side, or one picture for each step.
 
     scripts/render.py output/cone_axisymmetric --steps 5 20 39 --zoom 25 --output history.pdf
+    scripts/render.py output/coarse output/fine --panels pressure --output pressures.png
 """
 
 import argparse
 import os
 
-
-
 from .contact import contact_at, contact_to_look_at
-from .panels import BodyPanel, PressurePanel
+from .panels import BodyPanel, PressurePanel, is_flat
 from .sheet import draw_sheet
 from ..errors import UserError
+from .view import View
 from ..fields import times
 from ..plots.figures import add_units, save, units_of
 from ..results import Results
+
+PANELS = ["body", "pressure"]
 
 
 def parse_arguments(arguments):
     parser = argparse.ArgumentParser(prog="render", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("directory", help="output directory of a run")
+    parser.add_argument("directories", nargs="+", metavar="directory",
+                        help="output directory of a run; of several, side by side with the same colours and window")
+    parser.add_argument("--panels", nargs="+", choices=PANELS, default=PANELS,
+                        help="the body, and the contact pressure from above (default: both)")
     parser.add_argument("--field", default="von_mises_stress",
                         help="what the colour shows, of vectors and tensors the root of the sum of the squares of "
                              "their components (default: %(default)s)")
@@ -39,7 +44,6 @@ def parse_arguments(arguments):
     parser.add_argument("--steps", "--step", type=int, nargs="+", default=[-1], metavar="STEP",
                         help="which entries of the .pvd file, counted from 0 (default: the last), side by side "
                              "with the same colours and window")
-    parser.add_argument("--no-pressure", action="store_true", help="leave out the panel with the contact pressure")
     parser.add_argument("--no-edges", action="store_true", help="leave out the mesh")
     parser.add_argument("--no-indenter", action="store_true", help="leave out the outline of the indenter")
     parser.add_argument("--title", default="", help="text above the picture")
@@ -56,6 +60,8 @@ def parse_arguments(arguments):
         parser.error(f"--zoom is {arguments.zoom:g}, but must be at least 1")
     if arguments.animation and (arguments.output or arguments.steps != [-1]):
         parser.error("--animation draws all entries into its folder: it goes neither with --output nor with --steps")
+    if arguments.animation and len(arguments.directories) > 1:
+        parser.error("--animation is for one directory")
     return arguments
 
 
@@ -70,33 +76,48 @@ def parse_size(text):
     return width, height
 
 
-def choose_steps(arguments, all_times):
+def choose_views(arguments, results):
+    """Those of one run."""
+    results.expect("solution.pvd")
+    all_times = times(results.directory, "solution")
+    if results.has("surface.pvd") and times(results.directory, "surface") != all_times:
+        raise UserError(f"'{results.path('surface.pvd')}' and 'solution.pvd' have different times: "
+                        "is the run complete?")
     if arguments.animation:
-        return list(range(len(all_times)))
+        return [View(results, step) for step in range(len(all_times))]
     for step in arguments.steps:
         if not -len(all_times) <= step < len(all_times):
             raise UserError(f"--steps has {step}, but solution.pvd has {len(all_times)} entries, "
                             "counted from 0, or from -1 backwards")
-    return [step % len(all_times) for step in arguments.steps]
+    return [View(results, step % len(all_times)) for step in arguments.steps]
 
 
-def make_panels(arguments, results, steps, all_times):
-    contact = contact_to_look_at(results, steps)
-    panels = [BodyPanel(arguments, results, steps, all_times, contact)]
-    if contact and not panels[0].flat and not arguments.no_pressure and any(
-            contact_at(results, step) for step in steps):
-        panels.append(PressurePanel(arguments, results, steps, contact))
+def title(arguments, view):
+    """What tells a view from the others."""
+    parts = ([view.run] if len(arguments.directories) > 1 else []) + (
+        [f"t = {view.time:g}"] if len(arguments.steps) > 1 else [])
+    return ", ".join(parts) or arguments.title
+
+
+def make_panels(arguments, views):
+    contact = contact_to_look_at(views)
+    panels = [BodyPanel(arguments, views, contact)] if "body" in arguments.panels else []
+    if "pressure" in arguments.panels and contact and not is_flat(views[0].fields("solution")["points"]) and any(
+            map(contact_at, views)):
+        panels.append(PressurePanel(arguments, views, contact))
+    if not panels:
+        raise UserError("there is no contact pressure to be seen from above: the bodies are plane, or nothing touches")
     return panels
 
 
-def draw_animation(arguments, panels, steps, all_times, units):
+def draw_animation(arguments, panels, views, units):
     try:
         os.makedirs(arguments.animation, exist_ok=True)
     except OSError as error:
         raise UserError(f"the folder '{arguments.animation}' cannot be created: {error.strerror}") from None
-    frames = [os.path.join(arguments.animation, f"frame_{i:04d}.png") for i in range(len(steps))]
-    for step, frame in zip(steps, frames):
-        save(draw_sheet(panels, [step], [f"t = {all_times[step]:.3f}"], units, parse_size(arguments.size)), frame)
+    frames = [os.path.join(arguments.animation, f"frame_{i:04d}.png") for i in range(len(views))]
+    for view, frame in zip(views, frames):
+        save(draw_sheet(panels, [view], [f"t = {view.time:.3f}"], units, parse_size(arguments.size)), frame)
     join(frames, os.path.join(arguments.animation, "animation.gif"))
 
 
@@ -114,20 +135,14 @@ def join(frames, path):
 def main(arguments):
     arguments = parse_arguments(arguments)
     size = parse_size(arguments.size)
-    results = Results(arguments.directory)
-    results.expect("solution.pvd")
-    all_times = times(arguments.directory, "solution")
-    if results.has("surface.pvd") and times(arguments.directory, "surface") != all_times:
-        raise UserError(f"'{results.path('surface.pvd')}' and 'solution.pvd' have different times: "
-                        "is the run complete?")
-    steps = choose_steps(arguments, all_times)
-    panels = make_panels(arguments, results, steps, all_times)
-    units = units_of(results, arguments)
+    runs = [Results(directory) for directory in arguments.directories]
+    views = [view for results in runs for view in choose_views(arguments, results)]
+    panels = make_panels(arguments, views)
+    units = units_of(runs[0], arguments)
     if arguments.animation:
-        draw_animation(arguments, panels, steps, all_times, units)
+        draw_animation(arguments, panels, views, units)
         return
-    titles = [f"t = {all_times[step]:g}" for step in steps] if len(steps) > 1 else [arguments.title]
-    figure = draw_sheet(panels, steps, titles, units, size)
-    if len(steps) > 1:
+    figure = draw_sheet(panels, views, [title(arguments, view) for view in views], units, size)
+    if len(views) > 1:
         figure.suptitle(arguments.title)
-    save(figure, arguments.output or results.path("picture.png"))
+    save(figure, arguments.output or runs[0].path("picture.png"))
