@@ -241,7 +241,9 @@ namespace ElastoPlastic
     std::ostringstream text;
     text.precision(4);
     text << "Step " << result.step << ": the contact pressure at ("
-         << body.contact_evaluation().place_of_largest_pressure() << ") is "
+         << Patterns::Tools::to_string(
+              body.contact_evaluation().place_of_largest_pressure())
+         << ") is "
          << result.max_pressure
          << ", more than a large body with this yield stress can bear ("
          << pressure_guard.limit(strain)

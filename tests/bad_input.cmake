@@ -364,6 +364,9 @@ set(_elastic_indentation ${CMAKE_SOURCE_DIR}/parameter_files/verification/hertz_
   --set "Loading/Control=depth" --set "Loading/Number of steps=3" --set "Geometry/Initial refinements=3")
 add_message_test(tip_between_nodes 0 "Warning: The indenter is in the body, between the nodes that could touch it, and meets no resistance: the mesh is too coarse under its tip. Set 'Geometry/Local refinements', or take more load steps if"
   ${_elastic_indentation} --output-directory tip_between_nodes --set "Loading/History=1: depth 0.0004 | 2: depth 0.0009" --set "Indenter/Radius=100" --set "Geometry/Local refinements=0" --set "Discretization/Polynomial degree=2" --set "Discretization/Volumetric treatment=standard")
+add_message_test(pressure_of_thin_layer 0 "Warning: Step 1: the contact pressure at .0, 0. is 11.62, more than a large body with this yield stress can bear .9.55[0-9] at most.. In a thin layer"
+  ${CMAKE_SOURCE_DIR}/parameter_files/flat_punch_2d.prm --overwrite --quiet --output-directory pressure_of_thin_layer --set "Geometry/Lower corner=0, -0.5" --set "Geometry/Upper corner=12, 0" --set "Geometry/Repetitions=24, 1"
+  --set "Geometry/Initial refinements=1" --set "Refinement/Number of cycles=1" --set "Indenter/Half width=10" --set "Loading/History=1: depth 0.02" --set "Loading/Number of steps=3")
 add_message_test(locking 0 "Warning: 'Material/Poisson.s ratio' is above 0.48, and elements with 'Discretization/Volumetric treatment = standard' lock then.*Set 'Volumetric treatment = B-bar', for both" ${_base} --validate --set "Material/Poisson's ratio=0.499")
 add_message_test(few_elements 0 "Warning: The contact is only [0-9]+ elements wide. with fewer than 8, force and contact area are rough. Set 'Refinement/Elements over contact radius'"
   ${_elastic_indentation} --output-directory few_elements --set "Loading/Depth=0.004" --set "Geometry/Local refinements=4")

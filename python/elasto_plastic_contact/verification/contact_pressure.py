@@ -4,6 +4,7 @@
 
 import math
 
+from .contact_law_bodies import SHAPES, mesh
 from .runner import E_STAR
 
 SPHERE = "indentation/sphere_axisymmetric.prm"
@@ -20,6 +21,16 @@ def contact_pressure(runner):
                        absolute=True)
     tables = runner.tables(SPHERE, *LOADING, "Discretization/Polynomial degree=2")
     runner.compare("quadratic, plastic: scatter over the mean pressure", scatter(tables), 0, 0.035, absolute=True)
+    for degree, name in enumerate(DEGREES, 1):
+        tables = runner.tables(SPHERE, *LOADING, *uniform_mesh(), f"Discretization/Polynomial degree={degree}")
+        runner.compare(f"{name}, plastic, uniform mesh: scatter over the mean pressure", scatter(tables), 0, 0.03,
+                       absolute=True)
+
+
+def uniform_mesh():
+    """On the ready one, whose smallest elements follow the edge, large steps and changes of the mesh leave marks."""
+    return [f"{path}={', '.join(map(str, value)) if isinstance(value, tuple) else value}"
+            for path, value in mesh(SHAPES["sphere"].radius, 20, 2).items()]
 
 
 def late(tables):
