@@ -117,6 +117,47 @@ namespace
 
 
 
+  /// A plane of symmetry through nodes, on which they have half of their area:
+  /// the part on one side of it has the same law.
+  void
+  check_symmetry()
+  {
+    output() << "Half of a square" << std::endl;
+    const unsigned int          n_x = 6, n_y = 9;
+    const std::pair<Grid, Grid> paraboloids = {{2 * n_x - 1,
+                                                n_y,
+                                                paraboloid(n_x - 1., 4.3)},
+                                               {n_x, n_y, paraboloid(0., 4.3)}};
+    const std::pair<Grid, Grid> pyramids    = {
+         {2 * n_x - 1, n_y, pyramid(n_x - 1., 4.)}, {n_x, n_y, pyramid(0., 4.)}};
+    for (const auto &[whole, half] : {paraboloids, pyramids})
+      {
+        const EdgeLaw law = whole.law(), law_of_half = half.law();
+        const double  depth = depth_of(half);
+        const auto    place = law.largest_openings(whole.gaps(depth));
+        const auto    place_of_half =
+          law_of_half.largest_openings(half.gaps(depth));
+        double       error      = 0;
+        unsigned int n_entering = 0;
+        for (unsigned int x = 0; x < n_x; ++x)
+          for (unsigned int y = 0; y < n_y; ++y)
+            {
+              const unsigned int k = whole.at(n_x - 1 + x, y),
+                                 h = half.at(x, y);
+              const double opening = place_of_half.openings(h);
+              n_entering += (opening > 0. && opening < 1.);
+              error = std::max(
+                {error,
+                 std::abs(law.rise(k) - law_of_half.rise(h)),
+                 std::abs(place.openings(k) - opening),
+                 std::abs(place.allowances[k] - place_of_half.allowances[h])});
+            }
+        verify("  some nodes are entering", n_entering > 0);
+        verify("  rises, openings and allowances of the whole", error, 1e-14);
+      }
+  }
+
+
   /// Changes of the gaps by the part 1e-9 change little, also where nodes are
   /// at the same height.
   void
@@ -290,5 +331,6 @@ main(int argc, char *argv[])
       check_scale(grid);
       check_ranks(grid);
     }
+  check_symmetry();
   check_continuity();
 }

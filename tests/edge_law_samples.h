@@ -59,16 +59,20 @@ namespace EdgeLawSamples
                  {x == 0 || x == n_x - 1, n_y > 1 && (y == 0 || y == n_y - 1)})
               area *= (at_rim ? 0.5 : 1.);
             nodes.push_back({dof(k), 3 * k + 1, gap(x, y), area});
-            if (x > 0)
-              pairs.emplace_back(dof(k - 1), dof(k));
-            if (y == 0)
-              continue;
-            pairs.emplace_back(dof(k - n_x), dof(k));
-            if (x > 0)
-              pairs.emplace_back(dof(k - n_x - 1), dof(k));
-            if (x < n_x - 1)
-              pairs.emplace_back(dof(k - n_x + 1), dof(k));
           }
+      const auto add_face = [&](const std::vector<unsigned int> &corners) {
+        for (const unsigned int one : corners)
+          for (const unsigned int other : corners)
+            if (one < other)
+              pairs.emplace_back(dof(one), dof(other));
+      };
+      for (unsigned int x = 1; x < n_x; ++x)
+        {
+          if (n_y == 1)
+            add_face({at(x - 1, 0), at(x, 0)});
+          for (unsigned int y = 1; y < n_y; ++y)
+            add_face({at(x - 1, y - 1), at(x, y - 1), at(x - 1, y), at(x, y)});
+        }
       // a neighbour that is no node
       pairs.emplace_back(dof(0), dof(0) + 1);
     }

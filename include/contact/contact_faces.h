@@ -66,8 +66,8 @@ namespace ElastoPlastic
     ContactFaces
     moved(const Vector &u) const;
 
-    /// The pairs of nodes that share a face; hanging nodes are replaced by
-    /// their masters. Of the faces of this rank.
+    /// The pairs of nodes of the faces of this rank, face by face; hanging
+    /// nodes are replaced by their masters.
     std::vector<EdgeLaw::Pair>
     neighbors() const;
 

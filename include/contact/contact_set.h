@@ -39,7 +39,7 @@ namespace ElastoPlastic
     bool statuses = false; ///< of nodes: open, entering, closed
     /// Whether the edge has moved by more than one node somewhere.
     bool edge_jumps = false;
-    bool friction = false; ///< whether nodes stick
+    bool friction   = false; ///< whether nodes stick
 
     explicit operator bool() const
     {

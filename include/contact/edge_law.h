@@ -88,9 +88,9 @@ namespace ElastoPlastic
     /// Two unknowns of nodes that share a face.
     using Pair = std::pair<types::global_dof_index, types::global_dof_index>;
 
-    /// Takes the @p nodes of this rank, in ascending order, and those pairs of
-    /// neighbours that this rank knows; what is no node on any rank is passed
-    /// over. Collective.
+    /// Takes the @p nodes of this rank, in ascending order, and the pairs of
+    /// its faces, once for each face that has both; what is no node on any rank
+    /// is passed over. Collective.
     void
     reinit(const std::vector<Node> &nodes,
            const std::vector<Pair> &pairs,

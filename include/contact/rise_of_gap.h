@@ -16,7 +16,7 @@ namespace ElastoPlastic
   struct RiseOfGap
   {
     /// Of @p nodes in ascending order, the same on all ranks, and the pairs of
-    /// neighbours that this rank knows. Collective.
+    /// the faces of this rank. Collective.
     RiseOfGap(const std::vector<EdgeLaw::Node> &nodes,
               const std::vector<EdgeLaw::Pair> &pairs,
               const MPI_Comm                    communicator);

@@ -137,7 +137,7 @@ namespace ElastoPlastic
   std::vector<EdgeLaw::Pair>
   ContactFaces<dim>::neighbors() const
   {
-    std::set<EdgeLaw::Pair> pairs;
+    std::vector<EdgeLaw::Pair> pairs;
     for (const Face &face : faces)
       {
         std::set<types::global_dof_index> dofs;
@@ -151,9 +151,9 @@ namespace ElastoPlastic
         for (const auto one : dofs)
           for (const auto other : dofs)
             if (one < other)
-              pairs.emplace(one, other);
+              pairs.emplace_back(one, other);
       }
-    return {pairs.begin(), pairs.end()};
+    return pairs;
   }
 
 

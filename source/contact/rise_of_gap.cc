@@ -7,8 +7,8 @@
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
-#include <set>
 
 #include "contact/rise_of_gap.h"
 
@@ -32,8 +32,8 @@ namespace ElastoPlastic
 
 
 
-    /// The numbers of the neighbours of each node, ascending.
-    std::vector<std::set<unsigned int>>
+    /// The neighbours of each node, ascending, and how many faces they share.
+    std::vector<std::map<unsigned int, unsigned int>>
     neighbors_of(const std::vector<EdgeLaw::Node> &nodes,
                  const std::vector<EdgeLaw::Pair> &pairs,
                  const MPI_Comm                    communicator)
@@ -59,13 +59,13 @@ namespace ElastoPlastic
               link.second != numbers::invalid_unsigned_int)
             links.push_back(link);
         }
-      std::vector<std::set<unsigned int>> result(nodes.size());
+      std::vector<std::map<unsigned int, unsigned int>> result(nodes.size());
       for (const auto &of_rank :
            Utilities::MPI::all_gather(communicator, links))
         for (const auto &[one, other] : of_rank)
           {
-            result[one].insert(other);
-            result[other].insert(one);
+            ++result[one][other];
+            ++result[other][one];
           }
       return result;
     }
@@ -74,8 +74,10 @@ namespace ElastoPlastic
 
 
   // The weight w_bj of an inner neighbour is in proportion to how much lower
-  // the gap is there. From low to high: the height of the foot of a node is the
-  // weighted mean of those of its inner neighbours.
+  // the gap is there, and to how many faces it shares with b: so nodes in a
+  // plane of symmetry have the same in a half of the body. From low to high:
+  // the height of the foot of a node is the weighted mean of those of its inner
+  // neighbours.
   RiseOfGap::RiseOfGap(const std::vector<EdgeLaw::Node> &nodes,
                        const std::vector<EdgeLaw::Pair> &pairs,
                        const MPI_Comm                    communicator)
@@ -97,17 +99,17 @@ namespace ElastoPlastic
     for (unsigned int b = 0; b < nodes.size(); ++b)
       {
         double sum = 0;
-        for (const unsigned int j : neighbors[b])
+        for (const auto &[j, n_faces] : neighbors[b])
           if (nodes[j].gap < nodes[b].gap)
             {
-              const double rise = nodes[b].gap - nodes[j].gap;
-              sum += rise;
-              inner_neighbors[b].push_back({j, rise});
+              inner_neighbors[b].push_back(
+                {j, n_faces * (nodes[b].gap - nodes[j].gap)});
+              sum += inner_neighbors[b].back().coefficient;
             }
         for (auto &[j, weight] : inner_neighbors[b])
           {
-            full_rises[b] += weight * (weight / sum);
             weight /= sum;
+            full_rises[b] += weight * (nodes[b].gap - nodes[j].gap);
           }
       }
     const double largest_rise =

@@ -169,3 +169,16 @@ def sectors(runner):
             runner.compare(f"{name}, {angle} degrees: force against the axisymmetric body", forces[-1],
                            whole["force"], 0.01)
         runner.compare(f"{name}: largest force of all angles", max(forces), min(forces), 0.006)
+
+
+def pyramid_sectors(runner):
+    """Vickers' and Berkovich's pyramids, finite strains: a sector, and twice of it."""
+    loading = ("Geometry/Initial refinements=2", "Loading/History=1: depth 0.002", "Loading/Number of steps=16")
+    for name, case, angle, planes in (("Vickers", "indentation/vickers_sector.prm", 90, "front"),
+                                      ("Berkovich", "indentation/berkovich_sector.prm", 60, "front, back")):
+        part = runner.history(case, *loading, f"Geometry/Sector angle={angle}")[-1]
+        twice = runner.history(case, *loading, f"Geometry/Sector angle={2 * angle}",
+                               f"Boundary conditions/Roller={planes}")[-1]
+        for quantity in ("force", "contact_area", "external_work"):
+            runner.compare(f"{name}: {quantity} of a sector of {angle} degrees against twice of it",
+                           2 * part[quantity], twice[quantity], 1e-8)
