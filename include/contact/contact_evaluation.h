@@ -114,11 +114,15 @@ namespace ElastoPlastic
     void
     add_areas(ContactState &state) const;
 
-    const ContactSet<dim>  &contact;
-    const Vector           &u, &residual;
-    const std::vector<bool> reached;
+    const ContactSet<dim> &contact;
+    const Vector          &u, &residual;
+    /// Of the candidates.
+    const std::vector<double> gaps;
+    const std::vector<bool>   reached;
     /// EdgeLaw::passed(): these have tractions.
     const std::vector<bool> passed;
+    /// Where areas are measured.
+    const ContactFaces<dim> faces;
     const Vector            areas, touched_areas, bearing_areas;
   };
 } // namespace ElastoPlastic

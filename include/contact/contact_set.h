@@ -16,6 +16,7 @@
 
 #include "base/kinematics.h"
 #include "base/sloped_bound.h"
+#include "contact/active_set_change.h"
 #include "contact/contact_faces.h"
 #include "contact/contact_geometry.h"
 #include "contact/contact_state.h"
@@ -30,22 +31,6 @@ namespace ElastoPlastic
 
   template <int dim>
   class ContactEvaluation;
-
-
-
-  /// What of ContactSet has changed, on any rank.
-  struct ActiveSetChange
-  {
-    bool statuses = false; ///< of nodes: open, entering, closed
-    /// Whether the edge has moved by more than one node somewhere.
-    bool edge_jumps = false;
-    bool friction   = false; ///< whether nodes stick
-
-    explicit operator bool() const
-    {
-      return statuses || friction;
-    }
-  };
 
 
 

@@ -34,9 +34,11 @@ namespace ElastoPlastic
     : contact(contact)
     , u(u)
     , residual(residual)
+    , gaps(contact.gaps(u, contact.depth()))
     , reached(find_reached())
-    , passed(contact.law().passed(contact.gaps(u, contact.depth()),
-                                  contact.statuses()))
+    , passed(contact.law().passed(gaps, contact.statuses()))
+    , faces(contact.bounds.follow_deformation() ? contact.faces.moved(u) :
+                                                  contact.faces)
     , areas(lumped_areas())
     , touched_areas(find_touched_areas())
     , bearing_areas(find_bearing_areas())
@@ -48,8 +50,7 @@ namespace ElastoPlastic
   std::vector<bool>
   ContactEvaluation<dim>::find_reached() const
   {
-    const std::vector<double> gaps = contact.gaps(u, contact.depth());
-    std::vector<bool>         result;
+    std::vector<bool> result;
     for (unsigned int k = 0; k < gaps.size(); ++k)
       {
         const ContactStatus status = contact.candidates[k].status;
@@ -68,7 +69,7 @@ namespace ElastoPlastic
     Vector       result(u.get_partitioner());
     const bool   moves = contact.bounds.follow_deformation();
     const Vector whole = moves ? contact.faces.areas() : Vector();
-    const Vector moved = moves ? contact.faces.moved(u).areas() : Vector();
+    const Vector moved = moves ? faces.areas() : Vector();
     for (const Node &node : contact.candidates)
       {
         const unsigned int i = node.index;
@@ -87,19 +88,15 @@ namespace ElastoPlastic
   {
     if (contact.rule == EdgeRule::at_nodes)
       return areas;
-    const std::vector<double> of_candidates = contact.gaps(u, contact.depth());
-    Vector gaps(u.get_partitioner()), kinds(u.get_partitioner());
-    for (unsigned int k = 0; k < of_candidates.size(); ++k)
+    Vector distances(u.get_partitioner()), kinds(u.get_partitioner());
+    for (unsigned int k = 0; k < gaps.size(); ++k)
       {
-        const unsigned int i   = contact.candidates[k].index;
-        gaps.local_element(i)  = of_candidates[k];
-        kinds.local_element(i) = reached[k] ? ContactFaces<dim>::closed :
-                                              ContactFaces<dim>::not_closed;
+        const unsigned int i       = contact.candidates[k].index;
+        distances.local_element(i) = gaps[k];
+        kinds.local_element(i)     = reached[k] ? ContactFaces<dim>::closed :
+                                                  ContactFaces<dim>::not_closed;
       }
-    const Vector levels = contact.faces.levels(kinds, gaps);
-    return contact.bounds.follow_deformation() ?
-             contact.faces.moved(u).touched_areas(kinds, levels) :
-             contact.faces.touched_areas(kinds, levels);
+    return faces.touched_areas(kinds, faces.levels(kinds, distances));
   }
 
 
@@ -110,9 +107,7 @@ namespace ElastoPlastic
   {
     if (!contact.law().exists())
       return areas;
-    const Vector        whole = contact.bounds.follow_deformation() ?
-                                  contact.faces.moved(u).areas() :
-                                  contact.faces.areas();
+    const Vector        whole = faces.areas();
     std::vector<double> of_active;
     for (const Node &node : contact.candidates)
       of_active.push_back(node.is_active() ? areas.local_element(node.index) :

@@ -63,7 +63,6 @@ namespace ElastoPlastic
   void
   ContactEvaluation<dim>::add_distances(ContactState &state) const
   {
-    const std::vector<double> gaps = contact.gaps(u, contact.depth());
     const auto place = contact.law().place(gaps, contact.statuses());
     for (unsigned int k = 0; k < gaps.size(); ++k)
       {

@@ -71,35 +71,31 @@ namespace ElastoPlastic
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
 
     faces.clear();
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          {
-            if (!cell->face(f)->at_boundary() ||
-                boundaries.count(cell->face(f)->boundary_id()) == 0)
-              continue;
-            values.reinit(cell, f);
-            cell->face(f)->get_dof_indices(dofs);
-            for (unsigned int j = 0; j < (dim == 3 ? p : 1); ++j)
-              for (unsigned int i = 0; i < p; ++i)
+    for_each_contact_face(
+      owned_cells(dof_handler),
+      boundaries,
+      [&](const auto &cell, const auto f) {
+        values.reinit(cell, f);
+        cell->face(f)->get_dof_indices(dofs);
+        for (unsigned int j = 0; j < (dim == 3 ? p : 1); ++j)
+          for (unsigned int i = 0; i < p; ++i)
+            {
+              Face face;
+              for (unsigned int n = 0; n < n_nodes; ++n)
                 {
-                  Face face;
-                  for (unsigned int n = 0; n < n_nodes; ++n)
-                    {
-                      const auto &node =
-                        lattice[i + n % 2 + (p + 1) * (j + n / 2)];
-                      const unsigned int q = node[dim - 1];
-                      face.dofs[n]         = dofs[q];
-                      face.positions[n]    = values.quadrature_point(q);
-                      for (unsigned int d = 0; d < dim - 1; ++d)
-                        face.horizontal[n][d] = dofs[node[d]];
-                      face.density[n] =
-                        values.JxW(q) *
-                        extent(values.quadrature_point(q), kinematics);
-                    }
-                  faces.push_back(face);
+                  const auto &node = lattice[i + n % 2 + (p + 1) * (j + n / 2)];
+                  const unsigned int q = node[dim - 1];
+                  face.dofs[n]         = dofs[q];
+                  face.positions[n]    = values.quadrature_point(q);
+                  for (unsigned int d = 0; d < dim - 1; ++d)
+                    face.horizontal[n][d] = dofs[node[d]];
+                  face.density[n] =
+                    values.JxW(q) *
+                    extent(values.quadrature_point(q), kinematics);
                 }
-          }
+              faces.push_back(face);
+            }
+      });
     find_areas();
   }
 

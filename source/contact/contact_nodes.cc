@@ -3,7 +3,6 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <map>
 
@@ -15,22 +14,6 @@ namespace ElastoPlastic
   namespace
   {
     using Vector = LinearAlgebra::distributed::Vector<double>;
-
-    /// Calls body(cell, face_no) for all faces of @p cells on @p boundaries.
-    template <typename CellRange, typename Body>
-    void
-    for_each_face(const CellRange                    &cells,
-                  const std::set<types::boundary_id> &boundaries,
-                  const Body                         &body)
-    {
-      for (const auto &cell : cells)
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              boundaries.count(cell->face(f)->boundary_id()) > 0)
-            body(cell, f);
-    }
-
-
 
     /// The lumped boundary mass D of the vertical component, condensed: the
     /// integrals of the shape functions.
@@ -51,21 +34,24 @@ namespace ElastoPlastic
       dealii::Vector<double>               cell_areas(fe.n_dofs_per_cell());
       std::vector<types::global_dof_index> dof_indices(fe.n_dofs_per_cell());
 
-      const auto cells = dof_handler.active_cell_iterators() |
-                         IteratorFilters::LocallyOwnedCell();
-      for_each_face(cells, boundaries, [&](const auto &cell, const auto f) {
-        fe_face_values.reinit(cell, f);
-        cell_areas = 0;
-        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
-          if (fe.system_to_component_index(i).first == dim - 1)
-            for (const unsigned int q :
-                 fe_face_values.quadrature_point_indices())
-              cell_areas(i) +=
-                fe_face_values.shape_value(i, q) * fe_face_values.JxW(q) *
-                extent(fe_face_values.quadrature_point(q), kinematics);
-        cell->get_dof_indices(dof_indices);
-        constraints.distribute_local_to_global(cell_areas, dof_indices, areas);
-      });
+      for_each_contact_face(
+        owned_cells(dof_handler),
+        boundaries,
+        [&](const auto &cell, const auto f) {
+          fe_face_values.reinit(cell, f);
+          cell_areas = 0;
+          for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+            if (fe.system_to_component_index(i).first == dim - 1)
+              for (const unsigned int q :
+                   fe_face_values.quadrature_point_indices())
+                cell_areas(i) +=
+                  fe_face_values.shape_value(i, q) * fe_face_values.JxW(q) *
+                  extent(fe_face_values.quadrature_point(q), kinematics);
+          cell->get_dof_indices(dof_indices);
+          constraints.distribute_local_to_global(cell_areas,
+                                                 dof_indices,
+                                                 areas);
+        });
       areas.compress(VectorOperation::add);
     }
 
@@ -94,23 +80,24 @@ namespace ElastoPlastic
                                           [](const auto &cell) {
                                             return !cell->is_artificial();
                                           });
-      for_each_face(cells, boundaries, [&](const auto &cell, const auto f) {
-        fe_face_values.reinit(cell, f);
-        cell->face(f)->get_dof_indices(dof_indices);
-        for (const auto &of_node : components)
-          {
-            const auto dof = dof_indices[of_node[dim - 1]];
-            if (!partitioner.in_local_range(dof) || nodes.count(dof) > 0)
-              continue;
-            ContactNode<dim> &node = nodes[dof];
-            node.index             = partitioner.global_to_local(dof);
-            for (unsigned int d = 0; d < dim - 1; ++d)
-              node.horizontal[d] =
-                partitioner.global_to_local(dof_indices[of_node[d]]);
-            node.position = fe_face_values.quadrature_point(of_node[dim - 1]);
-            node.gap      = gap(node.position);
-          }
-      });
+      for_each_contact_face(
+        cells, boundaries, [&](const auto &cell, const auto f) {
+          fe_face_values.reinit(cell, f);
+          cell->face(f)->get_dof_indices(dof_indices);
+          for (const auto &of_node : components)
+            {
+              const auto dof = dof_indices[of_node[dim - 1]];
+              if (!partitioner.in_local_range(dof) || nodes.count(dof) > 0)
+                continue;
+              ContactNode<dim> &node = nodes[dof];
+              node.index             = partitioner.global_to_local(dof);
+              for (unsigned int d = 0; d < dim - 1; ++d)
+                node.horizontal[d] =
+                  partitioner.global_to_local(dof_indices[of_node[d]]);
+              node.position = fe_face_values.quadrature_point(of_node[dim - 1]);
+              node.gap      = gap(node.position);
+            }
+        });
       return nodes;
     }
 

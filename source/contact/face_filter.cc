@@ -64,29 +64,26 @@ namespace ElastoPlastic
                              update_values | update_JxW_values |
                                update_quadrature_points);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              boundaries.count(cell->face(f)->boundary_id()) > 0)
-            {
-              values.reinit(cell, f);
-              cell->face(f)->get_dof_indices(dofs);
-              Face face;
-              for (const auto &node : lattice)
-                {
-                  for (const unsigned int i : node)
-                    face.dofs.push_back(dofs[i]);
-                  double area = 0;
-                  for (const unsigned int q : values.quadrature_point_indices())
-                    area += values.shape_value(
-                              fe.face_to_cell_index(node[dim - 1], f), q) *
-                            values.JxW(q) *
-                            extent(values.quadrature_point(q), kinematics);
-                  face.areas.push_back(area);
-                }
-              faces.push_back(face);
-            }
+    for_each_contact_face(
+      owned_cells(dof_handler),
+      boundaries,
+      [&](const auto &cell, const auto f) {
+        values.reinit(cell, f);
+        cell->face(f)->get_dof_indices(dofs);
+        Face face;
+        for (const auto &node : lattice)
+          {
+            for (const unsigned int i : node)
+              face.dofs.push_back(dofs[i]);
+            double area = 0;
+            for (const unsigned int q : values.quadrature_point_indices())
+              area +=
+                values.shape_value(fe.face_to_cell_index(node[dim - 1], f), q) *
+                values.JxW(q) * extent(values.quadrature_point(q), kinematics);
+            face.areas.push_back(area);
+          }
+        faces.push_back(face);
+      });
   }
 
 

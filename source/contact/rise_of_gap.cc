@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
@@ -17,8 +18,9 @@ namespace ElastoPlastic
   namespace
   {
     /// A spot of a few elements is not to disappear in what its edge allows:
-    /// the rise is at most this part of the height above the tip of the spot.
-    constexpr double largest_part_of_height = 0.25;
+    /// only nodes that are so many times their rise above the tip of the spot
+    /// have the whole rise.
+    constexpr double least_height = 6.;
     /// A tip, whose own rise is zero, is plain; a node whose rise is at least
     /// this part of that of its outer neighbour is not.
     constexpr double least_rise_inside = 1. / 3.;
@@ -127,8 +129,11 @@ namespace ElastoPlastic
         feet[b] = (1. - inclined) * nodes[b].gap;
         for (const auto &[j, weight] : inner_neighbors[b])
           feet[b] += inclined * weight * feet[j];
-        rises[b] = std::min(full_rises[b],
-                            largest_part_of_height * (nodes[b].gap - feet[b]));
+        if (full_rises[b] > 0.)
+          rises[b] =
+            full_rises[b] *
+            Utilities::fixed_power<2>(std::min(
+              1., (nodes[b].gap - feet[b]) / (least_height * full_rises[b])));
       }
 
     for (unsigned int b = 0; b < nodes.size(); ++b)
