@@ -243,8 +243,7 @@ namespace ElastoPlastic
     text << "Step " << result.step << ": the contact pressure at ("
          << Patterns::Tools::to_string(
               body.contact_evaluation().place_of_largest_pressure())
-         << ") is "
-         << result.max_pressure
+         << ") is " << result.max_pressure
          << ", more than a large body with this yield stress can bear ("
          << pressure_guard.limit(strain)
          << " at most). In a thin layer on something rigid that may be; else "
