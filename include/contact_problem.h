@@ -122,8 +122,9 @@ namespace ElastoPlastic
     collect_unknowns(const Vector &u, const Vector &residual);
 
     /// Lets a contact that ends within faces end at nodes for some steps, once,
-    /// if its edge jumps, or its set does not settle.
-    void
+    /// if its edge jumps, or its set does not settle. @return whether the set
+    /// is another one for that.
+    bool
     change_law(const Vector          &u,
                const Vector          &residual,
                const ActiveSetChange &change);

@@ -16,7 +16,7 @@ namespace ElastoPlastic
     /// those that change the shape, and the contact would follow them.
     constexpr double loosest_reduction_if_incompressible = 1e-4;
 
-    /// So many iterations in which the active set has changed are many.
+    /// So many iterations in which nodes have opened or closed are many.
     constexpr unsigned int patience = 5;
   } // namespace
 
@@ -243,8 +243,8 @@ namespace ElastoPlastic
   ContactProblem<dim>::update_active_set(const Vector &u,
                                          const Vector &residual)
   {
-    const ActiveSetChange change = contact.update(u, residual);
-    change_law(u, residual, change);
+    ActiveSetChange change = contact.update(u, residual);
+    change.statuses |= change_law(u, residual, change);
     collect_unknowns(u, residual);
     return bool(change);
   }
@@ -254,29 +254,30 @@ namespace ElastoPlastic
   // The set of a contact that ends at nodes settles in fewer steps where its
   // edge jumps, and is near that of the solution.
   template <int dim>
-  void
+  bool
   ContactProblem<dim>::change_law(const Vector          &u,
                                   const Vector          &residual,
                                   const ActiveSetChange &change)
   {
     n_changes = change.statuses ? n_changes + 1 : 0;
-    if (law_has_rested)
+    if (!law_has_rested)
       {
-        if (contact.law_is_resting() &&
-            (n_changes == 0 || n_changes == patience))
-          {
-            contact.wake_law();
-            contact.find_entering(u);
-            contact.update(u, residual);
-          }
-      }
-    else if (contact.ends_within_faces() &&
-             (change.edge_jumps || n_changes == patience))
-      {
-        law_has_rested = true;
-        n_changes      = 0;
+        law_has_rested = contact.ends_within_faces() &&
+                         (change.edge_jumps || n_changes == patience);
+        if (!law_has_rested)
+          return false;
+        n_changes = 0;
         contact.rest_law();
+        return true;
       }
+    if (!contact.law_is_resting() || (0 < n_changes && n_changes < patience))
+      return false;
+    contact.wake_law();
+    if (n_changes == 0)
+      contact.update_statuses(u, residual);
+    else
+      contact.find_entering(u);
+    return true;
   }
 
 

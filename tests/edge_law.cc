@@ -6,6 +6,7 @@
 // depend on.
 
 #include <cmath>
+#include <random>
 
 #include "contact/rise_of_gap.h"
 #include "edge_law_samples.h"
@@ -268,10 +269,10 @@ namespace
     const unsigned int         begin = begin_of(rank), end = begin_of(rank + 1);
     std::vector<EdgeLaw::Node> nodes(grid.nodes.begin() + begin,
                                      grid.nodes.begin() + end);
-    // two of three ranks know a pair
+    // each pair is one of a face of some rank
     std::vector<EdgeLaw::Pair> pairs;
     for (unsigned int k = 0; k < grid.pairs.size(); ++k)
-      if (k % n_ranks == rank || (k + 1) % n_ranks == rank)
+      if (k % n_ranks == rank)
         pairs.push_back(grid.pairs[k]);
     EdgeLaw law;
     law.reinit(nodes, pairs, MPI_COMM_WORLD);

@@ -128,7 +128,7 @@ namespace
                   const auto dof = face->vertex_dof_index(v, dim - 1);
                   gaps[dof]      = 0.5 * (x.square() - 1.);
                   for (const auto w : face->vertex_indices())
-                    if (w != v)
+                    if (cell->is_locally_owned() && w > v)
                       pairs.push_back(
                         {dof, face->vertex_dof_index(w, dim - 1)});
                 }

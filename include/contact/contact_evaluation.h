@@ -68,6 +68,13 @@ namespace ElastoPlastic
     std::vector<bool>
     find_reached() const;
 
+    /// Where areas are measured.
+    const ContactFaces<dim> &
+    faces() const
+    {
+      return moved_faces ? *moved_faces : contact.faces;
+    }
+
     /// The lumped areas.
     Vector
     lumped_areas() const;
@@ -121,9 +128,9 @@ namespace ElastoPlastic
     const std::vector<bool>   reached;
     /// EdgeLaw::passed(): these have tractions.
     const std::vector<bool> passed;
-    /// Where areas are measured.
-    const ContactFaces<dim> faces;
-    const Vector            areas, touched_areas, bearing_areas;
+    /// If areas are those of the deformed body.
+    const std::optional<ContactFaces<dim>> moved_faces;
+    const Vector                           areas, touched_areas, bearing_areas;
   };
 } // namespace ElastoPlastic
 

@@ -117,9 +117,9 @@ namespace ElastoPlastic
     void
     find_areas();
 
-    const AffineConstraints<double>                   *constraints = nullptr;
-    Kinematics                                         kinematics;
-    std::vector<Face>                                  faces;
+    const AffineConstraints<double> *constraints = nullptr;
+    Kinematics                       kinematics  = Kinematics::cartesian;
+    std::vector<Face>                faces;
     std::shared_ptr<const Utilities::MPI::Partitioner> vector_layout;
   };
 } // namespace ElastoPlastic

@@ -128,13 +128,11 @@ namespace ElastoPlastic
     void
     activate_touching(const Vector &u);
 
-    /// Finds out which of the nodes that are not closed are entering at @p u.
-    /// Collective.
+    /// Finds out which nodes are entering at @p u. Collective.
     void
     find_entering(const Vector &u);
 
-    /// Lets the contact end at nodes for a while, or within faces again.
-    /// Collective.
+    /// Lets the contact end at nodes, or within faces again. Collective.
     void
     rest_law();
     void
@@ -158,6 +156,10 @@ namespace ElastoPlastic
     /// nearest.
     ActiveSetChange
     update(const Vector &u, const Vector &residual);
+
+    /// The same but for friction.
+    ActiveSetChange
+    update_statuses(const Vector &u, const Vector &residual);
 
     /// The same for a feasible @p u: closed are those that touch and press.
     /// @return whether the set has changed on any rank.
@@ -307,8 +309,7 @@ namespace ElastoPlastic
     void
     begin_friction(Node &node, const Vector &u) const;
 
-    /// Finds out which of the active nodes stick. @return whether any does on
-    /// any rank that did not before, or the other way round.
+    /// Finds out which active nodes stick. @return whether it has changed.
     bool
     update_friction(const Vector &u, const Vector &residual);
 
@@ -357,13 +358,12 @@ namespace ElastoPlastic
     double
     nearest_distance(const std::vector<Node> &some, const Vector &u) const;
 
-    /// If a force F > 0 has no active node to press on, moves the indenter to
+    /// If a force F > 0 has no closed node to press on, moves the indenter to
     /// the nearest candidates and activates them. @return whether it has.
     bool
     find_contact(const Vector &u);
 
-    /// Where no node is closed, there is no force that others could have a part
-    /// of: then none is entering.
+    /// Where no node is closed, there is no force of which others have a part.
     void
     open_without_closed();
 

@@ -117,7 +117,8 @@ namespace ElastoPlastic
     Place
     largest_openings(const std::vector<double> &gaps) const;
 
-    /// What a node is whose gap and allowance add up to @p distance > 0.
+    /// What a node that is not closed is whose gap and allowance add up to
+    /// @p distance.
     ContactStatus
     status_at(const unsigned int node, const double distance) const
     {

@@ -157,6 +157,8 @@ class Files(unittest.TestCase):
         for words in ("(a)", "(b)", "sphere", "other", "contact pressure"):
             self.assertIn(words, texts)
         self.assertNotIn("von Mises", texts)
+        self.assertIn("bodies in the plane and in space do not go side by side",
+                      self.message("render", self.cone, sphere))
         self.assertIn("no contact pressure to be seen from above",
                       self.message("render", self.cone, "--panels", "pressure"))
 

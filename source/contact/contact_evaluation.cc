@@ -37,8 +37,9 @@ namespace ElastoPlastic
     , gaps(contact.gaps(u, contact.depth()))
     , reached(find_reached())
     , passed(contact.law().passed(gaps, contact.statuses()))
-    , faces(contact.bounds.follow_deformation() ? contact.faces.moved(u) :
-                                                  contact.faces)
+    , moved_faces(contact.bounds.follow_deformation() ?
+                    std::make_optional(contact.faces.moved(u)) :
+                    std::nullopt)
     , areas(lumped_areas())
     , touched_areas(find_touched_areas())
     , bearing_areas(find_bearing_areas())
@@ -69,7 +70,7 @@ namespace ElastoPlastic
     Vector       result(u.get_partitioner());
     const bool   moves = contact.bounds.follow_deformation();
     const Vector whole = moves ? contact.faces.areas() : Vector();
-    const Vector moved = moves ? faces.areas() : Vector();
+    const Vector moved = moves ? faces().areas() : Vector();
     for (const Node &node : contact.candidates)
       {
         const unsigned int i = node.index;
@@ -96,7 +97,7 @@ namespace ElastoPlastic
         kinds.local_element(i)     = reached[k] ? ContactFaces<dim>::closed :
                                                   ContactFaces<dim>::not_closed;
       }
-    return faces.touched_areas(kinds, faces.levels(kinds, distances));
+    return faces().touched_areas(kinds, faces().levels(kinds, distances));
   }
 
 
@@ -107,7 +108,7 @@ namespace ElastoPlastic
   {
     if (!contact.law().exists())
       return areas;
-    const Vector        whole = faces.areas();
+    const Vector        whole = faces().areas();
     std::vector<double> of_active;
     for (const Node &node : contact.candidates)
       of_active.push_back(node.is_active() ? areas.local_element(node.index) :

@@ -136,12 +136,29 @@ namespace ElastoPlastic
   ActiveSetChange
   ContactSet<dim>::update(const Vector &u, const Vector &residual)
   {
+    const bool      turned = update_friction(u, residual);
+    ActiveSetChange change = update_statuses(u, residual);
+    change.friction        = turned;
+    return change;
+  }
+
+
+
+  // The edge jumps over a node that has a part in the forces inside if there
+  // are none, or if it becomes closed and nothing inside was.
+  template <int dim>
+  ActiveSetChange
+  ContactSet<dim>::update_statuses(const Vector &u, const Vector &residual)
+  {
     present_depth                    = depth_at(u);
     const std::vector<double> gaps   = this->gaps(u, present_depth);
     const auto                place  = law().place(gaps, statuses());
     const std::vector<double> inside = forces_inside(residual);
+    std::vector<double>       closed;
+    for (const Node &node : candidates)
+      closed.push_back(node.status == ContactStatus::closed ? 1. : 0.);
+    const std::vector<double> closed_inside = law().forces_inside(closed);
     ActiveSetChange           change;
-    change.friction = update_friction(u, residual);
     change.statuses =
       set_statuses(u, [&](const unsigned int k, const Node &node) {
         const double distance = gaps[k] + place.allowances[k];
@@ -149,7 +166,7 @@ namespace ElastoPlastic
           {
             if (distance >= 0.)
               return law().status_at(k, distance);
-            change.edge_jumps |= (node.status == ContactStatus::open);
+            change.edge_jumps |= law().has_part(k) && closed_inside[k] == 0.;
             return ContactStatus::closed;
           }
         if (stays_closed(k,
@@ -157,7 +174,7 @@ namespace ElastoPlastic
                          residual.local_element(node.index),
                          inside[k]))
           return ContactStatus::closed;
-        change.edge_jumps |= (inside[k] == 0.);
+        change.edge_jumps |= law().has_part(k) && inside[k] == 0.;
         return law().has_part(k) ? ContactStatus::entering :
                                    ContactStatus::open;
       });

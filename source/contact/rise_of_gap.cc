@@ -4,8 +4,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <boost/serialization/map.hpp>
 #include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
 
 #include <algorithm>
 #include <map>
@@ -53,21 +53,21 @@ namespace ElastoPlastic
                  static_cast<unsigned int>(found - nodes.begin()) :
                  numbers::invalid_unsigned_int;
       };
-      std::vector<std::pair<unsigned int, unsigned int>> links;
+      std::map<std::pair<unsigned int, unsigned int>, unsigned int> links;
       for (const auto &[one, other] : pairs)
         {
           const auto link = std::make_pair(number(one), number(other));
           if (link.first != numbers::invalid_unsigned_int &&
               link.second != numbers::invalid_unsigned_int)
-            links.push_back(link);
+            ++links[link];
         }
       std::vector<std::map<unsigned int, unsigned int>> result(nodes.size());
       for (const auto &of_rank :
            Utilities::MPI::all_gather(communicator, links))
-        for (const auto &[one, other] : of_rank)
+        for (const auto &[link, n_faces] : of_rank)
           {
-            ++result[one][other];
-            ++result[other][one];
+            result[link.first][link.second] += n_faces;
+            result[link.second][link.first] += n_faces;
           }
       return result;
     }
@@ -131,9 +131,11 @@ namespace ElastoPlastic
           feet[b] += inclined * weight * feet[j];
         if (full_rises[b] > 0.)
           rises[b] =
-            full_rises[b] *
-            Utilities::fixed_power<2>(std::min(
-              1., (nodes[b].gap - feet[b]) / (least_height * full_rises[b])));
+            full_rises[b] * Utilities::fixed_power<2>(
+                              std::clamp((nodes[b].gap - feet[b]) /
+                                           (least_height * full_rises[b]),
+                                         0.,
+                                         1.));
       }
 
     for (unsigned int b = 0; b < nodes.size(); ++b)

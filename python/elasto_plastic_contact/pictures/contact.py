@@ -26,13 +26,13 @@ def contact_at(view):
 
 
 def contact_to_look_at(views):
-    """The largest one of the views or, where there is none any more, the last one before; or None."""
-    if not all(view.results.has("surface.pvd") for view in views):
-        return None
+    """The largest one of the views or, where there is none any more, the last one before, of the first run that has
+    one; or None."""
+    views = [view for view in views if view.results.has("surface.pvd")]
     contacts = [contact for contact in map(contact_at, views) if contact]
     if contacts:
         return max(contacts, key=lambda contact: contact.radius)
-    return next(filter(None, map(contact_at, views[0].earlier())), None)
+    return next(filter(None, (contact_at(earlier) for view in views for earlier in view.earlier())), None)
 
 
 def most_plastic_point(fields):

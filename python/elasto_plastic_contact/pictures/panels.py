@@ -84,9 +84,10 @@ class BodyPanel(Panel):
 
     def __init__(self, arguments, views, contact):
         self.arguments, self.contact = arguments, contact
-        fields = views[-1].fields("solution")
-        if arguments.field not in fields or arguments.field in ("points", "cells"):
-            raise no_field(views[-1].results, arguments.field, fields)
+        for view in views:
+            fields = view.fields("solution")
+            if arguments.field not in fields or arguments.field in ("points", "cells"):
+                raise no_field(view.results, arguments.field, fields)
         self.is_norm = fields[arguments.field].ndim > 1
         self.flat = is_flat(fields["points"])
         self.cut = self.choose_cut(fields["points"])
@@ -200,6 +201,8 @@ class PressurePanel(Panel):
         points, quads = surface["points"], surface["cells"]
         corners = points[quads] - self.contact.centre
         near = (numpy.abs(corners[:, :, :2]).min(axis=1) <= 1.3 * self.contact.radius).all(axis=1)
+        if not near.any():
+            raise UserError(f"the surface of '{view.results.directory}' ends far from the contact of the other runs")
         seen = skin.look_at_plane(points, quads[near])
         return seen, Joined(points, quads)(surface["contact_pressure"])
 

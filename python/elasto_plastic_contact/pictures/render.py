@@ -100,13 +100,16 @@ def title(arguments, view):
 
 
 def make_panels(arguments, views):
+    if len({is_flat(view.fields("solution")["points"]) for view in views}) > 1:
+        raise UserError("bodies in the plane and in space do not go side by side")
     contact = contact_to_look_at(views)
     panels = [BodyPanel(arguments, views, contact)] if "body" in arguments.panels else []
     if "pressure" in arguments.panels and contact and not is_flat(views[0].fields("solution")["points"]) and any(
             map(contact_at, views)):
         panels.append(PressurePanel(arguments, views, contact))
     if not panels:
-        raise UserError("there is no contact pressure to be seen from above: the bodies are plane, or nothing touches")
+        raise UserError("there is no contact pressure to be seen from above: the bodies are plane, nothing touches, or "
+                        "the runs have not written surface.pvd")
     return panels
 
 

@@ -6,6 +6,7 @@ import math
 
 from .contact_law_bodies import SHAPES, mesh
 from .runner import E_STAR
+from ..program import as_text
 
 SPHERE = "indentation/sphere_axisymmetric.prm"
 LOADING = ("Loading/History=1: depth 0.002", "Loading/Number of steps=20", "Output/Surface profile=every step")
@@ -29,8 +30,7 @@ def contact_pressure(runner):
 
 def uniform_mesh():
     """On the ready one, whose smallest elements follow the edge, large steps and changes of the mesh leave marks."""
-    return [f"{path}={', '.join(map(str, value)) if isinstance(value, tuple) else value}"
-            for path, value in mesh(SHAPES["sphere"].radius, 20, 2).items()]
+    return [f"{path}={as_text(value)}" for path, value in mesh(SHAPES["sphere"].radius, 20, 2).items()]
 
 
 def late(tables):
