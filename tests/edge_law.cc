@@ -125,13 +125,13 @@ namespace
   check_symmetry()
   {
     output() << "Half of a square" << std::endl;
-    const unsigned int          n_x = 6, n_y = 9;
+    const unsigned int          n_x = 12, n_y = 21;
     const std::pair<Grid, Grid> paraboloids = {{2 * n_x - 1,
                                                 n_y,
-                                                paraboloid(n_x - 1., 4.3)},
-                                               {n_x, n_y, paraboloid(0., 4.3)}};
+                                                paraboloid(n_x - 1., 9.3)},
+                                               {n_x, n_y, paraboloid(0., 9.3)}};
     const std::pair<Grid, Grid> pyramids    = {
-         {2 * n_x - 1, n_y, pyramid(n_x - 1., 4.)}, {n_x, n_y, pyramid(0., 4.)}};
+         {2 * n_x - 1, n_y, pyramid(n_x - 1., 9.)}, {n_x, n_y, pyramid(0., 9.)}};
     for (const auto &[whole, half] : {paraboloids, pyramids})
       {
         const EdgeLaw law = whole.law(), law_of_half = half.law();

@@ -168,7 +168,7 @@ namespace EdgeLawSamples
     {"paraboloid on a line", {14, 1, paraboloid(1.3, 0.)}},
     {"paraboloid", {12, 11, paraboloid(4.3, 5.1)}},
     {"cone", {12, 11, cone(4.3, 5.1)}},
-    {"pyramid", {13, 11, pyramid(5., 5.)}},
+    {"pyramid", {17, 11, pyramid(5., 5.)}},
     {"rough surface", {12, 12, rough}}};
 
 
@@ -209,7 +209,7 @@ namespace EdgeLawSamples
     double largest = smallest;
     for (const EdgeLaw::Node &node : grid.nodes)
       largest = std::max(largest, node.gap);
-    return 0.73 * smallest + 0.27 * largest;
+    return 0.5 * (smallest + largest);
   }
 } // namespace EdgeLawSamples
 

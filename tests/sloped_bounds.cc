@@ -108,7 +108,7 @@ namespace
           lower[d] = -1.;
           upper[d] = d < dim - 1 ? 1. : 0.;
         }
-      std::vector<unsigned int> n_cells(dim, 8);
+      std::vector<unsigned int> n_cells(dim, 16);
       n_cells[dim - 1] = 2;
       GridGenerator::subdivided_hyper_rectangle(
         mesh, n_cells, lower, upper, true);
@@ -170,7 +170,7 @@ namespace
     void
     touch(const Control control)
     {
-      contact.set_load({Control::depth, 0.35});
+      contact.set_load({Control::depth, 0.37});
       VectorTools::interpolate(dof_handler, Compression<dim>(), u);
       contact.activate_touching(u);
       u.add(0.002, sample(3.));
