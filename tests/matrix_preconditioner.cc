@@ -90,7 +90,7 @@ namespace
       unsigned int                                &n_iterations) const
     {
       VectorType solution = rhs, residual = rhs;
-      preconditioner->initialize(tangent.matrix());
+      preconditioner->initialize(tangent.matrix(), tangent.n_patterns());
       n_iterations = conjugate_gradients(tangent.matrix(),
                                          solution,
                                          rhs,
@@ -150,7 +150,7 @@ namespace
     const auto preconditioner = make_factorization();
     try
       {
-        preconditioner->initialize(matrix);
+        preconditioner->initialize(matrix, 1);
         preconditioner->vmult(solution, rhs);
         check_finite(solution.l2_norm());
       }

@@ -24,12 +24,14 @@ namespace ElastoPlastic
 
     virtual ~MatrixPreconditioner() = default;
 
-    /// Prepares for @p matrix: always the same object, whose pattern may have
-    /// grown, which must outlive this one. Collective.
+    /// Prepares for @p matrix: always the same object, which must outlive this
+    /// one; @p pattern is another number whenever its pattern has been made
+    /// anew, be it the same. Collective.
     /// @throws ConvergenceError if it is found to be singular, FileError if
     /// memory is missing.
     virtual void
-    initialize(const TrilinosWrappers::SparseMatrix &matrix) = 0;
+    initialize(const TrilinosWrappers::SparseMatrix &matrix,
+               const unsigned int                    pattern) = 0;
 
     virtual void
     vmult(Vector &result, const Vector &vector) const = 0;

@@ -84,6 +84,13 @@ namespace ElastoPlastic
     const TrilinosWrappers::SparseMatrix &
     matrix() const;
 
+    /// How many patterns the matrix has had.
+    unsigned int
+    n_patterns() const
+    {
+      return pattern_count;
+    }
+
   private:
     using Combination = std::map<types::global_dof_index, double>;
     /// sum_b t_ib w_b for the unknowns i that have a row in SharedForces, as
@@ -121,6 +128,7 @@ namespace ElastoPlastic
     const AffineConstraints<double> *constraints = nullptr;
     IndexSet                         relevant_dofs;
     TrilinosWrappers::SparseMatrix   system_matrix;
+    unsigned int                     pattern_count = 0;
     /// By unknowns, those that they have moved with, on all ranks.
     std::map<types::global_dof_index, std::set<types::global_dof_index>>
       partners;
@@ -149,7 +157,7 @@ namespace ElastoPlastic
     prepare(const HeldUnknowns &held) override
     {
       matrix.assemble(tangent, held);
-      preconditioner->initialize(matrix.matrix());
+      preconditioner->initialize(matrix.matrix(), matrix.n_patterns());
     }
 
     void

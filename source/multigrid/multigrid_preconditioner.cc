@@ -116,7 +116,7 @@ namespace ElastoPlastic
   MultigridPreconditioner<dim>::CoarseSolver::prepare()
   {
     tangent.assemble(*hierarchy.operators()[0], hierarchy.held_on_coarsest());
-    preconditioner->initialize(tangent.matrix());
+    preconditioner->initialize(tangent.matrix(), tangent.n_patterns());
   }
 
 

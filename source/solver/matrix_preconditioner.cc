@@ -31,7 +31,8 @@ namespace ElastoPlastic
       {}
 
       void
-      initialize(const TrilinosWrappers::SparseMatrix &matrix) override
+      initialize(const TrilinosWrappers::SparseMatrix &matrix,
+                 const unsigned int /* pattern */) override
       {
         TrilinosWrappers::PreconditionAMG::AdditionalData data;
         data.elliptic              = true;
@@ -96,11 +97,12 @@ namespace ElastoPlastic
       }
 
       void
-      initialize(const TrilinosWrappers::SparseMatrix &matrix) override
+      initialize(const TrilinosWrappers::SparseMatrix &matrix,
+                 const unsigned int                    pattern) override
       {
-        if (!solver || problem.GetMatrix() != &matrix.trilinos_matrix() ||
-            n_entries != matrix.n_nonzero_elements())
+        if (!solver || pattern != analyzed_pattern)
           analyze(matrix);
+        analyzed_pattern = pattern;
         const SilentErrorStream silence;
         check(solver->NumericFactorization());
       }
@@ -124,7 +126,6 @@ namespace ElastoPlastic
       void
       analyze(const TrilinosWrappers::SparseMatrix &matrix)
       {
-        n_entries = matrix.n_nonzero_elements();
         problem.SetOperator(
           const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
         solver.reset(Amesos().Create(matrix.m() <= largest_small_system ?
@@ -168,7 +169,7 @@ namespace ElastoPlastic
 
       mutable Epetra_LinearProblem       problem;
       std::unique_ptr<Amesos_BaseSolver> solver;
-      std::uint64_t                      n_entries = 0;
+      unsigned int                       analyzed_pattern = 0;
       /// The solver, if it is that.
       Amesos_Mumps *mumps = nullptr;
     };

@@ -41,6 +41,7 @@ namespace ElastoPlastic
       add_to_pattern_of_moves(pattern);
     pattern.compress();
     system_matrix.reinit(pattern);
+    ++pattern_count;
   }
 
 
