@@ -364,11 +364,6 @@ set(_elastic_indentation ${CMAKE_SOURCE_DIR}/parameter_files/verification/hertz_
   --set "Loading/Control=depth" --set "Loading/Number of steps=3" --set "Geometry/Initial refinements=3")
 add_message_test(tip_between_nodes 0 "Warning: The indenter is in the body, between the nodes that could touch it, and meets no resistance: the mesh is too coarse under its tip. Set 'Geometry/Local refinements', or take more load steps if"
   ${_elastic_indentation} --output-directory tip_between_nodes --set "Loading/History=1: depth 0.0004 | 2: depth 0.0009" --set "Indenter/Radius=100" --set "Geometry/Local refinements=0" --set "Discretization/Polynomial degree=2" --set "Discretization/Volumetric treatment=standard")
-# (A factorisation must notice that the matrix is another one with the same pattern, as the edge of the contact moves.)
-add_message_test(quadratic_contact_direct 0 "^$"
-  ${CMAKE_SOURCE_DIR}/parameter_files/indentation/sphere_axisymmetric.prm --overwrite --quiet --output-directory quadratic_contact_direct --set "Refinement/Elements over contact radius=0"
-  --set "Geometry/Lower corner=0, -0.96" --set "Geometry/Upper corner=0.96, 0" --set "Geometry/Initial refinements=3" --set "Geometry/Local refinements=4" --set "Geometry/Local radius=0.7293" --set "Discretization/Polynomial degree=2"
-  --set "Discretization/Volumetric treatment=standard" --set "Linear solver/Type=direct" --set "Loading/History=1: depth 0.002" --set "Loading/Number of steps=10")
 add_message_test(pressure_of_thin_layer 0 "Warning: Step 1: the contact pressure at .0, 0. is 11.62, more than a large body with this yield stress can bear .9.55[0-9] at most.. In a thin layer"
   ${CMAKE_SOURCE_DIR}/parameter_files/flat_punch_2d.prm --overwrite --quiet --output-directory pressure_of_thin_layer --set "Geometry/Lower corner=0, -0.5" --set "Geometry/Upper corner=12, 0" --set "Geometry/Repetitions=24, 1"
   --set "Geometry/Initial refinements=1" --set "Refinement/Number of cycles=1" --set "Indenter/Half width=10" --set "Loading/History=1: depth 0.02" --set "Loading/Number of steps=3")

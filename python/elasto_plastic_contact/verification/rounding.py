@@ -26,3 +26,15 @@ def nearly_incompressible(runner):
                                   "Discretization/Volumetric treatment=B-bar",
                                   f"Linear solver/Type={solver}")[-1]
             runner.compare(f"stress at nu = {nu}, {solver}", step["top_z"], 0.02 * E, 1e-6)
+
+
+def direct_contact(runner):
+    """A sphere on quadratic elements, whose matrix gets new patterns as the edge moves: both linear solvers."""
+    entries = ("Geometry/Lower corner=0, -0.96", "Geometry/Upper corner=0.96, 0", "Geometry/Initial refinements=3",
+               "Geometry/Local refinements=4", "Geometry/Local radius=0.7293", "Loading/History=1: depth 0.002",
+               "Loading/Number of steps=10", "Refinement/Elements over contact radius=0",
+               "Discretization/Polynomial degree=2", "Discretization/Volumetric treatment=standard")
+    direct, multigrid = (runner.history("indentation/sphere_axisymmetric.prm", *entries, f"Linear solver/Type={solver}")
+                         for solver in ("direct", "multigrid"))
+    for quantity in ("force", "contact_area", "max_pressure"):
+        runner.compare(quantity, direct[-1][quantity], multigrid[-1][quantity], 1e-7)

@@ -32,7 +32,7 @@ from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_c
                           johnson_limit, load_cycles, pyramid_sectors, sectors)
 from .job_preview import job_preview
 from .load_steps import adaptive_steps
-from .rounding import contrast, nearly_incompressible
+from .rounding import contrast, direct_contact, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .zero_load import far_indenter, zero_force, zero_stress
 from ..pages.command import main as tables_of_pages
@@ -291,7 +291,8 @@ ALL = {
                      limit_load, limit_load_revolution, limit_load_space, limit_load_factors, body_force, blas_kernels,
                      safe_load, error_bound, error_bound_ranks,
                      error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, equilibrium_hertz, equilibrium_limit, zero_stress,
-                     zero_force, far_indenter, contrast, nearly_incompressible, job_preview,
+                     zero_force, far_indenter, contrast, direct_contact,
+                     nearly_incompressible, job_preview,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
                      adaptive_steps,
                      ssnv128, bonded_punch, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
