@@ -9,12 +9,7 @@ from .recipe import Content, count, signed_percent, table
 # Half and twice the elements over the contact radius of the file.
 COARSER = ("Geometry/Local radius=1.28", "Geometry/Local refinements=5")
 FINER = ("Geometry/Local radius=4", "Geometry/Local refinements=7")
-DEPTH = 0.02
-LOADING = (f"Loading/History=1: depth {DEPTH}", "Loading/Number of steps=40")
-# Case, and what part of the body it is.
-SECTORS = (("indentation/vickers_sector.prm", 8), ("indentation/berkovich_sector.prm", 6))
-COARSE_SECTOR = ("Geometry/Initial refinements=2",)
-SOFT_METAL = ("Material/Young's modulus=210000", "Material/Yield stress=300")
+LOADING = ("Loading/History=1: depth 0.02", "Loading/Number of steps=40")
 RADII = (0.05, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.44, 0.5)
 
 
@@ -106,29 +101,6 @@ def pyramids(runs):
         "berkovich_force": signed_percent(second_half(half) / means[1] - 1).removesuffix(" %"),
         "berkovich_area": signed_percent(area / ends[1]["contact_area"] - 1).removesuffix(" %"),
         "berkovich_pile_up": f"{half[-1]['pile_up'] / half[-1]['depth']:.2f}"})
-
-
-@table(1500)
-def pyramid_sectors(runs):
-    """Pyramids in their smallest sectors with half the elements and the cases' own, and a metal of large E / sigma_0."""
-    rows = []
-    for case, parts in SECTORS:
-        for entries in (COARSE_SECTOR, ()):
-            steps = runs.history(case, *entries)
-            rows.append([None, count(steps[-1]["dofs"]), *curvature_with_waves(steps, parts)])
-    berkovich, parts = SECTORS[1]
-    within, at_nodes = (curvature_with_waves(runs.history(berkovich, *COARSE_SECTOR, *SOFT_METAL, *entries), parts)[0]
-                        for entries in ((), ("Contact/Edge=at nodes",)))
-    return Content(rows, {"soft_within": within, "soft_at_nodes": at_nodes})
-
-
-def curvature_with_waves(steps, parts):
-    """Force over depth squared in the second half of the loading, in GPa: the middle of its range, and half of that in
-    per cent."""
-    values = [parts * step["force"] / step["depth"] ** 2 / 1e3 for step in loading_of(steps)[1:]
-              if step["depth"] > 0.499 * DEPTH]
-    middle = (min(values) + max(values)) / 2
-    return f"{middle:.2f}", f"{50 * (max(values) - min(values)) / middle:.2f} %"
 
 
 def against_neighbour(values):
