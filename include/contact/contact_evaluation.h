@@ -4,6 +4,8 @@
 #ifndef contact_contact_evaluation_h
 #define contact_contact_evaluation_h
 
+#include <optional>
+
 #include "contact/contact_set.h"
 
 namespace ElastoPlastic

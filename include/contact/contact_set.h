@@ -363,7 +363,7 @@ namespace ElastoPlastic
     bool
     find_contact(const Vector &u);
 
-    /// Where no node is closed, there is no force of which others have a part.
+    /// Where no node is closed, none is entering: there is no force to share.
     void
     open_without_closed();
 

@@ -237,7 +237,7 @@ namespace ElastoPlastic
         follow_cylinder(triangulation);
       }
     else
-      AssertThrow(false, ExcNotImplemented());
+      AssertThrow(false, ExcInternalError()); // (check() refuses it)
 
     BoundaryNames names = {{"top", id(Side::top)},
                            {"bottom", id(Side::bottom)},
