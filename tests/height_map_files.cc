@@ -7,6 +7,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <boost/crc.hpp>
+
+#include <cstdint>
 #include <fstream>
 #include <iostream>
 
@@ -51,6 +54,32 @@ write_png(const std::string    &name,
   image.colormap_entries = palette.size() / 3;
   png_image_write_to_file(
     &image, name.c_str(), 0, pixels.data(), 0, palette.data());
+}
+
+
+
+std::string
+big_endian(const std::uint32_t number)
+{
+  std::string bytes;
+  for (const unsigned int shift : {24, 16, 8, 0})
+    bytes += static_cast<char>(number >> shift);
+  return bytes;
+}
+
+
+
+/// The content of a PNG image without the last colour of its palette.
+std::string
+without_last_colour(const std::string &png)
+{
+  const std::size_t  begin   = png.find("PLTE");
+  const std::size_t  n_bytes = static_cast<unsigned char>(png[begin - 1]);
+  const std::string  chunk   = png.substr(begin, 4 + n_bytes - 3);
+  boost::crc_32_type checksum;
+  checksum.process_bytes(chunk.data(), chunk.size());
+  return png.substr(0, begin - 4) + big_endian(n_bytes - 3) + chunk +
+         big_endian(checksum.checksum()) + png.substr(begin + 4 + n_bytes + 4);
 }
 
 
@@ -219,6 +248,7 @@ print_image_errors()
   std::string damaged = png;
   damaged[19] += 1; // the width, so the checksum of the header is wrong
   refuse("damaged.png", damaged);
+  refuse("short_palette.png", without_last_colour(read("palette.png")));
 
   refuse("huge.png",
          png.substr(0, 8) + std::string("\x00\x00\x00\x0dIHDR"
@@ -280,6 +310,7 @@ print_matrix_errors()
   refuse("1 inf\n3 4\n");
   refuse("1 1e999\n3 4\n");
   refuse("1,,2\n3,4,5\n");
+  refuse("1 2\n0,12 0,13\n");
   refuse("1 2\n");
   refuse("1\n2\n");
   refuse(std::string("1 2\n3 4\0 5", 10));

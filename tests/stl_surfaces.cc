@@ -94,6 +94,17 @@ namespace
 
 
 
+  std::vector<Facet>
+  moved(std::vector<Facet> facets, const Tensor<1, 3> &motion)
+  {
+    for (Facet &facet : facets)
+      for (Point<3> &corner : facet)
+        corner += motion;
+    return facets;
+  }
+
+
+
   IndenterParameters
   stl(const std::string &file)
   {
@@ -143,6 +154,24 @@ namespace
 
 
 
+  /// A square face whose half width of 1/2 has lost its last digits.
+  void
+  check_rounded_edges()
+  {
+    const double             a      = 0.4999999;
+    const Point<3>           corner = {a, a, 0}, opposite = {-a, -a, 0};
+    const std::vector<Facet> face = {{{corner, opposite, {a, -a, 0}}},
+                                     {{corner, opposite, {-a, a, 0}}}};
+    write("face.stl", text_of(face));
+    const auto indenter = make_indenter<3>(stl("face.stl")).shape;
+    verify("edges of a face",
+           indenter->profile({0.5, 0.5}) == 0. &&
+             indenter->profile({-0.5, 0.1}) == 0. &&
+             std::isinf(indenter->profile({0.50001, 0.1})));
+  }
+
+
+
   void
   refuse(const std::string &name, const std::string &content)
   {
@@ -182,6 +211,7 @@ namespace
     refuse("infinite.stl", replaced(text, "4 4 1", "4 inf 1"));
     refuse("quadrilateral.stl", replaced(text, "endloop", "vertex 1 2 3"));
     refuse("no_outer.stl", replaced(text, "outer", "inner"));
+    refuse("far.stl", text_of(moved(pyramid(), Point<3>(0, 1e5, 0))));
     refuse("no_facets.stl", "solid\nendsolid\n");
     refuse("vertical.stl",
            text_of(
@@ -207,5 +237,6 @@ main(int argc, char *argv[])
   verify("two solids",
          make_indenter<3>(stl("two_solids.stl")).shape->profile({1., 3.}) ==
            1.5);
+  check_rounded_edges();
   check_errors();
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/exceptions.h"
 #include "contact/height_file.h"
 
 namespace ElastoPlastic
@@ -28,6 +29,7 @@ namespace ElastoPlastic
           std::string        word;
           if (!(words >> word))
             file.reject("two commas" + place + " have no number between them.");
+          const std::size_t n_before = row.size();
           do
             {
               char *end = nullptr;
@@ -39,6 +41,10 @@ namespace ElastoPlastic
                             "numbers, white space, commas and comments that "
                             "begin with '#'.");
           } while (words >> word);
+          if (row.size() > n_before + 1 && field.size() < line.size())
+            file.reject("numbers" + place +
+                        " are separated by white space, and by commas too. " +
+                        decimal_point_hint);
         }
       return row;
     }
@@ -52,7 +58,7 @@ namespace ElastoPlastic
     std::vector<double> numbers;
     unsigned int        n_rows = 0, n_columns = 0;
 
-    std::istringstream lines(file.content);
+    std::istringstream lines(file.text());
     std::string        line;
     for (unsigned int line_number = 1; std::getline(lines, line); ++line_number)
       {

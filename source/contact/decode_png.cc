@@ -57,14 +57,18 @@ namespace ElastoPlastic
         return true;
       }
 
-      /// Make room for rows of pixels with 16 bit per channel, without palette
-      /// and transparency. False on an error.
+      /// Make room for rows of pixels with 16 bit per channel, without
+      /// transparency; where there is a palette, of its indices with 8 bit.
+      /// False on an error.
       bool
       prepare_rows()
       {
         if (setjmp(png_jmpbuf(png)))
           return false;
-        png_set_expand_16(png);
+        if (has_palette())
+          png_set_packing(png);
+        else
+          png_set_expand_16(png);
         png_set_strip_alpha(png);
         png_set_interlace_handling(png);
         png_read_update_info(png, info);
@@ -92,6 +96,21 @@ namespace ElastoPlastic
       height() const
       {
         return png_get_image_height(png, info);
+      }
+
+      bool
+      has_palette() const
+      {
+        return png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE;
+      }
+
+      std::vector<png_color>
+      palette() const
+      {
+        png_colorp colors   = nullptr;
+        int        n_colors = 0;
+        png_get_PLTE(png, info, &colors, &n_colors);
+        return {colors, colors + n_colors};
       }
 
       unsigned int
@@ -140,6 +159,14 @@ namespace ElastoPlastic
 
 
 
+    double
+    luma(const double red, const double green, const double blue)
+    {
+      return 0.299 * red + 0.587 * green + 0.114 * blue;
+    }
+
+
+
     /// Between 0 and 1, from one or three channels of 16 bit, high byte first.
     double
     grey(const png_byte *const pixel, const unsigned int n_channels)
@@ -147,9 +174,31 @@ namespace ElastoPlastic
       const auto channel = [pixel](const unsigned int c) {
         return (256 * pixel[2 * c] + pixel[2 * c + 1]) / 65535.;
       };
-      if (n_channels == 1)
-        return channel(0);
-      return 0.299 * channel(0) + 0.587 * channel(1) + 0.114 * channel(2);
+      return n_channels == 1 ? channel(0) :
+                               luma(channel(0), channel(1), channel(2));
+    }
+
+
+
+    // (libpng takes black for colours that a palette does not have.)
+    std::vector<double>
+    greys_from_palette(const HeightFile             &file,
+                       const std::vector<png_color> &palette,
+                       const std::vector<png_byte>  &indices)
+    {
+      std::vector<double> greys;
+      greys.reserve(indices.size());
+      for (const png_byte index : indices)
+        {
+          if (index >= palette.size())
+            file.reject("this PNG image has a pixel of the colour " +
+                        std::to_string(index) + ", which its palette of " +
+                        std::to_string(palette.size()) +
+                        " colours does not have. It is damaged.");
+          const png_color &color = palette[index];
+          greys.push_back(luma(color.red, color.green, color.blue) / 255.);
+        }
+      return greys;
     }
   } // namespace
 
@@ -182,6 +231,10 @@ namespace ElastoPlastic
     if (!reader.read_pixels(rows.data()))
       reject();
 
+    if (reader.has_palette())
+      return {height,
+              width,
+              greys_from_palette(file, reader.palette(), bytes).begin()};
     const unsigned int n_channels = reader.n_channels();
     Table<2, double>   greys(height, width);
     for (std::size_t row = 0; row < height; ++row)

@@ -12,6 +12,8 @@
 
 namespace ElastoPlastic
 {
+  using namespace std::string_literals;
+
   namespace
   {
     /// On every rank, they take about 240 MB.
@@ -39,6 +41,7 @@ namespace ElastoPlastic
     public:
       explicit Words(const HeightFile &file)
         : file(file)
+        , text(file.text())
       {}
 
       /// The next word; empty at the end of the file.
@@ -46,7 +49,6 @@ namespace ElastoPlastic
       next()
       {
         static const char *const space = " \t\r\n\v\f";
-        const std::string       &text  = file.content;
         const std::size_t        begin =
           std::min(text.find_first_not_of(space, end), text.size());
         end = std::min(text.find_first_of(space, begin), text.size());
@@ -76,21 +78,21 @@ namespace ElastoPlastic
       void
       skip_line()
       {
-        end = std::min(file.content.find('\n', end), file.content.size());
+        end = std::min(text.find('\n', end), text.size());
       }
 
       [[noreturn]] void
       reject(const std::string &what) const
       {
         const auto line =
-          1 +
-          std::count(file.content.begin(), file.content.begin() + end, '\n');
+          1 + std::count(text.begin(), text.begin() + end, '\n');
         file.reject("line " + std::to_string(line) + " of this STL text " +
                     what + ". It is damaged or truncated.");
       }
 
     private:
       const HeightFile &file;
+      const std::string text;
       std::size_t       end = 0; ///< of the last word
     };
 
@@ -207,6 +209,35 @@ namespace ElastoPlastic
 
 
 
+    /// How many times as far from the origin as it is wide a surface may be, so
+    /// that coordinates in single precision keep four digits of it.
+    constexpr double largest_offset = 1000.;
+
+
+
+    void
+    check_offset(const HeightFile &file, const std::vector<Facet> &facets)
+    {
+      Point<3> lower = facets[0][0], upper = lower;
+      for (const Facet &facet : facets)
+        for (const Point<3> &corner : facet)
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              lower[d] = std::min(lower[d], corner[d]);
+              upper[d] = std::max(upper[d], corner[d]);
+            }
+      const double size = std::max(upper[0] - lower[0], upper[1] - lower[1]);
+      for (unsigned int d = 0; d < 3; ++d)
+        if (std::max(-lower[d], upper[d]) > largest_offset * size)
+          file.reject("the "s + "xyz"[d] +
+                      " coordinates of this STL surface are "
+                      "more than 1000 times its size: its digits are lost in "
+                      "theirs. Move it to the origin, which comes to "
+                      "'Indenter/Position'.");
+    }
+
+
+
     bool
     is_vertical(const Facet &facet)
     {
@@ -223,7 +254,7 @@ namespace ElastoPlastic
   decode_stl(const HeightFile &file)
   {
     const bool binary = is_binary(file.content);
-    if (!binary && !file.begins_with("solid"))
+    if (!binary && file.text().compare(0, 5, "solid") != 0)
       file.reject(
         "its content is not an STL surface: a text begins with "
         "'solid', and a binary file of N triangles has 84 + 50 N "
@@ -237,6 +268,7 @@ namespace ElastoPlastic
       file.reject(
         "this STL surface has no triangle that is not vertical. "
         "The last coordinate points up.");
+    check_offset(file, facets);
     return facets;
   }
 } // namespace ElastoPlastic

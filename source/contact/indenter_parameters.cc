@@ -4,6 +4,7 @@
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "base/exceptions.h"
@@ -69,8 +70,8 @@ namespace ElastoPlastic
         "(y is 0 in two dimensions). It is used as typed: if its smallest value "
         "is not 0, the indenter does not just touch at 'Initial gap = 0'. It must "
         "be finite within 'Reach'. Its slope and curvature are difference "
-        "quotients over 1e-4 of 'Reach', of a unit of length without it. Unit: "
-        "length.",
+        "quotients over 1e-4 of 'Reach', or 1e-5 of the body's size if that is "
+        "smaller or there is no reach. Unit: length.",
         Patterns::Anything());
     }
 
@@ -99,7 +100,8 @@ namespace ElastoPlastic
         p.rotation,
         "From the x axis to the direction in which a face of the pyramid looks, "
         "about the vertical axis. With 0, y = 0 is a plane of symmetry, and x = "
-        "0 is one if the number of faces is even. Unit: degrees.",
+        "0 is one if the number of faces is even. Unit: degrees, between -360 and "
+        "360.",
         Patterns::Double());
       prm.add_parameter(
         "Rounding radius",
@@ -243,6 +245,10 @@ namespace ElastoPlastic
             "Rounding radius",
             rounding_radius,
             "it must not be negative; 0 stands for a sharp pyramid.");
+    require(std::abs(rotation) <= 360,
+            "Rotation",
+            rotation,
+            "it must lie between -360 and 360 degrees.");
     require(truncation >= 0,
             "Truncation",
             truncation,

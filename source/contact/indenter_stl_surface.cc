@@ -139,11 +139,12 @@ namespace ElastoPlastic
 
 
 
-  // Nodes lie on the edges of triangles, up to rounding.
+  // Nodes lie on the edges of triangles, up to rounding: that of single
+  // precision, or of the six digits of many texts.
   template <int dim>
   IndenterStlSurface<dim>::IndenterStlSurface(const std::vector<Facet> &facets)
     : facets(with_lowest_corner_at_zero(facets))
-    , tolerance(1e-10 * horizontal_size(facets))
+    , tolerance(1e-6 * horizontal_size(facets))
     , boxes(pack_boxes(facets, tolerance))
   {}
 
