@@ -11,6 +11,7 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include "material/material_parameters.h"
+#include "mechanics/body_state.h"
 #include "mechanics/solid_operator.h"
 #include "sample_mesh.h"
 #include "verdict.h"
@@ -81,6 +82,23 @@ namespace
 
       solid.set_states(before);
       verify("states of a history stay as they are", solid.states() == before);
+    }
+
+    void
+    check_rounding_errors()
+    {
+      VectorType       at_rest(u.get_partitioner());
+      const CellStates before = solid.states();
+      CellStates       states = before;
+      for (auto &values : states)
+        for (double &value : values)
+          value *= 1e-14;
+      verify("a history leaves a plastic volume",
+             body_state(solid, at_rest).plastic_volume > 0.);
+      solid.set_states(states);
+      verify("rounding errors of an interpolation leave none",
+             body_state(solid, at_rest).plastic_volume == 0.);
+      solid.set_states(before);
     }
 
     /// The displacement of one node is beyond all bounds.
@@ -163,5 +181,6 @@ main(int argc, char *argv[])
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   Sheet                                  sheet;
   sheet.check_states();
+  sheet.check_rounding_errors();
   sheet.check_failing_rank();
 }

@@ -4,6 +4,7 @@
 #ifndef material_hardening_input_h
 #define material_hardening_input_h
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,17 @@
 
 namespace ElastoPlastic
 {
+  /// The scale of plastic strain on which a yield stress may change: smaller
+  /// ones are lost in rounding, and slopes become infinite.
+  constexpr double smallest_strain = 1e-12;
+
+  /// Whether products of @p number with others are finite.
+  inline bool
+  is_moderate(const double number)
+  {
+    return std::abs(number) <= 1e100;
+  }
+
   /// Reads the entry 'Material/Hardening table' of one material: "none", or
   /// pairs of equivalent plastic strain and yield stress such as
   /// "0.01: 450 | 0.05: 500". The table begins at (0, @p yield_stress).

@@ -22,12 +22,12 @@ namespace ElastoPlastic
         for (const auto &part : dealii::Utilities::split_string_list(text, '|'))
           {
             const auto number = as_number(part);
-            if (!number || !std::isfinite(*number) || *number < 0)
+            if (!number || !is_moderate(*number) || *number < 0)
               throw InputError(path,
                                text,
                                "it must be 'none', or numbers that are finite "
-                               "and not negative, one for each back stress, "
-                               "separated by '|'.");
+                               "and not negative, at most 1e100, one for each "
+                               "back stress, separated by '|'.");
             numbers.push_back(*number);
           }
       return numbers;
@@ -50,8 +50,8 @@ namespace ElastoPlastic
         const auto parts  = dealii::Utilities::split_string_list(row, ':');
         const auto strain = as_number(parts.empty() ? "" : parts.front());
         const auto stress = as_number(parts.empty() ? "" : parts.back());
-        if (parts.size() != 2 || !strain || !stress ||
-            !std::isfinite(*strain) || !std::isfinite(*stress))
+        if (parts.size() != 2 || !strain || !stress || !is_moderate(*strain) ||
+            !is_moderate(*stress))
           throw InputError(path,
                            text,
                            "it must be 'none', or pairs of equivalent plastic "
@@ -59,12 +59,12 @@ namespace ElastoPlastic
                            "0.05: 500'.");
         if (table.empty() && *strain == 0. && *stress == yield_stress)
           continue;
-        if (*strain <= last.strain)
+        if (*strain - last.strain < smallest_strain)
           throw InputError(path,
                            text,
                            "its strains must increase, and be greater than 0: "
                            "there, the yield stress is 'Material/Yield "
-                           "stress'.");
+                           "stress'. Steps below 1e-12 are lost in rounding.");
         const double rise = *stress - yield_stress;
         if (rise < last.rise)
           throw InputError(path,

@@ -33,10 +33,12 @@ namespace ElastoPlastic
             const std::string         &what)
     {
       for (const double value : values)
-        if (!std::isfinite(value) || !condition(value))
+        if (!is_moderate(value) || !condition(value))
           throw InputError("Material/" + entry,
                            Patterns::Tools::to_string(values),
-                           what);
+                           is_moderate(value) ?
+                             what :
+                             "its numbers must not exceed 1e100.");
     }
 
     /// What a law makes of the entries of the section.
@@ -253,8 +255,8 @@ namespace ElastoPlastic
     require(
       "Voce rate",
       voce_rates,
-      [](const double b) { return b >= 0; },
-      "it must not be negative.");
+      [](const double b) { return b >= 0 && b * smallest_strain <= 1; },
+      "it must not be negative, nor greater than 1e12.");
     require(
       "Power law exponent",
       power_law_exponents,
@@ -263,8 +265,8 @@ namespace ElastoPlastic
     require(
       "Power law reference strain",
       power_law_reference_strains,
-      [](const double eps_0) { return eps_0 > 0; },
-      "it must be greater than 0.");
+      [](const double eps_0) { return eps_0 >= smallest_strain; },
+      "it must be greater than 0, and at least 1e-12.");
     for (unsigned int id = 0; id < n_materials(); ++id)
       {
         if (of_material(voce_stresses, id) > 0 &&

@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "material/hardening_input.h"
 #include "material/plane_stress.h"
 #include "mechanics/solid_operator.h"
 
@@ -130,42 +131,6 @@ namespace ElastoPlastic
                           q,
                           response(strains[0], q).plasticity().state());
     });
-  }
-
-
-
-  template <int dim>
-  CellStates
-  SolidOperator<dim>::states() const
-  {
-    CellStates result(kernel->n_active_cells());
-    for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
-      for (unsigned int lane = 0; lane < kernel->n_cells(batch); ++lane)
-        result[kernel->cell(batch, lane)->active_cell_index()] =
-          history.cell_values(batch, lane);
-    return result;
-  }
-
-
-
-  template <int dim>
-  void
-  SolidOperator<dim>::set_states(const CellStates &states)
-  {
-    for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
-      {
-        for (unsigned int lane = 0; lane < kernel->n_cells(batch); ++lane)
-          history.set_cell_values(
-            batch,
-            lane,
-            states[kernel->cell(batch, lane)->active_cell_index()]);
-        for (unsigned int q = 0; q < n_points; ++q)
-          {
-            MaterialState<Number> state = history.state(batch, q);
-            make_admissible(state, materials[batch]);
-            history.set_state(batch, q, state);
-          }
-      }
   }
 
 
@@ -364,7 +329,8 @@ namespace ElastoPlastic
                                 lane_of(state.plastic_strain, lane),
                                 lane_of(back_stress, lane),
                                 state.equivalent_plastic_strain[lane],
-                                state.equivalent_plastic_strain[lane] > 0,
+                                state.equivalent_plastic_strain[lane] >
+                                  smallest_strain,
                                 strains.volume[q][lane],
                                 elastic_energy[lane],
                                 hardening_energy[lane],
