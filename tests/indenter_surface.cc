@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Slope and curvature of all indenters, against difference quotients of their
-// profiles. These, for a polynomial within and at the end of its reach. Then on
-// the axis, at an end of the profile, beside it, and as the gap of a placed
-// indenter. At last for nodes that sharp tips and edges hold below them.
+// profiles. These, for a polynomial within and at the end of its reach. A
+// height map takes the heights of its pixels, and its slopes are continuous.
+// Then on the axis, at an end of the profile, beside it, and as the gap of a
+// placed indenter. At last for nodes that sharp tips and edges hold below them.
 
 #include <deal.II/base/mpi.h>
 
@@ -43,6 +44,24 @@ compare_all(IndenterParameters parameters)
   if (parameters.type == "rectangular punch")
     parameters.half_widths = {2, 2};
   compare<3>(parameters, Point<2>(-0.7, 0.4));
+}
+
+
+
+/// Of the matrix below.
+void
+check_pixels(const Indenter<3> &indenter)
+{
+  const bool heights = indenter.profile(Point<2>(-2, 1.5)) == 1. &&
+                       indenter.profile(Point<2>(0, 1.5)) == 4. &&
+                       indenter.profile(Point<2>(0, -1.5)) == 5. &&
+                       indenter.profile(Point<2>(2, -1.5)) == 0.;
+  const auto left      = indenter.surface(Point<2>(-1e-9, 0.4));
+  const auto right     = indenter.surface(Point<2>(1e-9, 0.4));
+  const bool is_smooth = (left.slope - right.slope).norm() < 1e-6;
+  std::cout << "  heights at pixels: " << (heights ? "agree" : "DIFFER")
+            << ", slopes across them: " << (is_smooth ? "agree" : "DIFFER")
+            << std::endl;
 }
 
 
@@ -102,6 +121,7 @@ main(int argc, char **argv)
   std::ofstream(parameters.file) << "1 4 2\n3 5 0\n";
   compare<3>(parameters, Point<2>(0.7, 0.4));
   compare<3>(parameters, Point<2>(-0.7, -0.4));
+  check_pixels(*make_indenter<3>(parameters).shape);
 
   std::cout << "On the axis" << std::endl;
   for (const std::string type : {"sphere", "cone"})
@@ -142,7 +162,7 @@ main(int argc, char **argv)
   std::cout << "Nodes below a tip, an edge, and beside" << std::endl;
   for (const std::string type : {"sphere", "cone", "wedge"})
     for (const Point<2> &origin : {Point<2>(0, 1e-16), Point<2>(0.1, 0)})
-      print<3>(type, shape<3>(type)->surface_for(origin, {0.3, 0.4}, 1e-12));
+      print<3>(type, shape<3>(type)->surface_for(origin, {0.3, 0.4}, 1.));
   parameters.type            = "pyramid";
   parameters.n_faces         = 4;
   parameters.face_angle      = 45;
@@ -153,7 +173,7 @@ main(int argc, char **argv)
   const auto pyramid         = make_indenter<3>(parameters).shape;
   for (const Point<2> &origin :
        {Point<2>(), Point<2>(1, 1e-16), Point<2>(0.9, 0.1), Point<2>(0, -1)})
-    print<3>("pyramid", pyramid->surface_for(origin, {1.1, 0.2}, 1e-12));
+    print<3>("pyramid", pyramid->surface_for(origin, {1.1, 0.2}, 1.));
   const GapFunction<3> above(make_indenter<3>(parameters), 10, 1);
   print<3>("gap", above.surface_for({1, 0, 10}, {1.1, 0.2, 9.5}));
 

@@ -4,9 +4,7 @@
 #ifndef contact_gap_function_h
 #define contact_gap_function_h
 
-#include <optional>
-
-#include "contact/disc.h"
+#include "contact/footprint.h"
 #include "contact/indenter.h"
 
 namespace ElastoPlastic
@@ -18,8 +16,7 @@ namespace ElastoPlastic
   {
   public:
     /// @param surface_height is the last coordinate of the highest point of
-    /// the contact surface, and @p body_size what the rounding errors of
-    /// coordinates are in proportion to.
+    /// the contact surface; see Indenter::surface_for() for @p body_size.
     GapFunction(const PlacedIndenter<dim> &indenter,
                 const double               surface_height,
                 const double               body_size);
@@ -41,9 +38,9 @@ namespace ElastoPlastic
     double
     value(const Point<dim> &p) const;
 
-    /// Gamma_0 seen from above, if it is a disc.
-    std::optional<Disc<dim - 1>>
-    disc() const;
+    /// Gamma_0 seen from above.
+    Footprint<dim - 1>
+    footprint() const;
 
     /// The gap at @p p, and its derivatives with respect to the horizontal
     /// coordinates: the slope and curvature of the indenter above p, zero
@@ -67,7 +64,7 @@ namespace ElastoPlastic
 
     const PlacedIndenter<dim> indenter;
     const double              tip_height;
-    const double              rounding;
+    const double              body_size;
     Point<dim - 1>            present_position;
   };
 } // namespace ElastoPlastic

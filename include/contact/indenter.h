@@ -7,6 +7,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -44,9 +45,9 @@ namespace ElastoPlastic
 
     /// The profile and its derivatives at @p x. On an edge or at the tip, the
     /// shapes give those of one side, or a mean of the sides; slope and
-    /// curvature are zero where the height is infinite. By difference quotients
-    /// over difference_step(), one-sided where the profile ends, unless a shape
-    /// knows better.
+    /// curvature are zero where the height is infinite. By
+    /// difference_quotients() over 1e-4 units of length, unless a shape knows
+    /// better.
     virtual IndenterSurface<dim>
     surface(const Point<dim - 1> &x) const;
 
@@ -55,11 +56,11 @@ namespace ElastoPlastic
     /// a node stays below it, as symmetry demands: to the sides, the height is
     /// that of the tip or edge itself. Otherwise rounding errors would decide
     /// to which side the node slides; those of its coordinates are up to
-    /// @p rounding.
+    /// rounding_of_coordinates times @p body_size.
     virtual IndenterSurface<dim>
     surface_for(const Point<dim - 1> &origin,
                 const Point<dim - 1> &x,
-                const double          rounding) const;
+                const double          body_size) const;
 
     /// Whether the profile is certainly a convex function where it is finite:
     /// false, unless a shape knows better.
@@ -72,6 +73,13 @@ namespace ElastoPlastic
     /// knows better.
     virtual std::optional<double>
     disc_radius() const;
+
+    /// The half widths of the rectangle around the tip, parallel to the axes,
+    /// in which the profile is finite, and outside of which it is not; they may
+    /// be infinite. None if that is no rectangle, or not known, which it is not
+    /// unless a shape knows better.
+    virtual std::optional<std::array<double, dim - 1>>
+    half_widths() const;
 
     /// The length below which the profile is smooth, which a mesh should
     /// resolve: the distance of the pixels of a height map. 0, unless a shape
@@ -90,10 +98,14 @@ namespace ElastoPlastic
     section_area(const double height) const override;
 
   protected:
-    /// The distance of the points of the difference quotients of surface():
-    /// 1e-4 units of length, unless a shape knows better.
-    virtual double
-    difference_step() const;
+    /// The part of the size of a body that rounding errors of its coordinates
+    /// are up to.
+    static constexpr double rounding_of_coordinates = 1e-12;
+
+    /// The surface at @p x by quotients over @p step, one-sided where the
+    /// profile ends.
+    IndenterSurface<dim>
+    difference_quotients(const Point<dim - 1> &x, const double step) const;
   };
 
 

@@ -29,10 +29,12 @@ namespace ElastoPlastic
     double
     profile(const Point<dim - 1> &x) const override;
 
-  protected:
-    /// 1e-4 of the reach; of a unit of length if that is infinite.
-    double
-    difference_step() const override;
+    /// By difference quotients over 1e-4 of the reach, or 1e-5 of the size of
+    /// the body if that is smaller.
+    IndenterSurface<dim>
+    surface_for(const Point<dim - 1> &origin,
+                const Point<dim - 1> &x,
+                const double          body_size) const override;
 
   private:
     const Expression<2> expression;

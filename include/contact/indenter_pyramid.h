@@ -45,7 +45,7 @@ namespace ElastoPlastic
     IndenterSurface<3>
     surface_for(const Point<2> &origin,
                 const Point<2> &x,
-                const double    rounding) const override;
+                const double    body_size) const override;
 
     bool
     is_convex() const override;

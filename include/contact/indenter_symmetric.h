@@ -35,13 +35,16 @@ namespace ElastoPlastic
     IndenterSurface<dim>
     surface_for(const Point<dim - 1> &origin,
                 const Point<dim - 1> &x,
-                const double          rounding) const override;
+                const double          body_size) const override;
 
     bool
     is_convex() const override;
 
     std::optional<double>
     disc_radius() const override;
+
+    std::optional<std::array<double, dim - 1>>
+    half_widths() const override;
 
     double
     depth_factor() const override;
@@ -54,6 +57,10 @@ namespace ElastoPlastic
     /// The component of @p x on which the height depends.
     Tensor<1, dim - 1>
     across(const Point<dim - 1> &x) const;
+
+    /// Whether it ends at two parallel edges.
+    bool
+    is_strip() const;
 
     const Symmetry symmetry;
     const Section  section;

@@ -15,7 +15,7 @@ namespace ElastoPlastic
                                 const double               body_size)
     : indenter(indenter)
     , tip_height(surface_height + indenter.initial_gap)
-    , rounding(1e-12 * body_size)
+    , body_size(body_size)
     , present_position(indenter.position)
   {}
 
@@ -60,17 +60,22 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  std::optional<Disc<dim - 1>>
-  GapFunction<dim>::disc() const
+  Footprint<dim - 1>
+  GapFunction<dim>::footprint() const
   {
-    const auto radius =
-      has_indenter() ? indenter.shape->disc_radius() : std::nullopt;
-    if (!radius)
-      return {};
-    const double smallest = std::min(*radius, indenter.reach);
-    return std::isinf(smallest) ?
-             std::nullopt :
-             std::make_optional(Disc<dim - 1>{present_position, smallest});
+    Footprint<dim - 1> result;
+    if (!has_indenter())
+      return result;
+    const auto radius      = indenter.shape->disc_radius();
+    const auto half_widths = indenter.shape->half_widths();
+    if (half_widths)
+      result.rectangle = {present_position, *half_widths};
+    if (radius || half_widths)
+      if (const double smallest =
+            std::min(radius.value_or(indenter.reach), indenter.reach);
+          !std::isinf(smallest))
+        result.disc = {present_position, smallest};
+    return result;
   }
 
 
@@ -93,7 +98,7 @@ namespace ElastoPlastic
     if (!reaches(x))
       return {std::numeric_limits<double>::infinity(), {}, {}};
     IndenterSurface<dim> result =
-      indenter.shape->surface_for(offset(origin), x, rounding);
+      indenter.shape->surface_for(offset(origin), x, body_size);
     result.height += tip_height - p[dim - 1];
     return result;
   }

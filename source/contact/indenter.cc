@@ -66,11 +66,20 @@ namespace ElastoPlastic
   IndenterSurface<dim>
   Indenter<dim>::surface(const Point<dim - 1> &x) const
   {
+    return difference_quotients(x, 1e-4);
+  }
+
+
+
+  template <int dim>
+  IndenterSurface<dim>
+  Indenter<dim>::difference_quotients(const Point<dim - 1> &x,
+                                      const double          h) const
+  {
     IndenterSurface<dim> result{profile(x), {}, {}};
     if (std::isinf(result.height))
       return result;
 
-    const double                            h = difference_step();
     std::array<Tensor<1, dim - 1>, dim - 1> step;
     Point<dim - 1>                          middle = x;
     for (unsigned int d = 0; d < dim - 1; ++d)
@@ -107,7 +116,7 @@ namespace ElastoPlastic
   IndenterSurface<dim>
   Indenter<dim>::surface_for(const Point<dim - 1> & /*origin*/,
                              const Point<dim - 1> &x,
-                             const double /* rounding */) const
+                             const double /* body_size */) const
   {
     return surface(x);
   }
@@ -117,6 +126,15 @@ namespace ElastoPlastic
   template <int dim>
   std::optional<double>
   Indenter<dim>::disc_radius() const
+  {
+    return {};
+  }
+
+
+
+  template <int dim>
+  std::optional<std::array<double, dim - 1>>
+  Indenter<dim>::half_widths() const
   {
     return {};
   }
@@ -169,15 +187,6 @@ namespace ElastoPlastic
         sum += reach * reach;
       }
     return numbers::PI * sum / n_directions;
-  }
-
-
-
-  template <int dim>
-  double
-  Indenter<dim>::difference_step() const
-  {
-    return 1e-4;
   }
 
 

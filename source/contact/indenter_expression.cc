@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 #include "contact/indenter_expression.h"
@@ -33,10 +33,13 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  double
-  IndenterExpression<dim>::difference_step() const
+  IndenterSurface<dim>
+  IndenterExpression<dim>::surface_for(const Point<dim - 1> & /*origin*/,
+                                       const Point<dim - 1> &x,
+                                       const double          body_size) const
   {
-    return 1e-4 * (std::isinf(reach) ? 1. : reach);
+    return this->difference_quotients(x,
+                                      std::min(1e-4 * reach, 1e-5 * body_size));
   }
 
 

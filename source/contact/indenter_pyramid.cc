@@ -91,10 +91,11 @@ namespace ElastoPlastic
   IndenterSurface<3>
   IndenterPyramid::surface_for(const Point<2> &origin,
                                const Point<2> &x,
-                               const double    rounding) const
+                               const double    body_size) const
   {
     if (shape.rounding_radius > 0)
       return rounded_surface(x);
+    const double rounding = rounding_of_coordinates * body_size;
     if (origin.norm() <= rounding)
       return {0., {}, {}};
     const Tensor<1, 2> edge = sector(origin).edge;

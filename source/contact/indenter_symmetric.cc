@@ -4,6 +4,7 @@
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
+#include <limits>
 
 #include "contact/indenter_symmetric.h"
 
@@ -60,10 +61,11 @@ namespace ElastoPlastic
   IndenterSurface<dim>
   IndenterSymmetric<dim>::surface_for(const Point<dim - 1> &origin,
                                       const Point<dim - 1> &x,
-                                      const double          rounding) const
+                                      const double          body_size) const
   {
     const SectionPoint tip = section.at(0.);
-    if (tip.slope > 0. && across(origin).norm() <= rounding)
+    if (tip.slope > 0. &&
+        across(origin).norm() <= this->rounding_of_coordinates * body_size)
       return {tip.height, {}, {}};
     return surface(x);
   }
@@ -95,10 +97,31 @@ namespace ElastoPlastic
   std::optional<double>
   IndenterSymmetric<dim>::disc_radius() const
   {
-    if (dim == 3 && symmetry == Symmetry::translation &&
-        !std::isinf(section.edge))
+    return is_strip() ? std::nullopt : std::make_optional(section.edge);
+  }
+
+
+
+  template <int dim>
+  std::optional<std::array<double, dim - 1>>
+  IndenterSymmetric<dim>::half_widths() const
+  {
+    if (!is_strip())
       return {};
-    return section.edge;
+    std::array<double, dim - 1> result;
+    result.fill(std::numeric_limits<double>::infinity());
+    result[0] = section.edge;
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  IndenterSymmetric<dim>::is_strip() const
+  {
+    return dim == 3 && symmetry == Symmetry::translation &&
+           !std::isinf(section.edge);
   }
 
 
