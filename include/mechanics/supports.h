@@ -11,6 +11,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "model/model.h"
 
@@ -39,8 +40,12 @@ namespace ElastoPlastic
     explicit Supports(const Model<dim> &model);
 
     /// Finds out what is held where, for @p dof_handler, which must outlive
-    /// this object or the next call, with prescribed displacements at @p time.
+    /// this object or the next call. Prescribed displacements are zero.
     /// Collective.
+    void
+    reinit(const DoFHandler<dim> &dof_handler);
+
+    /// The same, with prescribed displacements at @p time. Collective.
     void
     reinit(const DoFHandler<dim> &dof_handler, const double time);
 
@@ -85,14 +90,14 @@ namespace ElastoPlastic
     sort_rollers();
 
     /// The prescribed displacements at @p time, of nodes that other supports
-    /// hold, too.
+    /// hold, too; zero without a time.
     Values
-    prescribed_values(const double time) const;
+    prescribed_values(const std::optional<double> time) const;
 
     /// Where several conditions meet, the later one counts of these: fixed,
     /// prescribed displacement, roller, axis of revolution.
     void
-    find_fixed_values(const double time);
+    find_fixed_values();
 
     /// @throws InputError if the body reaches across its axis of revolution.
     void
@@ -109,7 +114,7 @@ namespace ElastoPlastic
 
     const Model<dim>      &model;
     const DoFHandler<dim> *dof_handler = nullptr;
-    double                 time_of_values;
+    std::optional<double>  time_of_values;
 
     /// The rollers that are normal to an axis, with that axis.
     std::map<types::boundary_id, unsigned int> level_rollers;

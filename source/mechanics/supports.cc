@@ -19,26 +19,28 @@ namespace ElastoPlastic
 
 
 
-    /// A prescribed displacement at a time, for interpolate_boundary_values().
-    /// Components that are free have no values.
+    /// A prescribed displacement at a time, for interpolate_boundary_values();
+    /// zero without one. Components that are free have no values.
     template <int dim>
     class DisplacementFunction : public Function<dim>
     {
     public:
-      DisplacementFunction(const Components<dim> &components, const double time)
-        : Function<dim>(dim, time)
+      DisplacementFunction(const Components<dim>      &components,
+                           const std::optional<double> time)
+        : Function<dim>(dim)
         , components(components)
+        , time(time)
       {}
 
       double
       value(const Point<dim> &point, const unsigned int c) const override
       {
-        return components[c] ? components[c]->value(point, this->get_time()) :
-                               0.;
+        return time && components[c] ? components[c]->value(point, *time) : 0.;
       }
 
     private:
-      const Components<dim> &components;
+      const Components<dim>      &components;
+      const std::optional<double> time;
     };
 
 
@@ -77,8 +79,7 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  Supports<dim>::reinit(const DoFHandler<dim> &new_dof_handler,
-                        const double           time)
+  Supports<dim>::reinit(const DoFHandler<dim> &new_dof_handler)
   {
     dof_handler = &new_dof_handler;
     IndexSet relevant;
@@ -89,11 +90,22 @@ namespace ElastoPlastic
     with_skew_rollers.reset();
 
     sort_rollers();
-    find_fixed_values(time);
+    find_fixed_values();
     if (!skew_rollers.empty())
       add_skew_rollers();
     drop_constrained_values();
-    time_of_values = time;
+    time_of_values.reset();
+  }
+
+
+
+  template <int dim>
+  void
+  Supports<dim>::reinit(const DoFHandler<dim> &new_dof_handler,
+                        const double           time)
+  {
+    reinit(new_dof_handler);
+    set_time(time);
   }
 
 
@@ -132,7 +144,7 @@ namespace ElastoPlastic
 
   template <int dim>
   typename Supports<dim>::Values
-  Supports<dim>::prescribed_values(const double time) const
+  Supports<dim>::prescribed_values(const std::optional<double> time) const
   {
     Values values;
     rethrow_collectively(dof_handler->get_communicator(), [&]() {
@@ -153,7 +165,7 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  Supports<dim>::find_fixed_values(const double time)
+  Supports<dim>::find_fixed_values()
   {
     const Functions::ZeroFunction<dim> zero(dim);
     fixed_values.clear();
@@ -174,7 +186,7 @@ namespace ElastoPlastic
       rethrow_collectively(dof_handler->get_communicator(),
                            [&]() { find_axis(); });
 
-    for (const Values &values : {prescribed_values(time), fixed_at_zero})
+    for (const Values &values : {prescribed_values({}), fixed_at_zero})
       for (const auto &[dof, value] : values)
         fixed_values[dof] = value;
   }

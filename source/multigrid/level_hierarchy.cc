@@ -146,7 +146,7 @@ namespace ElastoPlastic
                    nullptr,
                    nullptr};
     level.own_dof_handler->distribute_dofs(FESystem<dim>(FE_Q<dim>(1), dim));
-    level.own_supports->reinit(*level.own_dof_handler, /* time = */ 0.);
+    level.own_supports->reinit(*level.own_dof_handler);
     level.dof_handler = level.own_dof_handler.get();
     level.constraints = &level.own_supports->constraints();
     levels.push_back(std::move(level));

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/lac/solver_control.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "base/exceptions.h"
 #include "mechanics/rigid_body_modes.h"
 #include "multigrid/multigrid_preconditioner.h"
 #include "solver/krylov_methods.h"
@@ -171,10 +174,19 @@ namespace ElastoPlastic
   MultigridPreconditioner<dim>::prepare(const HeldUnknowns &held)
   {
     hierarchy.update(solid, held);
-    prepare_smoother(solid.is_nearly_incompressible() ?
-                       smoothing_range_of_mixed_form :
-                       smoothing_range(solid.stiffness_ratio(
-                         held.constrained.get_mpi_communicator())));
+    try
+      {
+        prepare_smoother(solid.is_nearly_incompressible() ?
+                           smoothing_range_of_mixed_form :
+                           smoothing_range(solid.stiffness_ratio(
+                             held.constrained.get_mpi_communicator())));
+      }
+    catch (const SolverControl::NoConvergence &)
+      {
+        throw ConvergenceError(
+          "The numbers of multigrid's levels are beyond "
+          "single precision.");
+      }
     coarse_solver.prepare();
   }
 
@@ -223,12 +235,19 @@ namespace ElastoPlastic
 
 
 
+  // Forces may be beyond what the single precision of the levels knows.
   template <int dim>
   void
   MultigridPreconditioner<dim>::vmult(VectorType       &result,
                                       const VectorType &vector) const
   {
-    preconditioner.vmult(result, vector);
+    const double size = vector.linfty_norm();
+    result            = 0.;
+    if (size == 0.)
+      return;
+    result.add(1. / size, vector);
+    preconditioner.vmult(result, result);
+    result *= size;
   }
 
 

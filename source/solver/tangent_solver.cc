@@ -302,7 +302,7 @@ namespace ElastoPlastic
   {
     const double motion    = unknowns.leading_value(solution);
     const double stiffness = (solution * rhs) / (motion * motion);
-    if (std::isfinite(stiffness) && stiffness < response_stiffness)
+    if (stiffness > 0. && stiffness < response_stiffness)
       response.equ(1. / motion, solution);
     unknowns.expand(response);
   }

@@ -25,6 +25,7 @@ from .finite_strain import (cone_in_space, finite_cone, finite_strain, finite_st
                             finite_strain_resume, published_cones, pyramids, symmetric_bodies)
 from .friction import (bonded_punch, friction_ranks, friction_resume, friction_symmetries, mindlin_cylinder,
                        mindlin_sphere, sliding_mesh, spence, ssnv128)
+from .limit_load_runs import limit_load_runs
 from .loads import body_force, limit_load_factors
 from .hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
@@ -34,6 +35,7 @@ from .job_preview import job_preview
 from .load_steps import adaptive_steps
 from .rounding import contrast, direct_contact, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
+from .units import prescribed_from_nothing, units
 from .zero_load import far_indenter, zero_force, zero_stress
 from ..pages.command import main as tables_of_pages
 
@@ -290,8 +292,8 @@ ALL = {
                      imprint_ranks, probes, mean_strain_of_rings, strip_punch, strip_punch_locks,
                      limit_load, limit_load_revolution, limit_load_space, limit_load_factors, body_force, blas_kernels,
                      safe_load, error_bound, error_bound_ranks,
-                     error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, equilibrium_hertz, equilibrium_limit, zero_stress,
-                     zero_force, far_indenter, contrast, direct_contact,
+                     error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, equilibrium_hertz, equilibrium_limit, limit_load_runs, zero_stress,
+                     zero_force, far_indenter, units, prescribed_from_nothing, contrast, direct_contact,
                      nearly_incompressible, job_preview,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
                      adaptive_steps,
