@@ -16,16 +16,6 @@
 
 namespace ElastoPlastic
 {
-  /// An expression shows what is wrong with it only where and when it is
-  /// evaluated: so it is, for the ends of all steps ahead of @p steps.
-  /// Collective. @throws InputError
-  template <int dim>
-  void
-  check_loads(const Model<dim>      &model,
-              const LoadProgram     &load_program,
-              TimeSteps              steps,
-              const DoFHandler<dim> &dof_handler);
-
   /// The supports must prevent every rigid body motion of every part. The
   /// indenter, free of friction and adhesion, helps them only where it is kept
   /// in its place and the tractions press the body against it. Collective.
@@ -47,15 +37,33 @@ namespace ElastoPlastic
               const LoadingParameters &loading,
               const double             min_gap);
 
-  /// An indenter that stands on planes of symmetry, which are rollers through
-  /// its first position, must stay on them. Its path must be known at the ends
-  /// of all steps ahead of @p steps. Collective. @throws InputError
+  /// Of the size of the body, an indenter that ends must have a part that a
+  /// mesh can resolve. Collective. @throws InputError
   template <int dim>
   void
-  check_path(const Model<dim>         &model,
-             TimeSteps                 steps,
-             const LoadingParameters  &loading,
-             const Triangulation<dim> &triangulation);
+  check_width(const GapFunction<dim>                          &gap_function,
+              const parallel::distributed::Triangulation<dim> &triangulation);
+
+  /// The prescribed depth must be smaller than the body is high, unless the
+  /// body moves, too. Collective. @throws InputError
+  template <int dim>
+  void
+  check_depth(const Model<dim>         &model,
+              const TimeSteps          &steps,
+              const LoadingParameters  &loading,
+              const Triangulation<dim> &triangulation);
+
+  /// An indenter that stands on planes of symmetry, which are rollers through
+  /// its first position, must stay on them. As much of the contact boundary as
+  /// surrounds its tip there must do so everywhere: it does not come to an
+  /// edge. Its path must be known at the ends of all steps ahead of @p steps.
+  /// Collective. @throws InputError
+  template <int dim>
+  void
+  check_path(const Model<dim>                                &model,
+             TimeSteps                                        steps,
+             const LoadingParameters                         &loading,
+             const parallel::distributed::Triangulation<dim> &triangulation);
 } // namespace ElastoPlastic
 
 #endif

@@ -12,6 +12,7 @@
 #include "job_preview.h"
 #include "loading/largest_load.h"
 #include "mechanics/supports.h"
+#include "mesh/body_size.h"
 #include "mesh/mesh_entities.h"
 
 namespace ElastoPlastic
@@ -177,7 +178,7 @@ namespace ElastoPlastic
   JobPreview<dim>::n_candidates() const
   {
     Supports<dim> supports(quick);
-    supports.reinit(dof_handler, 0.);
+    supports.reinit(dof_handler);
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
     const LinearAlgebra::distributed::Vector<double> layout(
@@ -284,7 +285,10 @@ namespace ElastoPlastic
     if (!depth)
       return {};
     const auto radius = contact.radius_at_surface(*depth);
-    if (!radius)
+    const bool is_level =
+      are_level(triangulation,
+                quick.boundary_conditions.ids(BoundaryConditionType::contact));
+    if (!radius || !is_level)
       return {};
     return Contact{*depth,
                    *radius,
@@ -313,8 +317,11 @@ namespace ElastoPlastic
   {
     const std::vector<MeshSize> sizes   = meshes();
     double                      largest = sizes.back().unknowns;
+    const double                limit   = parameters.refinement.max_unknowns;
     if (parameters.refinement.adaptation_interval > 0)
-      largest = std::max<double>(largest, parameters.refinement.max_unknowns);
+      largest = std::max(largest, limit);
+    else if (limit > 0)
+      largest = std::min(largest, limit);
     double n_solved = (n_steps() - 1.) * largest;
     for (const MeshSize &size : sizes)
       n_solved += size.unknowns;

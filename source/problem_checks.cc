@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <array>
@@ -9,9 +10,10 @@
 #include <sstream>
 
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
-#include "mechanics/boundary_points.h"
+#include "evaluation/modelled_part.h"
+#include "loading/largest_load.h"
 #include "mechanics/rigid_body_modes.h"
+#include "mesh/body_size.h"
 #include "problem_checks.h"
 
 namespace ElastoPlastic
@@ -63,33 +65,50 @@ namespace ElastoPlastic
           Utilities::MPI::sum(found[d], triangulation.get_communicator()) > 0;
       return result;
     }
+
+
+
+    /// modelled_part() where the indenter is after a motion.
+    template <int dim>
+    double
+    part_around(const Model<dim>                                &model,
+                const Tensor<1, 2>                              &motion,
+                const parallel::distributed::Triangulation<dim> &triangulation)
+    {
+      Point<dim - 1> position = model.indenter.position;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        position[d] += motion[d];
+      return modelled_part(triangulation,
+                           model.boundary_conditions.ids(
+                             BoundaryConditionType::contact),
+                           position,
+                           model.strain_model.kinematics);
+    }
+
+
+
+    template <int dim>
+    double
+    height_of_body(const Triangulation<dim> &triangulation)
+    {
+      const auto [lower, upper] =
+        GridTools::compute_bounding_box(triangulation).get_boundary_points();
+      const MPI_Comm communicator = triangulation.get_communicator();
+      return Utilities::MPI::max(upper[dim - 1], communicator) -
+             Utilities::MPI::min(lower[dim - 1], communicator);
+    }
+
+
+
+    /// Name and text of the entry that says how deep the indenter goes.
+    std::pair<std::string, std::string>
+    entry_of_depth(const LoadingParameters &loading)
+    {
+      return loading.history.empty() ?
+               std::pair("Loading/Depth", loading.depth) :
+               std::pair("Loading/History", loading.history);
+    }
   } // namespace
-
-
-
-  template <int dim>
-  void
-  check_loads(const Model<dim>      &model,
-              const LoadProgram     &load_program,
-              TimeSteps              steps,
-              const DoFHandler<dim> &dof_handler)
-  {
-    const BoundaryConditions<dim> &conditions = model.boundary_conditions;
-    std::set<types::boundary_id>   boundaries =
-      conditions.ids(BoundaryConditionType::traction);
-    boundaries.merge(
-      conditions.ids(BoundaryConditionType::prescribed_displacement));
-    const auto points = boundary_points(dof_handler, boundaries);
-
-    rethrow_collectively(dof_handler.get_communicator(), [&]() {
-      for (; !steps.finished(); steps.advance())
-        {
-          load_program.load(steps.next_time());
-          for (const auto &[boundary, point] : points)
-            conditions.check_values(boundary, point, steps.next_time());
-        }
-    });
-  }
 
 
 
@@ -159,8 +178,8 @@ namespace ElastoPlastic
     if (!is_pushed_to_depth)
       return;
     throw InputError(
-      loading.history.empty() ? "Loading/Depth" : "Loading/History",
-      loading.history.empty() ? loading.depth : loading.history,
+      entry_of_depth(loading).first,
+      entry_of_depth(loading).second,
       "the indenter can never touch the body: the smallest gap under it is " +
         Patterns::Tools::to_string(min_gap) +
         ". Push deeper, reduce 'Indenter/Initial gap', or refine the mesh under "
@@ -171,15 +190,67 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  check_path(const Model<dim>         &model,
-             TimeSteps                 steps,
-             const LoadingParameters  &loading,
-             const Triangulation<dim> &triangulation)
+  check_width(const GapFunction<dim>                          &gap_function,
+              const parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    constexpr double smallest_part = 1e-6;
+    const double     width         = smallest_part * body_size(triangulation);
+    const auto       reaches       = [&](const Tensor<1, dim> &offset) {
+      Point<dim> point;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        point[d] = gap_function.position()[d];
+      return std::isfinite(gap_function.value(point + offset));
+    };
+    for (unsigned int d = 0; reaches({}) && d < dim - 1; ++d)
+      {
+        Tensor<1, dim> side;
+        side[d] = width;
+        if (!reaches(side) && !reaches(-side))
+          throw InputError(
+            "The indenter reaches less than 1e-6 of the size of the body to "
+            "both sides, which no mesh resolves. Are 'Indenter/Radius', 'Half "
+            "width', 'Size' or 'Reach' and the lengths in 'Geometry' in the "
+            "same unit?");
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  check_depth(const Model<dim>         &model,
+              const TimeSteps          &steps,
+              const LoadingParameters  &loading,
+              const Triangulation<dim> &triangulation)
+  {
+    const auto depth = largest_load(model.load_program, steps, Control::depth);
+    const bool moves =
+      !model.boundary_conditions.prescribed_displacements().empty();
+    const double height = height_of_body(triangulation);
+    if (!depth || moves || *depth - model.indenter.initial_gap < height)
+      return;
+    throw InputError(entry_of_depth(loading).first,
+                     entry_of_depth(loading).second,
+                     "at the depth " + Patterns::Tools::to_string(*depth) +
+                       " the indenter is through the body, whose height is " +
+                       Patterns::Tools::to_string(height) +
+                       ". Are both in the same unit of length?");
+  }
+
+
+
+  template <int dim>
+  void
+  check_path(const Model<dim>                                &model,
+             TimeSteps                                        steps,
+             const LoadingParameters                         &loading,
+             const parallel::distributed::Triangulation<dim> &triangulation)
   {
     const IndenterPath &path = model.load_program.path();
     if (path.is_at_rest())
       return;
-    const auto symmetric = directions_of_symmetry(model, triangulation);
+    const auto   symmetric = directions_of_symmetry(model, triangulation);
+    const double part      = part_around(model, {}, triangulation);
     for (; !steps.finished(); steps.advance())
       {
         const Tensor<1, 2> displacement = path.displacement(steps.next_time());
@@ -193,16 +264,20 @@ namespace ElastoPlastic
                 "xy"[d] +
                 ", beyond which its mirror image would move the other way. Let "
                 "it move along that plane, or model the whole body.");
+        constexpr double rounding = 1e-6;
+        if (part_around(model, displacement, triangulation) < part - rounding)
+          throw InputError(
+            "Loading/Path",
+            loading.path,
+            "at t = " + Patterns::Tools::to_string(steps.next_time()) +
+              " the indenter comes to the edge of the contact boundary, or "
+              "is beyond it: half of it and more would press on nothing. End "
+              "the path before, or model more of the body.");
       }
   }
 
 
 
-  template void
-  check_loads(const Model<2> &,
-              const LoadProgram &,
-              TimeSteps,
-              const DoFHandler<2> &);
   template void
   check_supports(const Model<2> &,
                  const DoFHandler<2> &,
@@ -210,15 +285,18 @@ namespace ElastoPlastic
                  const ContactSet<2> &,
                  const VectorType &);
   template void
+  check_width(const GapFunction<2> &,
+              const parallel::distributed::Triangulation<2> &);
+  template void
+  check_depth(const Model<2> &,
+              const TimeSteps &,
+              const LoadingParameters &,
+              const Triangulation<2> &);
+  template void
   check_path(const Model<2> &,
              TimeSteps,
              const LoadingParameters &,
-             const Triangulation<2> &);
-  template void
-  check_loads(const Model<3> &,
-              const LoadProgram &,
-              TimeSteps,
-              const DoFHandler<3> &);
+             const parallel::distributed::Triangulation<2> &);
   template void
   check_supports(const Model<3> &,
                  const DoFHandler<3> &,
@@ -226,8 +304,16 @@ namespace ElastoPlastic
                  const ContactSet<3> &,
                  const VectorType &);
   template void
+  check_width(const GapFunction<3> &,
+              const parallel::distributed::Triangulation<3> &);
+  template void
+  check_depth(const Model<3> &,
+              const TimeSteps &,
+              const LoadingParameters &,
+              const Triangulation<3> &);
+  template void
   check_path(const Model<3> &,
              TimeSteps,
              const LoadingParameters &,
-             const Triangulation<3> &);
+             const parallel::distributed::Triangulation<3> &);
 } // namespace ElastoPlastic

@@ -56,6 +56,19 @@ namespace ElastoPlastic
     return {Utilities::MPI::min(lowest, triangulation.get_communicator()),
             Utilities::MPI::max(highest, triangulation.get_communicator())};
   }
+
+
+
+  /// Whether all points of the given @p boundaries are at one height, on all
+  /// ranks.
+  template <int dim>
+  bool
+  are_level(const parallel::distributed::Triangulation<dim> &triangulation,
+            const std::set<types::boundary_id>              &boundaries)
+  {
+    const auto [lowest, highest] = range_of_heights(triangulation, boundaries);
+    return highest - lowest <= 1e-10 * body_size(triangulation);
+  }
 } // namespace ElastoPlastic
 
 #endif

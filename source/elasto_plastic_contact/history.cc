@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "base/rethrow_collectively.h"
 #include "base/termination.h"
 #include "elasto_plastic_contact.h"
 #include "evaluation/modelled_part.h"
 #include "io/table_reference.h"
+#include "load_checks.h"
 #include "load_history.h"
 #include "mesh/material_ids.h"
 #include "problem_checks.h"
@@ -37,7 +39,8 @@ namespace ElastoPlastic
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
     body.reinit(time_steps.next_time(), load_at_end_of_step());
-    check_loads(model, load_program, time_steps, body.dof_handler);
+    check_field_times(parameters.output, load_program);
+    check_loads(model, time_steps, body.dof_handler);
     check_supports(model,
                    body.dof_handler,
                    body.supports,
@@ -65,6 +68,8 @@ namespace ElastoPlastic
                     time_steps,
                     parameters.loading,
                     adaptation.min_gap());
+        check_width(body.gap_function, body.triangulation);
+        check_depth(model, time_steps, parameters.loading, body.triangulation);
         check_path(model, time_steps, parameters.loading, body.triangulation);
       }
     evaluation.check_lines();
@@ -103,7 +108,8 @@ namespace ElastoPlastic
 
 
 
-  // When the user wants to stop, the step under way is given up.
+  // Whatever ends the step under way, what has been computed before it is kept
+  // (but where nothing can be written).
   template <int dim>
   void
   ElastoPlasticContact<dim>::run_load_history(
@@ -126,14 +132,23 @@ namespace ElastoPlastic
           go_on_after_end(statistics);
         take_load_steps(statistics);
       }
-    catch (const TerminationError &)
+    catch (const FileError &)
       {
-        if (time_steps.number() > 1)
-          {
-            take_back_step();
-            save_checkpoint(statistics);
-          }
         throw;
+      }
+    catch (const Error &error)
+      {
+        if (!step_is_under_way || time_steps.number() == 1)
+          throw;
+        take_back_step();
+        save_checkpoint(statistics);
+        throw_error(error.status,
+                    std::string(error.what()) +
+                      " What has been computed up to t = " +
+                      Patterns::Tools::to_string(last_step.result.time) +
+                      " is kept: the option --resume goes on from there, also "
+                      "with other entries of 'Nonlinear solver', 'Linear "
+                      "solver' and 'Loading'.");
       }
     timer.print_summary();
     log.remark("Results are in " + parameters.output.directory);

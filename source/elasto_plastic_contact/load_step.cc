@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cmath>
+
 #include "base/memory.h"
 #include "elasto_plastic_contact.h"
 
@@ -121,11 +123,12 @@ namespace ElastoPlastic
                               last_step.displacement,
                             body.sideways_position(time_steps.next_time()) -
                               body.sideways_position(last_step.result.time));
-    if (body.contact.force() > 0. && body.contact.n_candidates() == 0)
+    if (body.gap_function.has_indenter() &&
+        (std::isinf(adaptation.min_gap()) ||
+         (body.contact.force() > 0. && body.contact.n_candidates() == 0)))
       throw ConvergenceError(
         "The indenter has left the contact boundary: there is nothing below it "
-        "that could bear 'Loading/Force'. Check 'Loading/Path', or model more of "
-        "the body.");
+        "that it could touch. Check 'Loading/Path', or model more of the body.");
     body.contact.activate_touching(body.displacement);
     ContactProblem<dim> problem =
       body.problem_with(body.contact, last_step.largest_forces);
@@ -179,6 +182,7 @@ namespace ElastoPlastic
       last_step.work_to(body.displacement, body.forces_of_stresses());
     last_step.add_to(result);
     last_step.find_rates(result, body.displacement);
+    last_step.mean_force.add(result);
     evaluation.note(result, last_step);
     last_step.result = result;
     last_step.largest_contact_area =

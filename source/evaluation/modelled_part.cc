@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "evaluation/modelled_part.h"
+#include "mesh/body_size.h"
 
 namespace ElastoPlastic
 {
@@ -27,6 +28,33 @@ namespace ElastoPlastic
         }
       return std::abs(angle);
     }
+
+
+
+    /// A tip that touches a curved surface, of which a horizontal section says
+    /// nothing.
+    class TipOnCurvedSurface : public TipShape
+    {
+    public:
+      explicit TipOnCurvedSurface(const std::shared_ptr<const TipShape> &tip)
+        : tip(tip)
+      {}
+
+      double
+      depth_factor() const override
+      {
+        return tip->depth_factor();
+      }
+
+      double
+      section_area(const double /* height */) const override
+      {
+        return 0.;
+      }
+
+    private:
+      const std::shared_ptr<const TipShape> tip;
+    };
   } // namespace
 
 
@@ -99,17 +127,18 @@ namespace ElastoPlastic
       dim == 2 && model.strain_model.kinematics != Kinematics::axisymmetric;
     if (!gap_function.has_indenter() || is_plane)
       return {};
+    const auto boundaries =
+      model.boundary_conditions.ids(BoundaryConditionType::contact);
     const double part = modelled_part(triangulation,
-                                      model.boundary_conditions.ids(
-                                        BoundaryConditionType::contact),
+                                      boundaries,
                                       gap_function.position(),
                                       model.strain_model.kinematics);
     if (part == 0.)
       return {};
-    return IndentationTest(model.indenter.shape,
-                           model.indenter.initial_gap,
-                           part,
-                           constants);
+    std::shared_ptr<const TipShape> tip = model.indenter.shape;
+    if (!are_level(triangulation, boundaries))
+      tip = std::make_shared<TipOnCurvedSurface>(tip);
+    return IndentationTest(tip, model.indenter.initial_gap, part, constants);
   }
 
 

@@ -91,7 +91,9 @@ namespace ElastoPlastic
       {"tangential_force_y", "force", "the same in the direction of y; 0 in two dimensions", [](const R &r) { return r.tangential_force[1]; }},
       {"stick_area", "area", "the part of contact_area whose nodes stick to the indenter, with friction", &R::stick_area},
       {"frictional_dissipation", "force x length", "work of the friction between indenter and body since the virgin state", &R::frictional_dissipation},
-      {"min_scaled_jacobian", "1", "with finite strains the smallest of all corners of the deformed elements: 1 for right angles, 0 where a corner has collapsed, negative where it is turned inside out; always 1 with small strains", &R::min_scaled_jacobian}};
+      {"min_scaled_jacobian", "1", "with finite strains the smallest of all corners of the deformed elements: 1 for right angles, 0 where a corner has collapsed, negative where it is turned inside out; always 1 with small strains", &R::min_scaled_jacobian},
+      {"mean_depth", "length", "where `mean_force` belongs to", &R::mean_depth},
+      {"mean_force", "force", "the work of the force over the change of depth since nodes entered or left the contact the last time, if some have in this step; else `nan`. Smooth where `force` waves from node to node, if several steps lie between", &R::mean_force}};
     return columns;
   }
 
@@ -183,7 +185,7 @@ namespace ElastoPlastic
       {"hardness", "stress", "with contact_area", [](const R &r) { return r.hardness(r.maximum.contact_area); }},
       {"reduced_modulus", "stress", "with contact_area and `Evaluation/Beta`; with its default 1 to be compared with E/(1 - nu^2). With the compliance of the indenter if `Evaluation/Young's modulus of the indenter` is given", [](const R &r) { return r.reduced_modulus(r.maximum.contact_area); }},
       {"contact_depth", "length", "how deep the tip touches, by Oliver and Pharr, with `Evaluation/Epsilon`", &R::contact_depth},
-      {"tip_area", "area", "the section of the tip there; 0, as are the next two, if it has none: a cylinder in three dimensions, a height map", &R::tip_area},
+      {"tip_area", "area", "the section of the tip there; 0, as are the next two, if it has none: a cylinder in three dimensions, a height map; or if the surface of the body is curved", &R::tip_area},
       {"tip_hardness", "stress", "with tip_area: what a laboratory would find", [](const R &r) { return r.hardness(r.tip_area); }},
       {"tip_reduced_modulus", "stress", "the same with tip_area: what a laboratory would find", [](const R &r) { return r.reduced_modulus(r.tip_area); }}};
     return columns;

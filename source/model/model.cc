@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/patterns.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "mesh/body_size.h"
 #include "model/model.h"
@@ -12,6 +15,20 @@ namespace ElastoPlastic
   {
     /// nu = 0.48
     constexpr double locking_bulk_to_shear = 74. / 3.;
+
+    /// No metal, polymer or ceramic bears more without flow.
+    constexpr double largest_yield_strain = 0.1;
+
+
+
+    /// In tension; infinite if the material does not yield.
+    double
+    yield_strain(const Material<double> &material)
+    {
+      const double K = material.bulk_modulus, G = material.shear_modulus;
+      return std::sqrt(1.5) * material.yield_radius * (3. * K + G) /
+             (9. * K * G);
+    }
   } // namespace
 
 
@@ -43,14 +60,12 @@ namespace ElastoPlastic
     ContactGeometry geometry = model.contact.geometry;
     if (geometry == ContactGeometry::automatic)
       {
-        const auto [lowest, highest] =
-          range_of_heights(triangulation,
-                           model.boundary_conditions.ids(
-                             BoundaryConditionType::contact));
+        const bool is_level = are_level(triangulation,
+                                        model.boundary_conditions.ids(
+                                          BoundaryConditionType::contact));
         geometry = model.strain_model.is_finite() ? ContactGeometry::present :
-                   highest - lowest > 1e-10 * body_size(triangulation) ?
-                                                    ContactGeometry::normal :
-                                                    ContactGeometry::vertical;
+                   is_level                       ? ContactGeometry::vertical :
+                                                    ContactGeometry::normal;
       }
     if (geometry == ContactGeometry::vertical)
       return vertical_bounds<dim>(
@@ -83,6 +98,15 @@ namespace ElastoPlastic
         "ones may bear several times the force, the pressures of quadratic "
         "ones oscillate, and linear systems take long. Set 'Volumetric "
         "treatment = B-bar', for both.");
+    for (const Material<double> &material : model.materials)
+      if (const double strain = yield_strain(material);
+          std::isfinite(strain) && strain > largest_yield_strain)
+        texts.push_back(
+          "By 'Material/Young's modulus' and 'Yield stress' a material yields "
+          "at a strain of " +
+          Patterns::Tools::to_string(strain) +
+          " only, which no metal or polymer bears. Are both in the same unit, "
+          "such as MPa?");
     return texts;
   }
 
