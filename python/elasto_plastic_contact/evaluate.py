@@ -16,6 +16,7 @@ import dataclasses
 
 import numpy
 
+from .arguments import number
 from .errors import UserError
 from .oliver_pharr import Tip, Unloading, evaluate, jumps_of_meshes
 from .results import Results
@@ -27,24 +28,24 @@ def parse_arguments(arguments):
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("curve", help="the measured curve (CSV)")
     tip = parser.add_mutually_exclusive_group()
-    tip.add_argument("--cone", type=float, metavar="ANGLE", help="the tip is a cone: angle between axis and flank in "
+    tip.add_argument("--cone", type=number(above=0, below=90), metavar="ANGLE", help="the tip is a cone: angle between axis and flank in "
                      "degrees; 70.3 stands for Berkovich's pyramid")
-    tip.add_argument("--sphere", type=float, metavar="RADIUS", help="the tip is a sphere")
-    tip.add_argument("--area", type=float, nargs="+", metavar="C",
+    tip.add_argument("--sphere", type=number(above=0), metavar="RADIUS", help="the tip is a sphere")
+    tip.add_argument("--area", type=number(), nargs="+", metavar="C",
                      help="the section of the tip is C0 h^2 + C1 h + C2 h^(1/2) + C3 h^(1/4) + ...")
-    parser.add_argument("--beta", type=float, default=1., help="E_r = sqrt(pi) S / (2 beta sqrt(A)) (default: 1)")
-    parser.add_argument("--epsilon", type=float, help="h_c = h_max - epsilon F_max / S (default: 2 - 4/pi for a "
-                        "cone, else 0.75)")
-    parser.add_argument("--indenter", type=float, nargs=2, metavar=("E", "NU"), help="Young's modulus and Poisson's "
+    parser.add_argument("--beta", type=number(above=0), default=1., help="E_r = sqrt(pi) S / (2 beta sqrt(A)) (default: 1)")
+    parser.add_argument("--epsilon", type=number(above=0, most=1), help="h_c = h_max - epsilon F_max / S (default: 2 - 4/pi for a "
+                        "cone, else 0.75; 1 for a flat end)")
+    parser.add_argument("--indenter", type=number(), nargs=2, metavar=("E", "NU"), help="Young's modulus and Poisson's "
                         "ratio of the measurement's indenter, in units of the run: its E_r gets the compliance")
-    parser.add_argument("--noise", type=float, default=0.01, help="how much depth and force may rise during an "
+    parser.add_argument("--noise", type=number(least=0, below=0.5), default=0.01, help="how much depth and force may rise during an "
                         "unloading, relative to their largest values (default: %(default)s)")
     parser.add_argument("--columns", nargs=2, default=["depth", "force"], metavar=("DEPTH", "FORCE"),
                         help="the columns of the curve (default: depth force)")
-    parser.add_argument("--factors", type=float, nargs=2, default=[1., 1.], metavar=("DEPTH", "FORCE"),
+    parser.add_argument("--factors", type=number(), nargs=2, default=[1., 1.], metavar=("DEPTH", "FORCE"),
                         help="to multiply the curve by, such as 1e-6 1e-3 from nm and mN to mm and N (default: 1 1)")
-    parser.add_argument("--run", help="output directory of a run to compare with, whose cone, sphere or area "
-                        "function is the tip unless another one is given")
+    parser.add_argument("--run", help="output directory of a run to compare with, whose cone, sphere, paraboloid, "
+                        "pyramid or area function is the tip unless another one is given")
     parser.add_argument("--output", help="draw both curves with their tangents (.png, .svg, .pdf)")
     return parser.parse_args(arguments)
 
@@ -57,7 +58,14 @@ def read_curve(path, columns, factors):
     for column in columns:
         if column not in rows[0]:
             raise UserError(f"'{path}' has no column '{column}'; it has {', '.join(rows[0])}. Choose with --columns")
-    return [factor * numpy.array([row[column] for row in rows]) for column, factor in zip(columns, factors)]
+    curve = [factor * numpy.array([row[column] for row in rows]) for column, factor in zip(columns, factors)]
+    for column, values in zip(columns, curve):
+        if not numpy.isfinite(values).all():
+            raise UserError(f"'{path}' has a value of '{column}' that is not finite, in row "
+                            f"{numpy.isfinite(values).argmin() + 1}")
+        if not values.max() > 0.:
+            raise UserError(f"'{path}' has no value of '{column}' above 0. Turn its sign by --factors")
+    return curve
 
 
 def tip_of_run(run):
@@ -70,18 +78,19 @@ def tip_of_run(run):
         return Tip.sphere(run.number("Indenter/Radius"))
     if shape == "area function":
         return Tip.polynomial(run.numbers("Indenter/Area coefficients"))
-    raise UserError(f"the indenter of the run in '{run.directory}', '{shape}', is none of cone, sphere and area function"
-                    ": give the tip by --cone, --sphere or --area")
+    if shape == "paraboloid":
+        return Tip.polynomial([0., 2. * numpy.pi * run.number("Indenter/Radius")])
+    if shape == "pyramid" and run.number("Indenter/Rounding radius") == 0.:
+        return Tip.pyramid(run.number("Indenter/Number of faces"), run.number("Indenter/Face angle"),
+                           run.number("Indenter/Truncation"))
+    raise UserError(f"the indenter of the run in '{run.directory}', '{shape}', is none of cone, sphere, paraboloid, "
+                    "sharp or truncated pyramid and area function: give the tip by --cone, --sphere or --area")
 
 
 def choose_tip(arguments, run):
     if arguments.cone is not None:
-        if not 0. < arguments.cone < 90.:
-            raise UserError(f"--cone is {arguments.cone:g}, but must be between 0 and 90 degrees")
         return Tip.cone(arguments.cone)
     if arguments.sphere is not None:
-        if arguments.sphere <= 0.:
-            raise UserError(f"--sphere is {arguments.sphere:g}, but must be a radius > 0")
         return Tip.sphere(arguments.sphere)
     if arguments.area is not None:
         return Tip.polynomial(arguments.area)
@@ -106,6 +115,13 @@ def curve_of_run(run):
     return run.history["depth"] - run.number("Indenter/Initial gap"), run.history["force"] / part
 
 
+def check_sections(name, unloadings):
+    for unloading in unloadings:
+        if unloading.contact_depth > 0. and not unloading.tip_area > 0.:
+            raise UserError(f"the {name} curve has a contact depth of {unloading.contact_depth:.6g}, where the section of "
+                            f"the tip is {unloading.tip_area:.6g}: are the tip and the curve in the same units?")
+
+
 def main(arguments):
     arguments = parse_arguments(arguments)
     run = Results(arguments.run) if arguments.run else None
@@ -117,6 +133,8 @@ def main(arguments):
         curves["computed"] = curve_of_run(run)
         found["computed"] = evaluate(*curves["computed"], tip, jumps=jumps_of_meshes(run),
                                      indenter_compliance=compliance(arguments.indenter), **constants)
+    for name, unloadings in found.items():
+        check_sections(name, unloadings)
     print("curve", *(field.name for field in dataclasses.fields(Unloading)), sep=",")
     for name, unloadings in found.items():
         for unloading in unloadings:

@@ -33,6 +33,13 @@ class Tip:
         return Tip(lambda height: numpy.pi * height * (2. * radius - height), 0.75)
 
     @staticmethod
+    def pyramid(n_faces, face_angle, truncation=0.):
+        """A regular one. face_angle: between axis and faces, in degrees; truncation: the height that is cut off."""
+        half_side = numpy.tan(numpy.radians(face_angle))
+        factor = n_faces * numpy.tan(numpy.pi / n_faces) * half_side ** 2
+        return Tip(lambda height: factor * (height + truncation) ** 2, 0.75)
+
+    @staticmethod
     def polynomial(coefficients):
         """C0 h^2 + C1 h + C2 h^(1/2) + C3 h^(1/4) + ..., from the calibration of a tip."""
         exponents = [2.] + [0.5 ** n for n in range(len(coefficients) - 1)]

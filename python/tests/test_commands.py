@@ -81,12 +81,18 @@ class Commands(unittest.TestCase):
     def test_tip_of_run(self):
         for entries, area in (({"Indenter/Type": "cone", "Indenter/Semi-apex angle": "45"}, math.pi / 4),
                               ({"Indenter/Type": "sphere", "Indenter/Radius": "2"}, math.pi * 0.5 * 3.5),
+                              ({"Indenter/Type": "paraboloid", "Indenter/Radius": "2"}, math.pi * 2.),
+                              ({"Indenter/Type": "pyramid", "Indenter/Number of faces": "4", "Indenter/Face angle": "45",
+                                "Indenter/Truncation": "0.5", "Indenter/Rounding radius": "0"}, 4.),
                               ({"Indenter/Type": "area function", "Indenter/Area coefficients": "4, 6"}, 4.)):
             run_of_tip = Results(self.folder)
             run_of_tip.parameters = entries
             self.assertAlmostEqual(tip_of_run(run_of_tip).area(0.5), area)
         run_of_tip.parameters = {"Indenter/Type": "wedge"}
         with self.assertRaisesRegex(UserError, "'wedge', is none of cone, .*: give the tip by --cone"):
+            tip_of_run(run_of_tip)
+        run_of_tip.parameters = {"Indenter/Type": "pyramid", "Indenter/Rounding radius": "0.1"}
+        with self.assertRaisesRegex(UserError, "'pyramid', is none of .* sharp or truncated pyramid"):
             tip_of_run(run_of_tip)
         run_of_tip.parameters = {"Dimension": "2", "Kinematics": "plane strain", "Indenter/Type": "cone"}
         with self.assertRaisesRegex(UserError, "one of plane strain or stress, whose indenter has no tip"):
