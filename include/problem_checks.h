@@ -56,11 +56,13 @@ namespace ElastoPlastic
   /// An indenter that stands on planes of symmetry, which are rollers through
   /// its first position, must stay on them. As much of the contact boundary as
   /// surrounds its tip there must do so everywhere: it does not come to an
-  /// edge. Its path must be known at the ends of all steps ahead of @p steps.
-  /// Collective. @throws InputError
+  /// edge, nor does the foremost point of its contact, as far as that is known
+  /// (NominalContact). Its path must be known at the ends of all steps ahead of
+  /// @p steps. Collective. @throws InputError
   template <int dim>
   void
   check_path(const Model<dim>                                &model,
+             const GapFunction<dim>                          &gap_function,
              TimeSteps                                        steps,
              const LoadingParameters                         &loading,
              const parallel::distributed::Triangulation<dim> &triangulation);

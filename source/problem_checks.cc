@@ -11,6 +11,7 @@
 
 #include "base/exceptions.h"
 #include "evaluation/modelled_part.h"
+#include "evaluation/nominal_contact.h"
 #include "loading/largest_load.h"
 #include "mechanics/rigid_body_modes.h"
 #include "mesh/body_size.h"
@@ -83,6 +84,20 @@ namespace ElastoPlastic
                              BoundaryConditionType::contact),
                            position,
                            model.strain_model.kinematics);
+    }
+
+
+
+    [[noreturn]] void
+    reject_motion_across_symmetry(const std::string &path, const unsigned int d)
+    {
+      throw InputError(
+        "Loading/Path",
+        path,
+        std::string("the indenter stands on a plane of symmetry across ") +
+          "xy"[d] +
+          ", beyond which its mirror image would move the other way. Let it "
+          "move along that plane, or model the whole body.");
     }
 
 
@@ -242,6 +257,7 @@ namespace ElastoPlastic
   template <int dim>
   void
   check_path(const Model<dim>                                &model,
+             const GapFunction<dim>                          &gap_function,
              TimeSteps                                        steps,
              const LoadingParameters                         &loading,
              const parallel::distributed::Triangulation<dim> &triangulation)
@@ -251,28 +267,38 @@ namespace ElastoPlastic
       return;
     const auto   symmetric = directions_of_symmetry(model, triangulation);
     const double part      = part_around(model, {}, triangulation);
+
+    const NominalContact<dim> contact(model, triangulation, gap_function);
+    const auto                radius_at = [&](const double time) {
+      const auto load = model.load_program.load(time);
+      return load && load->control == Control::depth ?
+                              contact.radius_at_surface(load->value).value_or(0.) :
+                              0.;
+    };
+    Tensor<1, 2> last = path.displacement(steps.time());
     for (; !steps.finished(); steps.advance())
       {
-        const Tensor<1, 2> displacement = path.displacement(steps.next_time());
+        const double       time         = steps.next_time();
+        const Tensor<1, 2> displacement = path.displacement(time);
         for (unsigned int d = 0; d < dim - 1; ++d)
           if (symmetric[d] && displacement[d] != 0.)
-            throw InputError(
-              "Loading/Path",
-              loading.path,
-              std::string(
-                "the indenter stands on a plane of symmetry across ") +
-                "xy"[d] +
-                ", beyond which its mirror image would move the other way. Let "
-                "it move along that plane, or model the whole body.");
+            reject_motion_across_symmetry(loading.path, d);
+        const Tensor<1, 2> way = displacement - last;
+        const Tensor<1, 2> foremost =
+          way.norm() > 0. ? displacement + radius_at(time) / way.norm() * way :
+                            displacement;
+        last                      = displacement;
         constexpr double rounding = 1e-6;
-        if (part_around(model, displacement, triangulation) < part - rounding)
+        if (std::min(part_around(model, displacement, triangulation),
+                     part_around(model, foremost, triangulation)) <
+            part - rounding)
           throw InputError(
             "Loading/Path",
             loading.path,
-            "at t = " + Patterns::Tools::to_string(steps.next_time()) +
+            "at t = " + Patterns::Tools::to_string(time) +
               " the indenter comes to the edge of the contact boundary, or "
-              "is beyond it: half of it and more would press on nothing. End "
-              "the path before, or model more of the body.");
+              "is beyond it, where it would press on nothing. End the path "
+              "before, or model more of the body.");
       }
   }
 
@@ -294,6 +320,7 @@ namespace ElastoPlastic
               const Triangulation<2> &);
   template void
   check_path(const Model<2> &,
+             const GapFunction<2> &,
              TimeSteps,
              const LoadingParameters &,
              const parallel::distributed::Triangulation<2> &);
@@ -313,6 +340,7 @@ namespace ElastoPlastic
               const Triangulation<3> &);
   template void
   check_path(const Model<3> &,
+             const GapFunction<3> &,
              TimeSteps,
              const LoadingParameters &,
              const parallel::distributed::Triangulation<3> &);

@@ -70,7 +70,11 @@ namespace ElastoPlastic
                     adaptation.min_gap());
         check_width(body.gap_function, body.triangulation);
         check_depth(model, time_steps, parameters.loading, body.triangulation);
-        check_path(model, time_steps, parameters.loading, body.triangulation);
+        check_path(model,
+                   body.gap_function,
+                   time_steps,
+                   parameters.loading,
+                   body.triangulation);
       }
     evaluation.check_lines();
   }
@@ -102,7 +106,11 @@ namespace ElastoPlastic
     output_directory.resume_run();
     const Statistics::Progress progress = load_checkpoint();
     if (body.gap_function.has_indenter())
-      check_path(model, time_steps, parameters.loading, body.triangulation);
+      check_path(model,
+                 body.gap_function,
+                 time_steps,
+                 parameters.loading,
+                 body.triangulation);
     run_load_history(progress);
   }
 
