@@ -70,14 +70,13 @@ namespace
     parameters.free    = {"left", "right", "front", "back"};
     parameters.fixed   = {"bottom"};
     parameters.contact = {"top"};
-    return make_space_body(
-      mesh,
-      BoundaryConditions<3>(parameters, names_of_box),
-      materials,
-      [](const Point<3> &) { return 0.; },
-      0.,
-      SurfaceFinish::smooth,
-      disc);
+    return make_space_body(mesh,
+                           BoundaryConditions<3>(parameters, names_of_box),
+                           materials,
+                           [](const Point<3> &) { return 0.; },
+                           0.,
+                           SurfaceFinish::smooth,
+                           {disc, {}});
   }
 
 

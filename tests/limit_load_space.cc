@@ -226,7 +226,7 @@ namespace
       [&gap](const Point<3> &x) { return gap.value(x); },
       0.,
       indenter.surface,
-      gap.disc());
+      gap.footprint());
     verify_bounds(title,
                   body,
                   bound_limit_load(body, 1e-3),

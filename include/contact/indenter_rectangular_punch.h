@@ -27,11 +27,14 @@ namespace ElastoPlastic
     bool
     is_convex() const override;
 
+    std::optional<std::array<double, dim - 1>>
+    half_widths() const override;
+
     double
     depth_factor() const override;
 
   private:
-    const std::vector<double> half_widths;
+    std::array<double, dim - 1> widths; ///< half of them
   };
 } // namespace ElastoPlastic
 

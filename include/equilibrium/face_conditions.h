@@ -20,7 +20,7 @@ namespace ElastoPlastic
   public:
     FaceConditions(const BoundaryConditions<3>                   &conditions,
                    const std::function<double(const Point<3> &)> &gap,
-                   const std::optional<Disc<2>>                  &disc,
+                   const Footprint<2>                            &footprint,
                    const Loads<3>                                &loads,
                    const SurfaceFinish indenter_surface);
 
@@ -57,7 +57,7 @@ namespace ElastoPlastic
     const Values                                  &displacements;
     const Values                                  &tractions;
     const std::function<double(const Point<3> &)> &gap;
-    const std::optional<Disc<2>>                  &disc;
+    const Footprint<2>                            &footprint;
     const Loads<3>                                &loads;
     const SurfaceFinish                            indenter_surface;
   };

@@ -9,6 +9,7 @@
 
 #include "base/kinematics.h"
 #include "contact/contact_geometry.h"
+#include "contact/footprint.h"
 #include "contact/surface_finish.h"
 #include "equilibrium/loads.h"
 #include "equilibrium/split_mesh.h"
@@ -138,7 +139,8 @@ namespace ElastoPlastic
 
   /// Puts a PlaneBody together. Prescribed displacements are those at the time
   /// at which the loads begin. The indenter can touch a side of the contact
-  /// boundary where @p gap is finite in all of it. It presses downwards, or
+  /// boundary where @p gap is finite in all of it, which it is in the
+  /// @p footprint if that is known. It presses downwards, or
   /// with the @p geometry normal across the side, or automatic across the sides
   /// that it fits. If there is one material only, all cells are of it. @throws
   /// InputError for a body force that depends on the position.
@@ -149,8 +151,9 @@ namespace ElastoPlastic
                   const Kinematics                               kinematics,
                   const std::function<double(const Point<2> &)> &gap,
                   const Loads<2>                                &loads,
-                  const SurfaceFinish   surface  = SurfaceFinish::smooth,
-                  const ContactGeometry geometry = ContactGeometry::vertical);
+                  const SurfaceFinish   surface   = SurfaceFinish::smooth,
+                  const ContactGeometry geometry  = ContactGeometry::vertical,
+                  const Footprint<1>   &footprint = {});
 } // namespace ElastoPlastic
 
 #endif

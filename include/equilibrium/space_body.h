@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "contact/disc.h"
+#include "contact/footprint.h"
 #include "contact/surface_finish.h"
 #include "equilibrium/plane_body.h"
 #include "equilibrium/tetrahedral_mesh.h"
@@ -67,8 +67,7 @@ namespace ElastoPlastic
     SurfaceFinish                 indenter_surface = SurfaceFinish::smooth;
     /// The gap between indenter and body, where the indenter can touch.
     std::function<double(const Point<3> &)> gap;
-    /// All that the indenter can touch, seen from above, if that is a disc.
-    std::optional<Disc<2>> disc;
+    Footprint<2>                            footprint;
 
     /// See PlaneBody.
     Tensor<1, 3> indenter_velocity = Tensor<1, 3>({0., 0., -1.});
@@ -131,8 +130,9 @@ namespace ElastoPlastic
 
 
   /// Puts a SpaceBody together. The indenter can touch a face of the contact
-  /// boundary where @p gap is finite in all of it, which it is in a @p disc if
-  /// there is one. If there is one material only, all cells are of it.
+  /// boundary where @p gap is finite in all of it, which it is in the
+  /// @p footprint if that is known. If there is one material only, all cells
+  /// are of it.
   /// @throws InputError for cells that cannot be cut into tetrahedra, and for
   /// tractions or displacements that are not linear on the faces.
   SpaceBody
@@ -142,7 +142,7 @@ namespace ElastoPlastic
                   const std::function<double(const Point<3> &)> &gap,
                   const Loads<3>                                &loads,
                   const SurfaceFinish indenter_surface = SurfaceFinish::smooth,
-                  const std::optional<Disc<2>> &disc   = {});
+                  const Footprint<2> &footprint        = {});
 } // namespace ElastoPlastic
 
 #endif

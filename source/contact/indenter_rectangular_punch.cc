@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,9 +14,9 @@ namespace ElastoPlastic
   template <int dim>
   IndenterRectangularPunch<dim>::IndenterRectangularPunch(
     const std::vector<double> &half_widths)
-    : half_widths(half_widths)
   {
     AssertDimension(half_widths.size(), dim - 1);
+    std::copy(half_widths.begin(), half_widths.end(), widths.begin());
   }
 
 
@@ -25,7 +26,7 @@ namespace ElastoPlastic
   IndenterRectangularPunch<dim>::profile(const Point<dim - 1> &x) const
   {
     for (unsigned int d = 0; d < dim - 1; ++d)
-      if (!within(std::abs(x[d]), half_widths[d]))
+      if (!within(std::abs(x[d]), widths[d]))
         return std::numeric_limits<double>::infinity();
     return 0;
   }
@@ -46,6 +47,15 @@ namespace ElastoPlastic
   IndenterRectangularPunch<dim>::is_convex() const
   {
     return true;
+  }
+
+
+
+  template <int dim>
+  std::optional<std::array<double, dim - 1>>
+  IndenterRectangularPunch<dim>::half_widths() const
+  {
+    return widths;
   }
 
 

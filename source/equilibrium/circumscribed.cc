@@ -29,18 +29,19 @@ namespace ElastoPlastic
       for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
         {
           const TriangleFace corners = body.mesh.corners(body.mesh.faces[f]);
-          if (!body.conditions[f].is_reached || contains(*body.disc, corners))
+          if (!body.conditions[f].is_reached ||
+              contains(*body.footprint.disc, corners))
             continue;
           for (unsigned int i = 0; i < 3; ++i)
             {
               const unsigned int j = (i + 1) % 3;
-              if (!is_on_edge(*body.disc, corners[i]) ||
-                  !is_on_edge(*body.disc, corners[j]))
+              if (!is_on_edge(*body.footprint.disc, corners[i]) ||
+                  !is_on_edge(*body.footprint.disc, corners[j]))
                 continue;
               const Point<3> middle(0.5 * (corners[i] + corners[j]));
               const double   stretch =
-                (1. + rounding_of_circle) * body.disc->radius /
-                from_above(middle).distance(body.disc->centre);
+                (1. + rounding_of_circle) * body.footprint.disc->radius /
+                from_above(middle).distance(body.footprint.disc->centre);
               for (const unsigned int end : {i, j})
                 {
                   double &largest = stretches[body.mesh.faces[f].vertices[end]];
@@ -59,8 +60,8 @@ namespace ElastoPlastic
       Displacements displacements;
       for (const auto &[vertex, stretch] : necessary_stretches(body))
         {
-          const Tensor<1, 2> radius =
-            from_above(body.mesh.vertices[vertex]) - body.disc->centre;
+          const Tensor<1, 2> radius = from_above(body.mesh.vertices[vertex]) -
+                                      body.footprint.disc->centre;
           displacements[vertex] =
             (stretch - 1.) * Tensor<1, 3>({radius[0], radius[1], 0.});
         }
@@ -170,7 +171,7 @@ namespace ElastoPlastic
   SpaceBody
   circumscribe(const SpaceBody &body)
   {
-    if (!body.disc)
+    if (!body.footprint.disc)
       return body;
     const Displacements displacements = necessary_displacements(body);
     SpaceBody           result        = body;
@@ -183,7 +184,7 @@ namespace ElastoPlastic
     for (unsigned int f = 0; f < result.mesh.faces.size(); ++f)
       if (result.conditions[f].is_reached)
         result.conditions[f].is_reached =
-          overlaps(*result.disc, result.mesh.corners(result.mesh.faces[f]));
+          overlaps(result.footprint, result.mesh.corners(result.mesh.faces[f]));
     return result;
   }
 } // namespace ElastoPlastic

@@ -172,18 +172,18 @@ namespace ElastoPlastic
                   const std::vector<Material<double>>           &materials,
                   const std::function<double(const Point<3> &)> &gap,
                   const Loads<3>                                &loads,
-                  const SurfaceFinish           indenter_surface,
-                  const std::optional<Disc<2>> &disc)
+                  const SurfaceFinish indenter_surface,
+                  const Footprint<2> &footprint)
   {
     check_orientation(mesh);
     SpaceBody body;
     body.mesh             = std::move(mesh);
     body.indenter_surface = indenter_surface;
     body.gap              = gap;
-    body.disc             = disc;
+    body.footprint        = footprint;
 
     const FaceConditions condition_of(
-      conditions, gap, disc, loads, indenter_surface);
+      conditions, gap, footprint, loads, indenter_surface);
     for (const auto &face : body.mesh.faces)
       body.conditions.push_back(
         condition_of(body.mesh.corners(face), face.boundary_id));
