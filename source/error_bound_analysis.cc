@@ -13,6 +13,7 @@
 #include "equilibrium/cell_indicators.h"
 #include "equilibrium/stress_check.h"
 #include "equilibrium/stress_problem.h"
+#include "equilibrium/support_check.h"
 #include "error_bound_analysis.h"
 
 namespace ElastoPlastic
@@ -39,13 +40,18 @@ namespace ElastoPlastic
               const GapFunction<2> &gap_function,
               const double          time)
     {
-      return make_plane_body(
+      PlaneBody body = make_plane_body(
         std::move(mesh),
         model.boundary_conditions,
         model.materials,
         model.strain_model.kinematics,
         [&gap_function](const Point<2> &x) { return gap_function.value(x); },
-        time);
+        time,
+        SurfaceFinish::smooth,
+        ContactGeometry::vertical,
+        gap_function.footprint());
+      require_quadratic_supports(body);
+      return body;
     }
 
 
@@ -63,7 +69,7 @@ namespace ElastoPlastic
         [&gap_function](const Point<3> &x) { return gap_function.value(x); },
         time,
         SurfaceFinish::smooth,
-        gap_function.disc());
+        gap_function.footprint());
     }
 
 

@@ -16,6 +16,7 @@
 #include "equilibrium/error_bound.h"
 #include "equilibrium/hencky_material.h"
 #include "equilibrium/stress_problem.h"
+#include "equilibrium/support_check.h"
 #include "sample_mesh.h"
 #include "section_body.h"
 #include "verdict.h"
@@ -26,25 +27,54 @@ namespace
 
 
 
+  BoundaryConditionParameters
+  held()
+  {
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"left"};
+    parameters.free    = {"right"};
+    parameters.fixed   = {"bottom"};
+    parameters.contact = {"top"};
+    return parameters;
+  }
+
+
+
+  BoundaryConditionParameters
+  free_to_move()
+  {
+    BoundaryConditionParameters parameters;
+    parameters.free    = {"left", "right", "bottom"};
+    parameters.contact = {"top"};
+    return parameters;
+  }
+
+
+
   /// A parabolic indenter over a block with a hanging node.
   PlaneBody
-  make_body(const SplitMesh        &mesh,
-            const Material<double> &material,
-            const Kinematics        kinematics)
+  make_body(const SplitMesh                   &mesh,
+            const BoundaryConditionParameters &supports,
+            const Material<double>            &material,
+            const Kinematics kinematics = Kinematics::cartesian)
   {
-    static const BoundaryConditions<2> conditions = []() {
-      BoundaryConditionParameters parameters;
-      parameters.roller  = {"left"};
-      parameters.free    = {"right"};
-      parameters.fixed   = {"bottom"};
-      parameters.contact = {"top"};
-      return BoundaryConditions<2>(
-        parameters, {{"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}});
-    }();
+    const BoundaryConditions<2> conditions(
+      supports, {{"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}});
     const auto gap = [](const Point<2> &x) {
       return x[0] * x[0] / (2. * radius);
     };
     return make_plane_body(mesh, conditions, {material}, kinematics, gap, 0.);
+  }
+
+
+
+  QuadraticField
+  zero(const SplitMesh &mesh)
+  {
+    QuadraticField field;
+    field.at_vertices.resize(mesh.vertices.size());
+    field.at_sides.resize(mesh.sides.size());
+    return field;
   }
 
 
@@ -54,9 +84,7 @@ namespace
   QuadraticField
   touch_at_vertices(const PlaneBody &body)
   {
-    QuadraticField field;
-    field.at_vertices.resize(body.mesh.vertices.size());
-    field.at_sides.resize(body.mesh.sides.size());
+    QuadraticField field = zero(body.mesh);
     for (unsigned int v = 0; v < body.mesh.vertices.size(); ++v)
       field.at_vertices[v][1] = body.gap(body.mesh.vertices[v]) - depth;
     for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
@@ -124,17 +152,15 @@ namespace
     output() << "Wedge with its tip inside a side" << std::endl;
     verify("no penetration", clearances(body, field).first > -1e-14);
 
-    // zero displacement, and the pressure 1 on the whole surface
-    QuadraticField zero;
-    zero.at_vertices.resize(body.mesh.vertices.size());
-    zero.at_sides.resize(body.mesh.sides.size());
+    // the pressure 1 on the whole surface
     StressField stress;
     stress.in_plane.assign(body.mesh.triangles.size(), Vector<double>(27));
     stress.out_of_plane.assign(body.mesh.triangles.size(),
                                std::vector<double>(9));
     stress.pressure.assign(body.mesh.sides.size(), {1., 1.});
-    const double exact    = 0.25 * (tip * tip + (1. - tip) * (1. - tip));
-    const double computed = bound_error(body, zero, 0., stress).of_contact();
+    const double exact = 0.25 * (tip * tip + (1. - tip) * (1. - tip));
+    const double computed =
+      bound_error(body, zero(body.mesh), 0., stress).of_contact();
     verify("gap not too small", computed > exact * (1. - 1e-14));
     verify("hardly too large", computed / exact - 1., 1e-6);
   }
@@ -146,10 +172,8 @@ namespace
   void
   test_conjugate(const PlaneBody &body, const std::string &title)
   {
-    QuadraticField field;
-    field.at_vertices.resize(body.mesh.vertices.size());
-    field.at_sides.resize(body.mesh.sides.size());
-    const auto displacement = [](const Point<2> &x) {
+    QuadraticField field        = zero(body.mesh);
+    const auto     displacement = [](const Point<2> &x) {
       return Tensor<1, 2>({0.01 * x[0] - 0.003 * x[1], -0.004 * x[1]});
     };
     for (unsigned int v = 0; v < body.mesh.vertices.size(); ++v)
@@ -255,12 +279,9 @@ namespace
   void
   test_sum(const PlaneBody &body)
   {
-    QuadraticField zero;
-    zero.at_vertices.resize(body.mesh.vertices.size());
-    zero.at_sides.resize(body.mesh.sides.size());
     const StressField stress = equilibrate_with_depth(body, depth);
-    const ErrorBound  bound  = bound_error(body, zero, depth, stress);
-    const auto        parts  = bound.indicators(body.mesh);
+    const ErrorBound  bound = bound_error(body, zero(body.mesh), depth, stress);
+    const auto        parts = bound.indicators(body.mesh);
     output() << "Sum of the energies" << std::endl;
     verify("presses", stress.force > 1.);
     // (in which the gap is integrated exactly, here from above)
@@ -272,6 +293,30 @@ namespace
                       bound.total() -
                     1.),
            1e-12);
+  }
+
+
+
+  // At the vertices and in the middle of all sides, where the displacement
+  // method has its nodes, the prescribed displacement is zero.
+  void
+  test_supports(const SplitMesh &mesh, const Material<double> &material)
+  {
+    BoundaryConditionParameters waves = free_to_move();
+    waves.free                        = {"right", "bottom"};
+    waves.prescribed_displacement     = "left: 3e-2*sin(32*pi*y); free";
+    const PlaneBody roller            = make_body(mesh, held(), material),
+                    wavy              = make_body(mesh, waves, material);
+    const StressField stress          = equilibrate_with_depth(roller, depth);
+    QuadraticField    lifted          = zero(mesh);
+    for (Tensor<1, 2> &u : lifted.at_sides)
+      u[0] = depth;
+    print_error("Through a roller",
+                [&]() { bound_error(roller, lifted, depth, stress); });
+    print_error("Waves between the nodes",
+                [&]() { require_quadratic_supports(wavy); });
+    print_error("None of the waves",
+                [&]() { bound_error(wavy, zero(mesh), depth, stress); });
   }
 } // namespace
 
@@ -288,20 +333,20 @@ main(int argc, char *argv[])
   if (mesh.triangles.empty())
     return 0; // not the first rank
   const double    infinity = std::numeric_limits<double>::infinity();
-  const PlaneBody elastic =
-    make_body(mesh, material(infinity, 0.), Kinematics::cartesian);
+  const PlaneBody elastic  = make_body(mesh, held(), material(infinity, 0.));
   test_penetration(elastic);
   test_wedge(elastic);
   test_sum(elastic);
   test_displacement(mesh);
-  test_conjugate(elastic, "Elastic");
+  test_supports(mesh, material(infinity, 0.));
+  test_conjugate(make_body(mesh, free_to_move(), material(infinity, 0.)),
+                 "Elastic");
   for (const double hardening : {0., 20.})
     for (const auto kinematics :
          {Kinematics::cartesian, Kinematics::plane_stress})
-      test_conjugate(make_body(mesh, material(1.4, hardening), kinematics),
-                     std::string(hardening > 0 ? "Hardening" :
-                                                 "Perfectly plastic") +
-                       (kinematics == Kinematics::plane_stress ?
-                          ", plane stress" :
-                          ", plane strain"));
+      test_conjugate(
+        make_body(mesh, free_to_move(), material(1.4, hardening), kinematics),
+        std::string(hardening > 0 ? "Hardening" : "Perfectly plastic") +
+          (kinematics == Kinematics::plane_stress ? ", plane stress" :
+                                                    ", plane strain"));
 }

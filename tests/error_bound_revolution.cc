@@ -115,16 +115,17 @@ namespace
 
 
 
-  /// A paraboloid on a block that is held at its base.
+  /// A paraboloid on a block.
   PlaneBody
-  make_body(const SplitMesh &mesh, const Material<double> &material)
+  make_body(const SplitMesh             &mesh,
+            const BoundaryConditions<2> &supports,
+            const Material<double>      &material)
   {
-    static const BoundaryConditions<2> held = conditions({"bottom"}, {});
-    const auto                         gap  = [](const Point<2> &x) {
+    const auto gap = [](const Point<2> &x) {
       return x[0] * x[0] / 6.;
     };
     return make_plane_body(
-      mesh, held, {material}, Kinematics::axisymmetric, gap, 0.);
+      mesh, supports, {material}, Kinematics::axisymmetric, gap, 0.);
   }
 
 
@@ -179,7 +180,7 @@ namespace
   test_conjugate(const PlaneBody &body, const std::string &title)
   {
     const QuadraticField field = interpolate(body.mesh, [](const Point<2> &x) {
-      return Tensor<1, 2>({0.006 * x[0], -0.01 * x[1]});
+      return Tensor<1, 2>({0.006 * x[0], -0.01 * (x[1] + 1.)});
     });
     const Material<double> &material = body.materials.front();
     SymmetricTensor<2, 3>   strain;
@@ -356,12 +357,14 @@ main(int argc, char *argv[])
 
   const SplitMesh mesh     = make_split_mesh(regular);
   const double    infinity = std::numeric_limits<double>::infinity();
-  const PlaneBody elastic  = make_body(mesh, material(infinity, 0.));
-  test_sum(elastic);
-  test_sum(make_body(mesh, material(1.4, 0.)));
-  test_conjugate(elastic, "Elastic");
-  test_conjugate(make_body(mesh, material(1.4, 0.)), "Perfectly plastic");
-  test_conjugate(make_body(mesh, material(1.4, 20.)), "Hardening");
+  const auto      held     = conditions({"bottom"}, {});
+  const auto      rolling  = conditions({}, {"bottom"});
+  test_sum(make_body(mesh, held, material(infinity, 0.)));
+  test_sum(make_body(mesh, held, material(1.4, 0.)));
+  test_conjugate(make_body(mesh, rolling, material(infinity, 0.)), "Elastic");
+  test_conjugate(make_body(mesh, rolling, material(1.4, 0.)),
+                 "Perfectly plastic");
+  test_conjugate(make_body(mesh, rolling, material(1.4, 20.)), "Hardening");
   test_hollow_sphere();
   for (const double hardening : {0., 20.})
     {

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -261,6 +262,11 @@ namespace
       });
     verify("moves through the base",
            check_velocity(body, sinking).separation > 0.9);
+    Velocities no_number = sinking;
+    no_number[0].coefficients[0] *= std::numeric_limits<double>::quiet_NaN();
+    verify("no number",
+           std::isinf(check_velocity(body, no_number).divergence) &&
+             std::isinf(check_velocity(body, no_number).separation));
   }
 } // namespace
 

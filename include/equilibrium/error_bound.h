@@ -59,19 +59,19 @@ namespace ElastoPlastic
                      const SpaceBody     &body,
                      const double         depth);
 
-  /// @p displacement must be what the supports say, and not penetrate; @p
-  /// stress must satisfy equilibrium and yield condition. Tractions of the body
+  /// @p displacement must not penetrate the indenter; @p stress must satisfy
+  /// equilibrium and yield condition. Tractions of the body
   /// that are not linear on a side are taken as the linear ones with the same
   /// moments. The energy W, which is no polynomial, is bounded from above, as
-  /// is the gap (see SideGap).
+  /// is the gap (see SideGap). @throws ConvergenceError if the displacement is
+  /// not what the supports prescribe.
   ErrorBound
   bound_error(const PlaneBody      &body,
               const QuadraticField &displacement,
               const double          depth,
               const StressField    &stress);
 
-  /// The same in space. @throws ConvergenceError if the displacement is not
-  /// what the supports prescribe.
+  /// The same in space.
   ErrorBound
   bound_error(const SpaceBody           &body,
               const SpaceQuadraticField &displacement,

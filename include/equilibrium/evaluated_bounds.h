@@ -4,13 +4,12 @@
 #ifndef equilibrium_evaluated_bounds_h
 #define equilibrium_evaluated_bounds_h
 
-#include <deal.II/base/patterns.h>
-
 #include <cmath>
 #include <numeric>
 #include <string>
 
 #include "base/exceptions.h"
+#include "base/to_text.h"
 #include "equilibrium/certificate.h"
 #include "equilibrium/loads.h"
 
@@ -61,7 +60,7 @@ namespace ElastoPlastic
       throw ConvergenceError(
         "The stresses of the equilibrium method violate equilibrium or yield "
         "condition by " +
-        Patterns::Tools::to_string(error) +
+        to_text(error) +
         " of the yield stress. If this is more than rounding, look at the "
         "tractions: on each side of a triangle, or face of a tetrahedron, they "
         "must be polynomials of the degree of the stresses, in a body of "
@@ -97,8 +96,7 @@ namespace ElastoPlastic
     if (!(field.error <= largest_error))
       throw ConvergenceError(
         "The mechanism of collapse violates its conditions by " +
-        Patterns::Tools::to_string(field.error) +
-        " of its velocity, because of rounding errors.");
+        to_text(field.error) + " of its velocity, because of rounding errors.");
 
     const LoadPower power = power_of_loads(body, field.velocity);
     if (loads_grow && !(power.growing > 0))

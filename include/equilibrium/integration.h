@@ -31,6 +31,23 @@ namespace ElastoPlastic
 
 
 
+  /// Runs @p action(t, x) for both ends of the side from @p a to @p b and for
+  /// points x between them, at the positions t: so many, and at such distances,
+  /// that a function is not taken for the polynomial with which it agrees where
+  /// a mesh or a quadrature looks at it.
+  template <typename Action>
+  void
+  look_along_side(const Point<2> &a, const Point<2> &b, const Action &action)
+  {
+    static const QGauss<1> inside(16);
+    action(0., a);
+    for (const Point<1> &t : inside.get_points())
+      action(t[0], Point<2>(a + t[0] * (b - a)));
+    action(1., b);
+  }
+
+
+
   /// A point of a triangle and its weight in a quadrature.
   struct WeightedPoint
   {

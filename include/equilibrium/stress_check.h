@@ -22,6 +22,7 @@ namespace ElastoPlastic
     double on_axis    = 0; ///< weighted stress, over the size of the triangle
     /// The component 33 against the circumferential stress times r.
     double circumferential = 0;
+    double out_of_plane    = 0; ///< the component 33 of a sheet
     double traction_jump   = 0; ///< between subtriangles and between triangles
     double boundary_force =
       0;                ///< given tractions, and shear under the indenter

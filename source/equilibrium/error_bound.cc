@@ -12,6 +12,7 @@
 #include "equilibrium/integration.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/side_gap.h"
+#include "equilibrium/support_check.h"
 
 namespace ElastoPlastic
 {
@@ -355,6 +356,7 @@ namespace ElastoPlastic
               const StressField    &stress)
   {
     AssertDimension(stress.degree, 1);
+    require_supported(body, displacement);
     ErrorBound bound;
     for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
       bound.of_simplices.push_back(

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -50,12 +52,18 @@ namespace ElastoPlastic
           values[i] = function(corners[i]);
           largest   = std::max(largest, std::abs(values[i]));
         }
-      for (unsigned int i = 0; i < 3; ++i)
+      // Neither of a regular mesh, nor of one that is finer.
+      static const QWitherdenVincentSimplex<2> inside(4);
+      for (const Point<2> &x : inside.get_points())
         {
-          const unsigned int j = (i + 1) % 3;
-          const Point<3>     middle(0.5 * (corners[i] + corners[j]));
-          if (std::abs(function(middle) - 0.5 * (values[i] + values[j])) >
-              rounding * largest)
+          const double   rest = 1. - x[0] - x[1];
+          const Point<3> point(rest * corners[0] + x[0] * corners[1] +
+                               x[1] * corners[2]);
+          const double   linear =
+            rest * values[0] + x[0] * values[1] + x[1] * values[2];
+          const double value = function(point);
+          if (!(std::abs(value - linear) <=
+                rounding * std::max(largest, std::abs(value))))
             throw InputError(
               "A traction or displacement of 'Boundary conditions' is not "
               "linear on the faces of the mesh. In space, the equilibrium "
@@ -70,7 +78,7 @@ namespace ElastoPlastic
   FaceConditions::FaceConditions(
     const BoundaryConditions<3>                   &conditions,
     const std::function<double(const Point<3> &)> &gap,
-    const std::optional<Disc<2>>                  &disc,
+    const Footprint<2>                            &footprint,
     const Loads<3>                                &loads,
     const SurfaceFinish                            indenter_surface)
     : contact(conditions.ids(BoundaryConditionType::contact))
@@ -79,7 +87,7 @@ namespace ElastoPlastic
     , displacements(conditions.prescribed_displacements())
     , tractions(conditions.tractions())
     , gap(gap)
-    , disc(disc)
+    , footprint(footprint)
     , loads(loads)
     , indenter_surface(indenter_surface)
   {}
@@ -168,10 +176,10 @@ namespace ElastoPlastic
   FaceConditions::Reach
   FaceConditions::reach_of(const TriangleFace &corners) const
   {
-    if (disc)
-      return contains(*disc, corners) ? Reach::whole :
-             overlaps(*disc, corners) ? Reach::part :
-                                        Reach::none;
+    if (footprint.is_known())
+      return contains(footprint, corners) ? Reach::whole :
+             overlaps(footprint, corners) ? Reach::part :
+                                            Reach::none;
 
     constexpr unsigned int n_intervals = 8;
     constexpr double       inset       = 1e-6;

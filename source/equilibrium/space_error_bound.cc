@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/patterns.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "base/exceptions.h"
 #include "equilibrium/error_bound.h"
 #include "equilibrium/face_gap.h"
 #include "equilibrium/hencky_material.h"
+#include "equilibrium/support_check.h"
 #include "equilibrium/tetrahedron_stress.h"
 
 namespace ElastoPlastic
@@ -180,42 +179,6 @@ namespace ElastoPlastic
                 result = std::max(result, (bernstein(bubbles) - left) / unit);
             }
       return result;
-    }
-
-
-
-    /// That the displacement is what the supports prescribe. Where they are
-    /// curved, the nodes of the displacement method are not on the flat faces.
-    void
-    require_supported(const SpaceBody           &body,
-                      const SpaceQuadraticField &displacement)
-    {
-      constexpr double largest_error = 1e-8;
-
-      double error = 0, largest = 0;
-      for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
-        for (const auto &component : body.conditions[f].components)
-          {
-            const FaceValues v = values_on_face(body.mesh, displacement, f);
-            for (unsigned int i = 0; i < 3; ++i)
-              {
-                largest       = std::max(largest, v.at_corners[i].norm());
-                const auto &u = component.values;
-                if (component.type == SideConditionType::displacement)
-                  error = std::max(
-                    {error,
-                     std::abs(v.at_corners[i] * component.direction - u[i]),
-                     std::abs(v.at_edges[i] * component.direction -
-                              0.5 * (u[i] + u[(i + 1) % 3]))});
-              }
-          }
-      if (error > largest_error * largest)
-        throw ConvergenceError(
-          "The displacement differs from what the supports prescribe by " +
-          Patterns::Tools::to_string(error) +
-          ". In space, the equilibrium method needs flat rollers, and cells "
-          "whose faces are parallelograms where a prescribed displacement "
-          "depends on the position.");
     }
   } // namespace
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "equilibrium/hencky_material.h"
+#include "equilibrium/integration.h"
 #include "equilibrium/johnson_mercier.h"
 #include "equilibrium/largest_error.h"
 #include "equilibrium/stress_check.h"
@@ -212,6 +213,8 @@ namespace ElastoPlastic
               enlarge(errors.circumferential,
                       std::abs(field.at(t, k, position)[2][2] / point[0] -
                                circumferential_at(field, t, k, position)));
+            if (body.kinematics == Kinematics::plane_stress)
+              enlarge(errors.out_of_plane, std::abs(weighted[2][2]));
             if (!HenckyMaterial::hardens(body.materials[t]))
               enlarge(errors.yield_excess,
                       inverse_weight(body, point) * deviator(weighted).norm() -
@@ -221,8 +224,7 @@ namespace ElastoPlastic
 
 
 
-    /// Of a side at the boundary, where the pressure of body forces counts: at
-    /// its points, as many as a polynomial of this degree has coefficients.
+    /// Of a side at the boundary, where the pressure of body forces counts.
     void
     check_given_tractions(StressErrors                    &errors,
                           const PlaneBody                 &body,
@@ -230,27 +232,28 @@ namespace ElastoPlastic
                           const unsigned int               s,
                           const std::vector<Tensor<1, 2>> &tractions)
     {
-      for (unsigned int i = 0; i <= field.degree; ++i)
-        {
-          const Point<2> point = point_on_side(body, s, i, field.degree);
-          if (body.is_on_axis(point))
-            continue;
-          const auto functions =
-            Bernstein::side_functions(field.degree, 1. * i / field.degree);
+      const SplitMesh::Side &side = body.mesh.sides[s];
+      look_along_side(
+        body.mesh.vertices[side.vertices[0]],
+        body.mesh.vertices[side.vertices[1]],
+        [&](const double t, const Point<2> &x) {
+          if (body.is_on_axis(x))
+            return;
+          const auto functions = Bernstein::side_functions(field.degree, t);
           const Tensor<1, 2> traction =
-            inverse_weight(body, point) * std::inner_product(functions.begin(),
-                                                             functions.end(),
-                                                             tractions.begin(),
-                                                             Tensor<1, 2>()) -
-            body.pressure_of_body_force(point, field.load_factor) *
-              body.mesh.normal(body.mesh.sides[s]);
+            inverse_weight(body, x) * std::inner_product(functions.begin(),
+                                                         functions.end(),
+                                                         tractions.begin(),
+                                                         Tensor<1, 2>()) -
+            body.pressure_of_body_force(x, field.load_factor) *
+              body.mesh.normal(side);
           for (const auto &component : body.conditions[s].components)
             if (component.type == SideConditionType::traction)
               enlarge(errors.boundary_force,
                       std::abs(traction * component.direction -
-                               component.value(point) -
-                               field.load_factor * component.growth(point)));
-        }
+                               component.value(x) -
+                               field.load_factor * component.growth(x)));
+        });
     }
 
 
@@ -314,6 +317,7 @@ namespace ElastoPlastic
     return std::max({divergence,
                      on_axis,
                      circumferential,
+                     out_of_plane,
                      traction_jump,
                      boundary_force,
                      tension,
@@ -360,6 +364,7 @@ namespace ElastoPlastic
     for (double *error : {&errors.divergence,
                           &errors.on_axis,
                           &errors.circumferential,
+                          &errors.out_of_plane,
                           &errors.traction_jump,
                           &errors.boundary_force,
                           &errors.tension,

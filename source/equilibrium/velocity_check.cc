@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "equilibrium/inverse_square.h"
+#include "equilibrium/largest_error.h"
 #include "equilibrium/side_view.h"
 #include "equilibrium/velocity_check.h"
 
@@ -211,9 +212,8 @@ namespace ElastoPlastic
           double divergence = trace(polynomial_rate(corners, velocity, point));
           if (body.is_axisymmetric())
             divergence += velocity_at(body, polynomial, t, point)[0] / x[0];
-          errors.divergence =
-            std::max(errors.divergence,
-                     std::abs(divergence) * std::sqrt(area(corners)));
+          enlarge(errors.divergence,
+                  std::abs(divergence) * std::sqrt(area(corners)));
         }
     }
 
@@ -232,20 +232,17 @@ namespace ElastoPlastic
             view.jump(velocity, p / static_cast<double>(trace_degree)) /
             body.weight_unit();
           if (view.is_inside() || view.support.is_closed)
-            errors.separation =
-              std::max(errors.separation, std::abs(jump * view.normal));
+            enlarge(errors.separation, std::abs(jump * view.normal));
           if (!slips && (view.is_inside() || view.support.resists_slip))
-            errors.separation =
-              std::max(errors.separation, std::abs(jump * view.tangent));
+            enlarge(errors.separation, std::abs(jump * view.tangent));
         }
       if (body.conditions[view.side].is_reached)
         {
           const auto [of_body, of_indenter] =
             against_indenter(body, view, velocity);
           for (unsigned int i = 0; i < of_body.size(); ++i)
-            errors.penetration =
-              std::max(errors.penetration,
-                       (of_indenter[i] - of_body[i]) / body.weight_unit());
+            enlarge(errors.penetration,
+                    (of_indenter[i] - of_body[i]) / body.weight_unit());
         }
     }
   } // namespace

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef equilibrium_support_check_h
+#define equilibrium_support_check_h
+
+#include "equilibrium/plane_body.h"
+#include "equilibrium/quadratic_field.h"
+#include "equilibrium/space_body.h"
+#include "equilibrium/space_quadratic_field.h"
+
+// Whether displacements are admissible at the supports, without which they
+// bound no energy.
+
+namespace ElastoPlastic
+{
+  /// That there can be an admissible displacement in QuadraticField: those that
+  /// are prescribed are quadratic on each side. @throws InputError
+  void
+  require_quadratic_supports(const PlaneBody &body);
+
+  /// That @p displacement is what the supports prescribe. Where they are
+  /// curved, the nodes of the displacement method move along the tangents of
+  /// the curve, not along the sides. @throws ConvergenceError
+  void
+  require_supported(const PlaneBody &body, const QuadraticField &displacement);
+
+  /// The same in space, on faces, which are flat.
+  void
+  require_supported(const SpaceBody           &body,
+                    const SpaceQuadraticField &displacement);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/exceptions.h"
+#include "base/to_text.h"
+#include "equilibrium/integration.h"
+#include "equilibrium/largest_error.h"
+#include "equilibrium/support_check.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// The differences between a displacement and what the supports prescribe,
+    /// which may be rounding errors of the largest displacement there.
+    struct Differences
+    {
+      double largest_displacement = 0;
+      double largest              = 0;
+
+      void
+      add(const double displacement, const double prescribed)
+      {
+        enlarge(largest_displacement, std::abs(displacement));
+        enlarge(largest, std::abs(displacement - prescribed));
+      }
+
+      /// @throws ConvergenceError
+      void
+      require_rounding_errors(const std::string &what_is_needed) const
+      {
+        constexpr double rounding = 1e-8;
+        if (!(largest <= rounding * largest_displacement))
+          throw ConvergenceError(
+            "The displacement differs from what the supports prescribe by " +
+            to_text(largest) + ". " + what_is_needed);
+      }
+    };
+
+
+
+    /// The quadratic function with these values at the ends and in the middle.
+    double
+    quadratic(const double t,
+              const double begin,
+              const double end,
+              const double middle)
+    {
+      return (1. - t) * (1. - 2. * t) * begin + t * (2. * t - 1.) * end +
+             4. * t * (1. - t) * middle;
+    }
+
+
+
+    /// Calls @p action(component, a, b) for what is prescribed on the side
+    /// number @p s from a to b.
+    template <typename Action>
+    void
+    for_each_support(const PlaneBody   &body,
+                     const unsigned int s,
+                     const Action      &action)
+    {
+      const auto &ends = body.mesh.sides[s].vertices;
+      for (const auto &component : body.conditions[s].components)
+        if (component.type == SideConditionType::displacement)
+          action(component,
+                 body.mesh.vertices[ends[0]],
+                 body.mesh.vertices[ends[1]]);
+    }
+  } // namespace
+
+
+
+  void
+  require_quadratic_supports(const PlaneBody &body)
+  {
+    constexpr double rounding = 1e-9;
+
+    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      for_each_support(
+        body,
+        s,
+        [](const auto &component, const Point<2> &a, const Point<2> &b) {
+          const double begin = component.value(a), end = component.value(b),
+                       middle = component.value(Point<2>(0.5 * (a + b)));
+          double largest = 0, difference = 0;
+          look_along_side(a, b, [&](const double t, const Point<2> &x) {
+            const double value = component.value(x);
+            largest            = std::max(largest, std::abs(value));
+            enlarge(difference,
+                    std::abs(value - quadratic(t, begin, end, middle)));
+          });
+          if (difference > rounding * largest)
+            throw InputError(
+              "A displacement of 'Boundary conditions/Prescribed displacement' "
+              "is not quadratic on the sides of the mesh, near the point (" +
+              Patterns::Tools::to_string(Point<2>(0.5 * (a + b))) +
+              "). An error bound is for displacements that are polynomials of "
+              "degree 2 or less of x and y. Prescribe such, or choose "
+              "'Analysis = contact'.");
+        });
+  }
+
+
+
+  void
+  require_supported(const PlaneBody &body, const QuadraticField &displacement)
+  {
+    Differences differences;
+    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      for_each_support(
+        body,
+        s,
+        [&](const auto &component, const Point<2> &a, const Point<2> &b) {
+          const auto  &ends  = body.mesh.sides[s].vertices;
+          const double begin = displacement.at_vertices[ends[0]] *
+                               component.direction,
+                       end = displacement.at_vertices[ends[1]] *
+                             component.direction,
+                       middle = displacement.at_sides[s] * component.direction;
+          look_along_side(a, b, [&](const double t, const Point<2> &x) {
+            differences.add(quadratic(t, begin, end, middle),
+                            component.value(x));
+          });
+        });
+    for (const auto &v : displacement.at_vertices)
+      enlarge(differences.largest_displacement, v.norm());
+    differences.require_rounding_errors(
+      "The equilibrium method needs straight rollers, boundaries whose "
+      "prescribed displacements agree where they meet, and cells that are "
+      "parallelograms or quadratic elements where a prescribed displacement "
+      "depends on the position.");
+  }
+
+
+
+  void
+  require_supported(const SpaceBody           &body,
+                    const SpaceQuadraticField &displacement)
+  {
+    Differences differences;
+    for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
+      for (const auto &component : body.conditions[f].components)
+        if (component.type == SideConditionType::displacement)
+          {
+            const FaceValues v = values_on_face(body.mesh, displacement, f);
+            const auto      &u = component.values;
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                differences.add(v.at_corners[i] * component.direction, u[i]);
+                differences.add(v.at_edges[i] * component.direction,
+                                0.5 * (u[i] + u[(i + 1) % 3]));
+              }
+          }
+    for (const auto &v : displacement.at_vertices)
+      enlarge(differences.largest_displacement, v.norm());
+    differences.require_rounding_errors(
+      "In space, the equilibrium method needs flat rollers, and cells "
+      "whose faces are parallelograms where a prescribed displacement "
+      "depends on the position.");
+  }
+} // namespace ElastoPlastic
