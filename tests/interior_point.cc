@@ -186,6 +186,33 @@ namespace
 
 
 
+  // 1/2 |x|^2 with x_0 + x_1 = 2
+  void
+  test_no_cones()
+  {
+    ConicProgram program;
+    program.blocks.emplace_back(2);
+    program.blocks[0].quadratic_cost.reinit(2, 2);
+    Vector<double> row(2);
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        program.blocks[0].quadratic_cost(i, i) = 1.;
+        row[i]                                 = 1.;
+      }
+    program.blocks[0].add_to_equation(0, row);
+    program.right_hand_side.reinit(1);
+    program.right_hand_side[0] = 2.;
+
+    const ConicSolution solution = minimize(program, 1e-9);
+    output() << "No cones" << std::endl;
+    verify("cost", std::abs(solution.cost - 1.), 1e-12);
+    verify("x_0", std::abs(solution.x[0] - 1.), 1e-12);
+    verify("x_1", std::abs(solution.x[1] - 1.), 1e-12);
+    verify("multiplier", std::abs(solution.y[0] + 1.), 1e-12);
+  }
+
+
+
   void
   test_no_solution()
   {
@@ -233,6 +260,7 @@ main(int argc, char *argv[])
   test_quadratic_cost();
   test_load_factor();
   test_early_end();
+  test_no_cones();
   test_no_solution();
   test_unbounded();
 }

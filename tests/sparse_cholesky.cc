@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <type_traits>
 
+#include "equilibrium/kkt_system.h"
 #include "equilibrium/sparse_cholesky.h"
 #include "verdict.h"
 
@@ -79,6 +81,14 @@ namespace
     return residual.linfty_norm();
   }
 } // namespace
+
+
+
+// What it holds points into itself.
+static_assert(!std::is_copy_constructible_v<SparseCholesky> &&
+              !std::is_move_constructible_v<SparseCholesky> &&
+              !std::is_copy_constructible_v<KktSystem> &&
+              !std::is_move_constructible_v<KktSystem>);
 
 
 

@@ -36,6 +36,11 @@ namespace ElastoPlastic
     /// The program must live as long as this object.
     KktSystem(const ConicProgram &program, const ConicLayout &layout);
 
+    /// The blocks know where their entries are in the matrix of this one.
+    KktSystem(const KktSystem &) = delete;
+    KktSystem &
+    operator=(const KktSystem &) = delete;
+
     /// Eliminates and factorises. Blocks without quadratic cost may be
     /// singular: a rigid-plastic body has no compliance, and no yield condition
     /// bounds the mean stress. BlockBatch::eliminate() gives them some. The

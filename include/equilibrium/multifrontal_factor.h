@@ -23,8 +23,9 @@ namespace ElastoPlastic
   class MultifrontalFactor
   {
   public:
-    /// @p factor must be supernodal, still without entries, and live as long as
-    /// this object.
+    /// @p factor must be supernodal, with indices of 64 bits (those of 32 end
+    /// at 2^31 entries), still without entries, and live as long as this
+    /// object.
     explicit MultifrontalFactor(cholmod_factor &factor);
 
     /// The most bytes that all threads together can need beside the factor.
@@ -34,8 +35,8 @@ namespace ElastoPlastic
     /// Where a matrix stores the entry of two of its unknowns.
     struct Entry
     {
-      int row;
-      int column;
+      std::size_t row;
+      std::size_t column;
     };
 
     /// Where to put such entries in the array of the factor before it is
@@ -48,16 +49,20 @@ namespace ElastoPlastic
     bool
     factorize();
 
+    MultifrontalFactor(const MultifrontalFactor &) = delete;
+    MultifrontalFactor &
+    operator=(const MultifrontalFactor &) = delete;
+
   private:
     /// The columns of the factor that are eliminated together.
     struct Front
     {
       unsigned int n_columns;
-      unsigned int n_rows;   ///< with the columns'
-      std::size_t  begin;    ///< of its columns in the array of the factor
-      const int   *rows;     ///< in the order of elimination
-      unsigned int first;    ///< of the fronts below it; they precede it
-      double       work = 0; ///< with that of the fronts below it
+      unsigned int n_rows; ///< with the columns'
+      std::size_t  begin;  ///< of its columns in the array of the factor
+      const SuiteSparse_long *rows; ///< in the order of elimination
+      unsigned int first;           ///< of the fronts below it; they precede it
+      double       work = 0;        ///< with that of the fronts below it
       /// The fronts whose updates are for this one.
       std::vector<unsigned int> children;
 

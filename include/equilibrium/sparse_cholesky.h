@@ -30,6 +30,10 @@ namespace ElastoPlastic
     /// larger than the memory.
     explicit SparseCholesky(const SparsityPattern &pattern);
 
+    SparseCholesky(const SparseCholesky &) = delete;
+    SparseCholesky &
+    operator=(const SparseCholesky &) = delete;
+
     /// @return false if the matrix is not positive definite. Only its lower
     /// half is read.
     bool
@@ -46,6 +50,9 @@ namespace ElastoPlastic
     {
       Common();
       ~Common();
+      Common(const Common &) = delete;
+      Common &
+      operator=(const Common &) = delete;
     };
 
     struct FactorDeleter

@@ -64,10 +64,12 @@ namespace ElastoPlastic
   MultifrontalFactor::MultifrontalFactor(cholmod_factor &factor)
     : factor(factor)
   {
-    const auto *const columns = static_cast<const int *>(factor.super);
-    const auto *const rows    = static_cast<const int *>(factor.pi);
-    const auto *const entries = static_cast<const int *>(factor.px);
-    const auto *const numbers = static_cast<const int *>(factor.s);
+    const auto *const columns =
+      static_cast<const SuiteSparse_long *>(factor.super);
+    const auto *const rows = static_cast<const SuiteSparse_long *>(factor.pi);
+    const auto *const entries =
+      static_cast<const SuiteSparse_long *>(factor.px);
+    const auto *const numbers = static_cast<const SuiteSparse_long *>(factor.s);
 
     std::vector<unsigned int> front_of(factor.n);
     for (unsigned int f = 0; f < factor.nsuper; ++f)
@@ -175,8 +177,9 @@ namespace ElastoPlastic
   std::vector<std::size_t>
   MultifrontalFactor::positions(const std::vector<Entry> &entries) const
   {
-    const auto *const order = static_cast<const int *>(factor.Perm);
-    std::vector<int>  place(factor.n);
+    const auto *const order =
+      static_cast<const SuiteSparse_long *>(factor.Perm);
+    std::vector<int> place(factor.n);
     for (unsigned int i = 0; i < factor.n; ++i)
       place[order[i]] = i;
     std::vector<unsigned int> front_of(factor.n);

@@ -10,7 +10,7 @@ namespace ElastoPlastic
 {
   SparseCholesky::Common::Common()
   {
-    cholmod_start(this);
+    cholmod_l_start(this);
     // Errors are reported by return values.
     print      = 0;
     supernodal = CHOLMOD_SUPERNODAL;
@@ -20,7 +20,7 @@ namespace ElastoPlastic
 
   SparseCholesky::Common::~Common()
   {
-    cholmod_finish(this);
+    cholmod_l_finish(this);
   }
 
 
@@ -28,7 +28,7 @@ namespace ElastoPlastic
   void
   SparseCholesky::FactorDeleter::operator()(cholmod_factor *factor) const
   {
-    cholmod_free_factor(&factor, common);
+    cholmod_l_free_factor(&factor, common);
   }
 
 
@@ -37,7 +37,7 @@ namespace ElastoPlastic
     : factor(nullptr, FactorDeleter{&common})
   {
     // The lower half by rows is, for CHOLMOD, the upper half by columns.
-    std::vector<int>                       row_begins(1, 0), columns;
+    std::vector<SuiteSparse_long>          row_begins(1, 0), columns;
     std::vector<MultifrontalFactor::Entry> entries;
     for (unsigned int row = 0; row < pattern.n_rows(); ++row)
       {
@@ -46,7 +46,7 @@ namespace ElastoPlastic
           if (entry->column() <= row)
             {
               columns.push_back(entry->column());
-              entries.push_back({static_cast<int>(row), columns.back()});
+              entries.push_back({row, entry->column()});
             }
         std::sort(columns.begin() + row_begins.back(), columns.end());
         row_begins.push_back(columns.size());
@@ -57,11 +57,11 @@ namespace ElastoPlastic
     matrix.p                  = row_begins.data();
     matrix.i                  = columns.data();
     matrix.stype              = 1;
-    matrix.itype              = CHOLMOD_INT;
+    matrix.itype              = CHOLMOD_LONG;
     matrix.xtype              = CHOLMOD_PATTERN;
     matrix.dtype              = CHOLMOD_DOUBLE;
     matrix.sorted = matrix.packed = 1;
-    factor.reset(cholmod_analyze(&matrix, &common));
+    factor.reset(cholmod_l_analyze(&matrix, &common));
     if (!factor)
       throw std::bad_alloc();
     fronts = std::make_unique<MultifrontalFactor>(*factor);
@@ -69,7 +69,8 @@ namespace ElastoPlastic
                      fronts->workspace() + sizeof(std::size_t) * entries.size(),
                    "to factorise the equations of the equilibrium method");
     positions = fronts->positions(entries);
-    if (!cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor.get(), &common))
+    if (!cholmod_l_change_factor(
+          CHOLMOD_REAL, 1, 1, 1, 1, factor.get(), &common))
       throw std::bad_alloc();
   }
 
@@ -104,12 +105,12 @@ namespace ElastoPlastic
     view.dtype = CHOLMOD_DOUBLE;
 
     cholmod_dense *result =
-      cholmod_solve(CHOLMOD_A, factor.get(), &view, &common);
+      cholmod_l_solve(CHOLMOD_A, factor.get(), &view, &common);
     if (result == nullptr)
       throw std::bad_alloc();
     const auto *const begin = static_cast<const double *>(result->x);
     solution.reinit(right_hand_side.size(), true);
     std::copy(begin, begin + solution.size(), solution.begin());
-    cholmod_free_dense(&result, &common);
+    cholmod_l_free_dense(&result, &common);
   }
 } // namespace ElastoPlastic
