@@ -54,9 +54,20 @@ namespace ElastoPlastic
                       const Parameters &parameters,
                       const MPI_Comm    communicator);
 
+    /// What run() looks at before it computes anything, and before results are
+    /// gone: that the indenter reaches the body; that it stands on level sides
+    /// if it is rough; that loads which are to grow are there, and linear
+    /// functions of the time; that body forces are the same everywhere; in
+    /// space, that tractions and displacements are linear on faces, and that
+    /// cells can be cut into tetrahedra. Says whether the body is curved.
+    /// @throws InputError
+    void
+    check();
+
     /// Computes the bounds on all meshes, and writes limit_load.csv and the
     /// fields to the output directory. @p overwrite allows to replace earlier
-    /// ones. @throws ConvergenceError, FileError
+    /// ones. @throws ConvergenceError, FileError, TerminationError, which say
+    /// the last bounds
     void
     run(const bool overwrite);
 
@@ -84,6 +95,9 @@ namespace ElastoPlastic
 
     void
     find_bounds();
+
+    void
+    find_bounds_or_say_last();
 
     void
     let_grow(const LoadInQuestion &load);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "bound_checks.h"
 #include "error_estimate.h"
 
 namespace ElastoPlastic
@@ -18,12 +19,16 @@ namespace ElastoPlastic
     , timer(timer)
     , kelly_estimator(body.fe)
   {
-    if (parameters.analysis == Analysis::contact_with_error_bound)
-      error_bound.emplace(body.model,
-                          parameters,
-                          body.triangulation.get_communicator(),
-                          body.gap_function,
-                          body.triangulation);
+    if (parameters.analysis != Analysis::contact_with_error_bound)
+      return;
+    error_bound.emplace(body.model,
+                        parameters,
+                        body.triangulation.get_communicator(),
+                        body.gap_function,
+                        body.triangulation);
+    if (const std::string warning = warning_of_curved_body(body.triangulation);
+        !warning.empty())
+      log.warn(warning);
   }
 
 

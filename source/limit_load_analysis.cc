@@ -10,6 +10,9 @@
 
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
+#include "base/termination.h"
+#include "base/to_text.h"
+#include "bound_checks.h"
 #include "equilibrium/cell_indicators.h"
 #include "equilibrium/growing_loads.h"
 #include "equilibrium/stress_check.h"
@@ -28,21 +31,6 @@ namespace ElastoPlastic
     /// difference.
     constexpr double part_of_difference      = 0.01;
     constexpr double largest_space_tolerance = 1e-3;
-
-
-
-    void
-    check_is_perfect(const std::vector<Material<double>> &materials)
-    {
-      for (const Material<double> &material : materials)
-        if (!std::isfinite(material.yield_radius) || !is_perfect(material))
-          throw InputError(
-            "Analysis",
-            "limit load",
-            "only a body of perfectly plastic materials has a limit load that "
-            "this analysis can find. Set 'Material/Law = perfectly plastic' "
-            "with a yield stress for each material.");
-    }
 
 
 
@@ -77,7 +65,8 @@ namespace ElastoPlastic
         [&](const Point<2> &x) { return gap_function.value(x); },
         loads,
         parameters.indenter.surface,
-        contact_geometry(model, parameters));
+        contact_geometry(model, parameters),
+        gap_function.footprint());
     }
 
 
@@ -96,7 +85,7 @@ namespace ElastoPlastic
         [&](const Point<3> &x) { return gap_function.value(x); },
         loads,
         parameters.indenter.surface,
-        gap_function.disc());
+        gap_function.footprint());
     }
 
 
@@ -198,7 +187,7 @@ namespace ElastoPlastic
       loads = [&model](const auto &) {
         return Loads<dim>(/* time = */ 0., model.body_force);
       };
-    check_is_perfect(model.materials);
+    check_materials_of_limit_load(model.materials);
     check_material_ids(triangulation, model.materials.size());
     for (const std::string &warning : model.geometry.warnings())
       log.warn(warning);
@@ -215,7 +204,8 @@ namespace ElastoPlastic
   LimitLoadAnalysis<dim>::run(const bool overwrite)
   {
     log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
-    setup_body();
+    check();
+    note_termination_requests();
     OutputDirectory directory(communicator, parameters.output.directory);
     directory.begin_run(overwrite, parameters.effective_input);
     write_table_reference(communicator, parameters.output);
@@ -225,14 +215,30 @@ namespace ElastoPlastic
     table.open();
     while (true)
       {
-        find_bounds();
+        find_bounds_or_say_last();
         write_results(table);
         directory.accept_results();
         if (is_last_cycle())
           break;
         refine_mesh();
       }
+    if (const std::string warning =
+          warning_of_constant_loads(row.lower_bound, row.upper_bound);
+        !warning.empty())
+      log.warn(warning);
     log.remark("Results are in " + parameters.output.directory);
+  }
+
+
+
+  template <int dim>
+  void
+  LimitLoadAnalysis<dim>::check()
+  {
+    setup_body();
+    if (const std::string warning = warning_of_curved_body(triangulation);
+        !warning.empty())
+      log.warn(warning);
   }
 
 
@@ -258,6 +264,8 @@ namespace ElastoPlastic
       const Loads<dim> mesh_loads = loads(mesh);
       body =
         make_body(std::move(mesh), mesh_loads, model, gap_function, parameters);
+      if (model.indenter.shape)
+        check_reach_of_indenter(body);
       if (!model.indenter.shape && body.load_factor_unit == 0)
         throw ConvergenceError("No load acts on the body.");
     });
@@ -294,17 +302,48 @@ namespace ElastoPlastic
     row              = Utilities::MPI::broadcast(communicator, row);
     error_indicators = cell_indicators(body.mesh, bounds.gaps, triangulation);
 
+    const std::string  simplices = dim == 2 ? "triangles" : "tetrahedra";
     std::ostringstream message;
     message.precision(8);
-    message << row.triangles << (dim == 2 ? " triangles" : " tetrahedra")
+    message << row.triangles << ' ' << simplices
             << ": the limit load is between " << row.lower_bound << " and "
             << row.upper_bound << " (" << 100. * row.relative_difference()
             << " %), " << row.wall_seconds << " s";
     log.remark(message.str());
+    log.table_row("cycle cells " + simplices + " lower_bound upper_bound",
+                  std::to_string(row.cycle) + ' ' + std::to_string(row.cells) +
+                    ' ' + std::to_string(row.triangles) + ' ' +
+                    to_text(row.lower_bound) + ' ' + to_text(row.upper_bound));
     if (!are_optimal)
       log.warn(
         "Rounding errors have ended the interior point method early. "
         "The bounds hold, but this mesh has closer ones.");
+  }
+
+
+
+  // The row is that of the mesh before until there is another one.
+  template <int dim>
+  void
+  LimitLoadAnalysis<dim>::find_bounds_or_say_last()
+  {
+    try
+      {
+        if (termination_requested(communicator))
+          throw TerminationError("Ended on request (SIGTERM).");
+        find_bounds();
+      }
+    catch (const Error &error)
+      {
+        if (cycle == 0)
+          throw;
+        throw_error(error.status,
+                    error.what() +
+                      (" The limit load is between " +
+                       to_text(row.lower_bound)) +
+                      " and " + to_text(row.upper_bound) +
+                      ", as the mesh before has shown.");
+      }
   }
 
 

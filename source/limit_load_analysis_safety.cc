@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "base/exceptions.h"
+#include "base/to_text.h"
 #include "equilibrium/growing_loads.h"
 #include "limit_load_analysis.h"
+#include "mesh/curved_boundaries.h"
 
 // Whether a body bears a load that is asked of it.
 
@@ -21,7 +23,7 @@ namespace ElastoPlastic
   std::string
   LoadInQuestion::in_words() const
   {
-    return times.empty() ? "the force " + Patterns::Tools::to_string(force) :
+    return times.empty() ? "the force " + to_text(force) :
                            "the largest load of tractions and body forces";
   }
 
@@ -31,13 +33,12 @@ namespace ElastoPlastic
   void
   LimitLoadAnalysis<dim>::let_grow(const LoadInQuestion &load)
   {
-    if (load.times.empty())
-      return;
-    if (triangulation.get_manifold_ids() !=
-        std::vector<types::manifold_id>{numbers::flat_manifold_id})
+    if (has_curved_boundary(triangulation))
       throw ConvergenceError(
         "The body is curved: on a coarse mesh, it is "
         "another one.");
+    if (load.times.empty())
+      return;
     loads = [this, times = load.times](const auto &mesh) {
       return Loads<dim>(std::nullopt,
                         time_of_largest_load(mesh,
@@ -102,8 +103,8 @@ namespace ElastoPlastic
   std::string
   LimitLoadAnalysis<dim>::bounds_in_words(const LoadInQuestion &load) const
   {
-    return "between " + Patterns::Tools::to_string(row.lower_bound) + " and " +
-           Patterns::Tools::to_string(row.upper_bound) +
+    return "between " + to_text(row.lower_bound) + " and " +
+           to_text(row.upper_bound) +
            (load.times.empty() ?
               ". Prescribe a force below the first of these bounds, or the "
               "depth." :

@@ -83,14 +83,36 @@ namespace ElastoPlastic
         result.output.screen = Verbosity::quiet; // a table of load steps
       return result;
     }
+
+
+
+    // What the conic programs cannot find says nothing about the force: the
+    // body may be enclosed and have no limit load at all, or have no mechanism
+    // that bounds it; the rounding errors may be too large. Nor does it if the
+    // equilibrium method does not know a load. Then it is for the load steps to
+    // find out.
+    template <typename Look>
+    std::string
+    reason_without_bounds(const Look &look)
+    {
+      try
+        {
+          look();
+          return "";
+        }
+      catch (const ConvergenceError &error)
+        {
+          return error.what();
+        }
+      catch (const InputError &error)
+        {
+          return error.what();
+        }
+    }
   } // namespace
 
 
 
-  // What the conic programs cannot find says nothing about the force: the body
-  // may be enclosed and have no limit load at all, or have no mechanism that
-  // bounds it; the rounding errors may be too large. Then it is for the load
-  // steps to find out.
   template <>
   void
   require_safe_load(const Model<2>   &model,
@@ -101,21 +123,18 @@ namespace ElastoPlastic
     if (!load)
       return;
 
-    const Model<2>   coarse_model = with_coarse_mesh(model);
-    const Parameters few_cells    = with_refinement_of_few_cells(parameters);
-    try
-      {
-        LimitLoadAnalysis(coarse_model, few_cells, communicator)
-          .require_safe(*load);
-      }
-    catch (const ConvergenceError &error)
-      {
-        Log(communicator, Verbosity::quiet)
-          .warn("There is no bound of the limit load to compare " +
-                load->in_words() + " with. " + error.what() +
-                " The load is applied all the same; beyond a limit load, it "
-                "finds no equilibrium.");
-      }
+    const Model<2>    coarse_model = with_coarse_mesh(model);
+    const Parameters  few_cells    = with_refinement_of_few_cells(parameters);
+    const std::string reason       = reason_without_bounds([&]() {
+      LimitLoadAnalysis(coarse_model, few_cells, communicator)
+        .require_safe(*load);
+    });
+    if (!reason.empty())
+      Log(communicator, Verbosity::quiet)
+        .warn("There is no bound of the limit load to compare " +
+              load->in_words() + " with. " + reason +
+              " The load is applied all the same; beyond a limit load, it "
+              "finds no equilibrium.");
   }
 
 
@@ -130,21 +149,19 @@ namespace ElastoPlastic
     if (!load)
       return "";
 
-    const Model<2>   coarse_model = with_coarse_mesh(model);
-    const Parameters few_cells    = with_refinement_of_few_cells(parameters);
-    try
-      {
-        return LimitLoadAnalysis(coarse_model, few_cells, communicator)
-                   .is_safe_at_first_sight(*load) ?
-                 load->in_words() + " is below the limit load" :
-                 "a coarse mesh does not tell whether " + load->in_words() +
-                   " is below it; the run begins with finding out";
-      }
-    catch (const ConvergenceError &error)
-      {
-        return "there is no bound to compare " + load->in_words() + " with. " +
-               error.what();
-      }
+    const Model<2>    coarse_model = with_coarse_mesh(model);
+    const Parameters  few_cells    = with_refinement_of_few_cells(parameters);
+    bool              is_safe      = false;
+    const std::string reason       = reason_without_bounds([&]() {
+      is_safe = LimitLoadAnalysis(coarse_model, few_cells, communicator)
+                  .is_safe_at_first_sight(*load);
+    });
+    if (!reason.empty())
+      return "there is no bound to compare " + load->in_words() + " with. " +
+             reason;
+    return is_safe ? load->in_words() + " is below the limit load" :
+                     "a coarse mesh does not tell whether " + load->in_words() +
+                       " is below it; the run begins with finding out";
   }
 
 

@@ -12,6 +12,10 @@ namespace ElastoPlastic
   void
   note_termination_requests();
 
+  /// Whether this rank has received SIGTERM since.
+  bool
+  termination_requested_here();
+
   /// Whether any rank has received SIGTERM since. All ranks call this, and all
   /// get the same answer.
   bool

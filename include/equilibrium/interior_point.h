@@ -16,7 +16,8 @@ namespace ElastoPlastic
   /// the iteration before, the solution is the best iterate. In any case,
   /// make_admissible() has restored its equations.
   /// @throws ConvergenceError if the gap has not even come below 1 %, in
-  /// particular if the program has no solution.
+  /// particular if the program has no solution; TerminationError if this
+  /// process has been asked to end.
   ConicSolution
   minimize(ConicProgram program, const double tolerance);
 } // namespace ElastoPlastic

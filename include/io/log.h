@@ -57,6 +57,11 @@ namespace ElastoPlastic
     void
     remark(const std::string &text);
 
+    /// A row of the table that is all that the summary shows; the first one
+    /// stands below the names of the columns.
+    void
+    table_row(const std::string &names, const std::string &row);
+
     /// Something unexpected that does not stop the program: one line on
     /// standard error, however quiet the program is to be.
     void
@@ -75,6 +80,7 @@ namespace ElastoPlastic
     ConditionalOStream    summary;
     ConditionalOStream    warnings;
     std::set<std::string> said;
+    bool                  table_has_begun = false;
   };
 } // namespace ElastoPlastic
 

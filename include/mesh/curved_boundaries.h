@@ -41,6 +41,12 @@ namespace ElastoPlastic
                            const BoundaryNames                     &names,
                            const std::function<void(const std::string &)> &warn,
                            Triangulation<dim> &mesh);
+
+  /// Whether refinement changes the body: a part of its boundary follows a
+  /// curve or a curved surface.
+  template <int dim>
+  bool
+  has_curved_boundary(const Triangulation<dim> &mesh);
 } // namespace ElastoPlastic
 
 #endif

@@ -26,9 +26,17 @@ namespace ElastoPlastic
 
 
   bool
+  termination_requested_here()
+  {
+    return signal_received != 0;
+  }
+
+
+
+  bool
   termination_requested(const MPI_Comm communicator)
   {
-    return dealii::Utilities::MPI::logical_or(signal_received != 0,
+    return dealii::Utilities::MPI::logical_or(termination_requested_here(),
                                               communicator);
   }
 } // namespace ElastoPlastic

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/exceptions.h"
+#include "base/termination.h"
 #include "equilibrium/certificate.h"
 #include "equilibrium/conic_evaluation.h"
 #include "equilibrium/interior_point.h"
@@ -146,6 +147,8 @@ namespace ElastoPlastic
              current.n_iterations <= best.n_iterations + max_idle_iterations &&
              step())
         {
+          if (termination_requested_here())
+            throw TerminationError("Ended on request (SIGTERM).");
           ++current.n_iterations;
           look_at_iterate();
           check_solvability(program, layout, current, residual);
@@ -385,6 +388,7 @@ namespace ElastoPlastic
   ConicSolution
   minimize(ConicProgram program, const double tolerance)
   {
+    ensure_cone(program);
     return InteriorPoint(std::move(program), tolerance).run();
   }
 } // namespace ElastoPlastic

@@ -38,11 +38,7 @@ namespace ElastoPlastic
               verbosity == Verbosity::summary &&
                 Utilities::MPI::this_mpi_process(communicator) == 0)
     , warnings(std::cerr, Utilities::MPI::this_mpi_process(communicator) == 0)
-  {
-    summary << "step cycle cells dofs active_nodes force depth contact_area "
-               "max_pressure plastic_volume"
-            << std::endl;
-  }
+  {}
 
 
 
@@ -113,18 +109,20 @@ namespace ElastoPlastic
            r.wall_seconds,
            r.memory_mb)
       << std::endl;
-    summary << format("%u %u %llu %llu %u %.12g %.12g %.12g %.12g %.12g",
-                      r.step,
-                      r.cycle,
-                      static_cast<unsigned long long>(r.cells),
-                      static_cast<unsigned long long>(r.dofs),
-                      r.active_nodes,
-                      r.force,
-                      r.depth,
-                      r.contact_area,
-                      r.max_pressure,
-                      r.plastic_volume)
-            << std::endl;
+    table_row(
+      "step cycle cells dofs active_nodes force depth contact_area "
+      "max_pressure plastic_volume",
+      format("%u %u %llu %llu %u %.12g %.12g %.12g %.12g %.12g",
+             r.step,
+             r.cycle,
+             static_cast<unsigned long long>(r.cells),
+             static_cast<unsigned long long>(r.dofs),
+             r.active_nodes,
+             r.force,
+             r.depth,
+             r.contact_area,
+             r.max_pressure,
+             r.plastic_volume));
   }
 
 
@@ -133,6 +131,17 @@ namespace ElastoPlastic
   Log::remark(const std::string &text)
   {
     full << text << std::endl;
+  }
+
+
+
+  void
+  Log::table_row(const std::string &names, const std::string &row)
+  {
+    if (!table_has_begun)
+      summary << names << '\n';
+    table_has_begun = true;
+    summary << row << std::endl;
   }
 
 

@@ -324,6 +324,24 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  bool
+  has_curved_boundary(const Triangulation<dim> &mesh)
+  {
+    for (const auto &cell : mesh.cell_iterators_on_level(0))
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() &&
+            face->manifold_id() != numbers::flat_manifold_id)
+          return true;
+    return false;
+  }
+
+
+
+  template bool
+  has_curved_boundary(const Triangulation<2> &);
+  template bool
+  has_curved_boundary(const Triangulation<3> &);
   template void
   follow_curved_boundaries(const std::vector<BoundarySurface<2>> &,
                            const BoundaryNames &,

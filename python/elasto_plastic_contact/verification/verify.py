@@ -37,6 +37,7 @@ from .rounding import contrast, direct_contact, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .units import prescribed_from_nothing, units
 from .zero_load import far_indenter, zero_force, zero_stress
+from ..arguments import number
 from ..pages.command import main as tables_of_pages
 
 
@@ -312,7 +313,7 @@ def main(arguments):
     parser.add_argument("cases", nargs="*", metavar="CASE",
                         help=", ".join(f"{n} ({f.__doc__.strip()})" for n, f in ALL.items()))
     add_program(parser)
-    parser.add_argument("--ranks", type=int, default=1)
+    parser.add_argument("--ranks", type=number(int, least=1), default=1)
     chosen = parser.parse_args(arguments)
     unknown = set(chosen.cases) - set(ALL)
     if unknown:
