@@ -126,6 +126,27 @@ namespace
 
 
 
+  /// Processes that are started side by side may have been told different
+  /// things. @throws InputError
+  void
+  require_same_arguments(const int argc, const char *const *const argv)
+  {
+    std::string arguments;
+    for (int i = 1; i < argc; ++i)
+      arguments += (i > 1 ? " " : "") + std::string(argv[i]);
+    const std::string of_first =
+      Utilities::MPI::broadcast(MPI_COMM_WORLD, arguments);
+    rethrow_collectively(MPI_COMM_WORLD, [&]() {
+      if (arguments != of_first)
+        throw InputError(
+          "Wrong usage: all processes of a run must have the same arguments, "
+          "but the first has '" +
+          of_first + "' and another '" + arguments + "'.");
+    });
+  }
+
+
+
   /// Where memory ends on one rank, it mostly ends on all at the same time: the
   /// first one says so and takes the others down while they wait for it.
   void
@@ -150,6 +171,7 @@ ElastoPlastic::run_program(const int argc, const char *const *const argv)
   try
     {
       std::ostream nowhere(nullptr);
+      require_same_arguments(argc, argv);
       run(CommandLine::parse(argc, argv), first_rank ? std::cout : nowhere);
       return static_cast<int>(ExitStatus::success);
     }

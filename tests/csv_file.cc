@@ -4,6 +4,7 @@
 // Tables keep 15 digits, and a file that cannot be written completely is an
 // error on all ranks, whichever of them was writing.
 
+#include <filesystem>
 #include <fstream>
 #include <limits>
 
@@ -100,6 +101,14 @@ main(int argc, char *argv[])
   print_error_of_all_ranks("table in a missing directory", [] {
     CsvFile(MPI_COMM_WORLD, "no/such/directory.csv", {"step"}).open();
   });
+  print_error_of_all_ranks("table in a directory that is removed", [] {
+    on_first_rank([] { std::filesystem::create_directory("removed"); });
+    CsvFile table(MPI_COMM_WORLD, "removed/table.csv", {"step"});
+    table.open();
+    on_first_rank([] { std::filesystem::remove_all("removed"); });
+    table.add_rows({{1}});
+    table.write_to_disk();
+  });
   print_error_of_all_ranks("text on a full disk",
                            [&] { write_on_rank(0, "/dev/full"); });
   print_error_of_all_ranks("text of the last rank on a full disk",
@@ -112,6 +121,8 @@ main(int argc, char *argv[])
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     output() << std::ifstream("continued.csv").rdbuf();
   MPI_Barrier(MPI_COMM_WORLD);
+  go_on("from Windows", "step,force\r\n1,0.25\r\n2,0.5\r\n");
+  go_on("with a mark", "\xEF\xBB\xBF" + header + "1,0.25\n2,0.5\n");
   go_on("too few rows", header + "1,0.25\n");
   go_on("cut in the last number", header + "1,0.25\n2,0.");
   go_on("cut in the last row", header + "1,0.25\n2,\n");

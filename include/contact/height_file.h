@@ -17,8 +17,8 @@ namespace ElastoPlastic
   class HeightFile
   {
   public:
-    /// Read the file. @p path is the entry that names it. A file that cannot
-    /// be read is an InputError.
+    /// Read the file, which all ranks do together. @p path is the entry that
+    /// names it. A file that cannot be read is an InputError.
     HeightFile(const std::string &path, const std::string &name);
 
     /// Throw an InputError about this file. @p what completes "..., but ".
@@ -29,6 +29,11 @@ namespace ElastoPlastic
     /// heights take 240 MB on every rank.
     void
     check_n_pixels(const std::size_t width, const std::size_t height) const;
+
+    /// The content of a text file, with '\n' at the ends of lines. What is no
+    /// plain text is rejected.
+    std::string
+    text() const;
 
     /// Whether the file begins with these bytes.
     bool

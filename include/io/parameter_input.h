@@ -6,6 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -13,11 +14,16 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// Reads a parameter file, and those that it includes, into @p prm.
+  using Warn = std::function<void(const std::string &)>;
+
+  /// Reads a parameter file, and those that it includes, into @p prm. @p warn
+  /// is told where a file sets an entry twice.
   /// @throws InputError with file, line, section, entry, value and what is
   /// allowed.
   void
-  read_parameter_file(ParameterHandler &prm, const std::string &file);
+  read_parameter_file(ParameterHandler  &prm,
+                      const std::string &file,
+                      const Warn        &warn);
 
   /// Sets the entry @p path, for instance "Geometry/Type".
   /// @throws InputError if there is no such entry or it cannot have this value,

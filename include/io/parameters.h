@@ -72,7 +72,8 @@ namespace ElastoPlastic
     /// The same, entry by entry: paths like "Material/Law" and values.
     std::map<std::string, std::string> entries;
 
-    /// Reads the file and the overrides of the command line.
+    /// Reads the file and the overrides of the command line: on the first
+    /// rank, for all. Collective.
     /// @throws InputError with file, line, section, entry, value and remedy.
     static Parameters
     read(const CommandLine &command_line);
@@ -91,6 +92,9 @@ namespace ElastoPlastic
   private:
     void
     add_parameters(ParameterHandler &prm);
+
+    void
+    read_input(const CommandLine &command_line, ParameterHandler &prm);
 
     void
     check_equilibrium_method() const;

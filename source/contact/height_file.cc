@@ -1,40 +1,16 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 #include "base/exceptions.h"
+#include "base/input_file.h"
 #include "contact/height_file.h"
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    std::string
-    read(const std::string &path, const std::string &name)
-    {
-      std::error_code ignored;
-      std::ifstream   stream;
-      if (std::filesystem::is_regular_file(name, ignored))
-        stream.open(name, std::ios::binary);
-      if (!stream.is_open())
-        throw InputError(path,
-                         name,
-                         "there is no such file, or it cannot be read. A "
-                         "relative name starts in the folder of the parameter "
-                         "file.");
-      return {std::istreambuf_iterator<char>(stream), {}};
-    }
-  } // namespace
-
-
-
   HeightFile::HeightFile(const std::string &path, const std::string &name)
     : path(path)
     , name(name)
-    , content(read(path, name))
+    , content(read_input_file(path, name))
   {}
 
 
@@ -57,6 +33,16 @@ namespace ElastoPlastic
              " x " + std::to_string(height) +
              " pixels. Between 1 and 3*10^7 can be read: choose a coarser "
              "resolution.");
+  }
+
+
+
+  std::string
+  HeightFile::text() const
+  {
+    return plain_text(content, [this](const std::string &what) {
+      reject("this file " + what);
+    });
   }
 
 

@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
 
 #include "base/exceptions.h"
@@ -15,6 +16,23 @@
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+  namespace
+  {
+    /// What keeps the file @p name from being written, in a sentence.
+    std::string
+    likely_reason(const std::string &name)
+    {
+      const auto      folder = std::filesystem::path(name).parent_path();
+      std::error_code ignored;
+      if (!folder.empty() && !std::filesystem::exists(folder, ignored))
+        return "Its folder is not there: has it been removed or renamed "
+               "meanwhile?";
+      return "Is the disk full, or is writing not allowed there?";
+    }
+  } // namespace
+
+
 
   // (What has no place on a disk, like a pipe, says that it is invalid.)
   bool
@@ -41,10 +59,10 @@ namespace ElastoPlastic
     const unsigned int failed =
       Utilities::MPI::min(success ? nobody : rank, communicator);
     if (failed != nobody)
-      throw FileError("The file '" +
-                      Utilities::MPI::broadcast(communicator, name, failed) +
-                      "' could not be written completely. Is the disk full, or "
-                      "is writing not allowed there?");
+      throw FileError(
+        "The file '" + Utilities::MPI::broadcast(communicator, name, failed) +
+        "' could not be written completely. " +
+        Utilities::MPI::broadcast(communicator, likely_reason(name), failed));
   }
 
 

@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
+#include <sstream>
 
 #include "base/as_number.h"
 #include "base/exceptions.h"
+#include "base/input_file.h"
 #include "base/rethrow_collectively.h"
 #include "io/checked_write.h"
 #include "io/csv_file.h"
@@ -48,14 +51,19 @@ namespace ElastoPlastic
                const std::vector<std::string> &columns,
                const unsigned int              n_rows)
     {
-      std::ifstream file(name);
-      std::string   line, rows;
-      // (A line without an end, which is cut, sets the end of the file.)
-      bool         intact = std::getline(file, line) && line == header(columns);
+      std::ifstream      file(name, std::ios::binary);
+      std::istringstream text(
+        plain_text({std::istreambuf_iterator<char>(file), {}},
+                   [&name](const std::string &what) {
+                     throw InputError("The table '" + name + "' " + what);
+                   }));
+      std::string line, rows;
+      // (A line without an end, which is cut, sets the end of the text.)
+      bool         intact = std::getline(text, line) && line == header(columns);
       unsigned int row    = 0;
       for (; intact && row < n_rows; ++row)
         {
-          intact = std::getline(file, line) && !file.eof() &&
+          intact = std::getline(text, line) && !text.eof() &&
                    is_row(line, columns.size());
           rows += line + '\n';
         }

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -15,6 +17,7 @@
 
 #include "base/closest_name.h"
 #include "base/exceptions.h"
+#include "base/input_file.h"
 #include "io/parameter_input.h"
 #include "io/parameter_reference.h"
 
@@ -78,24 +81,31 @@ namespace ElastoPlastic
 
       /// @p prm knows the sections; what is read goes to @p set_entry.
       ParameterFileReader(const ParameterHandler &prm,
-                          const SetEntry         &set_entry)
+                          const SetEntry         &set_entry,
+                          const Warn             &warn)
         : prm(prm)
         , set_entry(set_entry)
+        , warn(warn)
       {}
 
       void
       read_file(const std::string &name)
       {
-        std::ifstream stream(name);
-        if (!stream || fs::is_directory(name))
+        std::ifstream file(name, std::ios::binary);
+        if (!file || fs::is_directory(name))
           throw InputError("The file '" + name +
                            "' does not exist or cannot be read.");
         const fs::path path = fs::canonical(name);
-        for (const OpenFile &file : open_files)
-          if (file.path == path)
+        for (const OpenFile &other : open_files)
+          if (other.path == path)
             throw InputError("The file '" + name +
                              "' is included while it is being read.");
-        open_files.push_back({name, path, sections.size()});
+        open_files.push_back({name, path, sections.size(), {}});
+        std::istringstream stream(
+          plain_text({std::istreambuf_iterator<char>(file), {}},
+                     [&name](const std::string &what) {
+                       throw InputError(name + ", line 1: The file " + what);
+                     }));
         read(stream, name);
         open_files.pop_back();
       }
@@ -108,8 +118,6 @@ namespace ElastoPlastic
         std::string line, text;
         for (unsigned int number = 1; std::getline(stream, line); ++number)
           {
-            if (number == 1)
-              refuse_byte_order_mark(line, name);
             text += Utilities::trim(line);
             if (!text.empty() && text.back() == '\\')
               text.pop_back();
@@ -125,26 +133,15 @@ namespace ElastoPlastic
       }
 
     private:
-      /// A file that is being read, and how many sections were open when it
-      /// was opened.
+      /// A file that is being read, how many sections were open when it was
+      /// opened, and where it has set which entries.
       struct OpenFile
       {
-        std::string name;
-        fs::path    path;
-        std::size_t n_sections;
+        std::string                        name;
+        fs::path                           path;
+        std::size_t                        n_sections;
+        std::map<std::string, std::string> entries;
       };
-
-      static void
-      refuse_byte_order_mark(const std::string &line, const std::string &name)
-      {
-        for (const std::string mark : {"\xEF\xBB\xBF", "\xFF\xFE", "\xFE\xFF"})
-          if (line.rfind(mark, 0) == 0)
-            throw InputError(
-              name +
-              ", line 1: The file begins with a byte order mark, "
-              "which editors do not show. Save it as plain text, "
-              "or as UTF-8 without byte order mark.");
-      }
 
       void
       interpret(const std::string &line, const std::string &place)
@@ -162,7 +159,7 @@ namespace ElastoPlastic
         try
           {
             if (is("set", "SET"))
-              set(rest);
+              set(rest, place);
             else if (is("subsection", "SUBSECTION"))
               enter(rest, place);
             else if (is("end", "END"))
@@ -181,14 +178,29 @@ namespace ElastoPlastic
       }
 
       void
-      set(const std::string &text)
+      set(const std::string &text, const std::string &place)
       {
         const auto equal_sign = text.find('=');
         if (equal_sign == std::string::npos)
           throw InputError("An entry must look like 'set Entry = value'.");
+        const std::string entry = Utilities::trim(text.substr(0, equal_sign));
         set_entry(sections,
-                  Utilities::trim(text.substr(0, equal_sign)),
+                  entry,
                   Utilities::trim(text.substr(equal_sign + 1)));
+        if (!open_files.empty())
+          note_place(path_of(sections, entry), place);
+      }
+
+      /// (What an included file has set, this one may set anew.)
+      void
+      note_place(const std::string &path, const std::string &place)
+      {
+        const auto [before, is_first] =
+          open_files.back().entries.emplace(path, place);
+        if (!is_first)
+          warn(place + ": The entry '" + path + "' has been set before (" +
+               std::exchange(before->second, place) +
+               "). This line counts; remove one of the two.");
       }
 
       void
@@ -234,6 +246,7 @@ namespace ElastoPlastic
 
       const ParameterHandler &prm;
       const SetEntry          set_entry;
+      const Warn              warn;
       Sections                sections;
       /// Where the sections begin, in words.
       std::vector<std::string> places;
@@ -313,14 +326,18 @@ namespace ElastoPlastic
 
 
   void
-  read_parameter_file(ParameterHandler &prm, const std::string &file)
+  read_parameter_file(ParameterHandler  &prm,
+                      const std::string &file,
+                      const Warn        &warn)
   {
-    ParameterFileReader(prm,
-                        [&prm](const Sections    &sections,
-                               const std::string &entry,
-                               const std::string &value) {
-                          set_entry_in(prm, sections, entry, value);
-                        })
+    ParameterFileReader(
+      prm,
+      [&prm](const Sections    &sections,
+             const std::string &entry,
+             const std::string &value) {
+        set_entry_in(prm, sections, entry, value);
+      },
+      warn)
       .read_file(file);
   }
 
@@ -350,12 +367,14 @@ namespace ElastoPlastic
     std::stringstream text;
     prm.print_parameters(text, ParameterHandler::ShortPRM);
     std::map<std::string, std::string> entries;
-    ParameterFileReader(prm,
-                        [&entries](const Sections    &sections,
-                                   const std::string &entry,
-                                   const std::string &value) {
-                          entries[path_of(sections, entry)] = value;
-                        })
+    ParameterFileReader(
+      prm,
+      [&entries](const Sections    &sections,
+                 const std::string &entry,
+                 const std::string &value) {
+        entries[path_of(sections, entry)] = value;
+      },
+      [](const std::string &) {})
       .read(text, "parameters.prm");
     return entries;
   }

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/string.hpp>
+
 #include <filesystem>
 #include <sstream>
 
 #include "base/exceptions.h"
+#include "base/rethrow_collectively.h"
 #include "io/parameter_input.h"
 #include "io/parameter_reference.h"
 #include "io/parameters.h"
@@ -92,7 +96,31 @@ namespace ElastoPlastic
     ParameterHandler prm;
     parameters.add_parameters(prm);
 
-    read_parameter_file(prm, command_line.parameter_file);
+    const bool first_rank =
+      Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    rethrow_collectively(MPI_COMM_WORLD, [&]() {
+      if (first_rank)
+        parameters.read_input(command_line, prm);
+    });
+    parameters.entries =
+      Utilities::MPI::broadcast(MPI_COMM_WORLD, all_entries(prm));
+    if (!first_rank)
+      for (const auto &[path, value] : parameters.entries)
+        set_entry(prm, path, value);
+    parameters.effective_input = as_text(prm);
+    return parameters;
+  }
+
+
+
+  void
+  Parameters::read_input(const CommandLine &command_line, ParameterHandler &prm)
+  {
+    read_parameter_file(prm,
+                        command_line.parameter_file,
+                        [](const std::string &warning) {
+                          Log(MPI_COMM_SELF, Verbosity::quiet).warn(warning);
+                        });
     for (const auto &[path, value] : command_line.overrides)
       set_entry(prm, path, value);
     if (!command_line.output_directory.empty())
@@ -101,16 +129,12 @@ namespace ElastoPlastic
       set_entry(prm, "Output/Screen", "quiet");
     resolve_file(prm,
                  "Geometry/File",
-                 parameters.geometry.gmsh_file.file,
+                 geometry.gmsh_file.file,
                  command_line.parameter_file);
     resolve_file(prm,
                  "Indenter/File",
-                 parameters.indenter.file,
+                 indenter.file,
                  command_line.parameter_file);
-
-    parameters.effective_input = as_text(prm);
-    parameters.entries         = all_entries(prm);
-    return parameters;
   }
 
 

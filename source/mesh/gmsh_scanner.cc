@@ -4,12 +4,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
 #include "base/exceptions.h"
+#include "base/input_file.h"
 #include "mesh/gmsh_scanner.h"
 
 namespace ElastoPlastic
@@ -39,15 +37,13 @@ namespace ElastoPlastic
 
   GmshScanner::GmshScanner(const std::string &file_name)
     : file_name(file_name)
+    , text(plain_text(read_input_file("Geometry/File", file_name),
+                      [&](const std::string &what) {
+                        throw InputError("Geometry/File",
+                                         file_name,
+                                         "this file " + what);
+                      }))
   {
-    std::ifstream file(file_name, std::ios::binary);
-    if (!file || std::filesystem::is_directory(file_name))
-      throw InputError("Geometry/File",
-                       file_name,
-                       "there is no such file, or it cannot be opened. A "
-                       "relative name starts in the folder of the parameter "
-                       "file.");
-    text.assign(std::istreambuf_iterator<char>(file), {});
     skip_white_space();
   }
 
