@@ -20,6 +20,7 @@
 #include "evaluation/contact_surface.h"
 #include "evaluation/last_step.h"
 #include "io/log.h"
+#include "io/saved_mesh.h"
 #include "mechanics/solid_operator.h"
 #include "mechanics/supports.h"
 #include "model/model.h"
@@ -102,14 +103,16 @@ namespace ElastoPlastic
     ContactZone<dim>
     contact_zone() const;
 
-    /// What a checkpoint keeps in the cells: the states of the material, and
-    /// all vectors that the next load step begins with.
-    CellStates
-    states_and_fields(LastStep &last_step);
-
-    /// Takes them back.
+    /// Writes the mesh for a checkpoint, with what is kept in its cells: the
+    /// states of the material, and all vectors that the next load step begins
+    /// with. Collective. @throws FileError
     void
-    set_states_and_fields(CellStates values, LastStep &last_step);
+    save(LastStep &last_step, const std::string &mesh_file);
+
+    /// Takes them back on the mesh that has been saved. Collective.
+    /// @throws InputError, FileError
+    void
+    take_back(SavedMesh<dim> &saved, LastStep &last_step);
 
     // The body, and the indenter above it.
     const Model<dim>                         &model;
@@ -141,7 +144,7 @@ namespace ElastoPlastic
     void
     reinit_contact(const double time, const Load &load);
 
-    /// Those of the vectors that states_and_fields() keeps, with the last
+    /// Those of the vectors that save() keeps, with the last
     /// solution of the linear solver, @p response, which helps the next one.
     std::vector<VectorType *>
     fields_to_keep(LastStep &last_step, VectorType &response);

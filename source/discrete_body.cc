@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "discrete_body.h"
-#include "io/saved_mesh.h"
 #include "make_tangent_solver.h"
 #include "mechanics/external_forces.h"
 #include "mechanics/ghosted_copy.h"
@@ -289,50 +288,6 @@ namespace ElastoPlastic
                             contact,
                             displacement,
                             residual);
-  }
-
-
-
-  template <int dim>
-  std::vector<VectorType *>
-  DiscreteBody<dim>::fields_to_keep(LastStep &last_step, VectorType &response)
-  {
-    return {&last_step.displacement,
-            &last_step.displacement_rate,
-            &last_step.slip,
-            &last_step.forces,
-            &response};
-  }
-
-
-
-  template <int dim>
-  CellStates
-  DiscreteBody<dim>::states_and_fields(LastStep &last_step)
-  {
-    VectorType response = tangent_solver->known_response();
-    if (response.size() == 0)
-      solid.initialize_vector(response);
-    CellStates values = solid.states();
-    append_fields(values, fields_to_keep(last_step, response), dof_handler);
-    return values;
-  }
-
-
-
-  template <int dim>
-  void
-  DiscreteBody<dim>::set_states_and_fields(CellStates values,
-                                           LastStep  &last_step)
-  {
-    VectorType response;
-    const auto fields = fields_to_keep(last_step, response);
-    for (VectorType *field : fields)
-      solid.initialize_vector(*field);
-    take_fields(values, fields, dof_handler);
-    solid.set_states(values);
-    if (response.l2_norm() > 0)
-      tangent_solver->set_response(response);
   }
 
 

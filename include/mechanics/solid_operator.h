@@ -102,11 +102,23 @@ namespace ElastoPlastic
     CellStates
     states() const;
 
+    /// The same, cell by cell: the numbers that belong to it.
+    using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
+    void
+    for_each_state(
+      const std::function<void(const CellIterator &, std::vector<double> &&)>
+        &visit) const;
+
     /// Lets the points remember @p states, or where interpolation has made of
     /// them what no history leads to, the next that one does
     /// (make_admissible()).
     void
     set_states(const CellStates &states);
+
+    /// The same, cell by cell, in the order of for_each_state().
+    void
+    set_states(
+      const std::function<std::vector<double>(const CellIterator &)> &state_of);
 
     void
     initialize_vector(VectorType &vector) const override;

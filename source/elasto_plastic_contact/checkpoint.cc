@@ -12,7 +12,6 @@
 
 #include "base/termination.h"
 #include "elasto_plastic_contact.h"
-#include "io/saved_mesh.h"
 #include "loading/same_past.h"
 
 namespace ElastoPlastic
@@ -43,9 +42,8 @@ namespace ElastoPlastic
     Statistics::Progress          progress = statistics.progress();
     serialize_progress(archive, progress);
 
-    const CellValues values = body.states_and_fields(last_step);
     checkpoint.save(state.str(), [&](const std::string &mesh_file) {
-      save_mesh(body.triangulation, values, mesh_file);
+      body.save(last_step, mesh_file);
     });
     time_since_checkpoint.restart();
   }
@@ -83,9 +81,10 @@ namespace ElastoPlastic
       time_steps.end_step_at(last_step.result.time);
 
     coarsen_to_coarse_mesh(body.triangulation);
-    CellValues values = load_mesh(body.triangulation, contents.mesh_file);
+    SavedMesh<dim> saved(communicator, contents.mesh_file);
+    saved.refine(body.triangulation);
     body.reinit(time_steps.next_time(), load_at_end_of_step());
-    body.set_states_and_fields(std::move(values), last_step);
+    body.take_back(saved, last_step);
     take_back_step();
     evaluation.do_not_repeat(last_step.result);
     log.remark(
@@ -106,7 +105,7 @@ namespace ElastoPlastic
         "Ended on request (SIGTERM) in load step " +
         std::to_string(time_steps.number()) +
         (time_steps.number() > 1 ?
-           ". The option --resume goes on after the last completed one." :
+           "." :
            ", which was the first. There is nothing to resume."));
   }
 

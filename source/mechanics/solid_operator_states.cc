@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What the points remember, for other meshes and for checkpoints.
+
+#include "mechanics/solid_operator.h"
+
+namespace ElastoPlastic
+{
+  template <int dim>
+  void
+  SolidOperator<dim>::for_each_state(
+    const std::function<void(const CellIterator &, std::vector<double> &&)>
+      &visit) const
+  {
+    for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
+      for (unsigned int lane = 0; lane < kernel->n_cells(batch); ++lane)
+        visit(kernel->cell(batch, lane), history.cell_values(batch, lane));
+  }
+
+
+
+  template <int dim>
+  CellStates
+  SolidOperator<dim>::states() const
+  {
+    CellStates result(kernel->n_active_cells());
+    for_each_state([&](const CellIterator &cell, std::vector<double> &&state) {
+      result[cell->active_cell_index()] = std::move(state);
+    });
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::set_states(
+    const std::function<std::vector<double>(const CellIterator &)> &state_of)
+  {
+    for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
+      {
+        for (unsigned int lane = 0; lane < kernel->n_cells(batch); ++lane)
+          history.set_cell_values(batch,
+                                  lane,
+                                  state_of(kernel->cell(batch, lane)));
+        for (unsigned int q = 0; q < n_points; ++q)
+          {
+            MaterialState<Number> state = history.state(batch, q);
+            make_admissible(state, materials[batch]);
+            history.set_state(batch, q, state);
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::set_states(const CellStates &states)
+  {
+    set_states([&](const CellIterator &cell) {
+      return states[cell->active_cell_index()];
+    });
+  }
+
+
+
+  template class SolidOperator<2>;
+  template class SolidOperator<3>;
+} // namespace ElastoPlastic
