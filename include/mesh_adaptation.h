@@ -62,10 +62,16 @@ namespace ElastoPlastic
     bool
     next_mesh_is_allowed() const;
 
+    /// The same of a mesh that is to follow the contact after load step
+    /// @p step. The first time that it may not, the user is warned.
+    bool
+    may_follow_contact(const unsigned int step);
+
     const RefinementParameters &parameters;
     DiscreteBody<dim>          &body;
     Log                        &log;
     const int                   finest_first_level;
+    bool                        has_stopped_following = false;
   };
 } // namespace ElastoPlastic
 

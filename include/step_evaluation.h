@@ -43,6 +43,7 @@ namespace ElastoPlastic
 
     /// Fills in all of @p result that follows from the present solution, and
     /// notes in @p last_step how large forces have been. Collective.
+    /// @throws ConvergenceError if the body flows without end
     void
     measure(SolveResult &result, LastStep &last_step) const;
 
@@ -90,6 +91,9 @@ namespace ElastoPlastic
     /// Collective.
     void
     warn_of_pressure(const SolveResult &result);
+
+    void
+    require_bounded_flow(const SolveResult &result) const;
 
     void
     measure_elements(SolveResult &result, const SolveResult &before) const;

@@ -48,7 +48,9 @@ namespace ElastoPlastic
       flag_cells(parameters, body.error_indicators, body.triangulation);
     const bool follows_contact =
       !body.model.strain_model.is_finite() && mark_contact_zone(1);
-    if (!follows_contact && !is_next_cycle)
+    if (follows_contact)
+      return may_follow_contact(1);
+    if (!is_next_cycle)
       return false;
     if (next_mesh_is_allowed())
       return true;
@@ -84,7 +86,7 @@ namespace ElastoPlastic
       (enters_untouched(last_step) ||
        (grows && !program.is_segment_end(result.time))) &&
       mark_contact_zone(result.step);
-    return outgrows_mesh ? next_mesh_is_allowed() : by_errors;
+    return outgrows_mesh ? may_follow_contact(result.step) : by_errors;
   }
 
 
@@ -95,7 +97,8 @@ namespace ElastoPlastic
   {
     clear_flags(body.triangulation);
     return enters_untouched(last_step) &&
-           mark_contact_zone(last_step.result.step) && next_mesh_is_allowed();
+           mark_contact_zone(last_step.result.step) &&
+           may_follow_contact(last_step.result.step);
   }
 
 
@@ -164,6 +167,27 @@ namespace ElastoPlastic
       static_cast<double>(body.triangulation.n_global_active_cells());
     return parameters.allows(body.dof_handler.n_dofs() +
                              estimated_unknowns(n_new_cells, body.fe));
+  }
+
+
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::may_follow_contact(const unsigned int step)
+  {
+    if (next_mesh_is_allowed())
+      return true;
+    if (!has_stopped_following)
+      log.warn(
+        "From step " + std::to_string(step) +
+        " on, the mesh does not follow the contact: the next one would "
+        "have more unknowns than 'Refinement/Maximum number of unknowns' "
+        "allows, and there will be fewer than the " +
+        std::to_string(parameters.n_over_contact_radius) +
+        " elements of 'Refinement/Elements over contact radius'. Raise "
+        "the one or reduce the other.");
+    has_stopped_following = true;
+    return false;
   }
 
 

@@ -2,13 +2,39 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "base/exceptions.h"
+#include "base/to_text.h"
 #include "evaluation/element_quality.h"
 #include "mechanics/rigid_body_modes.h"
+#include "mesh/body_size.h"
 #include "step_evaluation.h"
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// A depth that follows from a force is none if the coordinates of the body
+    /// would not show it.
+    template <int dim>
+    double
+    depth_of_indenter(const DiscreteBody<dim> &body)
+    {
+      if (!body.gap_function.has_indenter())
+        return 0.;
+      const double depth = body.contact.depth();
+      const bool   is_rounding =
+        body.contact.is_force_driven() &&
+        std::abs(depth) <= std::numeric_limits<double>::epsilon() *
+                             body_size(body.triangulation);
+      return is_rounding ? 0. : depth;
+    }
+  } // namespace
+
+
+
   template <int dim>
   StepEvaluation<dim>::StepEvaluation(const OutputParameters  &parameters,
                                       const DiscreteBody<dim> &body,
@@ -62,7 +88,9 @@ namespace ElastoPlastic
     static_cast<ContactState &>(result) = body.contact_evaluation().state();
     static_cast<BodyState &>(result) =
       body_state(body.solid, body.displacement);
-    result.depth = body.gap_function.has_indenter() ? body.contact.depth() : 0.;
+    result.depth = depth_of_indenter(body);
+    if (!body.model.strain_model.is_finite())
+      require_bounded_flow(result);
     {
       TimerOutput::Scope scope(timer, "Evaluation");
       imprint.measure(result, body.contact_surface());
@@ -70,6 +98,28 @@ namespace ElastoPlastic
         measure_elements(result, last_step.result);
     }
     check_force_balance(result, last_step.largest_forces);
+  }
+
+
+
+  // Elements that lock only a little bear a force beyond the limit load all the
+  // same, as soon as the body has flown far enough. (Both are asked for: at a
+  // corner of the indenter, strains have no limit on fine meshes, and a body
+  // may be moved as a whole.)
+  template <int dim>
+  void
+  StepEvaluation<dim>::require_bounded_flow(const SolveResult &result) const
+  {
+    const double strain       = result.max_equivalent_plastic_strain;
+    const double displacement = body.displacement.linfty_norm();
+    const double size         = body_size(body.triangulation);
+    if (strain > 1. && displacement > size)
+      throw ConvergenceError(
+        "The body flows without end: its largest plastic strain would be " +
+        to_text(strain) + ", its largest displacement " +
+        to_text(displacement) + ", and its size is " + to_text(size) +
+        ". Are the loads in the same system of units as the moduli in "
+        "'Material', and below what the body can bear?");
   }
 
 

@@ -6,7 +6,9 @@
 #include <ostream>
 #include <sstream>
 
+#include "base/memory.h"
 #include "elasto_plastic_contact.h"
+#include "io/log.h"
 #include "io/output_directory.h"
 #include "job_preview.h"
 #include "limit_load_analysis.h"
@@ -158,25 +160,65 @@ namespace ElastoPlastic
 
 
     template <int dim>
+    double
+    expected_megabytes(const JobPreview<dim> &preview,
+                       const unsigned int     n_ranks)
+    {
+      return preview.expected_cost().megabytes + n_ranks * megabytes_of_rank;
+    }
+
+
+
+    template <int dim>
     void
     print_cost(const JobPreview<dim> &preview,
                const StepControl      control,
                const unsigned int     n_ranks,
                std::ostream          &out)
     {
-      const auto cost = preview.expected_cost();
       print_line("Load steps",
                  std::to_string(preview.n_steps()) +
                    (control == StepControl::adaptive ? ", which adapt" : ""),
                  out);
       print_line("Memory",
-                 about(cost.megabytes + n_ranks * megabytes_of_rank) +
-                   " MB on " + std::to_string(n_ranks) + " rank(s)",
+                 about(expected_megabytes(preview, n_ranks)) + " MB on " +
+                   std::to_string(n_ranks) + " rank(s)",
                  out);
       print_line("Time",
-                 "about " + duration(cost.processor_seconds) +
+                 "about " +
+                   duration(preview.expected_cost().processor_seconds) +
                    " of one processor, give or take a factor of three",
                  out);
+    }
+
+
+
+    /// The limits that the run is expected to meet. Collective.
+    template <int dim>
+    void
+    warn_of_limits(const JobPreview<dim>      &preview,
+                   const RefinementParameters &refinement,
+                   const MPI_Comm              communicator)
+    {
+      Log          log(communicator, Verbosity::quiet);
+      const double unknowns = preview.meshes().back().unknowns;
+      if (refinement.n_over_contact_radius > 0 && !refinement.allows(unknowns))
+        log.warn(
+          "The mesh is expected to stop following the contact at some "
+          "step: it would have " +
+          about(unknowns) +
+          " unknowns in the end, more than 'Refinement/Maximum number of "
+          "unknowns' allows. Raise that, or reduce 'Refinement/Elements "
+          "over contact radius'.");
+      const double needed =
+        expected_megabytes(preview,
+                           Utilities::MPI::n_mpi_processes(communicator));
+      const double present = machine_memory(communicator) / 1048576.;
+      if (needed > present)
+        log.warn("The run is expected to need " + about(needed) +
+                 " MB of memory, and there are " + rounded(present, 3) +
+                 " MB here. Choose a coarser mesh, or more processes on more "
+                 "machines.");
     }
 
 
@@ -228,6 +270,7 @@ namespace ElastoPlastic
                out);
     print_output_directory(parameters, communicator, out);
     out << std::flush;
+    warn_of_limits(preview, parameters.refinement, communicator);
     if (const std::string safety =
           first_look_at_load(model, parameters, communicator);
         !safety.empty())
@@ -243,7 +286,8 @@ namespace ElastoPlastic
                       const MPI_Comm    communicator,
                       std::ostream     &out)
   {
-    const LimitLoadAnalysis analysis(model, parameters, communicator);
+    LimitLoadAnalysis analysis(model, parameters, communicator);
+    analysis.check();
     print_line("First mesh",
                std::to_string(analysis.n_cells()) + " cells" +
                  (dim == 3 ? ", each cut into 24 tetrahedra or more" : ""),

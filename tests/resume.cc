@@ -4,8 +4,9 @@
 // A run that is resumed with a longer history gives the tables of one that has
 // had it from the beginning: with steps that adapt, with meshes that follow the
 // contact, where the control changes, and after a first step whose next mesh
-// would have been too large. Tables that are not what the interrupted run has
-// left are refused, and so are histories that have not begun alike.
+// would have been too large. So does a run that has failed and goes on with
+// more cuts. Tables that are not what the interrupted run has left are refused,
+// and so are histories that have not begun alike.
 
 #include <cmath>
 #include <filesystem>
@@ -254,6 +255,46 @@ end
 
 
 
+  /// Up to the step that fails, nothing is lost; what has kept it from
+  /// converging may change.
+  void
+  check_failed_step(const std::string &entry)
+  {
+    output() << "a step that fails" << std::endl;
+    const Entries hard  = {entry,
+                           "Loading/History=1: depth 0.03 | 2: depth 0.1",
+                           "Loading/Number of steps=4",
+                           "Refinement/Number of cycles=1",
+                           "Nonlinear solver/Maximum number of iterations=6"};
+    const Entries uncut = both(hard, {"Loading/Maximum number of cuts=0"});
+    verify("  the run", run("--overwrite", hard).first == 0);
+    const auto straight = read_table(file("history"));
+    verify("  without cuts it fails", run("--overwrite", uncut).first == 3);
+    verify("  resumed with cuts", run("--resume", hard).first == 0);
+    verify("  history",
+           difference(straight, read_table(file("history"))),
+           1e-6);
+  }
+
+
+
+  void
+  check_other_control(const std::string &entry)
+  {
+    output() << "another step control, another evaluation" << std::endl;
+    const Entries adaptive = {entry, "Loading/Step control=adaptive"};
+    verify("  its first part",
+           run("--overwrite", both(adaptive, first_part)).first == 0);
+    const std::size_t n_before = read_table(file("history")).size();
+    verify("  the resumed run",
+           run("--resume", {entry, "Evaluation/Beta=1.03"}).first == 0);
+    const auto history = read_table(file("history"));
+    output() << "  steps after the checkpoint: " << history.size() - n_before
+             << ", the last ends at " << history.back().at("time") << std::endl;
+  }
+
+
+
   void
   check_other_histories(const std::string &entry)
   {
@@ -286,4 +327,6 @@ main(int argc, char *argv[])
   check_same_results({"Refinement/Steps between adaptations=2"});
   check_refusals("Refinement/Steps between adaptations=2");
   check_other_histories("Refinement/Steps between adaptations=2");
+  check_failed_step("Refinement/Steps between adaptations=0");
+  check_other_control("Refinement/Steps between adaptations=0");
 }

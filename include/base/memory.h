@@ -17,6 +17,13 @@ namespace ElastoPlastic
 
 
 
+  /// The memory of the machines that the processes run on, in bytes; of a
+  /// machine with other processes beside them, all the same. Collective.
+  double
+  machine_memory(const MPI_Comm communicator);
+
+
+
   /// Compares what somebody is about to ask for with the machine's memory, of
   /// which this process holds some already. Linux promises more than there is,
   /// and ends processes that use it.

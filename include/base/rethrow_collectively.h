@@ -24,6 +24,10 @@ namespace ElastoPlastic
   rethrow_collectively(const MPI_Comm               communicator,
                        const std::function<void()> &body);
 
+  /// Throws the kind of Error that ends the program with @p status.
+  [[noreturn]] void
+  throw_error(const ExitStatus status, const std::string &message);
+
   /// Whether an Error of this rank alone leaves nobody waiting: within
   /// rethrow_collectively(), and where there are no other ranks.
   bool

@@ -30,7 +30,8 @@ namespace ElastoPlastic
   ///
   /// Fixed steps: a shorter step is doubled again after it has succeeded, as
   /// soon as the doubled one ends where an uncut one would. (All positions are
-  /// binary fractions, so that times do not depend on rounding.)
+  /// binary fractions, so that times do not depend on rounding; but for what
+  /// adaptive steps before a checkpoint have left.)
   ///
   /// Adaptive steps: each segment begins with a nominal one; after n Newton
   /// iterations the next is longer by the factor sqrt(target_iterations / n)
@@ -94,7 +95,8 @@ namespace ElastoPlastic
     end_step_at(const double time);
 
     /// The position in the history, for checkpoints. It may be taken over by
-    /// another history with the same nominal steps until then.
+    /// another history with the same nominal steps until then, whatever its
+    /// control.
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /* version */)

@@ -78,9 +78,10 @@ namespace ElastoPlastic
     const std::map<types::boundary_id, Components> &
     tractions() const;
 
-    /// Evaluates what is prescribed on @p boundary, if anything is.
-    /// @throws InputError for a value that is not finite.
-    void
+    /// Evaluates what is prescribed on @p boundary, if anything is. @return
+    /// whether any of that is not zero. @throws InputError for a value that is
+    /// not finite.
+    bool
     check_values(const types::boundary_id boundary,
                  const Point<dim>        &point,
                  const double             time) const;

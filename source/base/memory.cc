@@ -14,12 +14,39 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// Of this machine, in bytes.
+    double
+    physical_memory()
+    {
+      return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+             static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    }
+  } // namespace
+
+
+
   double
   peak_memory(const MPI_Comm communicator)
   {
     dealii::Utilities::System::MemoryStats stats;
     dealii::Utilities::System::get_memory_stats(stats);
     return dealii::Utilities::MPI::sum(stats.VmHWM / 1024., communicator);
+  }
+
+
+
+  double
+  machine_memory(const MPI_Comm communicator)
+  {
+    MPI_Comm machine;
+    MPI_Comm_split_type(
+      communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+    const double share =
+      physical_memory() / dealii::Utilities::MPI::n_mpi_processes(machine);
+    MPI_Comm_free(&machine);
+    return dealii::Utilities::MPI::sum(share, communicator);
   }
 
 
@@ -32,8 +59,7 @@ namespace ElastoPlastic
     dealii::Utilities::System::MemoryStats stats;
     dealii::Utilities::System::get_memory_stats(stats);
     const double used = 1024. * stats.VmRSS;
-    const double all  = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                       static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    const double all  = physical_memory();
     if (bytes <= all - used)
       return;
     std::ostringstream message;

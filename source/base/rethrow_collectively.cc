@@ -29,27 +29,29 @@ namespace ElastoPlastic
 
       Scope(const Scope &) = delete;
     };
-
-
-
-    [[noreturn]] void
-    throw_error(const ExitStatus status, const std::string &message)
-    {
-      switch (status)
-        {
-          case ExitStatus::wrong_input:
-            throw InputError(message);
-          case ExitStatus::no_convergence:
-            throw ConvergenceError(message);
-          case ExitStatus::no_equilibrium:
-            throw EquilibriumError(message);
-          case ExitStatus::io_failure:
-            throw FileError(message);
-          default:
-            throw Error(status, message);
-        }
-    }
   } // namespace
+
+
+
+  void
+  throw_error(const ExitStatus status, const std::string &message)
+  {
+    switch (status)
+      {
+        case ExitStatus::wrong_input:
+          throw InputError(message);
+        case ExitStatus::no_convergence:
+          throw ConvergenceError(message);
+        case ExitStatus::no_equilibrium:
+          throw EquilibriumError(message);
+        case ExitStatus::io_failure:
+          throw FileError(message);
+        case ExitStatus::terminated:
+          throw TerminationError(message);
+        default:
+          throw Error(status, message);
+      }
+  }
 
 
 

@@ -40,16 +40,15 @@ namespace ElastoPlastic
     const std::string signature = program_name + ELASTO_PLASTIC_CONTACT_VERSION;
 
     /// What the paths of entries begin with that may change when a run is
-    /// resumed.
-    const std::array<std::string, 9> free_entries = {{"Linear solver/",
-                                                      "Nonlinear solver/",
-                                                      "Output/",
-                                                      "Loading/Control",
-                                                      "Loading/Depth",
-                                                      "Loading/Force",
-                                                      "Loading/History",
-                                                      "Loading/Number of steps",
-                                                      "Loading/Final time"}};
+    /// resumed. (Of "Loading", what belongs to the past is compared by
+    /// check_same_past().)
+    const std::array<std::string, 6> free_entries = {
+      {"Linear solver/",
+       "Nonlinear solver/",
+       "Loading/",
+       "Evaluation/",
+       "Output/",
+       "Refinement/Maximum number of unknowns"}};
 
 
 
@@ -322,8 +321,9 @@ namespace ElastoPlastic
             "the checkpoint in '" + directory + "' is of a run with '" +
               (before == saved.end() ? "" : before->second) +
               "'. A run can only be resumed with the parameters it has been "
-              "started with (those of the sections Output, Linear solver and "
-              "Nonlinear solver may change, and the load history after the "
+              "started with (those of the sections Output, Evaluation, Linear "
+              "solver and Nonlinear solver may change, 'Refinement/Maximum "
+              "number of unknowns', and the load history after the "
               "checkpoint).");
       }
   }

@@ -120,8 +120,6 @@ namespace ElastoPlastic
   void
   TimeSteps::end_step_at(const double time)
   {
-    if (control == StepControl::fixed)
-      return;
     const double stop = position_at(time);
     const auto   next =
       stops.erase(std::upper_bound(stops.begin(), stops.end(), position),
@@ -176,8 +174,9 @@ namespace ElastoPlastic
     ++step_number;
     if (control == StepControl::adaptive)
       adapt(position - begin, n_iterations);
-    else if (length < 1 && std::fmod(position, 2 * length) == 0)
-      length *= 2;
+    else if (length < 1 && (std::fmod(position, 2 * length) == 0 ||
+                            position == std::floor(position)))
+      length = std::min(1., 2 * length);
   }
 
 

@@ -69,6 +69,21 @@ namespace ElastoPlastic
 
 
 
+    /// Where the name ends in "name: component; component". The name of a
+    /// boundary may contain colons: the longest one that there is counts.
+    std::size_t
+    end_of_name(const std::string &text, const BoundaryNames &names)
+    {
+      std::size_t end = text.find(':');
+      for (std::size_t colon = end; colon != std::string::npos;
+           colon             = text.find(':', colon + 1))
+        if (names.count(Utilities::trim(text.substr(0, colon))) > 0)
+          end = colon;
+      return end;
+    }
+
+
+
     /// Read "component; component" into @p components.
     template <int dim>
     void
@@ -120,13 +135,16 @@ namespace ElastoPlastic
                                                       Type::traction,
                                                       parameters.traction);
 
+    BoundaryNames without_condition;
     for (const auto &[name, id] : names)
       if (conditions.count(id) == 0)
-        throw InputError("The boundary '" + name +
-                         "' has no condition. Name it in one of the entries "
-                         "'Fixed', 'Roller', 'Free', 'Contact', 'Prescribed "
-                         "displacement' and 'Traction' of the section "
-                         "'Boundary conditions'.");
+        without_condition.emplace(name, id);
+    if (!without_condition.empty())
+      throw InputError(
+        "Boundaries without a condition: " + list_of_names(without_condition) +
+        ". Name each in one of the entries 'Fixed', 'Roller', "
+        "'Free', 'Contact', 'Prescribed displacement' and "
+        "'Traction' of the section 'Boundary conditions'.");
   }
 
 
@@ -174,16 +192,18 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void
+  bool
   BoundaryConditions<dim>::check_values(const types::boundary_id boundary,
                                         const Point<dim>        &point,
                                         const double             time) const
   {
+    bool any = false;
     for (const auto *const values : {&displacements, &traction_vectors})
       if (const auto found = values->find(boundary); found != values->end())
         for (const auto &component : found->second)
           if (component)
-            component->value(point, time);
+            any |= component->value(point, time) != 0.;
+    return any;
   }
 
 
@@ -222,7 +242,7 @@ namespace ElastoPlastic
     std::map<types::boundary_id, Components> result;
     for (const std::string &boundary : Utilities::split_string_list(text, '|'))
       {
-        const std::size_t colon = boundary.find(':');
+        const std::size_t colon = end_of_name(boundary, boundary_names);
         if (colon == std::string::npos)
           throw InputError(section + entry,
                            boundary,

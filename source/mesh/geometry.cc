@@ -12,10 +12,9 @@
 #include <vector>
 
 #include "base/exceptions.h"
+#include "base/memory.h"
 #include "mesh/geometry.h"
 #include "mesh/material_ids.h"
-
-#include <unistd.h>
 
 namespace ElastoPlastic
 {
@@ -100,15 +99,7 @@ namespace ElastoPlastic
     double
     max_n_cells(const MPI_Comm communicator)
     {
-      MPI_Comm machine;
-      MPI_Comm_split_type(
-        communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-      const double memory_of_rank =
-        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE) /
-        Utilities::MPI::n_mpi_processes(machine);
-      MPI_Comm_free(&machine);
-      return std::min(1e8,
-                      Utilities::MPI::sum(memory_of_rank, communicator) / 2048);
+      return std::min(1e8, machine_memory(communicator) / 2048);
     }
 
 
@@ -255,7 +246,7 @@ namespace ElastoPlastic
       "(, z), evaluated at the centre of each cell of the mesh that is solved, "
       "also after each refinement, and rounded to a whole number >= 0; "
       "conditions are written if(y > -0.1, 1, 0). Empty stands for 0, or with "
-      "the type file for the number of the physical group in the file.",
+      "the type file for what 'Material groups' says.",
       Patterns::Anything());
     prm.leave_subsection();
   }
@@ -276,6 +267,12 @@ namespace ElastoPlastic
                        "the " +
                          std::to_string(dim) + " dimensions. " +
                          decimal_point_hint);
+    if (type == "file" && !material_id.empty() &&
+        !gmsh_file.material_groups.empty())
+      throw InputError("Geometry/Material id",
+                       material_id,
+                       "'Geometry/Material groups' says of which material the "
+                       "cells of the mesh file are. Leave one of them empty.");
     if (dim == 2)
       find_type<2>(type).check(*this);
     else

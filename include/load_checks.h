@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef load_checks_h
+#define load_checks_h
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include "io/output_parameters.h"
+#include "loading/time_steps.h"
+#include "model/model.h"
+
+// What can be wrong with loads although each entry is right, and shows when
+// time goes on: looked at before there are results and earlier ones are gone.
+
+namespace ElastoPlastic
+{
+  /// An expression shows what is wrong with it only where and when it is
+  /// evaluated: so it is, for the ends of all steps ahead of @p steps, on the
+  /// loaded boundaries and, for body forces, in a sample of the cells. And
+  /// something must load the body at one of these times. Collective.
+  /// @throws InputError
+  template <int dim>
+  void
+  check_loads(const Model<dim>      &model,
+              const TimeSteps       &steps,
+              const DoFHandler<dim> &dof_handler);
+
+  /// Each time at which fields are to be written must be within the history.
+  /// @throws InputError
+  void
+  check_field_times(const OutputParameters &output,
+                    const LoadProgram      &load_program);
+} // namespace ElastoPlastic
+
+#endif
