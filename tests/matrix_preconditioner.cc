@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // With all preconditioners, conjugate gradients reduce the residual of an
-// elastic block as they promise, and give up as documented; a singular matrix
-// is refused.
+// elastic block as they promise, and give up as documented; a singular matrix,
+// or one with numbers that are not finite, is refused; one whose pivots want
+// another order than that of the analysis is factorised.
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -133,15 +134,15 @@ namespace
 
 
 
-  /// Of @p n unknowns; one row is zero.
+  /// Of @p n unknowns, the unit matrix with another @p entry in one place.
   bool
-  is_singular_refused(const unsigned int n)
+  is_refused(const unsigned int n, const double entry)
   {
     const IndexSet owned =
       Utilities::MPI::create_evenly_distributed_partitioning(MPI_COMM_WORLD, n);
     TrilinosWrappers::SparseMatrix matrix(owned, MPI_COMM_WORLD, 1);
     for (const auto i : owned)
-      matrix.set(i, i, i == n / 2 ? 0. : 1.);
+      matrix.set(i, i, i == n / 2 ? entry : 1.);
     matrix.compress(VectorOperation::insert);
 
     LinearAlgebra::distributed::Vector<double> rhs(owned, MPI_COMM_WORLD),
@@ -159,6 +160,72 @@ namespace
         return true;
       }
     return false;
+  }
+
+
+
+  /// On a square grid, each unknown is coupled to its neighbours, by the same
+  /// pattern whatever the @p diagonal entries are.
+  class Grid
+  {
+  public:
+    static constexpr unsigned int n = 80, n_unknowns = n * n;
+
+    explicit Grid()
+      : owned(
+          Utilities::MPI::create_evenly_distributed_partitioning(MPI_COMM_WORLD,
+                                                                 n_unknowns))
+      , matrix(owned, MPI_COMM_WORLD, 25)
+    {}
+
+    void
+    fill(const double diagonal)
+    {
+      for (const auto i : owned)
+        for (int dy = -2; dy <= 2; ++dy)
+          for (int dx = -2; dx <= 2; ++dx)
+            {
+              const int x = i % n + dx, y = i / n + dy;
+              if (x >= 0 && x < static_cast<int>(n) && y >= 0 &&
+                  y < static_cast<int>(n))
+                matrix.set(i,
+                           y * n + x,
+                           dx == 0 && dy == 0 ? diagonal :
+                                                std::sin(1. * i * (y * n + x)));
+            }
+      matrix.compress(VectorOperation::insert);
+    }
+
+    /// How far a solution is from the exact one, 1.
+    double
+    error(const MatrixPreconditioner &preconditioner) const
+    {
+      LinearAlgebra::distributed::Vector<double> one(owned, MPI_COMM_WORLD),
+        rhs(owned, MPI_COMM_WORLD), solution(owned, MPI_COMM_WORLD);
+      one = 1.;
+      matrix.vmult(rhs, one);
+      preconditioner.vmult(solution, rhs);
+      solution -= one;
+      return solution.linfty_norm();
+    }
+
+    const IndexSet                 owned;
+    TrilinosWrappers::SparseMatrix matrix;
+  };
+
+
+
+  /// MUMPS plans with large diagonal entries, and finds none.
+  double
+  error_without_diagonal()
+  {
+    Grid grid;
+    grid.fill(100.);
+    const auto factorization = make_factorization();
+    factorization->initialize(grid.matrix, 1);
+    grid.fill(0.);
+    factorization->initialize(grid.matrix, 1);
+    return grid.error(*factorization);
   }
 } // namespace
 
@@ -181,8 +248,13 @@ main(int argc, char *argv[])
   Block large_block(12);
   verify("more, for MUMPS", large_block.n_unknowns() > 5000);
   test_factorization(large_block);
-  verify("a small singular matrix is refused", is_singular_refused(10));
-  verify("a large singular matrix is refused", is_singular_refused(6000));
+  verify("a small singular matrix is refused", is_refused(10, 0.));
+  verify("a large singular matrix is refused", is_refused(6000, 0.));
+  for (const unsigned int n : {10, 6000})
+    verify("a matrix that is not finite is refused",
+           is_refused(n, std::numeric_limits<double>::infinity()));
+  verify("pivots far from the diagonal are found",
+         error_without_diagonal() < 1e-6);
 
   const double reached =
     block.reached_reduction(block.make_amg(), 3, n_iterations);

@@ -10,7 +10,9 @@
 #include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
 
+#include <cmath>
 #include <exception>
+#include <set>
 
 #include "base/silent_error_stream.h"
 #include "solver/krylov_methods.h"
@@ -100,11 +102,12 @@ namespace ElastoPlastic
       initialize(const TrilinosWrappers::SparseMatrix &matrix,
                  const unsigned int                    pattern) override
       {
+        if (!std::isfinite(matrix.frobenius_norm()))
+          throw_singular();
         if (!solver || pattern != analyzed_pattern)
           analyze(matrix);
         analyzed_pattern = pattern;
-        const SilentErrorStream silence;
-        check(solver->NumericFactorization());
+        check(factorize(matrix));
       }
 
       void
@@ -134,14 +137,45 @@ namespace ElastoPlastic
                                      problem));
         mumps = dynamic_cast<Amesos_Mumps *>(solver.get());
 
-        // KLU keeps its pivots, unless they have become small; MUMPS gets half
-        // as much workspace again as it has estimated.
+        // KLU keeps its pivots, unless they have become small; MUMPS gets more
+        // workspace than it has estimated.
         Teuchos::ParameterList list;
         list.set("Refactorize", true);
-        list.sublist("mumps").set("ICNTL(14)", 50);
+        list.sublist("mumps").set("ICNTL(14)", additional_workspace);
         solver->SetParameters(list);
         const SilentErrorStream silence;
         check(solver->SymbolicFactorization());
+      }
+
+      /// The pivots may want another order than that of the analysis, with
+      /// other entries. The more of them are postponed, the more workspace
+      /// MUMPS needs: in a matrix that is nearly singular, without end.
+      /// @return what the last call has returned.
+      int
+      factorize(const TrilinosWrappers::SparseMatrix &matrix)
+      {
+        while (true)
+          {
+            int status;
+            {
+              const SilentErrorStream silence;
+              status = solver->NumericFactorization();
+            }
+            if (lacks_workspace.count(status_of_mumps()) == 0 ||
+                additional_workspace >= largest_additional_workspace)
+              return status;
+            additional_workspace *= 2;
+            analyze(matrix);
+          }
+      }
+
+      /// INFOG(1), on all ranks; 0 if the solver is another one.
+      int
+      status_of_mumps() const
+      {
+        int status = mumps != nullptr ? mumps->GetINFOG()[0] : 0;
+        problem.GetMatrix()->Comm().Broadcast(&status, 1, 0);
+        return status;
       }
 
       /// Collective. @p status is what a call has returned. (After a solution,
@@ -149,10 +183,9 @@ namespace ElastoPlastic
       void
       check(const int status) const
       {
-        int of_mumps = mumps != nullptr ? mumps->GetINFOG()[0] : 0;
-        problem.GetMatrix()->Comm().Broadcast(&of_mumps, 1, 0);
-        if (of_mumps < 0 && of_mumps != numerically_singular &&
-            of_mumps != structurally_singular)
+        const int of_mumps = status_of_mumps();
+        if (of_mumps < 0 && singular.count(of_mumps) == 0 &&
+            lacks_workspace.count(of_mumps) == 0)
           throw FileError(
             "MUMPS cannot factorise the system. Its manual says "
             "what INFOG(1) = " +
@@ -164,8 +197,14 @@ namespace ElastoPlastic
           throw_singular();
       }
 
-      static constexpr int numerically_singular  = -10;
-      static constexpr int structurally_singular = -6;
+      // Values of INFOG(1).
+      inline static const std::set<int> singular        = {-6, -10};
+      inline static const std::set<int> lacks_workspace = {
+        -8, -9, -11, -14, -15, -17, -20};
+
+      /// In percent of what MUMPS has estimated.
+      int                  additional_workspace         = 50;
+      static constexpr int largest_additional_workspace = 1600;
 
       mutable Epetra_LinearProblem       problem;
       std::unique_ptr<Amesos_BaseSolver> solver;
