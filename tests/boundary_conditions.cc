@@ -23,14 +23,15 @@ namespace
 
 
   BoundaryConditions<2>
-  conditions_from(const std::string &text)
+  conditions_from(const std::string   &text,
+                  const BoundaryNames &boundary_names = names)
   {
     ParameterHandler            prm;
     BoundaryConditionParameters parameters;
     parameters.add_parameters(prm);
     prm.parse_input_from_string("subsection Boundary conditions\n" + text +
                                 "\nend");
-    return BoundaryConditions<2>(parameters, names);
+    return BoundaryConditions<2>(parameters, boundary_names);
   }
 
 
@@ -120,12 +121,15 @@ main(int argc, char **argv)
                     "set Roller = bottom\n"
                     "set Traction = right : 100*t; 0 | top: x; y"));
 
+  // A name may contain colons.
+  print(conditions_from("set Traction = lid : z: 1; 2 | lid: 3; 4",
+                        {{"lid", 0}, {"lid : z", 1}}));
+
   // Names that do not fit the geometry.
   print_error("set Fixed = bottom, lower");
   print_error(
     "set Fixed = bottom\n"
-    "set Contact = top\n"
-    "set Free = left");
+    "set Contact = top");
   print_error(
     "set Fixed = bottom, left\n"
     "set Traction = right: 0; 0 | left: 1; 0");

@@ -88,7 +88,9 @@ namespace
   {
     std::vector<double> errors;
     Triangulation<dim>  mesh(Triangulation<dim>::none, true);
-    make_mesh_from_text(file_of(original), mesh, curves);
+    GmshFileParameters  parameters;
+    parameters.curves = curves;
+    make_mesh_from_text(file_of(original), mesh, parameters);
     for (unsigned int level = 0; level < 3; ++level)
       {
         double measure = 0;

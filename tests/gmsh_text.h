@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "base/exceptions.h"
 #include "mesh/gmsh_file.h"
 
 namespace ElastoPlastic
@@ -17,17 +18,46 @@ namespace ElastoPlastic
   BoundaryNames
   make_mesh_from_text(const std::string  &text,
                       Triangulation<dim> &mesh,
-                      const Curves        curves = Curves::followed)
+                      GmshFileParameters  parameters = {})
   {
-    GmshFileParameters parameters;
-    parameters.file   = "mesh.msh";
-    parameters.curves = curves;
+    parameters.file = "mesh.msh";
     std::ofstream(parameters.file) << text;
     parameters.check(dim);
     return make_mesh_from_gmsh_file(
       parameters,
       [](const std::string &warning) { std::cout << warning << std::endl; },
       mesh);
+  }
+
+
+
+  /// What is said about this @p text.
+  template <int dim>
+  void
+  print_error(const std::string        &text,
+              const GmshFileParameters &parameters = {})
+  {
+    try
+      {
+        Triangulation<dim> mesh(Triangulation<dim>::none, true);
+        make_mesh_from_text(text, mesh, parameters);
+        std::cout << "no error\n" << std::endl;
+      }
+    catch (const InputError &error)
+      {
+        std::cout << error.what() << '\n' << std::endl;
+      }
+  }
+
+
+
+  /// @p text with the first @p part of it replaced.
+  inline std::string
+  change(std::string        text,
+         const std::string &part,
+         const std::string &replacement)
+  {
+    return text.replace(text.find(part), part.size(), replacement);
   }
 } // namespace ElastoPlastic
 

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -17,8 +18,11 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// What a mesh file of Gmsh says, ASCII formats 2.2 and 4.1 (Gmsh reference
-  /// manual, "MSH file format").
+  /// What a mesh file of Gmsh says, ASCII formats 2.1, 2.2 and 4.1 (Gmsh
+  /// reference manual, "MSH file format"). Elements of second order are read as
+  /// those of first order with the same corners. What a partitioned mesh says
+  /// about its parts is not read: elements belong to the entities that have
+  /// been divided.
   ///
   /// deal.II's GridIn reads these formats as well, but it drops the names of
   /// physical groups and trusts the file: a damaged one makes it write outside
@@ -34,17 +38,35 @@ namespace ElastoPlastic
       unsigned int              type;         ///< Gmsh's number
       unsigned int              physical_tag; ///< 0: in no physical group
       long                      entity;       ///< of the geometry; 0: unknown
-      std::vector<unsigned int> nodes;        ///< indices into nodes
+      std::vector<unsigned int> nodes;        ///< corners, indices into nodes
     };
 
     /// Dimension and number of a geometric entity or a physical group.
     using Tag = std::pair<unsigned int, long>;
 
-    std::map<Tag, std::string> physical_names;
-    std::vector<Point<3>>      nodes;
-    std::vector<Element>       elements;
+    /// The name of a physical group, or its number if it has none.
+    std::string
+    group_name(const unsigned int dimension, const unsigned int tag) const;
+
+    /// @throws InputError that names the file; @p reason completes the sentence
+    /// "..., but".
+    [[noreturn]] void
+    reject(const std::string &reason) const;
+
+    std::vector<Point<3>> nodes;
+    std::vector<Element>  elements;
+
+    /// Whether some elements have had more nodes than their corners.
+    bool is_of_second_order = false;
 
   private:
+    /// A geometric entity as it was before the mesh was partitioned.
+    struct Entity
+    {
+      unsigned int physical_tag;
+      long         number;
+    };
+
     void
     read_format(GmshScanner &scanner);
 
@@ -58,7 +80,22 @@ namespace ElastoPlastic
     read_entities(GmshScanner &scanner);
 
     void
+    read_partitioned_entities(GmshScanner &scanner);
+
+    /// Those of all dimensions, each read by @p read.
+    void
+    for_each_entity(GmshScanner                                   &scanner,
+                    const std::function<void(const unsigned int)> &read) const;
+
+    void
     read_entity(const unsigned int dimension, GmshScanner &scanner);
+
+    void
+    read_part_of_entity(const unsigned int dimension, GmshScanner &scanner);
+
+    /// The number of the physical group, 0 if there is none.
+    unsigned int
+    read_group_of_entity(const Tag &entity, GmshScanner &scanner) const;
 
     void
     read_nodes(GmshScanner &scanner);
@@ -80,11 +117,16 @@ namespace ElastoPlastic
     void
     read_element_block(GmshScanner &scanner);
 
-    std::vector<unsigned int>
-    read_nodes_of_element(const unsigned int type, GmshScanner &scanner) const;
+    /// An element of Gmsh's type of this number, whose nodes come next.
+    void
+    read_element(const unsigned int number_of_type,
+                 const Entity      &entity,
+                 GmshScanner       &scanner);
 
+    const std::string            file_name;
     std::string                  version;
-    std::map<Tag, unsigned int>  physical_tags;
+    std::map<Tag, std::string>   physical_names;
+    std::map<Tag, Entity>        entities;
     std::map<long, unsigned int> node_indices;
   };
 } // namespace ElastoPlastic

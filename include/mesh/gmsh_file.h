@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "base/enum_names.h"
 #include "mesh/boundary_names.h"
@@ -34,8 +35,9 @@ namespace ElastoPlastic
   /// The entries of the section "Geometry" about a mesh file.
   struct GmshFileParameters
   {
-    std::string file;
-    Curves      curves = Curves::followed;
+    std::string              file;
+    std::vector<std::string> material_groups;
+    Curves                   curves = Curves::followed;
 
     /// Declare the entries in the current section.
     void
@@ -47,15 +49,14 @@ namespace ElastoPlastic
   };
 
   /// Fill @p triangulation with the mesh of a file that Gmsh has written.
-  /// Boundary ids and material ids are the numbers of the physical groups, 0
-  /// for what is in none. A boundary is called by the name of its group, or by
-  /// its number if there is no name. Cells that meet at a corner or an edge
-  /// only are not connected (see separate_pinched_vertices()), and curves are
-  /// followed if that is wanted (see follow_curved_boundaries(), which uses
-  /// @p warn).
+  /// Boundary ids are the numbers of the physical groups (see GmshBoundaries),
+  /// material ids too or, if they are given, the places in the list of groups;
+  /// 0 for what is in no group. Cells that meet at a corner or an edge only are
+  /// not connected, and curves are followed if that is wanted (see
+  /// follow_curved_boundaries()). @p warn is told what may not be meant.
   /// @throws InputError if the file is damaged or does not hold a mesh of
-  /// quadrilaterals (2D, in the plane z = const) or hexahedra (3D) with at
-  /// least one physical group on its boundary.
+  /// quadrilaterals (2D, in the plane z = const) or hexahedra (3D) with a
+  /// boundary that is divided.
   template <int dim>
   BoundaryNames
   make_mesh_from_gmsh_file(const GmshFileParameters &parameters,

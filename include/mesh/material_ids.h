@@ -56,7 +56,8 @@ namespace ElastoPlastic
             << ", but the entries of 'Material' describe " << n_materials
             << " materials: 0 to " << n_materials - 1
             << ". Give one value for each material there, or change "
-               "'Geometry/Material id'.";
+               "'Geometry/Material id' or, for a mesh file, 'Geometry/Material "
+               "groups'.";
     throw InputError(message.str());
   }
 

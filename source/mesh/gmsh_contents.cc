@@ -1,15 +1,20 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
 
+#include "base/exceptions.h"
 #include "mesh/gmsh_contents.h"
+#include "mesh/gmsh_element_type.h"
 
 namespace ElastoPlastic
 {
   GmshContents::GmshContents(const std::string &file_name)
+    : file_name(file_name)
   {
     GmshScanner scanner(file_name);
     read_format(scanner);
@@ -25,6 +30,26 @@ namespace ElastoPlastic
 
 
 
+  std::string
+  GmshContents::group_name(const unsigned int dimension,
+                           const unsigned int tag) const
+  {
+    const auto        found = physical_names.find({dimension, tag});
+    const std::string name =
+      found == physical_names.end() ? "" : Utilities::trim(found->second);
+    return name.empty() ? std::to_string(tag) : name;
+  }
+
+
+
+  void
+  GmshContents::reject(const std::string &reason) const
+  {
+    throw InputError("Geometry/File", file_name, reason);
+  }
+
+
+
   void
   GmshContents::read_format(GmshScanner &scanner)
   {
@@ -32,13 +57,16 @@ namespace ElastoPlastic
       " Export it from Gmsh as 'Version 4 ASCII' or 'Version 2 ASCII'.";
     if (scanner.at_end())
       scanner.fail("there is nothing: the file is empty.");
-    if (scanner.word() != "$MeshFormat")
+    std::string section = scanner.word();
+    for (; section == "$Comments"; section = scanner.word())
+      scanner.skip_past("$EndComments");
+    if (section != "$MeshFormat")
       scanner.fail("'$MeshFormat' is missing, so it is no mesh file of Gmsh." +
                    remedy);
     version = scanner.word();
-    if (version != "2.2" && version != "4.1")
+    if (version != "2.1" && version != "2.2" && version != "4.1")
       scanner.fail("the format is '" + version +
-                   "', but only 2.2 and 4.1 are read." + remedy);
+                   "', but only 2.1, 2.2 and 4.1 are read." + remedy);
     if (scanner.word() != "0")
       scanner.fail("the format is binary, but only ASCII is read." + remedy);
     scanner.count();
@@ -54,6 +82,8 @@ namespace ElastoPlastic
       read_physical_names(scanner);
     else if (section == "Entities")
       read_entities(scanner);
+    else if (section == "PartitionedEntities")
+      read_partitioned_entities(scanner);
     else if (section == "Nodes")
       read_nodes(scanner);
     else if (section == "Elements")
@@ -84,12 +114,40 @@ namespace ElastoPlastic
   void
   GmshContents::read_entities(GmshScanner &scanner)
   {
+    for_each_entity(scanner, [&](const unsigned int dimension) {
+      read_entity(dimension, scanner);
+    });
+  }
+
+
+
+  void
+  GmshContents::read_partitioned_entities(GmshScanner &scanner)
+  {
+    scanner.count();
+    for (unsigned int n_ghosts = scanner.count(); n_ghosts > 0; --n_ghosts)
+      {
+        scanner.integer();
+        scanner.integer();
+      }
+    for_each_entity(scanner, [&](const unsigned int dimension) {
+      read_part_of_entity(dimension, scanner);
+    });
+  }
+
+
+
+  void
+  GmshContents::for_each_entity(
+    GmshScanner                                   &scanner,
+    const std::function<void(const unsigned int)> &read) const
+  {
     std::vector<unsigned int> n_entities;
     for (unsigned int dimension = 0; dimension <= 3; ++dimension)
       n_entities.push_back(scanner.count());
     for (unsigned int dimension = 0; dimension <= 3; ++dimension)
       for (unsigned int n = n_entities[dimension]; n > 0; --n)
-        read_entity(dimension, scanner);
+        read(dimension);
   }
 
 
@@ -97,22 +155,54 @@ namespace ElastoPlastic
   void
   GmshContents::read_entity(const unsigned int dimension, GmshScanner &scanner)
   {
-    const long         tag           = scanner.integer();
+    const long number = scanner.integer();
+    const Tag  tag(dimension, number);
+    entities[tag] = {read_group_of_entity(tag, scanner), number};
+  }
+
+
+
+  void
+  GmshContents::read_part_of_entity(const unsigned int dimension,
+                                    GmshScanner       &scanner)
+  {
+    const Tag          part(dimension, scanner.integer());
+    const unsigned int dimension_of_whole = scanner.count();
+    const Tag          whole(dimension_of_whole, scanner.integer());
+    for (unsigned int n_partitions = scanner.count(); n_partitions > 0;
+         --n_partitions)
+      scanner.integer();
+
+    // (What parts have in common is a part of something larger.)
+    const unsigned int group = read_group_of_entity(part, scanner);
+    const auto         found = entities.find(whole);
+    entities[part]           = {group, part.second};
+    if (dimension_of_whole == dimension && found != entities.end())
+      entities[part] = found->second;
+  }
+
+
+
+  unsigned int
+  GmshContents::read_group_of_entity(const Tag   &entity,
+                                     GmshScanner &scanner) const
+  {
+    const auto [dimension, number]   = entity;
     const unsigned int n_coordinates = (dimension == 0 ? 3 : 6);
     for (unsigned int i = 0; i < n_coordinates; ++i)
       scanner.number();
 
     const unsigned int n_groups = scanner.count();
     if (n_groups > 1)
-      scanner.fail("the entity " + std::to_string(tag) + " of dimension " +
+      scanner.fail("the entity " + std::to_string(number) + " of dimension " +
                    std::to_string(dimension) +
                    " is in several physical groups, but one is allowed.");
-    if (n_groups == 1)
-      physical_tags[Tag(dimension, tag)] = read_physical_tag(scanner);
+    const unsigned int group = (n_groups == 1 ? read_physical_tag(scanner) : 0);
 
     if (dimension > 0)
       for (unsigned int n = scanner.count(); n > 0; --n)
         scanner.integer();
+    return group;
   }
 
 
@@ -120,7 +210,7 @@ namespace ElastoPlastic
   void
   GmshContents::read_nodes(GmshScanner &scanner)
   {
-    if (version == "2.2")
+    if (version != "4.1")
       {
         for (unsigned int n = scanner.count(); n > 0; --n)
           {
@@ -223,8 +313,7 @@ namespace ElastoPlastic
         const long entity = n_tags > 1 ? scanner.integer() : 0;
         for (unsigned int i = 2; i < n_tags; ++i)
           scanner.integer();
-        elements.push_back(
-          {type, physical_tag, entity, read_nodes_of_element(type, scanner)});
+        read_element(type, {physical_tag, entity}, scanner);
       }
   }
 
@@ -234,48 +323,30 @@ namespace ElastoPlastic
   GmshContents::read_element_block(GmshScanner &scanner)
   {
     const unsigned int dimension  = scanner.count();
-    const long         entity     = scanner.integer();
+    const long         number     = scanner.integer();
     const unsigned int type       = scanner.count();
     const unsigned int n_elements = scanner.count();
 
-    const auto         group = physical_tags.find(Tag(dimension, entity));
-    const unsigned int physical_tag =
-      (group == physical_tags.end() ? 0 : group->second);
+    const auto   found = entities.find(Tag(dimension, number));
+    const Entity entity =
+      found == entities.end() ? Entity{0, number} : found->second;
     for (unsigned int n = 0; n < n_elements; ++n)
       {
         scanner.integer();
-        elements.push_back(
-          {type, physical_tag, entity, read_nodes_of_element(type, scanner)});
+        read_element(type, entity, scanner);
       }
   }
 
 
 
-  std::vector<unsigned int>
-  GmshContents::read_nodes_of_element(const unsigned int type,
-                                      GmshScanner       &scanner) const
+  void
+  GmshContents::read_element(const unsigned int number_of_type,
+                             const Entity      &entity,
+                             GmshScanner       &scanner)
   {
-    static const std::map<unsigned int, unsigned int> n_nodes_of_type = {
-      {1, 2}, {3, 4}, {5, 8}, {15, 1}};
-    static const std::map<unsigned int, std::string> refused_types = {
-      {2, "triangles"}, {4, "tetrahedra"}, {6, "prisms"}, {7, "pyramids"}};
-
-    const auto n_nodes = n_nodes_of_type.find(type);
-    if (n_nodes == n_nodes_of_type.end())
-      {
-        const auto refused = refused_types.find(type);
-        scanner.fail(
-          "there are " +
-          (refused == refused_types.end() ?
-             "elements of Gmsh's type " + std::to_string(type) :
-             refused->second) +
-          ", but only quadrilaterals (2D) and hexahedra (3D) of first order "
-          "are read. In Gmsh, recombine or use transfinite surfaces and "
-          "volumes, and set the element order to 1.");
-      }
-
+    const GmshElementType    &type = gmsh_element_type(number_of_type, scanner);
     std::vector<unsigned int> indices;
-    for (unsigned int i = 0; i < n_nodes->second; ++i)
+    for (unsigned int i = 0; i < type.n_nodes; ++i)
       {
         const long tag   = scanner.integer();
         const auto index = node_indices.find(tag);
@@ -288,6 +359,11 @@ namespace ElastoPlastic
                        " twice.");
         indices.push_back(index->second);
       }
-    return indices;
+    indices.resize(type.n_corners);
+    is_of_second_order |= (type.number_of_first_order != number_of_type);
+    elements.push_back({type.number_of_first_order,
+                        entity.physical_tag,
+                        entity.number,
+                        indices});
   }
 } // namespace ElastoPlastic
