@@ -4,9 +4,11 @@
 
 import argparse
 import importlib
+import os
+import subprocess
 import sys
 
-from .errors import UserError
+from .errors import FileError, UserError
 
 # The module of each command, whose main() takes its arguments, and what it does.
 COMMANDS = {
@@ -31,7 +33,8 @@ PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib"}
 
 
 def main(arguments=None):
-    """Runs a command. Returns its exit status: 2 after a wrong input, 130 after Ctrl-C."""
+    """Runs a command. Returns its exit status: 2 after a wrong input, 5 if a file could not be read or
+    written, that of the program if it has failed, 130 after Ctrl-C."""
     parser = argparse.ArgumentParser(
         prog="elasto_plastic_contact", formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Commands (each explains itself with --help):\n" +
@@ -41,24 +44,29 @@ def main(arguments=None):
     chosen = parser.parse_args(arguments)
     try:
         module = importlib.import_module(f".{COMMANDS[chosen.command][0]}", __package__)
-        return module.main(chosen.arguments)
+        status = module.main(chosen.arguments)
+        sys.stdout.flush()
+        return status
     except UserError as error:
-        problem = str(error)
+        status, problem = error.status, str(error)
     except ImportError as error:
         package = PACKAGES.get((error.name or "").partition(".")[0])
         if package is None:
             raise
+        status = UserError.status
         problem = (f"{error} in {sys.executable}. The Debian package {package} installs it for /usr/bin/python3, which "
                    "runs the commands of scripts/ unless another Python is named before them.")
+    except subprocess.CalledProcessError as error:
+        status, problem = error.returncode, f"the program has ended with exit status {error.returncode}"
     except OSError as error:
-        if error.filename is None:
-            raise
-        problem = f"'{error.filename}': {error.strerror}"
+        status, problem = FileError.status, f"'{error.filename or 'standard output'}': {error.strerror}"
+        # (so that what is left of the output is not tried again at the end of the process)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except KeyboardInterrupt:
         print(f"{chosen.command}: stopped", file=sys.stderr)
         return 130
     print(f"{chosen.command}: {problem}", file=sys.stderr)
-    return 2
+    return status
 
 
 if __name__ == "__main__":

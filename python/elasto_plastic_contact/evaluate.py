@@ -115,11 +115,13 @@ def curve_of_run(run):
     return run.history["depth"] - run.number("Indenter/Initial gap"), run.history["force"] / part
 
 
-def check_sections(name, unloadings):
+def check_results(name, unloadings):
     for unloading in unloadings:
         if unloading.contact_depth > 0. and not unloading.tip_area > 0.:
             raise UserError(f"the {name} curve has a contact depth of {unloading.contact_depth:.6g}, where the section of "
                             f"the tip is {unloading.tip_area:.6g}: are the tip and the curve in the same units?")
+        if not numpy.isfinite(dataclasses.astuple(unloading)).all():
+            raise UserError(f"the {name} curve has numbers too large or too small to be evaluated: choose other units")
 
 
 def main(arguments):
@@ -127,14 +129,16 @@ def main(arguments):
     run = Results(arguments.run) if arguments.run else None
     tip = choose_tip(arguments, run)
     constants = {"beta": arguments.beta, "epsilon": arguments.epsilon}
+    indenter_compliance = compliance(arguments.indenter)
     curves = {"measured": read_curve(arguments.curve, arguments.columns, arguments.factors)}
+    numpy.seterr(all="ignore")  # (check_results() says it)
     found = {"measured": evaluate(*curves["measured"], tip, noise=arguments.noise, **constants)}
     if run is not None:
         curves["computed"] = curve_of_run(run)
         found["computed"] = evaluate(*curves["computed"], tip, jumps=jumps_of_meshes(run),
-                                     indenter_compliance=compliance(arguments.indenter), **constants)
+                                     indenter_compliance=indenter_compliance, **constants)
     for name, unloadings in found.items():
-        check_sections(name, unloadings)
+        check_results(name, unloadings)
     print("curve", *(field.name for field in dataclasses.fields(Unloading)), sep=",")
     for name, unloadings in found.items():
         for unloading in unloadings:

@@ -6,6 +6,7 @@ Numbers are stored in single precision: six to seven digits.
 """
 
 import base64
+import contextlib
 import pathlib
 import struct
 import xml.etree.ElementTree as ElementTree
@@ -34,7 +35,8 @@ def records(folder, kind):
 def times(folder, kind):
     """The times of these files."""
     path = pathlib.Path(folder) / f"{kind}.pvd"
-    return [float(time) for time in files_named_in(path, "DataSet", "timestep")]
+    with reading(path):
+        return [float(time) for time in files_named_in(path, "DataSet", "timestep")]
 
 
 def read_record(folder, record):
@@ -43,25 +45,34 @@ def read_record(folder, record):
     fields = {"points": [], "cells": []}
     files = [record] if record.endswith(".vtu") else files_named_in(folder / record, "Piece", "Source")
     for file in files:
-        root, appended = parse(folder / file)
-        for piece in root.iter("Piece"):  # (a large file has several)
-            add_piece(fields, piece, appended)
+        with reading(folder / file):
+            root, appended = parse(folder / file)
+            for piece in root.iter("Piece"):  # (a large file has several; one of lines may be empty)
+                if piece.get("NumberOfPoints") != "0":
+                    add_piece(fields, piece, appended)
     return fields
+
+
+@contextlib.contextmanager
+def reading(path):
+    """Refuses a file that is not what the program writes."""
+    try:
+        yield
+    except OSError as error:
+        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
+    except (AttributeError, KeyError, TypeError, ValueError, struct.error, zlib.error, ElementTree.ParseError) as error:
+        raise UserError(f"'{path}' is damaged, or has not been written by the program: {error}") from None
 
 
 def parse(path):
     """The XML of a file, and the numbers that stand behind it, if any."""
-    try:
-        text, tag, appended = path.read_bytes().partition(b'<AppendedData encoding="raw">')
-        return ElementTree.fromstring(text + b"</VTKFile>" if tag else text), appended.partition(b"_")[2]
-    except OSError as error:
-        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
-    except ElementTree.ParseError as error:
-        raise UserError(f"'{path}' is damaged: {error}") from None
+    text, tag, appended = path.read_bytes().partition(b'<AppendedData encoding="raw">')
+    return ElementTree.fromstring(text + b"</VTKFile>" if tag else text), appended.partition(b"_")[2]
 
 
 def files_named_in(path, tag, attribute):
-    return [element.get(attribute) for element in parse(path)[0].iter(tag)]
+    with reading(path):
+        return [element.attrib[attribute] for element in parse(path)[0].iter(tag)]
 
 
 def add_piece(fields, piece, appended):

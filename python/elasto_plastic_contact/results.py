@@ -6,7 +6,7 @@ import functools
 import os
 
 from .errors import UserError
-from .fields import read_record, records
+from .fields import read_record, reading, records
 from .tables import read_table
 
 
@@ -32,13 +32,13 @@ class Results:
     @functools.lru_cache(maxsize=None)
     def table(self, name):
         """A table by its name without '.csv'."""
-        import numpy  # (which those who only start the program do without)
+        from .arrays import Table  # (which needs NumPy: those who only start the program do without)
 
         self.expect(f"{name}.csv")
         rows = read_table(self.path(f"{name}.csv"))
         if not rows:
             raise UserError(f"'{self.path(name)}.csv' holds no results yet")
-        return numpy.array([tuple(row.values()) for row in rows], [(column, float) for column in rows[0]])
+        return Table.of(rows)
 
     @property
     def history(self):
@@ -69,7 +69,8 @@ class Results:
         if not -len(files) <= step < len(files):
             raise UserError(f"there is no step {step} in '{self.path(kind)}.pvd': it has {len(files)}, "
                             "counted from 0, or from -1 backwards")
-        return {name: numpy.array(values) for name, values in read_record(self.directory, files[step]).items()}
+        with reading(self.path(files[step])):
+            return {name: numpy.array(values) for name, values in read_record(self.directory, files[step]).items()}
 
     @functools.cached_property
     def parameters(self):
@@ -77,34 +78,39 @@ class Results:
         path = self.path("parameters.prm")
         values, sections, continued = {}, [], ""
         try:
-            with open(path, encoding="utf-8") as file:
+            with open(path, encoding="utf-8", errors="replace") as file:
                 lines = file.read().splitlines()
         except OSError as error:
             raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
-        for line in lines:
+        for number, line in enumerate(lines, 1):
             line = continued + line.split("#")[0].strip()
             continued = ""
             if line.endswith("\\"):
                 continued = line[:-1]
             elif line.startswith("subsection "):
                 sections.append(line[len("subsection "):].strip())
-            elif line == "end":
+            elif line == "end" and sections:
                 sections.pop()
-            elif line.startswith("set "):
+            elif line.startswith("set ") and "=" in line:
                 entry, value = line[len("set "):].split("=", 1)
                 values["/".join(sections + [entry.strip()])] = value.strip()
+            elif line:
+                raise UserError(f"'{path}' is damaged in line {number}")
         return values
 
     def numbers(self, path):
         """The values of an entry that is a list of numbers; empty without it."""
-        return [float(part) for part in self.parameters.get(path, "").split(",") if part.strip()]
+        try:
+            return [float(part) for part in self.parameters.get(path, "").split(",") if part.strip()]
+        except ValueError:
+            raise UserError(f"the run's parameters.prm holds no numbers for '{path}'") from None
 
     def number(self, path):
         """The first value of an entry of numbers."""
-        try:
-            return self.numbers(path)[0]
-        except (IndexError, ValueError):
-            raise UserError(f"the run's parameters.prm holds no number for '{path}'") from None
+        numbers = self.numbers(path)
+        if not numbers:
+            raise UserError(f"the run's parameters.prm holds no number for '{path}'")
+        return numbers[0]
 
     @property
     def is_axisymmetric(self):

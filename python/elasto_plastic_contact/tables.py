@@ -24,7 +24,7 @@ def read_table(path):
                     for row in reader]
     except OSError as error:
         raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
-    except (AttributeError, TypeError, ValueError):
+    except (AttributeError, TypeError, ValueError, csv.Error):
         raise UserError(f"'{path}' is damaged in line {reader.line_num}: a value is missing, is not a number, or has "
                         "no column. Either ',' separates columns and '.' is the decimal point, or ';' separates columns "
                         "and ',' is the decimal comma") from None

@@ -6,6 +6,7 @@ import argparse
 import csv
 import math
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -13,6 +14,7 @@ import unittest
 
 from elasto_plastic_contact import Results, UserError, run
 from elasto_plastic_contact.evaluate import tip_of_run
+from elasto_plastic_contact.plots.equilibrium import last_slip_lines
 from elasto_plastic_contact.plots.quantities import shown_entry
 
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
@@ -34,10 +36,11 @@ class Commands(unittest.TestCase):
         cls.folder = pathlib.Path(folder.name)
         cls.cone = run("indentation/cone_axisymmetric.prm", cls.folder / "cone", CONE)
 
-    def expect_message(self, pattern, name, *arguments):
+    def expect_message(self, pattern, name, *arguments, status=2):
         process = command(name, *arguments)
-        self.assertEqual(process.returncode, 2)
+        self.assertNotIn("Traceback", process.stderr)
         self.assertRegex(process.stderr.splitlines()[-1], f"^{name}: .*{pattern}")
+        self.assertEqual(process.returncode, status)
 
     def test_plot(self):
         process = command("plot", "energies", self.folder / "cone")
@@ -46,7 +49,49 @@ class Commands(unittest.TestCase):
                             "plot", "energy", self.folder / "cone")
         self.expect_message("nothing to show for stress_strain", "plot", "stress_strain", self.folder / "cone")
         self.expect_message("parameters.prm' cannot be read: No such file", "plot", "energies", self.folder)
-        self.expect_message("cannot be written", "plot", self.folder / "cone", "--output-directory", "/nowhere")
+        self.expect_message("cannot be written", "plot", self.folder / "cone", "--output-directory", "/nowhere", status=5)
+        self.expect_message("argument --parts: it is '0', but must be a number > 0", "plot", self.folder / "cone", "--parts", 0)
+
+    def test_damaged_results(self):
+        """Of copies of the run, one file each is not what the program has written."""
+        for file, damage, pattern in (
+                ("history.csv", lambda text: text.replace("force", "farce"), "lacks the column 'force'; it has step, "),
+                ("history.csv", lambda text: "", "history.csv' holds no results yet"),
+                ("parameters.prm", lambda text: text + "\nend\n", "parameters.prm' is damaged in line "),
+                ("parameters.prm", lambda text: "set Kinematics\n", "parameters.prm' is damaged in line 1")):
+            folder = self.folder / "damaged"
+            shutil.copytree(self.folder / "cone", folder)
+            (folder / file).write_text(damage((folder / file).read_text()))
+            self.expect_message(pattern, "plot", "force_depth", folder)
+            shutil.rmtree(folder)
+
+    def test_damaged_fields(self):
+        folder = self.folder / "fields"
+        folder.mkdir()
+        (folder / "solution.pvd").write_text('<VTKFile><DataSet timestep="0" file="a.vtu"/></VTKFile>')
+        (folder / "parameters.prm").write_text("")
+        for text in ("", "<VTKFile/", '<VTKFile><Piece NumberOfPoints="1"/></VTKFile>',
+                     '<VTKFile><Piece><Points><DataArray type="Float32" format="binary">AQAA</DataArray></Points>'
+                     '</Piece></VTKFile>'):
+            (folder / "a.vtu").write_text(text)
+            self.expect_message("a.vtu' is damaged, or has not been written by the program", "render", folder)
+
+    def test_no_slip_lines(self):
+        """deal.II writes a piece without points where nothing slips."""
+        (self.folder / "slip_lines.pvd").write_text('<VTKFile><DataSet timestep="0" file="slip.vtu"/></VTKFile>')
+        (self.folder / "slip.vtu").write_text(
+            '<VTKFile><UnstructuredGrid><Piece NumberOfPoints="0" NumberOfCells="0"><Cells>'
+            '<DataArray type="UInt8" Name="types"></DataArray></Cells><PointData Scalars="scalars">'
+            '<DataArray type="Float32" Name="slip" NumberOfComponents="3"></DataArray></PointData></Piece>'
+            '</UnstructuredGrid></VTKFile>')
+        self.assertEqual(len(last_slip_lines(self.folder)["cells"]), 0)
+
+    def test_full_disk(self):
+        """/dev/full stands for one."""
+        with open("/dev/full", "w") as full:
+            process = subprocess.run([sys.executable, SCRIPTS / "plot.py", "energies", self.folder / "cone"], stdout=full,
+                                     stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual((process.returncode, process.stderr), (5, "plot: 'standard output': No space left on device\n"))
 
     def test_shown_entry(self):
         history = self.cone.history
@@ -75,7 +120,16 @@ class Commands(unittest.TestCase):
         modulus = float(next(csv.DictReader(process.stdout.splitlines()))["tip_reduced_modulus"])
         self.assertAlmostEqual(float(computed["tip_reduced_modulus"]) / modulus, 1.034, places=4)
         self.expect_message("no column 'depth'; it has P, h", "evaluate", curve, "--sphere", 1)
-        self.expect_message("--cone is 90, but must be between", "evaluate", curve, "--cone", 90)
+        for option, value, allowed in (
+                ("--cone", 90, "> 0 and < 90"), ("--sphere", 0, "> 0"), ("--beta", 0, "> 0"), ("--beta", "inf", "> 0"),
+                ("--epsilon", 5, "> 0 and <= 1"), ("--noise", "nan", ">= 0 and < 0.5"), ("--area", "nan", "a number")):
+            self.expect_message(f"argument {option}: it is '{value}', but must be .*{allowed}", "evaluate", curve, *units,
+                                option, value)
+        self.expect_message("where the section of the tip is -", "evaluate", curve, *units, "--area", -24)
+        self.expect_message("--indenter is 0 0.3, but must be a modulus > 0", "evaluate", curve, *units, "--cone", 70,
+                            "--indenter", 0, 0.3)
+        self.expect_message("no value of 'P' above 0", "evaluate", curve, "--columns", "h", "P", "--factors", 1, -1,
+                            "--cone", 70)
         self.expect_message("no tip: give it by --cone, ", "evaluate", curve)
 
     def test_tip_of_run(self):

@@ -4,6 +4,7 @@
 
 import csv
 import json
+import os
 import pathlib
 import signal
 import subprocess
@@ -14,6 +15,9 @@ import unittest
 
 from elasto_plastic_contact import UserError
 from elasto_plastic_contact.__main__ import main
+from elasto_plastic_contact.errors import FileError
+from elasto_plastic_contact.files import new_file
+from elasto_plastic_contact.plots.study import draw
 from elasto_plastic_contact.study.execution import curves_of_runs
 from elasto_plastic_contact.study.plan import read_study
 
@@ -142,6 +146,15 @@ class Studies(unittest.TestCase):
                 ({**STUDY, "numbers": {"n": {**number, "take": "biggest"}}},
                  "'numbers/n/take' is \"biggest\", but must be one of last, first"),
                 ({**STUDY, "numbers": {"n": {"table": "history"}}}, "numbers/n lacks 'column'"),
+                ({**STUDY, "set": {}, "vary": {path: list(range(3000)) for path in (
+                    "Material/Yield stress", "Loading/Depth", "Loading/Number of steps")}},
+                 "'vary' makes 27000000000 runs, but at most 100000 are allowed"),
+                ({**STUDY, "numbers": {"Material/Yield stress": number}},
+                 "'numbers/Material/Yield stress' has the name of another column of study.csv"),
+                ({**STUDY, "numbers": {"run": number}}, "'numbers/run' has the name of another column"),
+                ({**STUDY, "vary": {"Material/Law": ["\0"]}}, r"the text \"\\u0000\" holds a character that is not allowed"),
+                ("[" * 100000, "brackets are nested too deep"),
+                ("9" * 5000, "Exceeds the limit"),
                 ({**STUDY, "plot": {"y": ["force"]}}, "plot/y: there is no \"force\". Allowed: stress"),
                 ({**STUDY, "plot": {"curves": {"x": "time", "y": "top_z"}}}, "plot/curves lacks 'table'"),
                 ({**STUDY, "plot": {"curves": {"table": "reactions", "x": 1, "y": "top_z"}}},
@@ -152,6 +165,27 @@ class Studies(unittest.TestCase):
         table = {key: value for key, value in STUDY.items() if key != "vary"}
         with self.assertRaisesRegex(UserError, "runs/2 has other entries than the first one: Material/Law"):
             read_study(self.command({**table, "runs": [{"Dimension": 3}, {"Dimension": 3, "Material/Law": "x"}]})[1])
+
+    def test_plot(self):
+        """Values of different types, of which each line of the plot knows some only."""
+        study = read_study(self.command({**STUDY, "vary": {"Material/Yield stress": [5, 6, [1, 2], "7"],
+                                                           "Material/Law": ["a", "b"]}})[1])
+        rows = [{**run, **dict.fromkeys(study.numbers, i if (run["Material/Law"] == "b") == (i < 4) else None)}
+                for i, run in enumerate(study.runs)]
+        draw(study, rows, self.folder / "study.png")
+        self.assertTrue((self.folder / "study.png").read_bytes().startswith(b"\x89PNG"))
+        study.x = "$\\wrong$"
+        with self.assertRaisesRegex(UserError, "study.png' cannot be drawn: .*wrong"):
+            draw(study, [{**row, study.x: 1.} for row in rows], self.folder / "study.png")
+
+    def test_full_disk(self):
+        """/dev/full stands for one."""
+        with self.assertRaisesRegex(FileError, "table' cannot be written: No space left on device") as failure:
+            with new_file(self.folder / "table") as file:
+                os.dup2(os.open("/dev/full", os.O_WRONLY), file.fileno())
+                file.write("text")
+        self.assertEqual(failure.exception.status, 5)
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_wrong_column(self):
         study = {**STUDY, "vary": {"Material/Yield stress": [300]},

@@ -15,6 +15,7 @@ from . import (contact, error_bounds, finite_strain, friction, guide, histories,
                performance, scaling)
 from .places import differences, fill, names
 from .recipe import RECIPES, Runs
+from ..arguments import number
 from ..errors import UserError
 from ..program import ROOT
 from ..verification.runner import add_program
@@ -31,7 +32,7 @@ def main(arguments):
     action.add_argument("--list", action="store_true", help="all names, with their pages and seconds")
     action.add_argument("--check", action="store_true", help="compare, and write nothing")
     add_program(parser)
-    parser.add_argument("--ranks", type=int, default=1)
+    parser.add_argument("--ranks", type=number(int, least=1), default=1)
     chosen = parser.parse_args(arguments)
     texts = {page: page.read_text(encoding="utf-8") for page in PAGES}
     check_names(texts)

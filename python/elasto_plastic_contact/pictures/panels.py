@@ -118,10 +118,7 @@ class BodyPanel(Panel):
 
     def choose_scale(self, views, points):
         if self.arguments.scale != "auto":
-            try:
-                return float(self.arguments.scale)
-            except ValueError:
-                raise UserError(f"--scale is '{self.arguments.scale}', but must be a number or 'auto'") from None
+            return self.arguments.scale
         largest = max(magnitude(view.fields("solution")["displacement"]).max() for view in views)
         length = (points.max(axis=0) - points.min(axis=0)).max()
         return max(1., round_down(0.06 * length / self.zoom / largest)) if largest > 0. else 1.

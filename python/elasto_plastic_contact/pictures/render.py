@@ -14,6 +14,7 @@ import os
 from .contact import contact_at, contact_to_look_at
 from .panels import BodyPanel, PressurePanel, is_flat
 from .sheet import draw_sheet
+from ..arguments import number
 from ..errors import UserError
 from .view import View
 from ..fields import times
@@ -21,6 +22,10 @@ from ..plots.figures import add_units, save, units_of
 from ..results import Results
 
 PANELS = ["body", "pressure"]
+
+
+def scale(text):
+    return text if text == "auto" else number()(text)
 
 
 def parse_arguments(arguments):
@@ -33,12 +38,12 @@ def parse_arguments(arguments):
     parser.add_argument("--field", default="von_mises_stress",
                         help="what the colour shows, of vectors and tensors the root of the sum of the squares of "
                              "their components (default: %(default)s)")
-    parser.add_argument("--scale", default="auto",
+    parser.add_argument("--scale", type=scale, default="auto",
                         help="factor on the displacement: a number, or 'auto' for a dent that can be seen")
     parser.add_argument("--cut", default="auto", choices=["auto", "none", "x", "y"],
                         help="remove the part of a three-dimensional body in front of the contact, "
                              "at right angles to this axis (auto: if the contact is in the middle)")
-    parser.add_argument("--zoom", type=float,
+    parser.add_argument("--zoom", type=number(least=1, most=1e6),
                         help="magnification about the contact; after it, about where it was last (default: 1, or so "
                              "much that the contact can be seen)")
     parser.add_argument("--steps", "--step", type=int, nargs="+", default=[-1], metavar="STEP",
@@ -56,8 +61,6 @@ def parse_arguments(arguments):
                              "FOLDER/frame_0000.png and so on and, if there is Pillow (Debian package "
                              "python3-pil), FOLDER/animation.gif")
     arguments = parser.parse_args(arguments)
-    if arguments.zoom is not None and arguments.zoom < 1.:
-        parser.error(f"--zoom is {arguments.zoom:g}, but must be at least 1")
     if arguments.animation and (arguments.output or arguments.steps != [-1]):
         parser.error("--animation draws all entries into its folder: it goes neither with --output nor with --steps")
     if arguments.animation and len(arguments.directories) > 1:
@@ -65,14 +68,17 @@ def parse_arguments(arguments):
     return arguments
 
 
+pixels = number(int, least=100, most=20000)
+
+
 def parse_size(text):
     """Width and height in pixels; None for a size that fits."""
     if not text:
         return None
     try:
-        width, height = (int(part) for part in text.lower().split("x"))
-    except ValueError:
-        raise UserError(f"--size is '{text}', but must look like 1600x900") from None
+        width, height = map(pixels, text.lower().split("x"))
+    except (argparse.ArgumentTypeError, ValueError):
+        raise UserError(f"--size is '{text}', but must look like 1600x900, with 100 to 20000 pixels each") from None
     return width, height
 
 

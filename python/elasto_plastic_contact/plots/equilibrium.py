@@ -16,6 +16,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.tri import LinearTriInterpolator, Triangulation
 
 from .figures import letter, make_parser_of_one_run, plt, save
+from ..arguments import number
 from ..errors import UserError
 from ..fields import read_fields
 from ..pictures.joined import same_points
@@ -145,6 +146,6 @@ def draw(directory, path, window=None):
 
 def main(arguments):
     parser = make_parser_of_one_run(__doc__, "equilibrium")
-    parser.add_argument("--window", type=float, help="show only so much to both sides of the axis, and below")
+    parser.add_argument("--window", type=number(above=0), help="show only so much to both sides of the axis, and below")
     chosen = parser.parse_args(arguments)
     draw(chosen.directory, chosen.output or os.path.join(chosen.directory, "equilibrium.png"), chosen.window)

@@ -9,7 +9,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (the choice of Agg comes first)
 
-from ..errors import UserError  # noqa: E402
+from ..errors import FileError, UserError  # noqa: E402
 from ..verification.runner import Runner, add_program  # noqa: E402
 
 BLUE, RED = "#2b5c8a", "#b8303a"
@@ -119,11 +119,13 @@ def draw_own_runs(plot, description, default_output, arguments):
 def save(figure, path):
     """Into a file whose ending says what it is; the same figure gives the same file."""
     kind = str(path).rpartition(".")[2]
+    if kind not in ("png", "svg", "pdf"):
+        raise UserError(f"'{path}' cannot be written: its name must end with .png, .svg or .pdf")
     try:
         figure.savefig(path, metadata={"Date": None} if kind == "svg" else None)
     except OSError as error:
-        raise UserError(f"'{path}' cannot be written: {error.strerror}") from None
-    except ValueError:
-        raise UserError(f"'{path}' cannot be written: its name must end with .png, .svg or .pdf") from None
+        raise FileError(path, error) from None
+    except (RuntimeError, ValueError) as error:  # (of texts and sizes)
+        raise UserError(f"'{path}' cannot be drawn: {' '.join(str(error).split())}") from None
     plt.close(figure)
     print(path)

@@ -12,6 +12,7 @@ import numpy
 from matplotlib.tri import Triangulation
 
 from .figures import add_units, letter, make_parser, plt, save, units_of, with_unit
+from ..arguments import number
 from ..results import Results
 
 
@@ -64,7 +65,7 @@ def main(arguments):
     add_units(parser)
     parser.add_argument("--step", type=int, default=-1,
                         help="entry of surface.pvd, counted from 0 (default: the last)")
-    parser.add_argument("--extent", type=float, default=6., help="half the side of the window over the largest depth")
+    parser.add_argument("--extent", type=number(above=0), default=6., help="half the side of the window over the largest depth")
     parser.add_argument("runs", nargs="+", metavar="DIRECTORY[=LABEL]", help="output directory of a run")
     chosen = parser.parse_args(arguments)
     runs = [(Results(directory), label or directory)

@@ -21,6 +21,7 @@ import sys
 from . import curves, equilibrium
 from .figures import add_units, letter, make_parser, new_diagram, plt, save
 from .quantities import scales_of
+from ..arguments import number
 from ..errors import UserError
 from ..results import Results
 
@@ -41,10 +42,10 @@ def make_run_parser(others):
                              "over Y times the largest contact area A; with --hertz over Hertz's radius a and "
                              "largest pressure p0")
     add_units(parser)
-    parser.add_argument("--parts", type=float,
+    parser.add_argument("--parts", type=number(above=0),
                         help="how many of the computed part make up the whole body, such as 4 for a quarter "
                              "(default: what indentation.csv says, or 1)")
-    parser.add_argument("--centre", type=float, nargs="+",
+    parser.add_argument("--centre", type=number(), nargs="+",
                         help="horizontal coordinates of the indenter's axis (default: Indenter/Position)")
     parser.add_argument("--step", type=int,
                         help="which entry of surface.pvd, counted from 0 (default: of a load history the one with the "

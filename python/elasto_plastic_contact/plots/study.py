@@ -23,14 +23,13 @@ def lines(study, rows):
 
 
 def draw(study, rows, path):
+    is_numeric = all(isinstance(row[study.x], (int, float)) for row in rows if row[study.x] is not None)
     figure, panels = plt.subplots(1, len(study.y), figsize=(6.4 * len(study.y), 4.), squeeze=False,
                                   layout="constrained")
     for axes, name in zip(panels[0], study.y):
         for label, line in lines(study, rows).items():
             known = [row for row in line if row[study.x] is not None and row[name] is not None]
-            abscissa = [row[study.x] for row in known]
-            if not all(isinstance(value, (int, float)) for value in abscissa):
-                abscissa = [as_text(value) for value in abscissa]
+            abscissa = [row[study.x] if is_numeric else as_text(row[study.x]) for row in known]
             axes.plot(abscissa, [row[name] for row in known], "o-", label=label)
         axes.set(xlabel=study.x, ylabel=name)
         for axis in study.logarithmic:

@@ -12,13 +12,13 @@ import argparse
 import csv
 import fcntl
 import functools
-import os
 import pathlib
 import sys
 
 from .execution import collect, curves_of_runs, execute, missing
 from .plan import read_study
-from ..errors import UserError
+from ..errors import FileError, UserError
+from ..files import new_file
 from ..program import as_text, find_program
 from ..verification.runner import add_program
 
@@ -33,7 +33,7 @@ def open_folder(directory):
         directory.mkdir(parents=True, exist_ok=True)
         lock = (directory / LOCK).open("a")
     except OSError as error:
-        raise UserError(f"'{directory}' cannot be used: {error.strerror}") from None
+        raise FileError(directory, error) from None
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
@@ -42,13 +42,11 @@ def open_folder(directory):
 
 
 def write_table(rows, path):
-    new = path.with_suffix(".new")
-    with new.open("w", newline="", encoding="utf-8") as file:
+    with new_file(path) as file:
         writer = csv.writer(file)
         writer.writerow(rows[0])
         for row in rows:
             writer.writerow("" if value is None else as_text(value) for value in row.values())
-    os.replace(new, path)
     print(path)
 
 

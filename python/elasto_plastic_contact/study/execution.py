@@ -11,7 +11,9 @@ import shutil
 import subprocess
 import time
 
+from .plan import RUN
 from ..errors import UserError
+from ..files import new_file
 from ..program import MPI_ENVIRONMENT, command_line, has_checkpoint
 from ..tables import read_table
 
@@ -49,9 +51,8 @@ def compute(study, directory, run, program):
     if process.returncode != 0:
         return process.stderr.strip() or f"exit status {process.returncode}"
     record = {"entries": study.common | run, "seconds": round(time.monotonic() - begin, 1), "warnings": process.stderr}
-    new = folder / f"{FINISHED}.new"
-    new.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
-    os.replace(new, folder / FINISHED)
+    with new_file(folder / FINISHED) as file:
+        file.write(json.dumps(record, indent=1) + "\n")
     return ""
 
 
@@ -120,14 +121,14 @@ def collect(study, directory):
         folder = directory / study.folder(run)
         numbers = {name: look_up(number, folder, f"numbers/{name}") if is_finished(folder) else None
                    for name, number in study.numbers.items()}
-        rows.append({"run": folder.name, **run, **numbers})
+        rows.append({RUN: folder.name, **run, **numbers})
     return rows
 
 
 def missing(study, directory, rows):
     """A remark for each number that not all finished runs have."""
     for name, number in study.numbers.items():
-        without = [row["run"] for row in rows if row[name] is None and is_finished(directory / row["run"])]
+        without = [row[RUN] for row in rows if row[name] is None and is_finished(directory / row[RUN])]
         if without:
             tables = sorted(file.stem for file in (directory / without[0]).glob("*.csv"))
             yield (f"'numbers/{name}': {len(without)} of the finished runs have no such row of '{number.table}'; "

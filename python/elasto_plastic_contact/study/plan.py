@@ -3,9 +3,11 @@
 """What a study is, as its file (JSON) says."""
 
 import difflib
+import functools
 import hashlib
 import itertools
 import json
+import math
 import pathlib
 from dataclasses import dataclass
 
@@ -14,6 +16,12 @@ from ..program import find_case
 from ..schema import check_path
 
 TAKES = ("last", "first", "maximum", "minimum")
+
+# The column of study.csv with the folder of a run.
+RUN = "run"
+
+# More than anybody waits for; their list must fit into memory.
+MOST_RUNS = 100000
 
 
 @dataclass(frozen=True)
@@ -48,13 +56,18 @@ class Study:
     logarithmic: list
     curves: Curves | None
 
+    @functools.cached_property
+    def case_text(self):
+        """In whatever 8-bit code."""
+        return self.case.read_text(encoding="utf-8", errors="surrogateescape")
+
     @property
     def varied(self):
         return list(self.runs[0])
 
     def folder(self, run):
         """The name of the folder of a run: another one if the parameter file or any entry is another one."""
-        content = json.dumps([self.case.read_text(encoding="utf-8"), self.common | run], sort_keys=True)
+        content = json.dumps([self.case_text, self.common | run], sort_keys=True)
         return f"run_{hashlib.sha256(content.encode()).hexdigest()[:10]}"
 
 
@@ -66,9 +79,12 @@ def read_study(path):
         raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
     except json.JSONDecodeError as error:
         raise UserError(f"'{path}', line {error.lineno}, column {error.colno}: this is no JSON ({error.msg})") from None
-    except (UnicodeDecodeError, UserError) as error:
+    except RecursionError:
+        raise UserError(f"'{path}': brackets are nested too deep") from None
+    except (ValueError, UserError) as error:  # (of other codes than UTF-8 and too long numbers)
         raise UserError(f"'{path}': {error}") from None
     try:
+        check_texts(data)
         return make_study(data, pathlib.Path(path).parent)
     except UserError as error:
         raise UserError(f"'{path}': {error}") from None
@@ -80,6 +96,16 @@ def without_repetition(pairs):
         keys = [key for key, _ in pairs]
         raise UserError(f"'{next(key for key in keys if keys.count(key) > 1)}' stands twice in one object")
     return found
+
+
+def check_texts(data):
+    """Refuses characters, such as \\u0000, that cannot be arguments of a program."""
+    if isinstance(data, str) and not all(sign.isprintable() or sign.isspace() for sign in data):
+        raise UserError(f"the text {json.dumps(data)} holds a character that is not allowed")
+    if isinstance(data, dict):
+        data = [*data, *data.values()]
+    for part in data if isinstance(data, list) else []:
+        check_texts(part)
 
 
 def make_study(data, folder):
@@ -103,13 +129,21 @@ def make_study(data, folder):
                      for axis in check(plot["logarithmic"], "plot/logarithmic", list, "a list of 'x' and 'y'")]
         if "logarithmic" in plot else [],
         curves=read_curves(plot["curves"]) if "curves" in plot else None)
-    for number, run in enumerate(runs):
-        if run in runs[:number]:
-            raise UserError(f"two runs are the same: {json.dumps(run)}")
-    twice = set(study.common) & set(study.varied)
-    if twice:
-        raise UserError(f"'{min(twice)}' stands in 'set' and is varied as well")
+    check_names(study)
     return study
+
+
+def check_names(study):
+    """Refuses runs that are the same, and columns of the same name in the final table."""
+    found = set()
+    for run in (json.dumps(run, sort_keys=True) for run in study.runs):
+        if run in found:
+            raise UserError(f"two runs are the same: {run}")
+        found.add(run)
+    if twice := set(study.common) & set(study.varied):
+        raise UserError(f"'{min(twice)}' stands in 'set' and is varied as well")
+    if twice := set(study.numbers) & {RUN, *study.varied}:
+        raise UserError(f"'numbers/{min(twice)}' has the name of another column of study.csv: choose another name")
 
 
 def check(value, place, kind, allowed):
@@ -169,6 +203,10 @@ def combinations(data):
         check_path(path, "vary")
         for value in check(values, f"vary/{path}", list, "a list of at least one value"):
             check_value(value, f"vary/{path}")
+    n_runs = math.prod(map(len, data.values()))
+    if n_runs > MOST_RUNS:
+        raise UserError(f"'vary' makes {n_runs} runs, but at most {MOST_RUNS} are allowed: leave out values, or list the "
+                        "combinations that are needed in 'runs'")
     return [dict(zip(data, values)) for values in itertools.product(*data.values())]
 
 

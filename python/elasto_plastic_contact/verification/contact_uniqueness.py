@@ -22,6 +22,7 @@ import tempfile
 from .edge_runs import EdgeRuns, Report, add_edges, chosen_edges, last_message
 from .uniqueness_histories import histories
 from .uniqueness_variants import VARIANTS, Variant, as_entries, force_factor
+from ..arguments import number
 
 QUANTITIES = ("force", "depth", "contact_area", "max_pressure")
 # Values below this part of the largest one are compared with that.
@@ -85,7 +86,7 @@ def main(arguments):
     which = parser.add_mutually_exclusive_group()
     which.add_argument("--variants", nargs="+", default=list(VARIANTS), choices=VARIANTS, metavar="NAME",
                        help=f"{'; '.join(VARIANTS)} (default: all)")
-    which.add_argument("--number", type=int, metavar="N", help="the first N of these variants")
+    which.add_argument("--number", type=number(int, least=1), metavar="N", help="the first N of these variants")
     chosen = parser.parse_args(arguments)
     runs, report = EdgeRuns(chosen.program), Report(chosen.json)
     variants = {name: VARIANTS[name] for name in chosen.variants[:chosen.number]}

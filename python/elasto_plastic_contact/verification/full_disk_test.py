@@ -17,6 +17,7 @@ import tempfile
 
 from .kill_test import CASE, ENTRIES, differences, end
 from .runner import add_program
+from ..arguments import number
 from ..program import MPI_ENVIRONMENT, command_line, find_program, has_checkpoint
 from ..tables import read_table
 
@@ -74,7 +75,7 @@ def failures_of_run(program, ranks, environment, size, folder, reference):
 def main(arguments):
     parser = argparse.ArgumentParser(prog="full_disk_test", description=__doc__)
     add_program(parser)
-    parser.add_argument("--sizes", type=int, nargs="+", default=list(SIZES),
+    parser.add_argument("--sizes", type=number(int, least=1), nargs="+", default=list(SIZES),
                         help="of the disks, in KB")
     options = parser.parse_args(arguments)
     options.program = find_program(options.program)

@@ -14,6 +14,7 @@ import tempfile
 import time
 
 from .runner import add_program
+from ..arguments import number
 from ..program import CASES, MPI_ENVIRONMENT, command_line, find_program, has_checkpoint
 from ..tables import read_table
 
@@ -111,7 +112,7 @@ def entries_of_collection(file):
 def main(arguments):
     parser = argparse.ArgumentParser(prog="kill_test", description=__doc__)
     add_program(parser)
-    parser.add_argument("--kills", type=int, default=50)
+    parser.add_argument("--kills", type=number(int, least=1), default=50)
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args(arguments)
     options.program = find_program(options.program)

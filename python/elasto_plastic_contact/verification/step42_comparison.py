@@ -13,6 +13,7 @@ import tempfile
 import time
 from dataclasses import dataclass
 
+from ..arguments import number
 from ..errors import UserError
 from ..program import CASES as READY_CASES, command_line
 from ..tables import read_table
@@ -79,7 +80,7 @@ def parse_arguments(arguments):
     parser.add_argument("step42", help="step-42")
     parser.add_argument("cases", nargs="*", metavar="CASE[=CYCLES]",
                         help=f"{', '.join(CASES)} (default: all); CYCLES is the number of meshes")
-    parser.add_argument("--ranks", type=int, default=2, help="number of MPI ranks (default: %(default)s)")
+    parser.add_argument("--ranks", type=number(int, least=1), default=2, help="number of MPI ranks (default: %(default)s)")
     return parser.parse_args(arguments)
 
 

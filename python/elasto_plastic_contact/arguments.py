@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Numbers on the command line: types for argparse that refuse what makes no sense, and say what does."""
+
+import argparse
+import math
+
+
+def number(convert=float, above=None, least=None, below=None, most=None):
+    """The type of a finite number within these limits."""
+    limits = [f"{relation} {limit:g}" for relation, limit in
+              ((">", above), (">=", least), ("<", below), ("<=", most)) if limit is not None]
+    allowed = " ".join(["an integer" if convert is int else "a number", " and ".join(limits)]).strip()
+
+    def read(text):
+        try:
+            value = convert(text)
+        except ValueError:
+            value = math.nan
+        if not (math.isfinite(value) and (above is None or value > above) and (least is None or value >= least)
+                and (below is None or value < below) and (most is None or value <= most)):
+            raise argparse.ArgumentTypeError(f"it is '{text}', but must be {allowed}")
+        return value
+
+    return read
