@@ -60,6 +60,71 @@ namespace
 
 
 
+  /// A tangent times -1, as if the body were unstable.
+  class Opposite : public TangentOperator
+  {
+  public:
+    explicit Opposite(const TangentOperator &tangent)
+      : tangent(tangent)
+    {}
+
+    bool
+    is_symmetric() const override
+    {
+      return false;
+    }
+
+    void
+    initialize_vector(VectorType &vector) const override
+    {
+      tangent.initialize_vector(vector);
+    }
+
+    void
+    vmult(VectorType &forces, const VectorType &increment) const override
+    {
+      tangent.vmult(forces, increment);
+      forces *= -1.;
+    }
+
+    bool
+    is_nearly_incompressible() const override
+    {
+      return false;
+    }
+
+    void
+    initialize_mixed_vector(BlockVectorType &) const override
+    {
+      AssertThrow(false, ExcNotImplemented());
+    }
+
+    void
+    mixed_vmult(BlockVectorType &, const BlockVectorType &) const override
+    {
+      AssertThrow(false, ExcNotImplemented());
+    }
+
+    std::unique_ptr<const PressurePreconditioner>
+    make_pressure_preconditioner(const VectorType &) const override
+    {
+      AssertThrow(false, ExcNotImplemented());
+      return {};
+    }
+
+    void
+    add_matrix(TrilinosWrappers::SparseMatrix &,
+               const AffineConstraints<double> &) const override
+    {
+      AssertThrow(false, ExcNotImplemented());
+    }
+
+  private:
+    const TangentOperator &tangent;
+  };
+
+
+
   MaterialParameters
   recovering_material()
   {
@@ -147,6 +212,27 @@ namespace
              check_solve(solver, ties, 1e-9) <= n_without + allowed_surplus);
     }
 
+    /// What an unstable body does is no response to be remembered.
+    void
+    check_unstable()
+    {
+      output() << "Negative stiffness" << std::endl;
+      const Opposite        opposite(*solid);
+      TangentSolver         solver(opposite,
+                           {scaling("Scaling", 1e-5, 10000)},
+                           [](const std::string &) {});
+      const ReducedUnknowns ties(held, top, MPI_COMM_WORLD);
+      VectorType            reduced_rhs = rhs, solution = rhs;
+      ties.contract(reduced_rhs);
+      solver.prepare(ties);
+      VectorType difference = solver.known_response();
+      ties.expand(difference);
+      solver.solve(solution, reduced_rhs, 1e-6);
+      difference -= solver.known_response();
+      verify("  the response is what it was",
+             difference.l2_norm() <= 1e-12 * solver.known_response().l2_norm());
+    }
+
     static Method
     scaling(const std::string &name,
             const double       factor,
@@ -226,6 +312,7 @@ main(int argc, char *argv[])
                        {Block::scaling("First", -1., 1000),
                         Block::scaling("Second", 1., 1000)});
   block.check_ties("Tied unknowns", 1);
+  block.check_unstable();
 
   Block recovering(recovering_material());
   recovering.flow();
