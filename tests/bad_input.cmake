@@ -575,7 +575,7 @@ add_message_test(output_below_file 5 "base.prm/results' cannot be used: Not a di
 # files: a folder in the place of the machine.
 file(MAKE_DIRECTORY ${_here}/with_files ${_here}/without_files)
 file(COPY ${_files}/square.msh DESTINATION ${_here}/with_files)
-file(WRITE ${_here}/with_files/case.prm "include ${_base}\nsubsection Geometry\n set Type = file\n set File = square.msh\nend\nsubsection Boundary conditions\n set Roller =\n set Free =\nend\n"
+file(WRITE ${_here}/with_files/case.prm "include ${_base}\nsubsection Geometry\n set Type = file\n set File = square.msh\nend\nsubsection Boundary conditions\n set Roller =\n set Free = 0\nend\n"
   "subsection Output\n set Fields = at times\n set Field times = 2\nend\n")
 function(add_two_processes_test _name _status _message _first _second)
   add_test(NAME messages/${_name}

@@ -66,7 +66,7 @@ namespace ElastoPlastic
       field_times,
       "For 'Fields = at times': values of the time t, such as 1, 1.5, 2. The "
       "fields are those at the end of the load step that reaches or passes one "
-      "of them. Unit: time.",
+      "of them. They must be within the load history. Unit: time.",
       Patterns::List(Patterns::Double(0)));
     prm.add_parameter(
       "Minutes between checkpoints",
@@ -74,9 +74,9 @@ namespace ElastoPlastic
       "In a load history: how often the folder checkpoint is written, from "
       "which the option --resume goes on: at the end of the load step under "
       "way after so many minutes, and at the end of the history. A run that "
-      "receives the signal SIGTERM writes one before it ends, so that only what "
-      "kills at once or takes the power away can cost so many minutes of work. "
-      "0: after every step.",
+      "receives the signal SIGTERM, or whose load step fails, writes one "
+      "before it ends, so that only what kills at once or takes the power away "
+      "can cost so many minutes of work. 0: after every step.",
       Patterns::Double(0));
     prm.add_parameter(
       "Screen",

@@ -204,8 +204,10 @@ namespace ElastoPlastic
           break;
         triangulation.execute_coarsening_and_refinement();
       }
-    if (triangulation.n_global_active_cells() != cells.size())
-      reject_mesh();
+    rethrow_collectively(communicator, [&]() {
+      if (triangulation.n_global_active_cells() != cells.size())
+        reject_mesh();
+    });
   }
 
 

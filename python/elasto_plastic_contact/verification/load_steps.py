@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Verification of load steps that adapt to Newton's iterations; see verify."""
+"""Verification of load steps: how they adapt to Newton's iterations, and what is saved of them; see verify."""
 
 import math
 import subprocess
@@ -57,3 +57,12 @@ def too_long_steps(runner):
         failure = error.returncode
     runner.verify("16 fixed steps fail", failure == 3)
     runner.verify("adaptive ones reach the depth", runner.history(CONE, *entries, ADAPTIVE)[-1]["time"] == 1)
+
+
+def checkpoint_memory(runner):
+    """A checkpoint, which is written after each step, takes no more memory than the run."""
+    first, second = runner.tables(
+        "sphere_3d.prm", "Geometry/Initial refinements=5", "Refinement/Strategy=none", "Refinement/Number of cycles=1",
+        "Loading/History=1: depth 0.002", "Loading/Number of steps=2", "Output/Minutes between checkpoints=0",
+    )["statistics"]
+    runner.compare("memory after the first checkpoint and before", second["memory_mb"], first["memory_mb"], 0.05)

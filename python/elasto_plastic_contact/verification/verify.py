@@ -32,7 +32,7 @@ from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
 from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
                           johnson_limit, load_cycles, pyramid_sectors, sectors)
 from .job_preview import job_preview
-from .load_steps import adaptive_steps
+from .load_steps import adaptive_steps, checkpoint_memory
 from .rounding import contrast, direct_contact, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .units import prescribed_from_nothing, units
@@ -297,7 +297,7 @@ ALL = {
                      zero_force, far_indenter, units, prescribed_from_nothing, contrast, direct_contact,
                      nearly_incompressible, job_preview,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
-                     adaptive_steps,
+                     adaptive_steps, checkpoint_memory,
                      ssnv128, bonded_punch, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
                      friction_symmetries, friction_ranks, friction_resume,
                      symmetric_bodies, cone_in_space, pyramids)

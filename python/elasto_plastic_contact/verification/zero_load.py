@@ -76,5 +76,6 @@ def zero_force(runner):
             runner.compare(f"{name}: force when loaded again", steps[-1]["force"], loaded["force"], 1e-9)
         runner.compare(f"{name}: residual depth", (unloaded["depth"] - gap) / (loaded["depth"] - gap), 0,
                        1e-9, absolute=True)
+        runner.verify(f"{name}: the depth is none", gap > 0 or unloaded["depth"] == 0)
         runner.verify(f"{name}: no force, no contact",
                       unloaded["force"] == 0 and unloaded["active_nodes"] == 0)
