@@ -53,3 +53,13 @@ def job_preview(runner):
                    3 * (2 ** 7 + 1) ** 3, 0)
     seconds = time.monotonic() - begin
     runner.verify(f"said in {seconds:.1f} s", seconds < 3)
+
+
+def curved_body(runner):
+    """A cone in a conical pit: a horizontal section of the tip is neither a contact to expect nor an area to evaluate."""
+    case = ("limit_load/conical_pit.prm", "Analysis=contact", "Material/Law=linear elastic", "Refinement/Strategy=none",
+            "Refinement/Number of cycles=1", "Loading/History=1: depth 0.6 | 2: force 0", "Loading/Number of steps=40")
+    runner.verify("no contact radius is expected", "Contact radius" not in runner.preview(*case))
+    unloading, = runner.tables(*case)["indentation"]
+    runner.verify("the contact has an area, the tip has none", unloading["contact_area"] > 0 and unloading["tip_area"] == 0
+                  and unloading["tip_hardness"] == 0 and unloading["hardness"] > 0)

@@ -31,7 +31,7 @@ from .hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
 from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
                           johnson_limit, load_cycles, pyramid_sectors, sectors)
-from .job_preview import job_preview
+from .job_preview import curved_body, job_preview
 from .load_steps import adaptive_steps, checkpoint_memory
 from .rounding import contrast, direct_contact, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
@@ -295,7 +295,7 @@ ALL = {
                      safe_load, error_bound, error_bound_ranks,
                      error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, equilibrium_hertz, equilibrium_limit, limit_load_runs, zero_stress,
                      zero_force, far_indenter, units, prescribed_from_nothing, contrast, direct_contact,
-                     nearly_incompressible, job_preview,
+                     nearly_incompressible, job_preview, curved_body,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
                      adaptive_steps, checkpoint_memory,
                      ssnv128, bonded_punch, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
