@@ -34,7 +34,8 @@ namespace ElastoPlastic
     /// All arguments must outlive this object; the active set and the load of
     /// @p contact are those to begin with; the parts of the work are accounted
     /// for in @p timer. An indenter that a force pushes deeper than
-    /// @p largest_depth is taken to sink without end. @p largest_forces is the
+    /// @p largest_displacement is taken to sink without end, and a body that
+    /// has moved further to give way without end. @p largest_forces is the
     /// largest sum of the magnitudes of all nodal forces in the load history so
     /// far, on whatever mesh.
     ContactProblem(SolidOperator<dim>  &solid,
@@ -42,7 +43,7 @@ namespace ElastoPlastic
                    const Vector        &external_forces,
                    ContactSet<dim>     &contact,
                    TangentSolver       &tangent_solver,
-                   const double         largest_depth,
+                   const double         largest_displacement,
                    const double         largest_forces,
                    TimerOutput         &timer);
 
@@ -69,7 +70,8 @@ namespace ElastoPlastic
     void
     linearize(const Vector &u) override;
 
-    /// @throws ConvergenceError if the indenter sinks without end.
+    /// @throws ConvergenceError if the indenter sinks, or the body gives way,
+    /// without end.
     void
     step_taken(const Vector &from, const Vector &to) override;
 
@@ -89,6 +91,9 @@ namespace ElastoPlastic
 
     bool
     update_active_set(const Vector &u, const Vector &residual) override;
+
+    bool
+    slow_down() override;
 
     bool
     is_itself() const override;
@@ -142,13 +147,14 @@ namespace ElastoPlastic
     const Vector        &external_forces;
     ContactSet<dim>     &contact;
     TangentSolver       &tangent_solver;
-    const double         largest_depth;
+    const double         largest_displacement;
     const double         scale_of_forces;
     TimerOutput         &timer;
 
     ReducedUnknowns unknowns;
     unsigned int    n_changes      = 0;
     bool            law_has_rested = false;
+    FrictionPace    friction_pace  = FrictionPace::all;
     /// Of the indenter, in the last increment; zero if its depth is given.
     double downward_motion = 0;
   };

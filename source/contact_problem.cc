@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/exceptions.h"
 #include "contact_problem.h"
@@ -28,7 +29,7 @@ namespace ElastoPlastic
                                       const Vector        &external_forces,
                                       ContactSet<dim>     &contact,
                                       TangentSolver       &tangent_solver,
-                                      const double         largest_depth,
+                                      const double         largest_displacement,
                                       const double         largest_forces,
                                       TimerOutput         &timer)
     : solid(solid)
@@ -36,7 +37,7 @@ namespace ElastoPlastic
     , external_forces(external_forces)
     , contact(contact)
     , tangent_solver(tangent_solver)
-    , largest_depth(largest_depth)
+    , largest_displacement(largest_displacement)
     , scale_of_forces(
         std::max(external_forces.l2_norm(),
                  largest_forces / std::sqrt(external_forces.size())))
@@ -161,11 +162,16 @@ namespace ElastoPlastic
   {
     TimerOutput::Scope scope(timer, "Newton: linearize");
     solid.predict_flow(from, to);
-    if (contact.is_force_driven() && contact.depth_at(to) > largest_depth)
+    if (contact.is_force_driven() &&
+        contact.depth_at(to) > largest_displacement)
       throw ConvergenceError(
         "The indenter sinks without end: its depth exceeds the size of the "
         "body by far. Is 'Loading/Force' in the same system of units as the moduli in "
         "'Material', and below the limit load?");
+    if (to.linfty_norm() > largest_displacement)
+      throw ConvergenceError(
+        "The body gives way without end. Are the loads in the same system of "
+        "units as the moduli in 'Material', and below what the body can bear?");
   }
 
 
@@ -243,7 +249,7 @@ namespace ElastoPlastic
   ContactProblem<dim>::update_active_set(const Vector &u,
                                          const Vector &residual)
   {
-    ActiveSetChange change = contact.update(u, residual);
+    ActiveSetChange change = contact.update(u, residual, friction_pace);
     change.statuses |= change_law(u, residual, change);
     collect_unknowns(u, residual);
     return bool(change);
@@ -278,6 +284,17 @@ namespace ElastoPlastic
     else
       contact.find_entering(u);
     return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactProblem<dim>::slow_down()
+  {
+    return contact.dissipates() &&
+           std::exchange(friction_pace, FrictionPace::worst_first) ==
+             FrictionPace::all;
   }
 
 

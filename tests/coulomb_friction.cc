@@ -110,6 +110,27 @@ namespace
 
 
 
+  /// A node that has been torn off twice slips when it comes back, and sticks
+  /// again in the next load step.
+  template <int dim>
+  void
+  check_release(const CoulombFriction<dim> &friction)
+  {
+    const TangentVector<dim> slip = vector<dim>(1e-3, 0.), flat;
+    FrictionState<dim>       state;
+    for (const bool sticks : {true, true, false})
+      {
+        friction.touch(state, slip, flat, 1.);
+        verify("  sticks or slips", state.sticks == sticks);
+        friction.release(state);
+      }
+    friction.begin_step(state);
+    friction.touch(state, slip, flat, 1.);
+    verify("  sticks in the next step", state.sticks);
+  }
+
+
+
   template <int dim>
   void
   check_switching()
@@ -139,9 +160,19 @@ namespace
                            flat,
                            1.) &&
              state.sticks);
+    state = {};
+    verify("  says how far it was beyond",
+           std::abs(
+             friction.update(
+               state, {1., vector<dim>(-0.4, 0.), flat}, none, flat, 1.) -
+             (0.4 - mu)),
+           1e-15);
     verify("  never slips",
            !CoulombFriction<dim>(std::numeric_limits<double>::infinity(), 1.)
               .update(state, {1., vector<dim>(9., 0.), flat}, none, flat, 1.));
+    check_release(friction);
+    check_release(
+      CoulombFriction<dim>(std::numeric_limits<double>::infinity(), 1.));
   }
 
 

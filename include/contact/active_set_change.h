@@ -6,6 +6,15 @@
 
 namespace ElastoPlastic
 {
+  /// Which nodes begin to stick or to slip at once.
+  enum class FrictionPace
+  {
+    all,        ///< that violate Coulomb's law
+    worst_first ///< those that do so most
+  };
+
+
+
   /// What of ContactSet has changed, on any rank.
   struct ActiveSetChange
   {

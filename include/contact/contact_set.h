@@ -128,9 +128,12 @@ namespace ElastoPlastic
     void
     activate_touching(const Vector &u);
 
-    /// Finds out which nodes are entering at @p u. Collective.
+    /// Finds out which nodes are entering at @p u; takes none as active.
+    /// Collective.
     void
     find_entering(const Vector &u);
+    void
+    deactivate_all();
 
     /// Lets the contact end at nodes, or within faces again. Collective.
     void
@@ -139,10 +142,6 @@ namespace ElastoPlastic
     wake_law();
     bool
     law_is_resting() const;
-
-    /// Takes none as active.
-    void
-    deactivate_all();
 
     /// What the nodes at the edge share where the body has the displacement
     /// @p u, with the forces @p residual; nothing if the contact ends at nodes.
@@ -155,7 +154,9 @@ namespace ElastoPlastic
     /// are. A force F > 0 that has lost all of them moves the indenter to the
     /// nearest.
     ActiveSetChange
-    update(const Vector &u, const Vector &residual);
+    update(const Vector      &u,
+           const Vector      &residual,
+           const FrictionPace pace = FrictionPace::all);
 
     /// The same but for friction.
     ActiveSetChange
@@ -236,22 +237,21 @@ namespace ElastoPlastic
     project(Vector &u) const;
 
     /// The indices of the active nodes of this rank in vectors, of those that
-    /// are closed, and of all unknowns on which the indenter exerts a force.
+    /// are closed, of all unknowns on which the indenter exerts a force, and of
+    /// the horizontal ones that friction holds.
     std::vector<unsigned int>
     active_entries() const;
     std::vector<unsigned int>
     closed_entries() const;
     std::vector<unsigned int>
     force_entries() const;
+    std::vector<unsigned int>
+    stuck_entries() const;
 
     /// The indices of the nodes without area that @p u brings into an indenter
     /// which ought to press, but touches no candidate. Collective.
     std::vector<unsigned int>
     entries_entered(const Vector &u) const;
-
-    /// Those of the horizontal displacements that friction holds.
-    std::vector<unsigned int>
-    stuck_entries() const;
 
     /// Sets @p value at the entries of all candidates.
     void
@@ -262,7 +262,6 @@ namespace ElastoPlastic
     vertical_forces_on_body(const Vector &residual) const;
 
   private:
-    /// (It reads what is below.)
     friend class ContactEvaluation<dim>;
 
     using Node = ContactCandidate<dim>;
@@ -311,7 +310,9 @@ namespace ElastoPlastic
 
     /// Finds out which active nodes stick. @return whether it has changed.
     bool
-    update_friction(const Vector &u, const Vector &residual);
+    update_friction(const Vector      &u,
+                    const Vector      &residual,
+                    const FrictionPace pace);
 
     /// How its horizontal force follows from the vertical one; whatever a skew
     /// plane of symmetry ties. @throws ConvergenceError as CoulombFriction
@@ -329,11 +330,10 @@ namespace ElastoPlastic
     void
     move_closed_to(Vector &u, const double depth) const;
 
-    /// Of the candidates, the distances of the undisplaced indenter.
+    /// Of the candidates, the distances of the undisplaced indenter, and of one
+    /// at @p depth.
     std::vector<double>
     heights(const Vector &u) const;
-
-    /// Of the candidates, the distances of an indenter at @p depth.
     std::vector<double>
     gaps(const Vector &u, const double depth) const;
 

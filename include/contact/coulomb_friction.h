@@ -53,6 +53,8 @@ namespace ElastoPlastic
     /// the slip across it.
     TangentVector<dim> direction;
     double             turning = 0.;
+    /// How often it has left the indenter again.
+    unsigned int n_releases = 0;
 
     /// A number, less than 2^20, that tells states apart: stick, and directions
     /// that differ by more than one hundredth.
@@ -101,20 +103,32 @@ namespace ElastoPlastic
       return exists() && std::isfinite(coefficient);
     }
 
-    /// The state of a node that has come into contact: if its @p slip and its
-    /// @p penetration were forces, the law would say whether it sticks.
-    FrictionState<dim>
-    first_state(const TangentVector<dim> &slip,
-                const TangentVector<dim> &slope,
-                const double              penetration) const;
+    /// A load step begins.
+    void
+    begin_step(FrictionState<dim> &state) const;
+
+    /// A node has left the indenter. One that is torn off where it sticks, and
+    /// comes back where it does not, again and again, has a normal force that
+    /// vanishes where it is: it slips.
+    void
+    release(FrictionState<dim> &state) const;
+
+    /// A node has come into contact: if its @p slip and its @p penetration were
+    /// forces, the law would say whether it sticks.
+    void
+    touch(FrictionState<dim>       &state,
+          const TangentVector<dim> &slip,
+          const TangentVector<dim> &slope,
+          const double              penetration) const;
 
     /// The switching test: a node sticks if its force and the stiffness of the
     /// surface times its @p slip add up to less than friction, else it slips in
     /// the direction of that sum @cite hueeber_stadler_wohlmuth_2008, but
     /// sticks first before it turns back. @p length times the modulus is that
     /// stiffness.
-    /// @return whether the node has begun to stick or to slip.
-    bool
+    /// @return by how much force the node has violated the law if it has begun
+    /// to stick or to slip; else 0.
+    double
     update(FrictionState<dim>       &state,
            const ContactForce<dim>  &force,
            const TangentVector<dim> &slip,

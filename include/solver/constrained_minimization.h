@@ -117,6 +117,14 @@ namespace ElastoPlastic
     virtual bool
     update_active_set(const Vector &u, const Vector &residual) = 0;
 
+    /// The set comes back again and again: less of it changes at once from now
+    /// on. @return false if that cannot be, or is so already.
+    virtual bool
+    slow_down()
+    {
+      return false;
+    }
+
     /// Whether the set is that of the problem itself, and not of a simpler one
     /// on the way to it.
     virtual bool

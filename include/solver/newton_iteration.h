@@ -65,6 +65,10 @@ namespace ElastoPlastic
     bool
     set_cycles();
 
+    /// Lets the set change more slowly, or else becomes feasible.
+    void
+    leave_cycle();
+
     /// Projects u onto the admissible set and hands over to the feasible
     /// method. @throws ConvergenceError if there is no convex energy that this
     /// method could decrease.

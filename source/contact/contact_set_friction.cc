@@ -19,7 +19,10 @@ namespace ElastoPlastic
   {
     wake_law();
     for (Node &node : candidates)
-      node.anchor = horizontal_part<dim>(node, u) + motion;
+      {
+        node.anchor = horizontal_part<dim>(node, u) + motion;
+        friction.begin_step(node.friction);
+      }
   }
 
 
@@ -126,36 +129,58 @@ namespace ElastoPlastic
     if (!friction.dissipates())
       return;
     const auto surface = bounds.surface(node, u);
-    node.friction      = friction.first_state(slip(node, u),
-                                         surface.slope,
-                                         u.local_element(node.index) -
-                                           surface.height + present_depth);
+    friction.touch(node.friction,
+                   slip(node, u),
+                   surface.slope,
+                   u.local_element(node.index) - surface.height +
+                     present_depth);
   }
 
 
 
-  // (A node that a support holds altogether has nothing to decide.)
+  // (A node that a support holds altogether has nothing to decide. Nodes that
+  // mirror each other violate the law by as much but for rounding.)
   template <int dim>
   bool
-  ContactSet<dim>::update_friction(const Vector &u, const Vector &residual)
+  ContactSet<dim>::update_friction(const Vector      &u,
+                                   const Vector      &residual,
+                                   const FrictionPace pace)
   {
     if (!friction.dissipates())
       return false;
+    constexpr double rounding = 1e-6;
     const bool is_plane = dim == 2 && kinematics != Kinematics::axisymmetric;
-    bool       changed  = false;
-    for (Node &node : candidates)
-      if (node.is_active() &&
-          std::find(node.free.begin(), node.free.end(), true) !=
-            node.free.end())
-        {
-          const auto surface = bounds.surface(node, u);
-          changed |= friction.update(node.friction,
-                                     contact_force(node, surface, residual),
-                                     slip(node, u),
-                                     surface.slope,
-                                     is_plane ? 1. : std::sqrt(node.area));
-        }
-    return Utilities::MPI::logical_or(changed, communicator);
+    std::vector<FrictionState<dim>> next;
+    std::vector<double>             violations;
+    for (const Node &node : candidates)
+      {
+        next.push_back(node.friction);
+        violations.push_back(0.);
+        if (node.is_active() &&
+            std::find(node.free.begin(), node.free.end(), true) !=
+              node.free.end())
+          {
+            const auto surface = bounds.surface(node, u);
+            violations.back() =
+              friction.update(next.back(),
+                              contact_force(node, surface, residual),
+                              slip(node, u),
+                              surface.slope,
+                              is_plane ? 1. : std::sqrt(node.area));
+          }
+      }
+    const double largest =
+      Utilities::MPI::max(violations.empty() ?
+                            0. :
+                            *std::max_element(violations.begin(),
+                                              violations.end()),
+                          communicator);
+    const double smallest =
+      pace == FrictionPace::worst_first ? (1. - rounding) * largest : 0.;
+    for (unsigned int k = 0; k < candidates.size(); ++k)
+      if (violations[k] == 0. || violations[k] >= smallest)
+        candidates[k].friction = next[k];
+    return largest > 0.;
   }
 
 

@@ -39,7 +39,9 @@ namespace ElastoPlastic
           continue;
         const bool was_active = node.is_active();
         changed               = true;
-        node.status           = next;
+        if (node.status == ContactStatus::closed)
+          friction.release(node.friction);
+        node.status = next;
         if (node.is_active() && !was_active)
           begin_friction(node, u);
       }
@@ -134,9 +136,11 @@ namespace ElastoPlastic
 
   template <int dim>
   ActiveSetChange
-  ContactSet<dim>::update(const Vector &u, const Vector &residual)
+  ContactSet<dim>::update(const Vector      &u,
+                          const Vector      &residual,
+                          const FrictionPace pace)
   {
-    const bool      turned = update_friction(u, residual);
+    const bool      turned = update_friction(u, residual, pace);
     ActiveSetChange change = update_statuses(u, residual);
     change.friction        = turned;
     return change;

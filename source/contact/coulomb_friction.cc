@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/exceptions.h"
 #include "contact/coulomb_friction.h"
@@ -18,6 +19,9 @@ namespace ElastoPlastic
     /// node that slips: otherwise the linear systems have springs that are too
     /// stiff.
     constexpr double smallest_excess = 1e-3;
+    /// In one load step, of one node; more are no accident of the first
+    /// iterations.
+    constexpr unsigned int tolerated_releases = 1;
 
 
 
@@ -26,6 +30,32 @@ namespace ElastoPlastic
     length(const Tensor<1, n> &v, const Tensor<1, n> &slope)
     {
       return std::sqrt(tangent_product(v, v, slope));
+    }
+
+
+
+    /// The part of @p v across the direction @p s.
+    template <int n>
+    Tensor<1, n>
+    across(const Tensor<1, n> &v,
+           const Tensor<1, n> &s,
+           const Tensor<1, n> &slope)
+    {
+      return v - tangent_product(v, s, slope) * s;
+    }
+
+
+
+    /// That of the force of a node that slips: to first order, it turns with
+    /// the slip.
+    template <int dim>
+    TangentVector<dim>
+    slip_direction(const FrictionState<dim> &state,
+                   const TangentVector<dim> &slip,
+                   const TangentVector<dim> &slope)
+    {
+      const auto s = state.direction / length(state.direction, slope);
+      return s + state.turning * across(slip, s, slope);
     }
   } // namespace
 
@@ -63,27 +93,58 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  FrictionState<dim>
-  CoulombFriction<dim>::first_state(const TangentVector<dim> &slip,
-                                    const TangentVector<dim> &slope,
-                                    const double              penetration) const
+  void
+  CoulombFriction<dim>::begin_step(FrictionState<dim> &state) const
   {
     if (!dissipates())
-      return {};
-    const double way    = length(slip, slope);
-    const double excess = way - coefficient * std::max(penetration, 0.);
-    if (excess <= 0.)
-      return {};
-    return {false, slip / way, 1. / excess};
+      state = {};
+    state.n_releases = 0;
+  }
+
+
+
+  // (Without a law that says how much it may stick for its force, it has no
+  // friction from then on.)
+  template <int dim>
+  void
+  CoulombFriction<dim>::release(FrictionState<dim> &state) const
+  {
+    ++state.n_releases;
+    if (!dissipates() && state.n_releases > tolerated_releases)
+      state.sticks = false;
+  }
+
+
+
+  template <int dim>
+  void
+  CoulombFriction<dim>::touch(FrictionState<dim>       &state,
+                              const TangentVector<dim> &slip,
+                              const TangentVector<dim> &slope,
+                              const double              penetration) const
+  {
+    if (!dissipates())
+      return;
+    const double way   = length(slip, slope);
+    const double force = state.n_releases > tolerated_releases ?
+                           0. :
+                           coefficient * std::max(penetration, 0.);
+    state = way <= force ? FrictionState<dim>{true, {}, 0., state.n_releases} :
+                           FrictionState<dim>{false,
+                                              slip / way,
+                                              1. / (way - force),
+                                              state.n_releases};
   }
 
 
 
   // (With forces t and friction f, the derivative of t = f (t + c w)/|t + c w|
   // demands that the part of t across that direction be c f/(|t + c w| - f)
-  // times that of w.)
+  // times that of w. The force of a node that slips is that of the law: until
+  // Newton's method has converged, the force of the body is another one, and
+  // would make it stick and slip in turn.)
   template <int dim>
-  bool
+  double
   CoulombFriction<dim>::update(FrictionState<dim>       &state,
                                const ContactForce<dim>  &force,
                                const TangentVector<dim> &slip,
@@ -91,22 +152,28 @@ namespace ElastoPlastic
                                const double              extent) const
   {
     if (!dissipates())
-      return false;
+      return 0.;
     const double             stiffness = modulus * extent;
     const bool               has_stuck = state.sticks;
-    const TangentVector<dim> trial     = force.tangential + stiffness * slip;
-    const double             magnitude = length(trial, slope);
     const double             limit     = coefficient * force.normal;
+    const TangentVector<dim> own =
+      has_stuck ? force.tangential :
+                  std::max(limit, 0.) * slip_direction(state, slip, slope);
+    const TangentVector<dim> trial     = own + stiffness * slip;
+    const double             magnitude = length(trial, slope);
     const bool               turns_back =
       !state.sticks && tangent_product(trial, state.direction, slope) < 0.;
     if (magnitude <= (1. + rounding) * limit || turns_back || magnitude == 0.)
-      state = {};
+      state = {true, {}, 0., state.n_releases};
     else
       state = {false,
                trial / magnitude,
-               stiffness /
-                 std::max(magnitude - limit, smallest_excess * limit)};
-    return state.sticks != has_stuck;
+               stiffness / std::max(magnitude - limit, smallest_excess * limit),
+               state.n_releases};
+    return state.sticks != has_stuck ?
+             std::max(std::abs(magnitude - limit),
+                      std::numeric_limits<double>::min()) :
+             0.;
   }
 
 
@@ -124,11 +191,8 @@ namespace ElastoPlastic
     const TangentVector<dim> &b  = surface.slope;
     const double              L  = std::sqrt(1. + b * b);
     const TangentVector<dim>  s  = state.direction / length(state.direction, b);
-    const auto                across = [&](const TangentVector<dim> &v) {
-      return v - tangent_product(v, s, b) * s;
-    };
-    const TangentVector<dim> e        = L * (s + state.turning * across(slip));
-    const double             quotient = 1. + mu * (b * e);
+    const TangentVector<dim>  e  = L * slip_direction(state, slip, b);
+    const double              quotient = 1. + mu * (b * e);
     if (!(quotient > 0.))
       throw ConvergenceError(
         "The flank of the indenter is so steep that friction carries the whole "
@@ -149,8 +213,9 @@ namespace ElastoPlastic
           (change_of_b * slip) * (b * s) - (b * slip) * (s * change_of_b);
         const TangentVector<dim> change_of_e =
           (b * change_of_b) / (L * L) * e +
-          L * (state.turning * (across(change_of_slip) + change_along * s) -
-               shrinking * s);
+          L *
+            (state.turning * (across(change_of_slip, s, b) + change_along * s) -
+             shrinking * s);
         const double change_of_be = change_of_b * e + b * change_of_e;
         const TangentVector<dim> change =
           (change_of_b - mu * (change_of_e + change_of_be * result.value)) /

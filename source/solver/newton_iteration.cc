@@ -79,6 +79,17 @@ namespace ElastoPlastic
 
 
   void
+  NewtonIteration::leave_cycle()
+  {
+    if (problem.slow_down())
+      visited_sets.clear();
+    else
+      become_feasible();
+  }
+
+
+
+  void
   NewtonIteration::become_feasible()
   {
     if (const std::string obstacle = problem.obstacle_to_convexity();
@@ -110,7 +121,7 @@ namespace ElastoPlastic
           feasible ? problem.update_feasible_active_set(u, residual) :
                      problem.update_active_set(u, residual);
         if (!feasible && ((stuck && !is_rounding()) || set_cycles()))
-          become_feasible();
+          leave_cycle();
       }
 
     increment = u;
