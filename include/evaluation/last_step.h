@@ -4,6 +4,7 @@
 #ifndef evaluation_last_step_h
 #define evaluation_last_step_h
 
+#include "evaluation/mean_force.h"
 #include "evaluation/solve_result.h"
 
 namespace ElastoPlastic
@@ -21,6 +22,7 @@ namespace ElastoPlastic
     /// How far the surface has slipped along the indenter.
     VectorType slip;
     double     depth_rate = 0;
+    MeanForce  mean_force;
 
     /// Of the whole history: the largest sum of the magnitudes of all nodal
     /// forces, which small ones are measured against; and the largest contact
@@ -81,7 +83,8 @@ namespace ElastoPlastic
     void
     serialize(Archive &archive, const unsigned int /* version */)
     {
-      archive &result &depth_rate &largest_forces &largest_contact_area;
+      archive &result &depth_rate &mean_force &largest_forces
+        &largest_contact_area;
     }
   };
 } // namespace ElastoPlastic

@@ -45,6 +45,9 @@ namespace ElastoPlastic
     /// of the indenter, the supports and the tractions since the virgin state,
     /// once the step has been committed
     double external_work = 0;
+    /// See MeanForce; not a number where nothing has entered or left.
+    double mean_depth = std::numeric_limits<double>::quiet_NaN();
+    double mean_force = std::numeric_limits<double>::quiet_NaN();
 
     /// (But for the estimated error, which belongs to one mesh.)
     template <typename Archive>
@@ -56,7 +59,7 @@ namespace ElastoPlastic
       archive &step &time &cycle &cells &dofs &newton_iterations
         &linear_iterations &depth &contact_radius &pile_up &min_scaled_jacobian
           &residual &energy &force_balance_error &wall_seconds &memory_mb
-            &external_work;
+            &external_work &mean_depth &mean_force;
     }
   };
 } // namespace ElastoPlastic

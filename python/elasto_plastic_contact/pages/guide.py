@@ -28,7 +28,7 @@ def adaptive_steps(runs):
 
 def of_cone(steps):
     """The waves of the force under a cone."""
-    return deviation_from_similarity(steps, "force")
+    return deviation_from_similarity(*zip(*((step["depth"], step["force"]) for step in steps if step["time"] <= 1)))
 
 
 def of_sphere(steps):

@@ -25,10 +25,12 @@ import hashlib
 import json
 import pathlib
 
+from .contact_edge import mean_forces
 from .contact_law_bodies import N_STEPS, SHAPES, loading, ready_case, unloadings
-from .edge_runs import EdgeRuns, Report, add_edges, chosen_edges, names
+from .edge_runs import EdgeRuns, Report, add_edges, chosen_edges
 from .runner import E_STAR
 from .smooth_curves import SmoothCurve, at_place, initial_slope, waves
+from ..arguments import listed, number, one_of
 
 NODES = "at nodes"
 REFERENCE_ELEMENTS = 80
@@ -36,7 +38,7 @@ REFERENCE_ELEMENTS = 80
 READY = (("sphere_axisymmetric", "sphere", 0.002, 20), ("cone_axisymmetric", "cone", 0.02, 20),
          ("sphere_3d", "sphere", 0.01, 10))
 SPACE_PARTS = 4
-WAVES = ("wave of force", "wave of area", "wave of radius")
+WAVES = ("wave of force", "wave of area", "wave of radius", "wave of mean force")
 
 
 class References:
@@ -86,10 +88,11 @@ def column(steps, name):
 
 
 def waves_of(shape, run):
-    """Of force, contact area and contact radius."""
+    """Of force, contact area and contact radius, and of the force between entries of nodes."""
     steps = late(run)
     return [100 * waves(column(steps, "depth"), column(steps, name), powers) for name, powers in
-            (("force", shape.force), ("contact_area", shape.area), ("contact_radius", shape.contact_radius))]
+            (("force", shape.force), ("contact_area", shape.area), ("contact_radius", shape.contact_radius))
+            ] + [100 * waves(*mean_forces(steps), shape.force)]
 
 
 def biases(shape, run, references, factor=1):
@@ -133,7 +136,7 @@ def revolution(runs, references, report, chosen):
     edges = reference_edges(chosen)
     report.begin("Revolution, uniform mesh (per cent)",
                  [*WAVES, *titles_of_biases(edges), "pressure, rms", "pressure, max", "largest p", "seconds"])
-    for name in names(chosen.shapes):
+    for name in chosen.shapes:
         fine = {edge: references.get(name, chosen.reference_elements, edge) for edge in edges}
 
         def add(n_elements, edge, run):
@@ -141,7 +144,7 @@ def revolution(runs, references, report, chosen):
                 *waves_of(SHAPES[name], run), *biases(SHAPES[name], run, fine.values()),
                 *pressure_errors(run, fine[NODES]), largest_pressure(run, references.get(name, n_elements, NODES)),
                 run["seconds"]])
-        for n_elements in map(int, names(chosen.elements)):
+        for n_elements in chosen.elements:
             for edge in chosen_edges(chosen):
                 add(n_elements, edge, loading_of(runs, references, name, n_elements, edge))
         for edge, run in fine.items():
@@ -152,7 +155,7 @@ def stiffness(runs, _, report, chosen):
     """S/(2 E*), a length, at eight depths in one passage of the edge through an element."""
     report.begin(f"Stiffness of the unloading, {chosen.stiffness_elements} elements (per cent)",
                  ["wave of S", "mean S/(2 E* a) - 1", "smallest", "largest"])
-    for name in names(chosen.shapes):
+    for name in chosen.shapes:
         for edge in chosen_edges(chosen):
             parts = unloadings(runs, name, chosen.stiffness_elements, edge)
             slopes = [initial_slope(column(part, "depth"), column(part, "force")) / (2 * E_STAR) for part in parts]
@@ -167,7 +170,7 @@ def space(runs, references, report, chosen):
     report.begin("Sphere in space, uniform mesh (per cent)",
                  [*WAVES, *titles_of_biases(edges), "largest p", "seconds"])
     fine = [references.get("sphere", chosen.reference_elements, edge, n_steps=N_STEPS["space"]) for edge in edges]
-    for n_elements in map(int, names(chosen.space_elements)):
+    for n_elements in chosen.space_elements:
         for edge in chosen_edges(chosen):
             run = loading_of(runs, references, "sphere", n_elements, edge, "space")
             report.add(f"{n_elements} elements, {edge}", [
@@ -193,13 +196,15 @@ def main(arguments):
     parser = argparse.ArgumentParser(prog="contact_law", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     add_edges(parser)
-    parser.add_argument("--parts", default=",".join(PARTS), help="(default: %(default)s)")
-    parser.add_argument("--shapes", default="sphere,cone", help="(default: %(default)s)")
-    parser.add_argument("--elements", default="5,10,20,40", metavar="N,...",
-                        help="over the final contact radius, in revolution (default: %(default)s)")
-    parser.add_argument("--space-elements", default="4,6,10", metavar="N,...", help="in space (default: %(default)s)")
-    parser.add_argument("--stiffness-elements", type=int, default=20, metavar="N", help="(default: %(default)s)")
-    parser.add_argument("--reference-elements", type=int, default=REFERENCE_ELEMENTS, metavar="N",
+    parser.add_argument("--parts", type=listed(one_of(PARTS)), default=",".join(PARTS), help="(default: %(default)s)")
+    parser.add_argument("--shapes", type=listed(one_of(SHAPES)), default="sphere,cone", help="(default: %(default)s)")
+    parser.add_argument("--elements", type=listed(number(int, least=1)), default="5,10,20,40",
+                        metavar="N,...", help="over the final contact radius, in revolution (default: %(default)s)")
+    parser.add_argument("--space-elements", type=listed(number(int, least=1)), default="4,6,10", metavar="N,...",
+                        help="in space (default: %(default)s)")
+    parser.add_argument("--stiffness-elements", type=number(int, least=1), default=20, metavar="N",
+                        help="(default: %(default)s)")
+    parser.add_argument("--reference-elements", type=number(int, least=1), default=REFERENCE_ELEMENTS, metavar="N",
                         help="of the finest mesh (default: %(default)s)")
     parser.add_argument("--quick", action="store_true", help="compare with 'at nodes' on the finest mesh only")
     parser.add_argument("--reference", metavar="FILE", help="keep what the finest mesh and 'at nodes' give there, and "
@@ -207,6 +212,6 @@ def main(arguments):
     chosen = parser.parse_args(arguments)
     runs, report = EdgeRuns(chosen.program), Report(chosen.json)
     references = References(runs, chosen.reference)
-    for part in names(chosen.parts):
+    for part in chosen.parts:
         PARTS[part](runs, references, report, chosen)
     return 0

@@ -9,7 +9,7 @@ SIDE, UNIFORM = 64, 1.5
 N_LOCAL = 6
 N_STEPS = {"revolution": 120, "space": 36}
 # What is kept of a run for comparisons.
-COLUMNS = ("depth", "force", "contact_area", "contact_radius", "max_pressure")
+COLUMNS = ("depth", "force", "contact_area", "contact_radius", "max_pressure", "mean_depth", "mean_force")
 
 
 @dataclass(frozen=True)
