@@ -57,7 +57,8 @@ def main(arguments=None):
         problem = (f"{error} in {sys.executable}. The Debian package {package} installs it for /usr/bin/python3, which "
                    "runs the commands of scripts/ unless another Python is named before them.")
     except subprocess.CalledProcessError as error:
-        status, problem = error.returncode, f"the program has ended with exit status {error.returncode}"
+        status = error.returncode
+        problem = (error.stderr or "").strip() or f"the program has ended with exit status {status}"
     except OSError as error:
         status, problem = FileError.status, f"'{error.filename or 'standard output'}': {error.strerror}"
         # (so that what is left of the output is not tried again at the end of the process)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Numbers on the command line: types for argparse that refuse what makes no sense, and say what does."""
+"""Types of arguments for argparse that refuse what makes no sense, and say what does."""
 
 import argparse
 import math
@@ -23,3 +23,18 @@ def number(convert=float, above=None, least=None, below=None, most=None):
         return value
 
     return read
+
+
+def one_of(allowed):
+    """The type of one of these words."""
+    def read(text):
+        if text not in allowed:
+            raise argparse.ArgumentTypeError(f"there is no '{text}'; there are {', '.join(allowed)}")
+        return text
+
+    return read
+
+
+def listed(read):
+    """The type of a list of these, separated by commas."""
+    return lambda text: [read(part) for part in text.split(",") if part]

@@ -162,6 +162,10 @@ class Commands(unittest.TestCase):
                          "for /usr/bin/python3, which runs the commands of scripts/ unless")
 
     def test_unknown(self):
+        for option in ("parts", "shapes", "elements", "space-elements"):
+            process = command("command", "contact_law", f"--{option}=-1")
+            self.assertEqual(process.returncode, 2)
+            self.assertRegex(process.stderr, f"argument --{option}: (it is|there is no) '-1'")
         self.assertEqual(command("verify", "nonsense").returncode, 2)
         self.assertEqual(command("command", "nonsense").returncode, 2)
         self.assertEqual(command("command", "--help").returncode, 0)

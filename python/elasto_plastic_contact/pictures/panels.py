@@ -86,8 +86,9 @@ class BodyPanel(Panel):
         self.arguments, self.contact = arguments, contact
         for view in views:
             fields = view.fields("solution")
-            if arguments.field not in fields or arguments.field in ("points", "cells"):
-                raise no_field(view.results, arguments.field, fields)
+            for name in (arguments.field, "displacement", "material_id"):
+                if name not in fields or name in ("points", "cells"):
+                    raise no_field(view.results, name, fields)
         self.is_norm = fields[arguments.field].ndim > 1
         self.flat = is_flat(fields["points"])
         self.cut = self.choose_cut(fields["points"])

@@ -57,7 +57,9 @@ class Report:
     """Tables on the screen as they grow, and all of them in a file."""
 
     def __init__(self, file):
-        self.file = file
+        self.file = pathlib.Path(file) if file else None
+        if file:
+            self.file.touch()
         self.tables = {}
 
     def begin(self, title, columns):
@@ -71,7 +73,7 @@ class Report:
         self.tables[self.title][name] = dict(zip(self.columns, values))
         print(f"| {name} | {' | '.join(as_cell(value) for value in values)} |", flush=True)
         if self.file:
-            pathlib.Path(self.file).write_text(json.dumps(self.tables, indent=1), encoding="utf-8")
+            self.file.write_text(json.dumps(self.tables, indent=1), encoding="utf-8")
 
 
 def as_cell(value):
@@ -93,11 +95,6 @@ def add_edges(parser):
 def chosen_edges(chosen):
     """What --edge says."""
     return chosen.edges or [DEFAULT, "at nodes"]
-
-
-def names(text):
-    """The parts of a list that commas separate."""
-    return [part for part in text.split(",") if part]
 
 
 def last_message(error):

@@ -17,8 +17,9 @@ import argparse
 import pathlib
 import tempfile
 
+from ..arguments import listed, one_of
 from ..inputs.height_maps import rough_surface, write_pgm
-from .edge_runs import EdgeRuns, Report, add_edges, chosen_edges, names
+from .edge_runs import EdgeRuns, Report, add_edges, chosen_edges
 
 NODES = "at nodes"
 CASE = "rough_surface_3d.prm"
@@ -70,7 +71,7 @@ def main(arguments):
     parser = argparse.ArgumentParser(prog="rough_spots", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     add_edges(parser)
-    parser.add_argument("--surfaces", default=",".join(SURFACES), help="(default: %(default)s)")
+    parser.add_argument("--surfaces", type=listed(one_of(SURFACES)), default=",".join(SURFACES), help="(default: %(default)s)")
     chosen = parser.parse_args(arguments)
     runs, report = EdgeRuns(chosen.program), Report(chosen.json)
     report.begin("Rough surfaces", ["force", "largest p", "spots", "force (%)", "p (%)", "p, all steps (%)",
@@ -79,7 +80,7 @@ def main(arguments):
     with tempfile.TemporaryDirectory() as folder:
         heights = pathlib.Path(folder) / "spots.pgm"
         write_pgm(heights, rough_surface(PIXELS, HURST, LONGEST, SHORTEST, SEED))
-        for name in names(chosen.surfaces):
+        for name in chosen.surfaces:
             add_surface(runs, report, edges, name, {"Indenter/File": heights} if name == "spots" else {})
     return 0
 
