@@ -30,6 +30,12 @@ namespace ElastoPlastic
   void
   check_reach_of_indenter(const Body &body);
 
+  /// That stresses cannot press on the @p body anywhere, because the indenter
+  /// reaches only parts of its sides or faces; empty if they can.
+  template <typename Body>
+  std::string
+  warning_of_partial_reach(const Body &body);
+
   /// Whether the loads that do not grow are too much for the body, if the load
   /// factor is between these bounds; empty if not.
   std::string

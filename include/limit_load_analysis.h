@@ -59,7 +59,8 @@ namespace ElastoPlastic
     /// if it is rough; that loads which are to grow are there, and linear
     /// functions of the time; that body forces are the same everywhere; in
     /// space, that tractions and displacements are linear on faces, and that
-    /// cells can be cut into tetrahedra. Says whether the body is curved.
+    /// cells can be cut into tetrahedra. Says whether the body is curved, and
+    /// whether the indenter reaches no side as a whole.
     /// @throws InputError
     void
     check();

@@ -55,6 +55,22 @@ namespace ElastoPlastic
 
 
 
+  template <typename Body>
+  std::string
+  warning_of_partial_reach(const Body &body)
+  {
+    for (const auto &condition : body.conditions)
+      for (const auto &component : condition.components)
+        if (component.type == SideConditionType::contact)
+          return "";
+    return "The indenter reaches parts of sides of the first mesh only. "
+           "Stresses press where it reaches a whole side, and the lower bound "
+           "is zero until there is one. Put the edges of the indenter on "
+           "vertices of the mesh, or begin with smaller cells.";
+  }
+
+
+
   std::string
   warning_of_constant_loads(const double lower_bound, const double upper_bound)
   {
@@ -89,6 +105,10 @@ namespace ElastoPlastic
   check_reach_of_indenter(const PlaneBody &);
   template void
   check_reach_of_indenter(const SpaceBody &);
+  template std::string
+  warning_of_partial_reach(const PlaneBody &);
+  template std::string
+  warning_of_partial_reach(const SpaceBody &);
   template std::string
   warning_of_curved_body(const Triangulation<2> &);
   template std::string

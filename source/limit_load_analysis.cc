@@ -19,6 +19,7 @@
 #include "io/output_directory.h"
 #include "io/table_reference.h"
 #include "limit_load_analysis.h"
+#include "limit_load_fields.h"
 #include "mesh/material_ids.h"
 #include "mesh/refinement.h"
 
@@ -31,6 +32,15 @@ namespace ElastoPlastic
     /// difference.
     constexpr double part_of_difference      = 0.01;
     constexpr double largest_space_tolerance = 1e-3;
+
+
+
+    void
+    warn_if_any(Log &log, const std::string &warning)
+    {
+      if (!warning.empty())
+        log.warn(warning);
+    }
 
 
 
@@ -111,56 +121,6 @@ namespace ElastoPlastic
                                          usual_space_tolerance,
                                          largest_space_tolerance));
     }
-
-
-
-    EquilibriumFields
-    fields_of(const PlaneBody &body, const LimitLoad &bounds)
-    {
-      std::vector<std::array<Tensor<1, 2>, 4>> velocities;
-      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
-        velocities.push_back(
-          values_at_vertices(body, bounds.velocity.velocity[t], t));
-      std::vector<double> work = bounds.velocity.dissipation;
-      for (unsigned int t = 0; t < work.size(); ++t)
-        work[t] /= body.volume(t);
-      return {body, bounds.stress, velocities, bounds.gaps, work};
-    }
-
-
-
-    const PlaneBody &
-    body_of_velocity(const PlaneBody &body, const LimitLoad &)
-    {
-      return body;
-    }
-
-
-
-    const SpaceBody &
-    body_of_velocity(const SpaceBody &, const SpaceLimitLoad &bounds)
-    {
-      return bounds.body_of_velocity;
-    }
-
-
-
-    SpaceFields
-    fields_of(const SpaceBody &body, const SpaceLimitLoad &bounds)
-    {
-      std::vector<std::array<Tensor<1, 3>, 5>> velocities;
-      std::vector<double>                      work;
-      const TetrahedralMesh &mesh = bounds.body_of_velocity.mesh;
-      for (unsigned int t = 0; t < mesh.tetrahedra.size(); ++t)
-        {
-          const CornerVelocities &v = bounds.velocity.velocity[t];
-          velocities.push_back(
-            {{v[0], v[1], v[2], v[3], 0.25 * (v[0] + v[1] + v[2] + v[3])}});
-          work.push_back(bounds.velocity.dissipation[t] /
-                         volume(mesh.corners(mesh.tetrahedra[t])));
-        }
-      return {body, bounds.stress, velocities, bounds.gaps, work};
-    }
   } // namespace
 
 
@@ -191,10 +151,9 @@ namespace ElastoPlastic
     check_material_ids(triangulation, model.materials.size());
     for (const std::string &warning : model.geometry.warnings())
       log.warn(warning);
-    if (const std::string warning =
-          warning_of_unused_materials(triangulation, model.materials.size());
-        !warning.empty())
-      log.warn(warning);
+    warn_if_any(log,
+                warning_of_unused_materials(triangulation,
+                                            model.materials.size()));
   }
 
 
@@ -222,10 +181,8 @@ namespace ElastoPlastic
           break;
         refine_mesh();
       }
-    if (const std::string warning =
-          warning_of_constant_loads(row.lower_bound, row.upper_bound);
-        !warning.empty())
-      log.warn(warning);
+    warn_if_any(log,
+                warning_of_constant_loads(row.lower_bound, row.upper_bound));
     log.remark("Results are in " + parameters.output.directory);
   }
 
@@ -236,9 +193,9 @@ namespace ElastoPlastic
   LimitLoadAnalysis<dim>::check()
   {
     setup_body();
-    if (const std::string warning = warning_of_curved_body(triangulation);
-        !warning.empty())
-      log.warn(warning);
+    warn_if_any(log, warning_of_curved_body(triangulation));
+    if (first_rank && model.indenter.shape)
+      warn_if_any(log, warning_of_partial_reach(body));
   }
 
 

@@ -60,6 +60,7 @@ set(_loaded_block_in_space ${_limit_load}/square_punch_3d.prm --validate --set "
 add_message_test(limit_load_beside 2 "Error: .*strip_punch.prm: The indenter can never touch the body: no part of the contact boundary lies within its reach. Check 'Indenter/Position'"
   ${_limit_load}/strip_punch.prm --validate --set Indenter/Position=100)
 add_message_test(limit_load_beside_in_space 2 "The indenter can never touch the body: no part of the contact boundary" ${_limit_load}/square_punch_3d.prm --validate --set "Indenter/Position=100, 0")
+add_message_test(limit_load_within_side 0 "Warning: The indenter reaches parts of sides of the first mesh only. Stresses press where it reaches a whole side, and the lower bound is zero" ${_limit_load}/strip_punch.prm --validate --set "Indenter/Half width=0.05" --set Indenter/Position=0.31)
 add_message_test(limit_load_rough_slope 2 "entry 'Indenter/Surface' is 'rough', but the bounds of a rough indenter are for contact boundaries that are level" ${_limit_load}/conical_pit.prm --validate --set Indenter/Surface=rough)
 add_message_test(limit_load_tractions_in_space 2 "A traction or displacement of 'Boundary conditions' is not linear on the faces of the mesh" ${_loaded_block_in_space} "Boundary conditions/Traction=right: 0.1*y^2@ 0@ 0")
 add_message_test(limit_load_waves_in_space 2 "A traction or displacement of 'Boundary conditions' is not linear on the faces of the mesh" ${_loaded_block_in_space} "Boundary conditions/Traction=right: 0.1*sin(8*pi*y)@ 0@ 0")
