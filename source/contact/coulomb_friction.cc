@@ -19,6 +19,9 @@ namespace ElastoPlastic
     /// node that slips: otherwise the linear systems have springs that are too
     /// stiff.
     constexpr double smallest_excess = 1e-3;
+    /// With a larger coefficient, the law makes a force that is by far too
+    /// large of a normal one that is not yet right.
+    constexpr double largest_trusted = 1.;
     /// In one load step, of one node; more are no accident of the first
     /// iterations.
     constexpr unsigned int tolerated_releases = 1;
@@ -156,9 +159,9 @@ namespace ElastoPlastic
     const double             stiffness = modulus * extent;
     const bool               has_stuck = state.sticks;
     const double             limit     = coefficient * force.normal;
-    const TangentVector<dim> own =
-      has_stuck ? force.tangential :
-                  std::max(limit, 0.) * slip_direction(state, slip, slope);
+    const TangentVector<dim> own = has_stuck || coefficient > largest_trusted ?
+                                     force.tangential :
+                                     limit * slip_direction(state, slip, slope);
     const TangentVector<dim> trial     = own + stiffness * slip;
     const double             magnitude = length(trial, slope);
     const bool               turns_back =
