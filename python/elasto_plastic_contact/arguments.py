@@ -15,7 +15,7 @@ def number(convert=float, above=None, least=None, below=None, most=None):
     def read(text):
         try:
             value = convert(text)
-        except ValueError:
+        except (TypeError, ValueError):
             value = math.nan
         if not (math.isfinite(value) and (above is None or value > above) and (least is None or value >= least)
                 and (below is None or value < below) and (most is None or value <= most)):

@@ -18,7 +18,7 @@ import numpy
 
 from .arguments import number
 from .errors import UserError
-from .oliver_pharr import Tip, Unloading, evaluate, jumps_of_meshes
+from .oliver_pharr import CONSTANTS, Tip, Unloading, evaluate, jumps_of_meshes
 from .results import Results
 from .tables import read_table
 
@@ -33,12 +33,12 @@ def parse_arguments(arguments):
     tip.add_argument("--sphere", type=number(above=0), metavar="RADIUS", help="the tip is a sphere")
     tip.add_argument("--area", type=number(), nargs="+", metavar="C",
                      help="the section of the tip is C0 h^2 + C1 h + C2 h^(1/2) + C3 h^(1/4) + ...")
-    parser.add_argument("--beta", type=number(above=0), default=1., help="E_r = sqrt(pi) S / (2 beta sqrt(A)) (default: 1)")
-    parser.add_argument("--epsilon", type=number(above=0, most=1), help="h_c = h_max - epsilon F_max / S (default: 2 - 4/pi for a "
+    parser.add_argument("--beta", type=CONSTANTS["beta"], default=1., help="E_r = sqrt(pi) S / (2 beta sqrt(A)) (default: 1)")
+    parser.add_argument("--epsilon", type=CONSTANTS["epsilon"], help="h_c = h_max - epsilon F_max / S (default: 2 - 4/pi for a "
                         "cone, else 0.75; 1 for a flat end)")
     parser.add_argument("--indenter", type=number(), nargs=2, metavar=("E", "NU"), help="Young's modulus and Poisson's "
                         "ratio of the measurement's indenter, in units of the run: its E_r gets the compliance")
-    parser.add_argument("--noise", type=number(least=0, below=0.5), default=0.01, help="how much depth and force may rise during an "
+    parser.add_argument("--noise", type=CONSTANTS["noise"], default=0.01, help="how much depth and force may rise during an "
                         "unloading, relative to their largest values (default: %(default)s)")
     parser.add_argument("--columns", nargs=2, default=["depth", "force"], metavar=("DEPTH", "FORCE"),
                         help="the columns of the curve (default: depth force)")

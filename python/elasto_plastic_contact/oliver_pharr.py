@@ -4,15 +4,21 @@
 Oliver and Pharr (1992), as the program evaluates its own (doc/theory.md, Evaluating an
 indentation test). For measured curves and for histories alike. Needs NumPy."""
 
+import argparse
 from dataclasses import dataclass
 
 import numpy
 
+from .arguments import number
+from .errors import UserError
 from .tables import read_table
 
 # The shares of the largest force between which the law of the unloading is fitted.
 LOWEST_SHARE, HIGHEST_SHARE = 0.50, 0.95
 ROUNDING = 1e-9
+
+# What is allowed of the constants of evaluate(): epsilon is 1 of a flat end, less of others.
+CONSTANTS = {"beta": number(above=0), "epsilon": number(above=0, most=1), "noise": number(least=0, below=0.5)}
 
 
 @dataclass(frozen=True)
@@ -76,8 +82,9 @@ def evaluate(depth, force, tip, *, beta=1., epsilon=None, noise=0., initial_gap=
     indenter_compliance: (1 - nu_i^2) / E_i, which is added to 1 / E_r of a run; its indenter is rigid.
     jumps: of a history whose mesh changes, jumps_of_meshes().
     """
-    points = numpy.column_stack([depth, force]).astype(float)
     epsilon = tip.depth_factor if epsilon is None else epsilon
+    check_constants(beta=beta, epsilon=epsilon, noise=noise)
+    points = points_of(depth, force)
     found = []
     for part in unloadings(points, noise, no_jumps(points) if jumps is None else jumps):
         part = part[part[:, 1].argmax():]
@@ -98,6 +105,25 @@ def evaluate(depth, force, tip, *, beta=1., epsilon=None, noise=0., initial_gap=
         found.append(Unloading(*map(float, (deepest, largest, stiffness, exponent, final_depth,
                                             contact_depth, area, hardness, modulus))))
     return found
+
+
+def check_constants(**values):
+    for name, value in values.items():
+        try:
+            CONSTANTS[name](value)
+        except argparse.ArgumentTypeError as error:
+            raise UserError(f"{name}: {error}") from None
+
+
+def points_of(depth, force):
+    """A row for each point of the curve."""
+    try:
+        points = numpy.column_stack([depth, force]).astype(float)
+    except (TypeError, ValueError):
+        points = numpy.empty(0)
+    if points.ndim != 2 or points.shape[1] != 2 or not len(points) or not numpy.isfinite(points).all():
+        raise UserError("depth and force must be finite numbers, as many of one as of the other")
+    return points
 
 
 def no_jumps(points):

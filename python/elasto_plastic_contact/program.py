@@ -80,6 +80,16 @@ def has_checkpoint(directory):
     return any(pathlib.Path(directory).glob("checkpoint*/index"))
 
 
+def check_arguments(case, directory, entries, ranks):
+    for name, value in (("case", case), ("directory", directory)):
+        if not isinstance(value, (str, os.PathLike)):
+            raise UserError(f"'{name}' is {value!r}, but must be a path")
+    if not isinstance(entries, (dict, type(None))):
+        raise UserError(f"'entries' is {entries!r}, but must be a dictionary, 'Section/Entry' to value")
+    if not isinstance(ranks, int) or ranks < 1:
+        raise UserError(f"'ranks' is {ranks!r}, but must be an integer >= 1")
+
+
 def run(case, directory, entries=None, *, ranks=1, overwrite=False, resume=False, program=None):
     """Run a parameter file and return its Results.
 
@@ -91,6 +101,7 @@ def run(case, directory, entries=None, *, ranks=1, overwrite=False, resume=False
 
     Raises RunError with the program's own message, or UserError if there is no such case or program.
     """
+    check_arguments(case, directory, entries, ranks)
     options = [option for option, chosen in (("--overwrite", overwrite), ("--resume", resume)) if chosen]
     command = command_line(find_program(program), find_case(case), entries or {}, directory, *options, ranks=ranks)
     process = subprocess.run(command, env=os.environ | MPI_ENVIRONMENT, stdout=subprocess.DEVNULL,

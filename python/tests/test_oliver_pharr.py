@@ -8,7 +8,7 @@ import unittest
 
 import numpy
 
-from elasto_plastic_contact import run
+from elasto_plastic_contact import UserError, run
 from elasto_plastic_contact.oliver_pharr import Tip, evaluate, fit_power_law, jumps_of_meshes
 
 
@@ -51,6 +51,18 @@ class OliverPharr(unittest.TestCase):
         dense[1] += 0.01 * numpy.random.default_rng(2).normal(size=20000)
         found, = evaluate(*dense, Tip.sphere(5.), noise=0.01)
         self.assertAlmostEqual(found.stiffness / exact.stiffness, 1., delta=0.02)
+
+    def test_what_is_refused(self):
+        depth, force = test_of_law(1.4, 0.7)
+        for constants, message in (({"beta": 0.}, "beta: it is '0.0', but must be a number > 0"),
+                                   ({"epsilon": 5.}, "epsilon: it is '5.0', but must be a number > 0 and <= 1"),
+                                   ({"noise": numpy.nan}, "noise: it is 'nan', but must be"),
+                                   ({"beta": [1., 2.]}, r"beta: it is '\[1.0, 2.0\]', but must be a number")):
+            with self.assertRaisesRegex(UserError, message):
+                evaluate(depth, force, Tip.cone(70.3), **constants)
+        for curve in (([], []), ([1., 2.], [1.]), (depth, None), (depth, depth * numpy.nan), ("ab", "cd")):
+            with self.assertRaisesRegex(UserError, "depth and force must be finite numbers"):
+                evaluate(*curve, Tip.cone(70.3))
 
     def test_too_few_points(self):
         depth, force = test_of_law(1.4, 0.7)

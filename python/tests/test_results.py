@@ -55,6 +55,14 @@ class ResultsOfARun(unittest.TestCase):
         with self.assertRaisesRegex(UserError, "no number for 'Material/Yield'"):
             self.results.number("Material/Yield")
 
+    def test_wrong_arguments(self):
+        for arguments, message in ((((3, "x"), {}), "'case' is 3, but must be a path"),
+                                   (((CASE, None), {}), "'directory' is None, but must be a path"),
+                                   (((CASE, "x", [1]), {}), r"'entries' is \[1\], but must be a dictionary"),
+                                   (((CASE, "x"), {"ranks": "2"}), "'ranks' is '2', but must be an integer")):
+            with self.assertRaisesRegex(UserError, message):
+                run(*arguments[0], **arguments[1])
+
     def test_what_is_there_is_not_replaced(self):
         with self.assertRaisesRegex(RunError, "holds results already") as caught:
             run(CASE, self.results.directory)
