@@ -56,6 +56,9 @@ class Picture:
         self.triangles = Triangulation(x, y, fields["cells"])
         self.window = (x.min(), x.max(), y.min(), y.max())
         if window:
+            if window < 1e-6 * numpy.ptp(x):
+                raise UserError(f"--window is {window:g}, but must be at least a millionth of the body's width, "
+                                f"{numpy.ptp(x):g}")
             self.window = (max(-window, x.min()), min(window, x.max()), max(y.max() - window, y.min()), y.max())
         left, right, bottom, top = self.window
         height = PANEL * (top - bottom) / (right - left)
