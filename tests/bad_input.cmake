@@ -554,6 +554,13 @@ add_message_test(multigrid_fails 0 "Warning: Conjugate gradients with geometric 
   ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --output-directory multigrid_fails --overwrite --quiet
   --set "Geometry/Initial refinements=2" --set "Refinement/Number of cycles=1" --set "Linear solver/Type=multigrid" --set "Linear solver/Maximum number of iterations=10")
 
+# A body of a nanometre in metres: numbers of the levels are beyond single precision.
+add_message_test(multigrid_of_tiny_cells 0 "Warning: Conjugate gradients with geometric multigrid do not converge here: a factorisation takes over on this mesh"
+  ${CMAKE_SOURCE_DIR}/parameter_files/indentation/sphere_axisymmetric.prm --output-directory multigrid_of_tiny_cells --overwrite --quiet --set "Output/Fields=never"
+  --set "Geometry/Lower corner=0, -1e-9" --set "Geometry/Upper corner=1e-9, 0" --set "Geometry/Local refinements=0" --set "Refinement/Elements over contact radius=0"
+  --set "Linear solver/Type=multigrid" --set "Indenter/Radius=1e-9" --set "Loading/History=1: depth 2e-11" --set "Loading/Number of steps=1"
+  --set "Material/Young's modulus=2e11" --set "Material/Yield stress=4e8")
+
 # Little memory is played by a limit on addresses, in KB: enough for the rest.
 add_test(NAME messages/no_memory_for_factors
   COMMAND ${CMAKE_COMMAND} -DSTATUS=5 "-DMESSAGE=MUMPS cannot factorise the system..*INFOG.1. = -[0-9]+ .*not enough memory"
