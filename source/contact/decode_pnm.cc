@@ -90,7 +90,8 @@ namespace ElastoPlastic
         const std::string &text = file.content;
         while (position < text.size())
           if (text[position] == '#')
-            position = std::min(text.find_first_of("\r\n", position), text.size());
+            position =
+              std::min(text.find_first_of("\r\n", position), text.size());
           else if (std::isspace(static_cast<unsigned char>(text[position])))
             ++position;
           else
