@@ -164,8 +164,9 @@ namespace
 
 
 
-  /// On a square grid, each unknown is coupled to its neighbours, by the same
-  /// pattern whatever the @p diagonal entries are.
+  /// On a square grid, each unknown is coupled to its neighbours, weakly, and
+  /// to one that is far away; whatever the @p diagonal entries are, by the same
+  /// pattern.
   class Grid
   {
   public:
@@ -175,24 +176,26 @@ namespace
       : owned(
           Utilities::MPI::create_evenly_distributed_partitioning(MPI_COMM_WORLD,
                                                                  n_unknowns))
-      , matrix(owned, MPI_COMM_WORLD, 25)
+      , matrix(owned, MPI_COMM_WORLD, 10)
     {}
 
     void
     fill(const double diagonal)
     {
       for (const auto i : owned)
-        for (int dy = -2; dy <= 2; ++dy)
-          for (int dx = -2; dx <= 2; ++dx)
-            {
-              const int x = i % n + dx, y = i / n + dy;
-              if (x >= 0 && x < static_cast<int>(n) && y >= 0 &&
-                  y < static_cast<int>(n))
-                matrix.set(i,
-                           y * n + x,
-                           dx == 0 && dy == 0 ? diagonal :
-                                                std::sin(1. * i * (y * n + x)));
-            }
+        {
+          for (const int dy : {-1, 0, 1})
+            for (const int dx : {-1, 0, 1})
+              {
+                const int x = i % n + dx, y = i / n + dy;
+                if (x >= 0 && x < static_cast<int>(n) && y >= 0 &&
+                    y < static_cast<int>(n))
+                  matrix.set(i,
+                             y * n + x,
+                             dx == 0 && dy == 0 ? diagonal : 1e-3);
+              }
+          matrix.set(i, (i + n_unknowns / 2) % n_unknowns, 1.);
+        }
       matrix.compress(VectorOperation::insert);
     }
 
