@@ -341,6 +341,7 @@ add_entry_test(history_through_the_body "'Loading/History' is '1: depth 1e300 . 
 add_entry_test(too_short "'Loading/Depth' is '0.001', but the indenter can never touch the body: the smallest gap" "Indenter/Initial gap=1")
 
 # Numbers with a decimal comma, and assignments, in every expression
+add_entry_test(expression_of_components "entry 'Loading/Depth' is '0.01.', but a '.' stands between the components of a vector, and this expression has a single value" "Loading/Depth=0.01@")
 set(_comma "but a ',' can only stand between the arguments of a function. Numbers have a decimal point: write")
 add_entry_test(comma_in_depth "'Loading/Depth' is '0,01', ${_comma} 0.01" "Loading/Depth=0,01")
 add_entry_test(comma_in_brackets "'Loading/Depth' is '.0,01..t', ${_comma} 0.01" "Loading/Depth=(0,01)*t")

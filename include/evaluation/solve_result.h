@@ -49,7 +49,8 @@ namespace ElastoPlastic
     double mean_depth = std::numeric_limits<double>::quiet_NaN();
     double mean_force = std::numeric_limits<double>::quiet_NaN();
 
-    /// (But for the estimated error, which belongs to one mesh.)
+    /// (But for the estimated error, which belongs to one mesh, and the means,
+    /// which belong to one step.)
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /* version */)
@@ -59,7 +60,7 @@ namespace ElastoPlastic
       archive &step &time &cycle &cells &dofs &newton_iterations
         &linear_iterations &depth &contact_radius &pile_up &min_scaled_jacobian
           &residual &energy &force_balance_error &wall_seconds &memory_mb
-            &external_work &mean_depth &mean_force;
+            &external_work;
     }
   };
 } // namespace ElastoPlastic

@@ -111,6 +111,11 @@ namespace ElastoPlastic
                                 "Numbers have a decimal point: write " +
                                   number + "."));
         }
+      if (text.find(';') != std::string::npos)
+        throw InputError(path,
+                         text,
+                         "a ';' stands between the components of a vector, and "
+                         "this expression has a single value.");
       if (has_assignment(text))
         throw InputError(path,
                          text,
