@@ -18,7 +18,8 @@ def loading(force, n_points=20):
     for i, depth in enumerate(DEPTHS, 1):
         radius = math.sqrt(2 * depth)
         rows.append({"depth": depth, "force": force(depth), "contact_area": math.pi * radius**2, "contact_radius": radius,
-                     "max_pressure": 2 * force(depth) / (math.pi * radius**2)})
+                     "max_pressure": 2 * force(depth) / (math.pi * radius**2),
+                     "mean_depth": depth, "mean_force": force(depth) if i % 5 == 0 else math.nan})
         mean = rows[-1]["force"] / rows[-1]["contact_area"]
         profiles[str(i)] = [(radius * j / n_points, mean) for j in range(n_points)]
     return {"history": rows, "profiles": profiles}
