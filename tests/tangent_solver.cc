@@ -94,29 +94,33 @@ namespace
     }
 
     void
-    initialize_mixed_vector(BlockVectorType &) const override
+    initialize_mixed_vector(BlockVectorType &vector) const override
     {
-      AssertThrow(false, ExcNotImplemented());
+      tangent.initialize_mixed_vector(vector);
     }
 
     void
-    mixed_vmult(BlockVectorType &, const BlockVectorType &) const override
+    mixed_vmult(BlockVectorType       &forces,
+                const BlockVectorType &increment) const override
     {
-      AssertThrow(false, ExcNotImplemented());
+      tangent.mixed_vmult(forces, increment);
+      forces *= -1.;
     }
 
     std::unique_ptr<const PressurePreconditioner>
-    make_pressure_preconditioner(const VectorType &) const override
+    make_pressure_preconditioner(const VectorType &held) const override
     {
-      AssertThrow(false, ExcNotImplemented());
-      return {};
+      return tangent.make_pressure_preconditioner(held);
     }
 
     void
-    add_matrix(TrilinosWrappers::SparseMatrix &,
-               const AffineConstraints<double> &) const override
+    add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
+               const AffineConstraints<double> &all_constraints) const override
     {
-      AssertThrow(false, ExcNotImplemented());
+      TrilinosWrappers::SparseMatrix stable;
+      stable.reinit(matrix);
+      tangent.add_matrix(stable, all_constraints);
+      matrix.add(-1., stable);
     }
 
   private:
