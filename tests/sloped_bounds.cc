@@ -214,18 +214,16 @@ namespace
                                          MPI_COMM_WORLD));
     }
 
-    /// Until some nodes slip.
+    /// Some nodes slip. (In an update that follows, those whose slip is against
+    /// their force would stick: this is no equilibrium.)
     void
     let_slip()
     {
       contact.begin_step(VectorType(u.get_partitioner()), {});
-      for (unsigned int i = 0; i < 2; ++i)
-        {
-          compute_residual(residual, u);
-          contact.update(u, residual);
-          contact.move_active(u);
-          contact.find_entering(u);
-        }
+      compute_residual(residual, u);
+      contact.update(u, residual);
+      contact.move_active(u);
+      contact.find_entering(u);
       leave_bounds();
       const unsigned int n_held =
         Utilities::MPI::sum(contact.stuck_entries().size(), MPI_COMM_WORLD);
