@@ -7,6 +7,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -44,6 +45,16 @@ namespace
       }
     text << "endsolid a tip\n";
     return text.str();
+  }
+
+
+
+  std::string
+  in_large_letters(std::string text)
+  {
+    for (char &c : text)
+      c = std::toupper(c);
+    return text;
   }
 
 
@@ -216,8 +227,7 @@ namespace
     refuse("vertical.stl",
            text_of(
              {{{Point<3>(0, 0, 0), Point<3>(1, 1, 0), Point<3>(2, 2, 5)}}}));
-    refuse("short_binary.stl",
-           replaced(binary, "solid", "Solid").substr(0, binary.size() - 1));
+    refuse("short_binary.stl", binary.substr(0, binary.size() - 1));
     refuse("infinite_binary.stl",
            binary.substr(0, 96) + "\xff\xff\xff\xff" + binary.substr(100));
   }
@@ -236,6 +246,10 @@ main(int argc, char *argv[])
   check_pyramid("binary.stl", 0.25);
   verify("two solids",
          make_indenter<3>(stl("two_solids.stl")).shape->profile({1., 3.}) ==
+           1.5);
+  write("large_letters.stl", in_large_letters(text_of(pyramid())));
+  verify("large letters",
+         make_indenter<3>(stl("large_letters.stl")).shape->profile({1., 3.}) ==
            1.5);
   check_rounded_edges();
   check_errors();

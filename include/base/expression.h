@@ -12,6 +12,15 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
+  /// What an expression may depend on, besides constants.
+  enum class ExpressionVariables
+  {
+    position_and_time, ///< with dim = 1 the time alone
+    position
+  };
+
+
+
   /// A scalar function of position and time that a user has typed, in the
   /// variables x, y (, z) and t and with everything muParser knows, but for
   /// lists and assignments: there, a decimal comma or a '=' instead of '=='
@@ -24,7 +33,10 @@ namespace ElastoPlastic
   public:
     /// @p path is the entry the text comes from, for error messages.
     /// @throws InputError if @p text is no such expression.
-    Expression(const std::string &path, const std::string &text);
+    Expression(const std::string        &path,
+               const std::string        &text,
+               const ExpressionVariables variables =
+                 ExpressionVariables::position_and_time);
 
     /// A function of position should be evaluated within
     /// rethrow_collectively(): each rank has points of its own. Elsewhere, a
@@ -37,6 +49,7 @@ namespace ElastoPlastic
   private:
     const std::string           path;
     const std::string           text;
+    const bool                  time_is_variable;
     mutable FunctionParser<dim> function;
   };
 } // namespace ElastoPlastic

@@ -21,7 +21,8 @@ namespace ElastoPlastic
   using namespace dealii;
 
   /// The result of @p maximize(), which looks for the stresses with the largest
-  /// force. @throws ConvergenceError that says why there are none.
+  /// force. @throws ConvergenceError or EquilibriumError that says why there
+  /// are none.
   template <typename Maximize>
   auto
   explain_missing_limit(const Maximize &maximize)
@@ -39,8 +40,11 @@ namespace ElastoPlastic
       }
     catch (const NoSolutionError &)
       {
-        throw ConvergenceError(
-          "The body does not even bear the given tractions.");
+        throw EquilibriumError(
+          "The body does not even bear its constant loads: those in 'Boundary "
+          "conditions/Traction' and 'Body force'. Prescribe smaller ones, or "
+          "look for the part of them that it bears with 'Limit load/Load = "
+          "tractions'.");
       }
   }
 

@@ -79,17 +79,32 @@ namespace ElastoPlastic
 
 
 
+    /// Whether the '-' at @p position is that of a number.
+    bool
+    is_sign(const std::string &text, const std::size_t position)
+    {
+      const std::string before = Utilities::trim(text.substr(0, position));
+      return text[position] == '-' &&
+             (before.empty() ||
+              !(std::isalnum(before.back()) || before.back() == ')'));
+    }
+
+
+
     /// The number with a decimal point that a ',' between digits looks like.
     std::string
     with_decimal_point(const std::string &text, const std::size_t comma)
     {
       static const std::string digits = "0123456789";
-      const std::size_t        begin =
+      std::size_t              begin =
         comma == 0 ? 0 : text.find_last_not_of(digits, comma - 1) + 1;
+      const bool is_empty = begin == comma;
+      if (begin > 0 && is_sign(text, begin - 1))
+        --begin;
       const std::size_t end      = text.find_first_not_of(digits, comma + 1);
       const std::string whole    = text.substr(begin, comma - begin),
                         fraction = text.substr(comma + 1, end - comma - 1);
-      return whole.empty() || fraction.empty() ? "" : whole + "." + fraction;
+      return is_empty || fraction.empty() ? "" : whole + "." + fraction;
     }
 
 
@@ -127,13 +142,18 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  Expression<dim>::Expression(const std::string &path, const std::string &text)
+  Expression<dim>::Expression(const std::string        &path,
+                              const std::string        &text,
+                              const ExpressionVariables dependence)
     : path(path)
     , text(text)
+    , time_is_variable(dim > 1 &&
+                       dependence == ExpressionVariables::position_and_time)
   {
-    const std::string variables = (dim == 1 ? "t" :
-                                   dim == 2 ? "x,y,t" :
-                                              "x,y,z,t");
+    const std::string coordinates = dim == 1 ? "t" :
+                                    dim == 2 ? "x,y" :
+                                               "x,y,z",
+                      variables = coordinates + (time_is_variable ? ",t" : "");
     check_text(path, text);
     try
       {
@@ -141,7 +161,7 @@ namespace ElastoPlastic
         function.initialize(variables,
                             text,
                             {{"pi", numbers::PI}, {"e", numbers::E}},
-                            /* time_dependent = */ dim > 1);
+                            time_is_variable);
         function.value(Point<dim>()); // deal.II parses at the first use
       }
     catch (const ExceptionBase &exception)
@@ -159,7 +179,7 @@ namespace ElastoPlastic
   double
   Expression<dim>::value(const Point<dim> &point, const double time) const
   {
-    if (dim > 1)
+    if (time_is_variable)
       function.set_time(time);
     const double result = function.value(point);
     if (!std::isfinite(result))

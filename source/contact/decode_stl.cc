@@ -35,13 +35,24 @@ namespace ElastoPlastic
 
 
 
-    /// The text of a file, word by word.
+    std::string
+    in_small_letters(std::string text)
+    {
+      std::transform(text.begin(), text.end(), text.begin(), [](const char c) {
+        return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      });
+      return text;
+    }
+
+
+
+    /// The text of a file, word by word, in small letters.
     class Words
     {
     public:
       explicit Words(const HeightFile &file)
         : file(file)
-        , text(file.text())
+        , text(in_small_letters(file.text()))
       {}
 
       /// The next word; empty at the end of the file.
@@ -209,6 +220,16 @@ namespace ElastoPlastic
 
 
 
+    /// (The header of a binary file may begin so, too.)
+    bool
+    is_text(const HeightFile &file)
+    {
+      return in_small_letters(file.text().substr(0, 5)) == "solid" &&
+             file.content.find('\0') == std::string::npos;
+    }
+
+
+
     /// How many times as far from the origin as it is wide a surface may be, so
     /// that coordinates in single precision keep four digits of it.
     constexpr double largest_offset = 1000.;
@@ -254,7 +275,7 @@ namespace ElastoPlastic
   decode_stl(const HeightFile &file)
   {
     const bool binary = is_binary(file.content);
-    if (!binary && file.text().compare(0, 5, "solid") != 0)
+    if (!binary && !is_text(file))
       file.reject(
         "its content is not an STL surface: a text begins with "
         "'solid', and a binary file of N triangles has 84 + 50 N "

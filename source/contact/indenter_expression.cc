@@ -12,7 +12,7 @@ namespace ElastoPlastic
   IndenterExpression<dim>::IndenterExpression(const std::string &path,
                                               const std::string &text,
                                               const double       reach)
-    : expression(path, text)
+    : expression(path, text, ExpressionVariables::position)
     , reach(reach)
   {}
 

@@ -256,7 +256,7 @@ namespace ElastoPlastic
       "Voce rate",
       voce_rates,
       [](const double b) { return b >= 0 && b * smallest_strain <= 1; },
-      "it must not be negative, nor greater than 1e12.");
+      "it must be between 0 and 1e12.");
     require(
       "Power law exponent",
       power_law_exponents,
@@ -266,7 +266,7 @@ namespace ElastoPlastic
       "Power law reference strain",
       power_law_reference_strains,
       [](const double eps_0) { return eps_0 >= smallest_strain; },
-      "it must be greater than 0, and at least 1e-12.");
+      "it must be at least 1e-12.");
     for (unsigned int id = 0; id < n_materials(); ++id)
       {
         if (of_material(voce_stresses, id) > 0 &&

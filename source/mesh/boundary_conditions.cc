@@ -225,9 +225,12 @@ namespace ElastoPlastic
       conditions.emplace(boundary->second, Condition{type, entry});
     if (!is_first)
       throw InputError("The boundary '" + name +
-                       "' has two conditions: it is named in '" + section +
-                       condition->second.entry + "' and in '" + section +
-                       entry + "'. Name each boundary once.");
+                       (condition->second.entry == entry ?
+                          "' is named twice in '" + section + entry :
+                          "' has two conditions: it is named in '" + section +
+                            condition->second.entry + "' and in '" + section +
+                            entry) +
+                       "'. Name each boundary once.");
   }
 
 

@@ -24,7 +24,7 @@ namespace ElastoPlastic
       MaterialIds(const std::string &path, const std::string &text)
         : path(path)
         , text(text)
-        , expression(path, text)
+        , expression(path, text, ExpressionVariables::position)
       {}
 
       void
