@@ -7,6 +7,7 @@ import os
 
 from .errors import UserError
 from .fields import read_record, reading, records
+from .files import read_text
 from .tables import read_table
 
 
@@ -77,12 +78,7 @@ class Results:
         """The effective input of the run: 'Section/Entry' to text."""
         path = self.path("parameters.prm")
         values, sections, continued = {}, [], ""
-        try:
-            with open(path, encoding="utf-8", errors="replace") as file:
-                lines = file.read().splitlines()
-        except OSError as error:
-            raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
-        for number, line in enumerate(lines, 1):
+        for number, line in enumerate(read_text(path).splitlines(), 1):
             line = continued + line.split("#")[0].strip()
             continued = ""
             if line.endswith("\\"):

@@ -4,7 +4,7 @@
 (--print-parameters, which is doc/parameters.md). It describes an object such as
 {"Dimension": 2, "Material/Yield stress": 400}, whose keys are 'Section/Entry'.
 
-    scripts/command.py schema     brings it up to date with the program
+    scripts/command.py schema     brings it, and the columns of the tables, up to date with the program
 """
 
 import argparse
@@ -16,6 +16,7 @@ import pathlib
 import re
 import subprocess
 
+from . import columns
 from .errors import UserError
 from .program import MPI_ENVIRONMENT, find_program
 from .verification.runner import add_program
@@ -87,9 +88,14 @@ def main(arguments):
     chosen = parser.parse_args(arguments)
     reference = subprocess.run([find_program(chosen.program), "--print-parameters"], env=os.environ | MPI_ENVIRONMENT,
                                stdout=subprocess.PIPE, text=True, check=True).stdout
-    schema = json.dumps(make_schema(reference), indent=1, ensure_ascii=False) + "\n"
-    if not chosen.check:
-        FILE.write_text(schema, encoding="utf-8")
-    elif FILE.read_text(encoding="utf-8") != schema:
-        raise UserError(f"{FILE} is not that of the program. Bring it up to date with the target 'parameters'.")
+    bring_up_to_date(FILE, make_schema(reference), chosen.check)
+    bring_up_to_date(columns.FILE, columns.make_columns(columns.REFERENCE.read_text(encoding="utf-8")), chosen.check)
     return 0
+
+
+def bring_up_to_date(file, content, only_check):
+    text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    if not only_check:
+        file.write_text(text, encoding="utf-8")
+    elif file.read_text(encoding="utf-8") != text:
+        raise UserError(f"{file} is not that of the program. Bring it up to date with the target 'parameters'.")

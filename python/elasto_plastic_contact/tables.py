@@ -3,31 +3,45 @@
 """Reads the tables (CSV) that the program writes, and those of spreadsheets."""
 
 import csv
-import itertools
+import io
 import pathlib
 
 from .errors import UserError
+from .files import read_text
 
-# Makes numbers with a decimal comma such with a point; those with a point become invalid.
-DECIMAL_COMMA = str.maketrans(",.", ".,")
+# What separates columns, and what makes the numbers between them Python's: with ';', they have a decimal comma.
+TRANSLATIONS = {",": {}, ";": str.maketrans(",.", ".,")}
+FORMATS = ("The first line names the columns, the others hold numbers: remove what stands above or between. Either ',' "
+           "separates columns and '.' is the decimal point, or ';' separates columns and ',' is the decimal comma")
 
 
 def read_table(path):
     """The rows of a table, dictionaries of numbers by column; none if only its header is there.
-    If the header is separated by ';' only, so are the rows, and numbers have a decimal comma."""
+    If the header is separated by ';', so are the rows, and numbers have a decimal comma."""
+    text = read_text(path)
+    separator = max(*TRANSLATIONS, "\t", key=text.partition("\n")[0].count)
+    if separator not in TRANSLATIONS:
+        raise UserError(f"'{path}' separates columns by tabs. {FORMATS}")
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
     try:
-        with open(path, newline="", encoding="utf-8-sig", errors="replace") as file:
-            header = file.readline()
-            delimiter, decimals = (";", DECIMAL_COMMA) if ";" in header and "," not in header else (",", {})
-            reader = csv.DictReader(itertools.chain([header], file), restkey="", delimiter=delimiter)
-            return [{column.strip(): float(value.translate(decimals)) for column, value in row.items()}
-                    for row in reader]
-    except OSError as error:
-        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
-    except (AttributeError, TypeError, ValueError, csv.Error):
-        raise UserError(f"'{path}' is damaged in line {reader.line_num}: a value is missing, is not a number, or has "
-                        "no column. Either ',' separates columns and '.' is the decimal point, or ';' separates columns "
-                        "and ',' is the decimal comma") from None
+        columns = [column.strip() for column in next(reader, [])]
+        return [read_row(row, columns, TRANSLATIONS[separator]) for row in reader if row]
+    except (ValueError, csv.Error) as error:
+        raise UserError(f"'{path}' is damaged in line {reader.line_num}: {error}. {FORMATS}") from None
+
+
+def read_row(row, columns, translation):
+    """Raises ValueError: what is wrong with it."""
+    if len(row) != len(columns):
+        raise ValueError(f"columns: {len(columns)}, values: {len(row)}")
+    return {column: read_number(value, column, translation) for column, value in zip(columns, row)}
+
+
+def read_number(text, column, translation):
+    try:
+        return float(text.translate(translation))
+    except ValueError:
+        raise ValueError(f"the value of '{column}' is '{text}'") from None
 
 
 def read_tables(folder):

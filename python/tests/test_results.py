@@ -91,6 +91,17 @@ class Messages(unittest.TestCase):
                 table.write_text(f"a,b\n1,2\n{text}\n")
                 with self.assertRaisesRegex(UserError, "history.csv' is damaged in line 3: .* '.' is the decimal"):
                     read_table(table)
+            for text in ("h\tP\n1.5\t2\n", "h\tP, mN\tt\n1,5\t2,5\t3\n"):
+                table.write_text(text)
+                with self.assertRaisesRegex(UserError, "history.csv' separates columns by tabs. .* Either ',' separates"):
+                    read_table(table)
+            for code in ("utf-16", "utf-16-le", "utf-16-be"):
+                table.write_bytes("h,P\n1.5,2\n".encode(code))
+                with self.assertRaisesRegex(UserError, "history.csv' is in UTF-16, .* Save it as plain text, or as UTF-8"):
+                    read_table(table)
+            table.write_text("h,P\n\"1,5\",2\n")
+            with self.assertRaisesRegex(UserError, "in line 2: the value of 'h' is '1,5'. .* ';' separates columns"):
+                read_table(table)
             table.write_text("a,b\n")
             self.assertEqual(read_table(table), [])
             with self.assertRaisesRegex(UserError, "history.csv' holds no results yet"):

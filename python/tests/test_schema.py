@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The schema of all entries: what it makes of the reference, and the committed one."""
+"""The schema of all entries, and the columns of the tables: what is made of the references, and the committed ones."""
 
 import pathlib
 import unittest
 
-from elasto_plastic_contact import UserError
+from elasto_plastic_contact import UserError, columns
+from elasto_plastic_contact.columns import known_columns, make_columns
 from elasto_plastic_contact.schema import check_path, entries, make_schema, value_schema
 
 REFERENCE = pathlib.Path(__file__).resolve().parents[2] / "doc/parameters.md"
@@ -31,6 +32,11 @@ class Schema(unittest.TestCase):
         self.assertEqual(entries()["Loading/Depth"]["default"], "0.01")
         with self.assertRaisesRegex(UserError, "do not look like the others"):
             make_schema(page + "### Something/Else\n\nWithout values.\n")
+
+    def test_columns(self):
+        self.assertEqual(make_columns(columns.REFERENCE.read_text(encoding="utf-8")), known_columns())
+        self.assertEqual(known_columns()["history"][:4], ["step", "time", "depth", "force"])
+        self.assertEqual(known_columns()["error_bound"][-1], "wall_seconds")
 
     def test_names(self):
         check_path("Material/Yield stress", "set")

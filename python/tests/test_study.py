@@ -44,7 +44,8 @@ class Studies(unittest.TestCase):
 
     def command(self, data):
         path = self.folder / "study.json"
-        path.write_text(data if isinstance(data, str) else json.dumps(data))
+        text = data if isinstance(data, (str, bytes)) else json.dumps(data)
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
         return ["study", str(path), "--output-directory", str(self.output)]
 
     def table(self):
@@ -146,6 +147,14 @@ class Studies(unittest.TestCase):
                 ({**STUDY, "numbers": {"n": {**number, "take": "biggest"}}},
                  "'numbers/n/take' is \"biggest\", but must be one of last, first"),
                 ({**STUDY, "numbers": {"n": {"table": "history"}}}, "numbers/n lacks 'column'"),
+                ({**STUDY, "numbers": {"n": {**number, "table": "histry"}}},
+                 "numbers/n/table: there is no \"histry\". Did you mean 'history'. Allowed: history, .*, probes"),
+                ({**STUDY, "numbers": {"n": {"table": "history", "column": "fource"}}},
+                 "numbers/n/column: there is no \"fource\". Did you mean 'force'. Allowed: step, time, depth, force"),
+                ({**STUDY, "plot": {"curves": {"table": "history", "x": "depth", "y": "fource"}}},
+                 "plot/curves/y: there is no \"fource\". Did you mean 'force'"),
+                ("\u00fc{}".encode("utf-16"), "is in UTF-16, which some editors call Unicode.*as UTF-8"),
+                ("{\"\u00fc\": 1}".encode("latin-1"), "is not in UTF-8: invalid .* at byte 3"),
                 ({**STUDY, "set": {}, "vary": {path: list(range(3000)) for path in (
                     "Material/Yield stress", "Loading/Depth", "Loading/Number of steps")}},
                  "'vary' makes 27000000000 runs, but at most 100000 are allowed"),
@@ -188,13 +197,13 @@ class Studies(unittest.TestCase):
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_wrong_column(self):
-        study = {**STUDY, "vary": {"Material/Yield stress": [300]},
-                 "numbers": {"n": {"table": "history", "column": "fource"}}}
+        """One that only a run can tell, as it has the name of a boundary, ends the study after the first of them."""
+        study = {**STUDY, "at once": 1, "numbers": {"n": {"table": "reactions", "column": "topp_z"}}}
         process = subprocess.run([sys.executable, "-m", "elasto_plastic_contact", *self.command(study)],
                                  capture_output=True, text=True, check=False)
         self.assertEqual(process.returncode, 2)
-        self.assertRegex(process.stderr,
-                         "'numbers/n/column': the table 'history' has no column 'fource'; it has step, ")
+        self.assertRegex(process.stderr, "'numbers/n/column': the table 'reactions' has no column 'topp_z'; it has step, ")
+        self.assertLess(len(self.finished()), len(STRESSES) * len(STRAINS))
 
 
 if __name__ == "__main__":

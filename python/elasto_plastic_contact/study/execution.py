@@ -70,7 +70,8 @@ def execute(study, directory, program, report):
     """Runs all that are not finished, some at a time; report(text) is told of each.
     Returns the messages of those that have failed, by their folders.
 
-    Raises UserError, before any run begins, if the program refuses one of them."""
+    Raises UserError if the program refuses one of them, before any run begins, and if a run has been
+    completed without a column that the study looks up."""
     pending = [run for run in study.runs if not is_finished(directory / study.folder(run))]
     report(f"{len(study.runs)} runs, {len(study.runs) - len(pending)} of them finished already")
     failures = {}
@@ -81,9 +82,12 @@ def execute(study, directory, program, report):
         futures = {pool.submit(compute, study, directory, run, program): run for run in pending}
         for done, future in enumerate(concurrent.futures.as_completed(futures), 1):
             run = futures[future]
+            folder = directory / study.folder(run)
             if future.result():
-                failures[study.folder(run)] = future.result()
-            report(f"{done} of {len(pending)}: {study.folder(run)}, {values_in_words(run)}"
+                failures[folder.name] = future.result()
+            else:
+                results_of(study, folder)
+            report(f"{done} of {len(pending)}: {folder.name}, {values_in_words(run)}"
                    + (f": FAILED: {future.result()}" if future.result() else ""))
     return failures
 
@@ -107,10 +111,17 @@ def column_of(table, column, folder, place):
     return [row[column] for row in rows]
 
 
+def results_of(study, folder):
+    """The numbers of a finished run, None where there is none, and its curve, two columns."""
+    numbers = {name: look_up(number, folder, f"numbers/{name}") for name, number in study.numbers.items()}
+    curve = study.curves and [column_of(study.curves.table, getattr(study.curves, axis), folder, f"plot/curves/{axis}")
+                              for axis in "xy"]
+    return numbers, curve
+
+
 def curves_of_runs(study, directory):
-    """The values and the curve, two columns, of each finished run."""
-    return [(run, [column_of(study.curves.table, getattr(study.curves, axis), folder, f"plot/curves/{axis}")
-                   for axis in "xy"])
+    """The values and the curve of each finished run."""
+    return [(run, results_of(study, folder)[1])
             for run, folder in ((run, directory / study.folder(run)) for run in study.runs) if is_finished(folder)]
 
 
@@ -119,8 +130,7 @@ def collect(study, directory):
     rows = []
     for run in study.runs:
         folder = directory / study.folder(run)
-        numbers = {name: look_up(number, folder, f"numbers/{name}") if is_finished(folder) else None
-                   for name, number in study.numbers.items()}
+        numbers = results_of(study, folder)[0] if is_finished(folder) else dict.fromkeys(study.numbers)
         rows.append({RUN: folder.name, **run, **numbers})
     return rows
 

@@ -11,7 +11,9 @@ import math
 import pathlib
 from dataclasses import dataclass
 
+from ..columns import TABLES_OF_NAMES, known_columns
 from ..errors import UserError
+from ..files import read_text
 from ..program import find_case
 from ..schema import check_path
 
@@ -73,15 +75,14 @@ class Study:
 
 def read_study(path):
     """The Study of a file. Raises UserError: what is wrong, at which key, what is allowed."""
+    text = read_text(path, errors="strict")
     try:
-        data = json.loads(pathlib.Path(path).read_text(encoding="utf-8-sig"), object_pairs_hook=without_repetition)
-    except OSError as error:
-        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
+        data = json.loads(text, object_pairs_hook=without_repetition)
     except json.JSONDecodeError as error:
         raise UserError(f"'{path}', line {error.lineno}, column {error.colno}: this is no JSON ({error.msg})") from None
     except RecursionError:
         raise UserError(f"'{path}': brackets are nested too deep") from None
-    except (ValueError, UserError) as error:  # (of other codes than UTF-8 and too long numbers)
+    except (ValueError, UserError) as error:  # (of too long numbers)
         raise UserError(f"'{path}': {error}") from None
     try:
         check_texts(data)
@@ -233,13 +234,21 @@ def read_numbers(data):
             if take not in TAKES:
                 raise UserError(f"'{place}/take' is {json.dumps(take)}, but must be one of {', '.join(TAKES)}, "
                                 "or the number of a row, from 1")
-        numbers[name] = Number(check(number["table"], f"{place}/table", str, "the name of a table, such as 'history'"),
-                               check(number["column"], f"{place}/column", str, "the name of a column"), take)
+        numbers[name] = Number(*read_columns(number, place, "column"), take)
     return numbers
 
 
 def read_curves(data):
-    place = "plot/curves"
-    check_keys(data, place, ("table", "x", "y"), ())
-    return Curves(check(data["table"], f"{place}/table", str, "the name of a table, such as 'history'"),
-                  *(check(data[axis], f"{place}/{axis}", str, "the name of a column") for axis in "xy"))
+    check_keys(data, "plot/curves", ("table", "x", "y"), ())
+    return Curves(*read_columns(data, "plot/curves", "x", "y"))
+
+
+def read_columns(data, place, *keys):
+    """The names of a table and of some of its columns, which are there unless they depend on the run."""
+    table = check(data["table"], f"{place}/table", str, "the name of a table, such as 'history'")
+    choice(table, f"{place}/table", [*known_columns(), *TABLES_OF_NAMES])
+    columns = [check(data[key], f"{place}/{key}", str, "the name of a column") for key in keys]
+    for key, column in zip(keys, columns):
+        if table in known_columns():
+            choice(column, f"{place}/{key}", known_columns()[table])
+    return table, *columns
