@@ -39,6 +39,12 @@ def times(folder, kind):
         return [float(time) for time in files_named_in(path, "DataSet", "timestep")]
 
 
+def check_step(step, file, n_entries):
+    """Refuses the number of an entry that a file does not have."""
+    if not -n_entries <= step < n_entries:
+        raise UserError(f"there is no step {step} in '{file}': it has {n_entries}, counted from 0, or from -1 backwards")
+
+
 def read_record(folder, record):
     """The fields of one of the records()."""
     folder = pathlib.Path(folder)

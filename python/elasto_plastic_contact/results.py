@@ -6,7 +6,7 @@ import functools
 import os
 
 from .errors import UserError
-from .fields import read_record, reading, records
+from .fields import check_step, read_record, reading, records
 from .files import read_text
 from .tables import read_table
 
@@ -67,9 +67,7 @@ class Results:
         import numpy
 
         files = records(self.directory, kind)
-        if not -len(files) <= step < len(files):
-            raise UserError(f"there is no step {step} in '{self.path(kind)}.pvd': it has {len(files)}, "
-                            "counted from 0, or from -1 backwards")
+        check_step(step, self.path(f"{kind}.pvd"), len(files))
         with reading(self.path(files[step])):
             return {name: numpy.array(values) for name, values in read_record(self.directory, files[step]).items()}
 

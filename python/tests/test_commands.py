@@ -50,6 +50,9 @@ class Commands(unittest.TestCase):
         self.expect_message("nothing to show for stress_strain", "plot", "stress_strain", self.folder / "cone")
         self.expect_message("parameters.prm' cannot be read: No such file", "plot", "energies", self.folder)
         self.expect_message("cannot be written", "plot", self.folder / "cone", "--output-directory", "/nowhere", status=5)
+        for step in (999, -21):
+            self.expect_message(f"there is no step {step} in '.*history.csv': it has 20, counted from 0, or from -1 backwards",
+                                "plot", self.folder / "cone", "--step", step)
         self.expect_message("argument --parts: it is '0', but must be a number > 0", "plot", self.folder / "cone", "--parts", 0)
 
     def test_damaged_results(self):

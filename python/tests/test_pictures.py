@@ -143,8 +143,10 @@ class Files(unittest.TestCase):
                       self.message("render", self.cone, "--field", "temperature"))
         self.assertIn("'contact_pressure' is one of the surface: ParaView shows it, in surface.pvd",
                       self.message("render", self.cone, "--field", "contact_pressure"))
-        self.assertIn("--steps has 13, but solution.pvd has 13 entries",
+        self.assertIn("solution.pvd': it has 13, counted from 0, or from -1 backwards",
                       self.message("render", self.cone, "--steps", 13))
+        self.assertIn("surface.pvd': it has 13, counted from 0, or from -1 backwards",
+                      self.message("plot", "energies", self.cone, "--step", 13))
         self.assertIn("must end with .png, .svg or .pdf",
                       self.message("render", self.cone, "--output", self.folder / "picture.mesh"))
 

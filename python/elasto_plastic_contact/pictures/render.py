@@ -17,7 +17,7 @@ from .sheet import draw_sheet
 from ..arguments import number
 from ..errors import UserError
 from .view import View
-from ..fields import times
+from ..fields import check_step, times
 from ..plots.figures import add_units, save, units_of
 from ..results import Results
 
@@ -92,9 +92,7 @@ def choose_views(arguments, results):
     if arguments.animation:
         return [View(results, step) for step in range(len(all_times))]
     for step in arguments.steps:
-        if not -len(all_times) <= step < len(all_times):
-            raise UserError(f"--steps has {step}, but solution.pvd has {len(all_times)} entries, "
-                            "counted from 0, or from -1 backwards")
+        check_step(step, results.path("solution.pvd"), len(all_times))
     return [View(results, step % len(all_times)) for step in arguments.steps]
 
 

@@ -10,7 +10,7 @@ import numpy
 
 from .figures import units_of, with_unit
 from ..errors import UserError
-from ..fields import times
+from ..fields import check_step, times
 
 
 @dataclass
@@ -34,15 +34,24 @@ class Hertz:
         return self.pressure * numpy.sqrt(numpy.clip(1. - (distance / self.radius) ** 2, 0., None))
 
 
+def shown_times(run):
+    """The times of the entries of surface.pvd; without fields, of the load steps."""
+    return times(run.directory, "surface") if run.has("surface.pvd") else run.history["time"]
+
+
+def check_shown_entry(run, step):
+    """Refuses the number of an entry that is not there."""
+    check_step(step, run.path("surface.pvd" if run.has("surface.pvd") else "history.csv"), len(shown_times(run)))
+
+
 def shown_entry(run, arguments):
     """The entry of surface.pvd that is shown, and the force there: that of --step, or of the largest force of a
     load history, or the last mesh."""
     if len(run.history) == 1:
         return -1 if arguments.step is None else arguments.step, run.statistics["force"][-1]
-    written = times(run.directory, "surface") if run.has("surface.pvd") else run.history["time"]
-    forces = numpy.interp(written, [0., *run.history["time"]], [0., *run.history["force"]])
+    forces = numpy.interp(shown_times(run), [0., *run.history["time"]], [0., *run.history["force"]])
     entry = int(forces.argmax()) if arguments.step is None else arguments.step
-    return entry, forces[numpy.clip(entry, -len(forces), len(forces) - 1)]
+    return entry, forces[entry]
 
 
 def hertz_of_run(run, arguments):

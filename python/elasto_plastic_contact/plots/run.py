@@ -20,7 +20,7 @@ import sys
 
 from . import curves, equilibrium
 from .figures import add_units, letter, make_parser, new_diagram, plt, save
-from .quantities import scales_of
+from .quantities import check_shown_entry, scales_of
 from ..arguments import number
 from ..errors import UserError
 from ..results import Results
@@ -107,6 +107,8 @@ def main(arguments, others):
         raise UserError(f"there is no diagram '{unknown[0]}' of a run; there are {', '.join(DIAGRAMS)}. "
                         f"Others, one at a time and as the first word, are {', '.join(others)}")
     run = Results(arguments.directory)
+    if arguments.step is not None:
+        check_shown_entry(run, arguments.step)
     if run.has("limit_load.csv") and not arguments.names and not arguments.panels:
         draw_limit_load(run, arguments)
         return
