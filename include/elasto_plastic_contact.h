@@ -58,6 +58,11 @@ namespace ElastoPlastic
     void
     check_contact() const;
 
+    /// Checks that resume() has something to go on from. Afterwards, this
+    /// object is of no more use. @throws InputError
+    void
+    check_checkpoint();
+
     /// Follows the load history, refines the mesh, and writes the results to
     /// the output directory. @p overwrite allows to replace earlier ones.
     /// @throws InputError, ConvergenceError, EquilibriumError, FileError
@@ -121,6 +126,8 @@ namespace ElastoPlastic
     save_checkpoint(Statistics &statistics);
     bool
     checkpoint_is_due() const;
+    Checkpoint::Contents
+    read_checkpoint(Statistics::Progress &progress);
     Statistics::Progress
     load_checkpoint();
     void

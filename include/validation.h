@@ -6,6 +6,7 @@
 
 #include <iosfwd>
 
+#include "io/command_line.h"
 #include "io/parameters.h"
 #include "model/model.h"
 
@@ -20,18 +21,20 @@ namespace ElastoPlastic
   /// @throws InputError, EquilibriumError, FileError
   template <int dim>
   void
-  validate(const Model<dim> &model,
-           const Parameters &parameters,
-           const MPI_Comm    communicator,
-           std::ostream     &out);
+  validate(const Model<dim>  &model,
+           const CommandLine &command_line,
+           const Parameters  &parameters,
+           const MPI_Comm     communicator,
+           std::ostream      &out);
 
   /// The same for the search of a limit load.
   template <int dim>
   void
-  validate_limit_load(const Model<dim> &model,
-                      const Parameters &parameters,
-                      const MPI_Comm    communicator,
-                      std::ostream     &out);
+  validate_limit_load(const Model<dim>  &model,
+                      const CommandLine &command_line,
+                      const Parameters  &parameters,
+                      const MPI_Comm     communicator,
+                      std::ostream      &out);
 } // namespace ElastoPlastic
 
 #endif

@@ -31,7 +31,7 @@ namespace
   {
     const Model<dim> model = make_model<dim>(parameters);
     if (command_line.task == CommandLine::Task::validate)
-      return validate(model, parameters, MPI_COMM_WORLD, out);
+      return validate(model, command_line, parameters, MPI_COMM_WORLD, out);
     ElastoPlasticContact<dim> problem(model, parameters, MPI_COMM_WORLD);
     if (command_line.resume)
       problem.resume();
@@ -57,7 +57,8 @@ namespace
         "--resume.");
     const Model<dim> model = make_model<dim>(parameters);
     if (command_line.task == CommandLine::Task::validate)
-      return validate_limit_load(model, parameters, MPI_COMM_WORLD, out);
+      return validate_limit_load(
+        model, command_line, parameters, MPI_COMM_WORLD, out);
     LimitLoadAnalysis(model, parameters, MPI_COMM_WORLD)
       .run(command_line.overwrite);
   }

@@ -223,17 +223,30 @@ namespace ElastoPlastic
 
 
 
+    /// What the run does with earlier results in its folder.
+    std::string
+    use_of_results(const CommandLine &command_line)
+    {
+      if (command_line.resume)
+        return "the run goes on from their checkpoint";
+      return command_line.overwrite ? "the run replaces them" :
+                                      "a run needs --overwrite, or --resume";
+    }
+
+
+
     /// Collective.
     void
-    print_output_directory(const Parameters &parameters,
-                           const MPI_Comm    communicator,
-                           std::ostream     &out)
+    print_output_directory(const CommandLine &command_line,
+                           const Parameters  &parameters,
+                           const MPI_Comm     communicator,
+                           std::ostream      &out)
     {
       const std::string &name = parameters.output.directory;
       print_line("Results",
                  name + (OutputDirectory(communicator, name).holds_results() ?
-                           ", which holds results already: a run needs "
-                           "--overwrite, or --resume" :
+                           ", which holds results already: " +
+                             use_of_results(command_line) :
                            ""),
                  out);
     }
@@ -243,20 +256,23 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  validate(const Model<dim> &model,
-           const Parameters &parameters,
-           const MPI_Comm    communicator,
-           std::ostream     &out)
+  validate(const Model<dim>  &model,
+           const CommandLine &command_line,
+           const Parameters  &parameters,
+           const MPI_Comm     communicator,
+           std::ostream      &out)
   {
     model.geometry.check_size(communicator);
     const JobPreview<dim> preview(model, parameters);
     parameters.refinement.check_first_mesh(preview.meshes().front().unknowns);
 
-    const ElastoPlasticContact<dim> problem(preview.quick_model(),
-                                            parameters,
-                                            communicator);
+    ElastoPlasticContact<dim> problem(preview.quick_model(),
+                                      parameters,
+                                      communicator);
     if (preview.is_first_mesh())
       problem.check_contact();
+    if (command_line.resume)
+      problem.check_checkpoint();
 
     const unsigned int n_over_radius =
       parameters.refinement.n_over_contact_radius;
@@ -268,7 +284,7 @@ namespace ElastoPlastic
                parameters.loading.step_control,
                Utilities::MPI::n_mpi_processes(communicator),
                out);
-    print_output_directory(parameters, communicator, out);
+    print_output_directory(command_line, parameters, communicator, out);
     out << std::flush;
     warn_of_limits(preview, parameters.refinement, communicator);
     if (const std::string safety =
@@ -281,10 +297,11 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  validate_limit_load(const Model<dim> &model,
-                      const Parameters &parameters,
-                      const MPI_Comm    communicator,
-                      std::ostream     &out)
+  validate_limit_load(const Model<dim>  &model,
+                      const CommandLine &command_line,
+                      const Parameters  &parameters,
+                      const MPI_Comm     communicator,
+                      std::ostream      &out)
   {
     LimitLoadAnalysis analysis(model, parameters, communicator);
     analysis.check();
@@ -293,28 +310,32 @@ namespace ElastoPlastic
                  (dim == 3 ? ", each cut into 24 tetrahedra or more" : ""),
                out);
     print_line("Meshes", std::to_string(parameters.refinement.n_cycles), out);
-    print_output_directory(parameters, communicator, out);
+    print_output_directory(command_line, parameters, communicator, out);
   }
 
 
 
   template void
   validate(const Model<2> &,
+           const CommandLine &,
            const Parameters &,
            const MPI_Comm,
            std::ostream &);
   template void
   validate(const Model<3> &,
+           const CommandLine &,
            const Parameters &,
            const MPI_Comm,
            std::ostream &);
   template void
   validate_limit_load(const Model<2> &,
+                      const CommandLine &,
                       const Parameters &,
                       const MPI_Comm,
                       std::ostream &);
   template void
   validate_limit_load(const Model<3> &,
+                      const CommandLine &,
                       const Parameters &,
                       const MPI_Comm,
                       std::ostream &);

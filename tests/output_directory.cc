@@ -148,6 +148,16 @@ namespace
     on_first_rank([]() { fs::remove_all(directory + "/checkpoint"); });
     write("solution.pvd/mine", "");
     run("10, with a folder that is not of the program", true, true);
+    rename("solution.pvd/mine", "mine");
+    on_first_rank([]() { fs::remove_all(directory + "/solution.pvd"); });
+    write(".earlier_results.moved", "");
+    run("11, with a file that is not of the program", true, true);
+    on_first_rank([]() {
+      fs::remove(directory + "/.earlier_results.moved");
+      fs::remove(directory + "/.lock");
+    });
+    write(".lock/mine", "");
+    run("12, with a folder that is not of the program", true, true);
   }
 } // namespace
 

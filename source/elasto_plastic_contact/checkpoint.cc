@@ -63,20 +63,41 @@ namespace ElastoPlastic
 
 
 
+  // Without the mesh and what it carries.
+  template <int dim>
+  Checkpoint::Contents
+  ElastoPlasticContact<dim>::read_checkpoint(Statistics::Progress &progress)
+  {
+    Checkpoint::Contents          contents = checkpoint.load();
+    std::istringstream            state(contents.state);
+    boost::archive::text_iarchive archive(state);
+    serialize_progress(archive, progress);
+    check_same_past(contents.loading(),
+                    parameters.loading,
+                    last_step.result.time);
+    return contents;
+  }
+
+
+
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::check_checkpoint()
+  {
+    Statistics::Progress progress;
+    read_checkpoint(progress);
+  }
+
+
+
   template <int dim>
   Statistics::Progress
   ElastoPlasticContact<dim>::load_checkpoint()
   {
     TimerOutput::Scope scope(timer, "Checkpoint");
 
-    const Checkpoint::Contents    contents = checkpoint.load();
-    std::istringstream            state(contents.state);
-    boost::archive::text_iarchive archive(state);
-    Statistics::Progress          progress;
-    serialize_progress(archive, progress);
-    check_same_past(contents.loading(),
-                    parameters.loading,
-                    last_step.result.time);
+    Statistics::Progress       progress;
+    const Checkpoint::Contents contents = read_checkpoint(progress);
     if (last_step.result.step == time_steps.number())
       time_steps.end_step_at(last_step.result.time);
 

@@ -25,9 +25,10 @@ namespace ElastoPlastic
 
     /// Where earlier results are; and, while they are on their way there or
     /// back, and while they are removed.
-    const std::string aside    = ".earlier_results";
-    const std::string moved    = aside + ".moved";
-    const std::string obsolete = aside + ".obsolete";
+    const std::string aside     = ".earlier_results";
+    const std::string moved     = aside + ".moved";
+    const std::string obsolete  = aside + ".obsolete";
+    const std::string lock_file = ".lock";
 
 
 
@@ -56,6 +57,38 @@ namespace ElastoPlastic
 
 
 
+    FileError
+    stands_in_the_way(const fs::path &path)
+    {
+      return FileError("'" + path.string() +
+                       "' stands in the way of the results: the program has "
+                       "not written it, or not all that it holds. Move it "
+                       "elsewhere, or choose another 'Output/Directory'.");
+    }
+
+
+
+    /// @throws FileError if @p directory cannot be a folder, or if something
+    /// else in it has the name of the lock or of a folder for earlier results.
+    void
+    check_place(const fs::path &directory)
+    {
+      fs::path place = fs::absolute(directory);
+      while (!fs::exists(place))
+        place = place.parent_path();
+      if (!fs::is_directory(place))
+        throw stands_in_the_way(place);
+      if (const fs::path file = directory / lock_file;
+          fs::exists(file) && !fs::is_regular_file(file))
+        throw stands_in_the_way(file);
+      for (const std::string &name : {aside, moved, obsolete})
+        if (const fs::path folder = directory / name;
+            fs::exists(folder) && !fs::is_directory(folder))
+          throw stands_in_the_way(folder);
+    }
+
+
+
     /// The files and folders in @p directory that a run has written, by name.
     /// @throws FileError if there is a folder of the user's own that stands in
     /// the way.
@@ -71,11 +104,7 @@ namespace ElastoPlastic
             continue;
           if (is_checkpoints ? !is_checkpoint(entry.path().string()) :
                                !entry.is_regular_file())
-            throw FileError("'" + entry.path().string() +
-                            "' stands in the way of the results: the program "
-                            "has not written it, or not all that it holds. "
-                            "Move it elsewhere, or choose another "
-                            "'Output/Directory'.");
+            throw stands_in_the_way(entry.path());
           results.push_back(name);
         }
       std::sort(results.begin(), results.end());
@@ -153,6 +182,7 @@ namespace ElastoPlastic
   {
     bool found = false;
     on_first_rank([&]() {
+      check_place(name);
       found = fs::exists(fs::path(name) / aside) ||
               fs::exists(fs::path(name) / moved) ||
               (fs::is_directory(name) && !results_in(name).empty());
@@ -179,6 +209,7 @@ namespace ElastoPlastic
       return !results.empty();
     };
     on_first_rank([&]() {
+      check_place(name);
       fs::create_directories(name);
       lock();
       bring_back(name);
@@ -199,6 +230,7 @@ namespace ElastoPlastic
     on_first_rank([&]() {
       if (!fs::is_directory(name))
         return;
+      check_place(name);
       lock();
       bring_back(name);
     });
@@ -257,7 +289,7 @@ namespace ElastoPlastic
   void
   OutputDirectory::lock()
   {
-    const std::string file = name + "/.lock";
+    const std::string file = name + "/" + lock_file;
     if (!std::ofstream(file, std::ios::app))
       throw FileError("The output directory '" + name +
                       "' cannot be used: writing is not allowed there. Choose "
