@@ -14,6 +14,7 @@
 #include "multigrid/multigrid_preconditioner.h"
 #include "sample_mesh.h"
 #include "sample_model.h"
+#include "schur_complement.h"
 #include "solver/krylov_methods.h"
 #include "solver/tangent_solver.h"
 #include "verdict.h"
@@ -199,8 +200,8 @@ public:
   unsigned int
   n_pressure_iterations() const
   {
-    const SchurComplement schur(*solid, held);
-    const auto            model = solid->make_pressure_preconditioner(held);
+    const SchurComplement<dim> schur(*solid, held);
+    const auto model = solid->make_pressure_preconditioner(held);
     struct Preconditioner
     {
       const PressurePreconditioner &model;
@@ -227,69 +228,6 @@ public:
 
 private:
   using Method = TangentSolver::Method;
-
-  /// 1 + D A^-1 D^T, without multigrid.
-  class SchurComplement
-  {
-  public:
-    SchurComplement(const SolidOperator<dim> &solid, const VectorType &held)
-      : solid(solid)
-      , held(held)
-    {
-      solid.initialize_mixed_vector(mixed);
-      solid.initialize_mixed_vector(product);
-    }
-
-    void
-    vmult(VectorType &result, const VectorType &pressures) const
-    {
-      mixed.block(0) = 0.;
-      mixed.block(1) = pressures;
-      solid.mixed_vmult(product, mixed);
-      VectorType forces = product.block(0), u = product.block(0);
-      set_held_entries(forces);
-      conjugate_gradients(
-        Moderate{*this}, u, forces, PreconditionIdentity(), 1e-9, 10000);
-      moderate_product(forces, u);
-      result = pressures;
-      result += product.block(1);
-    }
-
-  private:
-    struct Moderate
-    {
-      const SchurComplement &schur;
-
-      void
-      vmult(VectorType &forces, const VectorType &u) const
-      {
-        schur.moderate_product(forces, u);
-      }
-    };
-
-    void
-    set_held_entries(VectorType &vector) const
-    {
-      for (unsigned int i = 0; i < held.locally_owned_size(); ++i)
-        if (held.local_element(i) != 0.)
-          vector.local_element(i) = 0.;
-    }
-
-    /// A u, and D u in block 1 of product.
-    void
-    moderate_product(VectorType &forces, const VectorType &u) const
-    {
-      mixed.block(0) = u;
-      mixed.block(1) = 0.;
-      solid.mixed_vmult(product, mixed);
-      forces = product.block(0);
-      set_held_entries(forces);
-    }
-
-    const SolidOperator<dim> &solid;
-    const VectorType         &held;
-    mutable BlockVectorType   mixed, product;
-  };
 
   static std::vector<Material<double>>
   materials(const double poisson_ratio)
