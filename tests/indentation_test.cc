@@ -15,6 +15,7 @@
 #include "contact/indenter_library.h"
 #include "evaluation/indentation_test.h"
 #include "evaluation/modelled_part.h"
+#include "evaluation/tip_on_level_surface.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -44,6 +45,17 @@ namespace
 
 
 
+  /// A tip above a level surface.
+  template <int dim>
+  std::shared_ptr<const TipOnSurface>
+  tip(const std::string &type, const double initial_gap)
+  {
+    return std::make_shared<TipOnLevelSurface>(
+      make_indenter<dim>(indenter(type)).shape, initial_gap, MPI_COMM_WORLD);
+  }
+
+
+
   /// An elastic indentation: force and contact radius over depth, pushed in and
   /// pulled out again in equal steps of the depth.
   void
@@ -55,9 +67,7 @@ namespace
     const double initial_gap = 0.3, largest_depth = 0.01;
     for (const double part : {1., 0.25})
       {
-        IndentationTest test(make_indenter<3>(indenter(type)).shape,
-                             initial_gap,
-                             part);
+        IndentationTest                test(tip<3>(type, initial_gap), part);
         std::optional<UnloadingResult> result;
         for (unsigned int step = 1; step <= 39 && !result; ++step)
           {
@@ -180,7 +190,7 @@ namespace
         output() << " maximum at step " << result->maximum.step << ", exponent "
                  << result->law.exponent;
     };
-    IndentationTest test(make_indenter<2>(indenter("sphere")).shape, 0., 1.);
+    IndentationTest test(tip<2>("sphere", 0.), 1.);
     unsigned int    n_points = 0;
     for (const auto &part : parts)
       for (const IndentationPoint &point : part)
@@ -229,7 +239,7 @@ namespace
                      const double       deeper,
                      const double       softer)
   {
-    IndentationTest test(make_indenter<2>(indenter("sphere")).shape, 0., 1.);
+    IndentationTest                test(tip<2>("sphere", 0.), 1.);
     std::optional<UnloadingResult> result;
     double                         depth_shift = 0, force_scale = 1;
     const auto                     on_mesh = [&](IndentationPoint point) {

@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "contact/tip_shape.h"
 #include "evaluation/power_law.h"
+#include "evaluation/tip_on_surface.h"
 
 namespace ElastoPlastic
 {
@@ -74,7 +74,7 @@ namespace ElastoPlastic
     double stiffness = 0;
     /// How deep the indenter touches, from the first contact (equation (4)).
     double contact_depth = 0;
-    /// The indenter's section at this depth; 0 if it has none.
+    /// TipOnSurface::overlapped_area() at this depth, of the modelled part.
     double tip_area = 0;
     /// The part of the indenter that presses on the modelled part.
     double modelled_part = 1;
@@ -112,18 +112,16 @@ namespace ElastoPlastic
     static constexpr double lowest_share  = 0.50;
     static constexpr double highest_share = 0.95;
 
-    /// @param tip of the indenter.
-    /// @param initial_gap between tip and body at the depth zero.
+    /// @param tip of the indenter, on the surface.
     /// @param modelled_part of the indenter's surroundings, such as 1/4 in a
     /// quarter model; see modelled_part().
-    IndentationTest(const std::shared_ptr<const TipShape> &tip,
-                    const double                           initial_gap,
-                    const double                           modelled_part,
-                    const EvaluationParameters            &constants = {});
+    IndentationTest(const std::shared_ptr<const TipOnSurface> &tip,
+                    const double                               modelled_part,
+                    const EvaluationParameters                &constants = {});
 
     /// Adds the end of the next step. @return the result of an unloading as
     /// soon as all steps for its fit are there: when the force has fallen below
-    /// the lowest share, or else when the unloading has ended.
+    /// the lowest share, or else when the unloading has ended. Collective.
     std::optional<UnloadingResult>
     add(const IndentationPoint &point);
 
@@ -133,7 +131,7 @@ namespace ElastoPlastic
     change_mesh(const IndentationPoint &before, const IndentationPoint &after);
 
     /// The test is over. @return the result of an unloading that goes on until
-    /// then and has not been returned yet.
+    /// then and has not been returned yet. Collective.
     std::optional<UnloadingResult>
     finish();
 
@@ -173,10 +171,9 @@ namespace ElastoPlastic
     std::optional<UnloadingResult>
     evaluate();
 
-    std::shared_ptr<const TipShape> tip;
-    double                          initial_gap;
-    double                          modelled_part;
-    EvaluationParameters            constants;
+    std::shared_ptr<const TipOnSurface> tip;
+    double                              modelled_part;
+    EvaluationParameters                constants;
 
     Progress memory;
   };

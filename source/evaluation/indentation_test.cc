@@ -106,12 +106,11 @@ namespace ElastoPlastic
 
 
 
-  IndentationTest::IndentationTest(const std::shared_ptr<const TipShape> &tip,
-                                   const double                initial_gap,
-                                   const double                modelled_part,
-                                   const EvaluationParameters &constants)
+  IndentationTest::IndentationTest(
+    const std::shared_ptr<const TipOnSurface> &tip,
+    const double                               modelled_part,
+    const EvaluationParameters                &constants)
     : tip(tip)
-    , initial_gap(initial_gap)
     , modelled_part(modelled_part)
     , constants(constants)
   {}
@@ -191,13 +190,13 @@ namespace ElastoPlastic
     result.indenter_compliance = constants.indenter_compliance();
     const double epsilon =
       constants.epsilon > 0. ? constants.epsilon : tip->depth_factor();
-    result.contact_depth = result.maximum.depth - initial_gap -
+    result.contact_depth = result.maximum.depth - tip->initial_gap() -
                            epsilon * result.maximum.force / result.stiffness;
     const double fit_error = 1e-6 * result.maximum.depth;
     if (result.contact_depth > -fit_error)
       result.tip_area =
         modelled_part *
-        tip->section_area(std::max(result.contact_depth, fit_error));
+        tip->overlapped_area(std::max(result.contact_depth, fit_error));
     return result;
   }
 } // namespace ElastoPlastic

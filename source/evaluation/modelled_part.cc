@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "evaluation/modelled_part.h"
+#include "evaluation/tip_on_curved_surface.h"
+#include "evaluation/tip_on_level_surface.h"
 #include "mesh/body_size.h"
 
 namespace ElastoPlastic
@@ -29,32 +31,6 @@ namespace ElastoPlastic
       return std::abs(angle);
     }
 
-
-
-    /// A tip that touches a curved surface, of which a horizontal section says
-    /// nothing.
-    class TipOnCurvedSurface : public TipShape
-    {
-    public:
-      explicit TipOnCurvedSurface(const std::shared_ptr<const TipShape> &tip)
-        : tip(tip)
-      {}
-
-      double
-      depth_factor() const override
-      {
-        return tip->depth_factor();
-      }
-
-      double
-      section_area(const double /* height */) const override
-      {
-        return 0.;
-      }
-
-    private:
-      const std::shared_ptr<const TipShape> tip;
-    };
   } // namespace
 
 
@@ -135,10 +111,16 @@ namespace ElastoPlastic
                                       model.strain_model.kinematics);
     if (part == 0.)
       return {};
-    std::shared_ptr<const TipShape> tip = model.indenter.shape;
-    if (!are_level(triangulation, boundaries))
-      tip = std::make_shared<TipOnCurvedSurface>(tip);
-    return IndentationTest(tip, model.indenter.initial_gap, part, constants);
+    std::shared_ptr<const TipOnSurface> tip;
+    if (are_level(triangulation, boundaries))
+      tip =
+        std::make_shared<TipOnLevelSurface>(model.indenter.shape,
+                                            model.indenter.initial_gap,
+                                            triangulation.get_communicator());
+    else
+      tip = std::make_shared<TipOnCurvedSurface<dim>>(
+        model.indenter.shape, gap_function, triangulation, boundaries, part);
+    return IndentationTest(tip, part, constants);
   }
 
 

@@ -185,7 +185,7 @@ namespace ElastoPlastic
       {"hardness", "stress", "with contact_area", [](const R &r) { return r.hardness(r.maximum.contact_area); }},
       {"reduced_modulus", "stress", "with contact_area and `Evaluation/Beta`; with its default 1 to be compared with E/(1 - nu^2). With the compliance of the indenter if `Evaluation/Young's modulus of the indenter` is given", [](const R &r) { return r.reduced_modulus(r.maximum.contact_area); }},
       {"contact_depth", "length", "how deep the tip touches, by Oliver and Pharr, with `Evaluation/Epsilon`", &R::contact_depth},
-      {"tip_area", "area", "the section of the tip there; 0, as are the next two, if it has none: a cylinder in three dimensions, a height map; or if the surface of the body is curved", &R::tip_area},
+      {"tip_area", "area", "the section of the tip there; if the surface of the body is curved, what tip and undeformed surface overlap there, seen from above. 0, as are the next two, if there is none: on a level surface, a cylinder in three dimensions, a height map", &R::tip_area},
       {"tip_hardness", "stress", "with tip_area: what a laboratory would find", [](const R &r) { return r.hardness(r.tip_area); }},
       {"tip_reduced_modulus", "stress", "the same with tip_area: what a laboratory would find", [](const R &r) { return r.reduced_modulus(r.tip_area); }}};
     return columns;
@@ -203,7 +203,7 @@ namespace ElastoPlastic
       {"triangles", "1", "that the cells are split into; in space, tetrahedra", &R::triangles},
       {"lower_bound", "force", "of the limit load (of the load factor, without unit, if tractions grow): that of stresses in equilibrium which satisfy the yield condition", &R::lower_bound},
       {"upper_bound", "force", "of the same: that of a mechanism of collapse", &R::upper_bound},
-      {"relative_difference", "1", "of the bounds, over the lower one", &R::relative_difference},
+      {"relative_difference", "1", "of the bounds, over the lower one; `nan` while that is zero", &R::relative_difference},
       {"lower_iterations", "1", "of the interior point method", &R::lower_iterations},
       {"upper_iterations", "1", "of the interior point method", &R::upper_iterations},
       {"stress_error", "1", "the largest violation of equilibrium, tractions or yield condition", &R::stress_error},

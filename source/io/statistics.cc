@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "base/rethrow_collectively.h"
 #include "io/statistics.h"
 
 namespace ElastoPlastic
@@ -185,15 +184,13 @@ namespace ElastoPlastic
 
 
 
-  // The area of the tip may be an expression, which can fail.
   void
   Statistics::evaluate_unloading(
     const std::function<std::optional<UnloadingResult>()> &evaluate)
   {
     if (!indentation_test)
       return;
-    std::optional<UnloadingResult> result;
-    rethrow_collectively(communicator, [&]() { result = evaluate(); });
+    const std::optional<UnloadingResult> result = evaluate();
     if (!result)
       return;
     if (!indentation)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Verification of what --validate says of a job before it is done; see verify."""
 
+import math
 import re
 import time
 
@@ -56,10 +57,14 @@ def job_preview(runner):
 
 
 def curved_body(runner):
-    """A cone in a conical pit: a horizontal section of the tip is neither a contact to expect nor an area to evaluate."""
+    """A cone that fills a conical pit: no horizontal section of it is a contact to expect, nor the area that it overlaps."""
     case = ("limit_load/conical_pit.prm", "Analysis=contact", "Material/Law=linear elastic", "Refinement/Strategy=none",
             "Refinement/Number of cycles=1", "Loading/History=1: depth 0.6 | 2: force 0", "Loading/Number of steps=40")
     runner.verify("no contact radius is expected", "Contact radius" not in runner.preview(*case))
     unloading, = runner.tables(*case)["indentation"]
-    runner.verify("the contact has an area, the tip has none", unloading["contact_area"] > 0 and unloading["tip_area"] == 0
-                  and unloading["tip_hardness"] == 0 and unloading["hardness"] > 0)
+    runner.compare("all of the pit is overlapped", unloading["tip_area"], math.pi, 1e-12)
+    runner.compare("the contact area is that of the flank", unloading["contact_area"], math.pi / math.cos(math.pi / 6), 1e-6)
+    runner.compare("contact begins at the bottom of the pit", unloading["contact_depth"],
+                   unloading["max_depth"] - math.tan(math.pi / 6)
+                   - (2 - 4 / math.pi) * unloading["max_force"] / unloading["stiffness"], 1e-6)
+    runner.compare("hardness by the overlap", unloading["tip_hardness"], unloading["max_force"] / math.pi, 1e-12)

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef evaluation_tip_on_surface_h
+#define evaluation_tip_on_surface_h
+
+namespace ElastoPlastic
+{
+  /// What the evaluation of an indentation test needs to know of a tip and the
+  /// surface that it is pressed on.
+  class TipOnSurface
+  {
+  public:
+    virtual ~TipOnSurface() = default;
+
+    /// From the undisplaced tip down to the first contact. Collective.
+    virtual double
+    initial_gap() const = 0;
+
+    /// TipShape::depth_factor(), of what lies between tip and surface.
+    virtual double
+    depth_factor() const = 0;
+
+    /// The area, seen from above and all around the tip, that tip and
+    /// undeformed surface overlap when the tip has moved by @p height > 0 from
+    /// the first contact on; 0 if it is not known. Collective.
+    virtual double
+    overlapped_area(const double height) const = 0;
+  };
+} // namespace ElastoPlastic
+
+#endif
