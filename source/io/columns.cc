@@ -203,7 +203,7 @@ namespace ElastoPlastic
       {"triangles", "1", "that the cells are split into; in space, tetrahedra", &R::triangles},
       {"lower_bound", "force", "of the limit load (of the load factor, without unit, if tractions grow): that of stresses in equilibrium which satisfy the yield condition", &R::lower_bound},
       {"upper_bound", "force", "of the same: that of a mechanism of collapse", &R::upper_bound},
-      {"relative_difference", "1", "of the bounds, over the lower one; `nan` while that is zero", &R::relative_difference},
+      {"relative_difference", "1", "of the bounds, over the lower one", &R::relative_difference},
       {"lower_iterations", "1", "of the interior point method", &R::lower_iterations},
       {"upper_iterations", "1", "of the interior point method", &R::upper_iterations},
       {"stress_error", "1", "the largest violation of equilibrium, tractions or yield condition", &R::stress_error},
