@@ -52,7 +52,7 @@ set(_full_width ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm -
   --set "Indenter/Half width=10" --set "Boundary conditions/Free=" --set "Boundary conditions/Fixed=bottom, right")
 add_message_test(limit_load_enclosed 3 "There is no limit load: the supports enclose the body, which bears any load, or the indenter reaches a point that is held. Let .Indenter/Reach. end before" ${_full_width} --output-directory limit_load_enclosed)
 add_message_test(limit_load_held_point 3 "No velocity moves the whole indenter down: it reaches a point that is held" ${_full_width} --output-directory limit_load_held_point --set "Kinematics=plane stress")
-add_message_test(limit_load_tractions 4 "The body does not even bear its constant loads: those in 'Boundary conditions/Traction' and 'Body force'" ${_files}/pulled_apart.prm --quiet --overwrite --output-directory limit_load_tractions)
+add_message_test(limit_load_tractions 4 "No stresses on this mesh bear the constant loads alone, those in 'Boundary conditions/Traction' and 'Body force'" ${_files}/pulled_apart.prm --quiet --overwrite --output-directory limit_load_tractions)
 
 # What LimitLoadAnalysis::check() lists, before anything is computed
 set(_limit_load ${CMAKE_SOURCE_DIR}/parameter_files/limit_load)

@@ -119,7 +119,7 @@ namespace
     const Test<3>       test("paraboloid", body, 0.5);
     // (the highest point is a corner)
     verify("first contact on the saddle",
-           test.tip.initial_gap() - (gap_of_highest_point + c),
+           relative_error(test.tip.initial_gap(), gap_of_highest_point + c),
            1e-12);
     verify("overlap with the saddle",
            relative_error(test.tip.overlapped_area(h),
@@ -228,16 +228,19 @@ namespace
                           overlap_of_balls(0., 0.5, 1. / 16, 0.1)),
            5e-4);
 
+    // (both curvatures are 1/2: they touch in the middle)
     Test<3>      moved("paraboloid", body, 1.);
-    const double before = moved.tip.overlapped_area(0.05);
     Tensor<1, 2> motion;
     motion[0] = 0.25;
     moved.gap_function.move_to(motion);
-    verify("moved: later contact",
-           moved.tip.initial_gap() > gap_of_highest_point + 0.005);
-    verify("moved: the same curvatures",
-           relative_error(moved.tip.overlapped_area(0.05), before),
-           1e-2);
+    verify("moved: first contact",
+           relative_error(moved.tip.initial_gap(),
+                          gap_of_highest_point + 2 * 0.25 * 0.125 * 0.125),
+           1e-12);
+    verify("moved: overlap",
+           relative_error(moved.tip.overlapped_area(0.05),
+                          overlap_of_balls(0.5, 0.5, 1. / 16, 0.05)),
+           5e-4);
   }
 } // namespace
 

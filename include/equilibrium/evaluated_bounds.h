@@ -41,8 +41,9 @@ namespace ElastoPlastic
     catch (const NoSolutionError &)
       {
         throw EquilibriumError(
-          "The body does not even bear its constant loads: those in 'Boundary "
-          "conditions/Traction' and 'Body force'. Prescribe smaller ones, or "
+          "No stresses on this mesh bear the constant loads alone, those in "
+          "'Boundary conditions/Traction' and 'Body force'. Prescribe smaller "
+          "ones, begin with a finer mesh if the body should just bear them, or "
           "look for the part of them that it bears with 'Limit load/Load = "
           "tractions'.");
       }

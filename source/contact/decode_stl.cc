@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <locale>
 #include <string>
 
 #include "contact/decode_stl.h"
@@ -36,12 +39,9 @@ namespace ElastoPlastic
 
 
     std::string
-    in_small_letters(std::string text)
+    in_small_letters(const std::string &text)
     {
-      std::transform(text.begin(), text.end(), text.begin(), [](const char c) {
-        return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-      });
-      return text;
+      return boost::algorithm::to_lower_copy(text, std::locale::classic());
     }
 
 

@@ -30,7 +30,6 @@ namespace ElastoPlastic
         }
       return std::abs(angle);
     }
-
   } // namespace
 
 

@@ -86,7 +86,9 @@ def execute(study, directory, program, report):
             if future.result():
                 failures[folder.name] = future.result()
             else:
-                results_of(study, folder)
+                numbers_of(study, folder)
+                if study.curves:
+                    curve_of(study.curves, folder)
             report(f"{done} of {len(pending)}: {folder.name}, {values_in_words(run)}"
                    + (f": FAILED: {future.result()}" if future.result() else ""))
     return failures
@@ -111,17 +113,19 @@ def column_of(table, column, folder, place):
     return [row[column] for row in rows]
 
 
-def results_of(study, folder):
-    """The numbers of a finished run, None where there is none, and its curve, two columns."""
-    numbers = {name: look_up(number, folder, f"numbers/{name}") for name, number in study.numbers.items()}
-    curve = study.curves and [column_of(study.curves.table, getattr(study.curves, axis), folder, f"plot/curves/{axis}")
-                              for axis in "xy"]
-    return numbers, curve
+def numbers_of(study, folder):
+    """The numbers of a finished run, None where there is none."""
+    return {name: look_up(number, folder, f"numbers/{name}") for name, number in study.numbers.items()}
+
+
+def curve_of(curves, folder):
+    """The curve of a finished run, two columns."""
+    return [column_of(curves.table, getattr(curves, axis), folder, f"plot/curves/{axis}") for axis in "xy"]
 
 
 def curves_of_runs(study, directory):
     """The values and the curve of each finished run."""
-    return [(run, results_of(study, folder)[1])
+    return [(run, curve_of(study.curves, folder))
             for run, folder in ((run, directory / study.folder(run)) for run in study.runs) if is_finished(folder)]
 
 
@@ -130,7 +134,7 @@ def collect(study, directory):
     rows = []
     for run in study.runs:
         folder = directory / study.folder(run)
-        numbers = results_of(study, folder)[0] if is_finished(folder) else dict.fromkeys(study.numbers)
+        numbers = numbers_of(study, folder) if is_finished(folder) else dict.fromkeys(study.numbers)
         rows.append({RUN: folder.name, **run, **numbers})
     return rows
 
