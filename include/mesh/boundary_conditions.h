@@ -78,13 +78,13 @@ namespace ElastoPlastic
     const std::map<types::boundary_id, Components> &
     tractions() const;
 
-    /// Evaluates what is prescribed on @p boundary, if anything is. @return
-    /// whether any of that is not zero. @throws InputError for a value that is
+    /// The largest magnitude of a component of what is prescribed on
+    /// @p boundary, zero if nothing is. @throws InputError for a value that is
     /// not finite.
-    bool
-    check_values(const types::boundary_id boundary,
-                 const Point<dim>        &point,
-                 const double             time) const;
+    double
+    largest_value(const types::boundary_id boundary,
+                  const Point<dim>        &point,
+                  const double             time) const;
 
   private:
     void

@@ -13,6 +13,7 @@
 
 #include "base/as_number.h"
 #include "base/exceptions.h"
+#include "base/split.h"
 #include "evaluation/probe_points.h"
 #include "mechanics/ghosted_copy.h"
 
@@ -91,7 +92,7 @@ namespace ElastoPlastic
     std::set<std::string> names;
     for (const auto &[name, id] : boundaries)
       names.insert(name);
-    for (const std::string &part : Utilities::split_string_list(text, '|'))
+    for (const std::string &part : split(probe_entry, text, '|'))
       {
         probes.push_back(read(part));
         if (!names.insert(probes.back().name).second)
@@ -112,9 +113,11 @@ namespace ElastoPlastic
   {
     const std::size_t colon = text.find(':');
     Probe             probe;
-    probe.name             = Utilities::trim(text.substr(0, colon));
-    const auto coordinates = Utilities::split_string_list(
-      colon == std::string::npos ? "" : text.substr(colon + 1), ',');
+    probe.name = Utilities::trim(text.substr(0, colon));
+    const auto coordinates =
+      split(probe_entry,
+            colon == std::string::npos ? "" : text.substr(colon + 1),
+            ',');
     bool is_probe = is_identifier(probe.name) && coordinates.size() == dim;
     for (unsigned int d = 0; is_probe && d < dim; ++d)
       if (const auto value = as_number(coordinates[d]);

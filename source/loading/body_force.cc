@@ -4,6 +4,7 @@
 #include <deal.II/base/utilities.h>
 
 #include "base/exceptions.h"
+#include "base/split.h"
 #include "loading/body_force.h"
 
 namespace ElastoPlastic
@@ -35,7 +36,7 @@ namespace ElastoPlastic
   {
     if (components.empty())
       return;
-    const auto texts = Utilities::split_string_list(components, ';');
+    const auto texts = split(entry, components, ';');
     if (texts.size() != dim)
       throw InputError(entry,
                        components,

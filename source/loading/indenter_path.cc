@@ -7,6 +7,7 @@
 
 #include "base/as_number.h"
 #include "base/exceptions.h"
+#include "base/split.h"
 #include "loading/indenter_path.h"
 
 namespace ElastoPlastic
@@ -53,14 +54,13 @@ namespace ElastoPlastic
   IndenterPath::read_table()
   {
     rows[0.] = {};
-    for (const std::string &row : Utilities::split_string_list(text, '|'))
+    for (const std::string &row : split(path, text, '|'))
       {
         const auto                     colon = row.find(':');
         const auto                     time  = as_number(row.substr(0, colon));
         const std::vector<std::string> words =
-          colon == std::string::npos ?
-            std::vector<std::string>() :
-            Utilities::split_string_list(row.substr(colon + 1), ',');
+          colon == std::string::npos ? std::vector<std::string>() :
+                                       split(path, row.substr(colon + 1), ',');
         Tensor<1, 2> displacement;
         bool         is_row = time && std::isfinite(*time) && !words.empty();
         for (unsigned int d = 0; is_row && d < words.size(); ++d)
@@ -92,7 +92,7 @@ namespace ElastoPlastic
   void
   IndenterPath::read_expressions()
   {
-    const auto words = Utilities::split_string_list(text, ';');
+    const auto words = split(path, text, ';');
     take_n_components(words);
     for (const std::string &word : words)
       expressions.push_back(std::make_shared<const Expression<1>>(path, word));

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/utilities.h>
-
 #include <cmath>
 
 #include "base/as_number.h"
 #include "base/exceptions.h"
+#include "base/split.h"
 #include "material/hardening_input.h"
 
 namespace ElastoPlastic
@@ -19,7 +18,7 @@ namespace ElastoPlastic
     {
       std::vector<double> numbers;
       if (text != "none")
-        for (const auto &part : dealii::Utilities::split_string_list(text, '|'))
+        for (const auto &part : split(path, text, '|'))
           {
             const auto number = as_number(part);
             if (!number || !is_moderate(*number) || *number < 0)
@@ -45,9 +44,9 @@ namespace ElastoPlastic
     if (text == "none")
       return table;
     HardeningCurve::Point last = {0., 0.};
-    for (const auto &row : dealii::Utilities::split_string_list(text, '|'))
+    for (const auto &row : split(path, text, '|'))
       {
-        const auto parts  = dealii::Utilities::split_string_list(row, ':');
+        const auto parts  = split(path, row, ':');
         const auto strain = as_number(parts.empty() ? "" : parts.front());
         const auto stress = as_number(parts.empty() ? "" : parts.back());
         if (parts.size() != 2 || !strain || !stress || !is_moderate(*strain) ||

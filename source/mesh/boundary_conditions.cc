@@ -4,7 +4,11 @@
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/exceptions.h"
+#include "base/split.h"
 #include "mesh/boundary_conditions.h"
 
 namespace ElastoPlastic
@@ -92,7 +96,7 @@ namespace ElastoPlastic
                     const std::string                            &text,
                     typename BoundaryConditions<dim>::Components &components)
     {
-      const auto texts = Utilities::split_string_list(text, ';');
+      const auto texts = split(path, text, ';');
       if (texts.size() != dim)
         throw InputError(path,
                          text,
@@ -192,18 +196,19 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  bool
-  BoundaryConditions<dim>::check_values(const types::boundary_id boundary,
-                                        const Point<dim>        &point,
-                                        const double             time) const
+  double
+  BoundaryConditions<dim>::largest_value(const types::boundary_id boundary,
+                                         const Point<dim>        &point,
+                                         const double             time) const
   {
-    bool any = false;
+    double largest = 0;
     for (const auto *const values : {&displacements, &traction_vectors})
       if (const auto found = values->find(boundary); found != values->end())
         for (const auto &component : found->second)
           if (component)
-            any |= component->value(point, time) != 0.;
-    return any;
+            largest =
+              std::max(largest, std::abs(component->value(point, time)));
+    return largest;
   }
 
 
@@ -243,7 +248,7 @@ namespace ElastoPlastic
     const std::string          &text)
   {
     std::map<types::boundary_id, Components> result;
-    for (const std::string &boundary : Utilities::split_string_list(text, '|'))
+    for (const std::string &boundary : split(section + entry, text, '|'))
       {
         const std::size_t colon = end_of_name(boundary, boundary_names);
         if (colon == std::string::npos)
