@@ -19,8 +19,7 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// All materials must be perfectly plastic, with yield stresses whose squares
-  /// are numbers. @throws InputError
+  /// All materials must be perfectly plastic. @throws InputError
   void
   check_materials_of_limit_load(const std::vector<Material<double>> &materials);
 

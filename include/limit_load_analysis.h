@@ -94,6 +94,10 @@ namespace ElastoPlastic
     void
     setup_body();
 
+    /// Of the bounds of the mesh before, relative; 1 if there is none.
+    double
+    last_difference() const;
+
     void
     find_bounds();
 

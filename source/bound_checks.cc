@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/exceptions.h"
-#include "base/to_text.h"
 #include "bound_checks.h"
 #include "equilibrium/plane_body.h"
 #include "equilibrium/space_body.h"
@@ -16,24 +15,14 @@ namespace ElastoPlastic
   void
   check_materials_of_limit_load(const std::vector<Material<double>> &materials)
   {
-    constexpr double smallest_radius = 1e-100;
-
     for (const Material<double> &material : materials)
-      {
-        if (!std::isfinite(material.yield_radius) || !is_perfect(material))
-          throw InputError(
-            "Analysis",
-            "limit load",
-            "only a body of perfectly plastic materials has a limit load that "
-            "this analysis can find. Set 'Material/Law = perfectly plastic' "
-            "with a yield stress for each material.");
-        if (material.yield_radius < smallest_radius)
-          throw InputError(
-            "Material/Yield stress",
-            to_text(std::sqrt(1.5) * material.yield_radius),
-            "limit loads are computed with its square, which is zero in the "
-            "computer. Choose units in which it is larger than 1e-99.");
-      }
+      if (!std::isfinite(material.yield_radius) || !is_perfect(material))
+        throw InputError(
+          "Analysis",
+          "limit load",
+          "only a body of perfectly plastic materials has a limit load that "
+          "this analysis can find. Set 'Material/Law = perfectly plastic' "
+          "with a yield stress for each material.");
   }
 
 

@@ -34,6 +34,10 @@ namespace ElastoPlastic
 
 
 
+    constexpr unsigned int degree_of_stresses = 1;
+
+
+
     PlaneBody
     make_body(SplitMesh             mesh,
               const Model<2>       &model,
@@ -51,6 +55,7 @@ namespace ElastoPlastic
         ContactGeometry::vertical,
         gap_function.footprint());
       require_quadratic_supports(body);
+      require_polynomial_tractions(body, degree_of_stresses);
       return body;
     }
 

@@ -16,12 +16,14 @@
 #include "equilibrium/cell_indicators.h"
 #include "equilibrium/growing_loads.h"
 #include "equilibrium/stress_check.h"
+#include "equilibrium/support_check.h"
 #include "io/output_directory.h"
 #include "io/table_reference.h"
 #include "limit_load_analysis.h"
 #include "limit_load_fields.h"
 #include "mesh/material_ids.h"
 #include "mesh/refinement.h"
+#include "support_checks.h"
 
 namespace ElastoPlastic
 {
@@ -67,7 +69,7 @@ namespace ElastoPlastic
               const GapFunction<2> &gap_function,
               const Parameters     &parameters)
     {
-      return make_plane_body(
+      PlaneBody body = make_plane_body(
         std::move(mesh),
         model.boundary_conditions,
         model.materials,
@@ -77,6 +79,9 @@ namespace ElastoPlastic
         parameters.indenter.surface,
         contact_geometry(model, parameters),
         gap_function.footprint());
+      require_polynomial_tractions(
+        body, parameters.limit_load.degree_of_stresses(body.is_axisymmetric()));
+      return body;
     }
 
 
@@ -193,6 +198,10 @@ namespace ElastoPlastic
   LimitLoadAnalysis<dim>::check()
   {
     setup_body();
+    check_supports_of_limit_load(model,
+                                 parameters.limit_load.load,
+                                 gap_function,
+                                 triangulation);
     warn_if_any(log, warning_of_curved_body(triangulation));
     if (first_rank && model.indenter.shape)
       warn_if_any(log, warning_of_partial_reach(body));
@@ -230,6 +239,15 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  double
+  LimitLoadAnalysis<dim>::last_difference() const
+  {
+    return cycle == 0 || row.lower_bound == 0. ? 1. : row.relative_difference();
+  }
+
+
+
   // The work of the first rank, while the others wait for its results.
   template <int dim>
   void
@@ -240,9 +258,7 @@ namespace ElastoPlastic
     rethrow_collectively(communicator, [&]() {
       if (!first_rank)
         return;
-      bounds      = bounds_of(body,
-                         parameters,
-                         cycle == 0 ? 1. : row.relative_difference());
+      bounds      = bounds_of(body, parameters, last_difference());
       are_optimal = bounds.stress.is_optimal && bounds.velocity.is_optimal;
       const double stress_error = require_admissible(body, bounds.stress);
       row                       = {cycle,
@@ -264,8 +280,10 @@ namespace ElastoPlastic
     message.precision(8);
     message << row.triangles << ' ' << simplices
             << ": the limit load is between " << row.lower_bound << " and "
-            << row.upper_bound << " (" << 100. * row.relative_difference()
-            << " %), " << row.wall_seconds << " s";
+            << row.upper_bound;
+    if (row.lower_bound != 0.)
+      message << " (" << 100. * row.relative_difference() << " %)";
+    message << ", " << row.wall_seconds << " s";
     log.remark(message.str());
     log.table_row("cycle cells " + simplices + " lower_bound upper_bound",
                   std::to_string(row.cycle) + ' ' + std::to_string(row.cells) +

@@ -16,6 +16,7 @@
 #include "equilibrium/limit_load.h"
 #include "equilibrium/load_power.h"
 #include "equilibrium/stress_check.h"
+#include "io/columns.h"
 #include "section_body.h"
 #include "verdict.h"
 
@@ -114,6 +115,21 @@ namespace
 
 
 
+/// What limit_load.csv says of a load factor that need not be positive.
+void
+test_relative_difference()
+{
+  LimitLoadRow row = {};
+  row.upper_bound  = 1.;
+  verify("no difference relative to zero",
+         std::isnan(row.relative_difference()));
+  row.lower_bound = -2.;
+  row.upper_bound = -1.5;
+  verify("a negative factor", row.relative_difference() == 0.25);
+}
+
+
+
 int
 main(int argc, char *argv[])
 {
@@ -176,4 +192,5 @@ main(int argc, char *argv[])
        2. * k,
        1. - exactly,
        1. + exactly);
+  test_relative_difference();
 }

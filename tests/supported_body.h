@@ -176,7 +176,7 @@ namespace ElastoPlastic
       return u.l2_norm();
     }
 
-    /// What find_free_motion() says: the name, and where the part is.
+    /// The first of the free_motions(): the name, and where the part is.
     std::string
     free_motion() const
     {
@@ -184,14 +184,15 @@ namespace ElastoPlastic
                   supports.constraints().get_local_lines(),
                   MPI_COMM_WORLD);
       supports.set_fixed_entries(held, 1.);
-      const auto motion =
-        find_free_motion(dof_handler, held, supports.constraints());
-      if (!motion)
+      const auto motions =
+        free_motions(dof_handler, held, supports.constraints());
+      if (motions.empty())
         return "none";
-      std::ostringstream text;
-      text << motion->name;
-      if (!motion->whole_body)
-        text << " of the part around (" << motion->part.center() << ')';
+      const FreeMotion<dim> &motion = motions.front();
+      std::ostringstream     text;
+      text << motion.name;
+      if (!motion.whole_body)
+        text << " of the part around (" << motion.part.center() << ')';
       return text.str();
     }
 

@@ -45,11 +45,13 @@ namespace ElastoPlastic
     SideCondition
     under_indenter() const;
 
+    /// What is prescribed on the side with this @p centre.
     void
     prescribe(SideCondition           &condition,
               const SideConditionType  type,
               const Values            &values,
-              const types::boundary_id id) const;
+              const types::boundary_id id,
+              const Point<2>          &centre) const;
 
     /// At equidistant points of a side, but where the indenter does not reach.
     std::vector<double>

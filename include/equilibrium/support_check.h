@@ -10,7 +10,8 @@
 #include "equilibrium/space_quadratic_field.h"
 
 // Whether displacements are admissible at the supports, without which they
-// bound no energy.
+// bound no energy, and whether there can be stresses in equilibrium with the
+// tractions.
 
 namespace ElastoPlastic
 {
@@ -18,6 +19,13 @@ namespace ElastoPlastic
   /// are prescribed are quadratic on each side. @throws InputError
   void
   require_quadratic_supports(const PlaneBody &body);
+
+  /// That there can be stresses of the @p degree in equilibrium with the
+  /// tractions: on each side, those are such polynomials, in a body of
+  /// revolution when multiplied by r. @throws InputError
+  void
+  require_polynomial_tractions(const PlaneBody   &body,
+                               const unsigned int degree);
 
   /// That @p displacement is what the supports prescribe. Where they are
   /// curved, the nodes of the displacement method move along the tangents of

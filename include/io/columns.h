@@ -4,6 +4,9 @@
 #ifndef io_columns_h
 #define io_columns_h
 
+#include <cmath>
+#include <limits>
+
 #include "evaluation/indentation_test.h"
 #include "evaluation/solve_result.h"
 #include "evaluation/surface_row.h"
@@ -29,10 +32,13 @@ namespace ElastoPlastic
     double       stress_error, velocity_error;
     double       wall_seconds;
 
+    /// Not a number as long as the lower bound is zero.
     double
     relative_difference() const
     {
-      return (upper_bound - lower_bound) / lower_bound;
+      return lower_bound == 0. ?
+               std::numeric_limits<double>::quiet_NaN() :
+               (upper_bound - lower_bound) / std::abs(lower_bound);
     }
   };
 

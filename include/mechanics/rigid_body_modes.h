@@ -9,7 +9,6 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,15 +38,16 @@ namespace ElastoPlastic
 
 
 
-  /// A rigid body motion that the supports do not prevent, of the first one of
-  /// the ConnectedParts of the body that has one: each must be held by itself.
-  /// @p held has ones at the held degrees of freedom, zeros elsewhere;
-  /// @p constraints hold the rest. Collective.
+  /// A basis of the rigid body motions that the supports do not prevent, of
+  /// each of the ConnectedParts of the body, which must be held by itself:
+  /// first those that are a translation or a rotation alone. @p held has ones
+  /// at the held degrees of freedom, zeros elsewhere; @p constraints hold the
+  /// rest. Collective.
   template <int dim>
-  std::optional<FreeMotion<dim>>
-  find_free_motion(const DoFHandler<dim> &dof_handler,
-                   const LinearAlgebra::distributed::Vector<double> &held,
-                   const AffineConstraints<double> &constraints);
+  std::vector<FreeMotion<dim>>
+  free_motions(const DoFHandler<dim>                            &dof_handler,
+               const LinearAlgebra::distributed::Vector<double> &held,
+               const AffineConstraints<double>                  &constraints);
 } // namespace ElastoPlastic
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/patterns.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 
 #include "base/exceptions.h"
 #include "equilibrium/face_conditions.h"
+#include "equilibrium/from_inside.h"
 
 namespace ElastoPlastic
 {
@@ -45,11 +47,12 @@ namespace ElastoPlastic
     {
       constexpr double rounding = 1e-9;
 
+      const Point<3>        centre((corners[0] + corners[1] + corners[2]) / 3.);
       std::array<double, 3> values;
       double                largest = 0;
       for (unsigned int i = 0; i < 3; ++i)
         {
-          values[i] = function(corners[i]);
+          values[i] = function(from_inside(corners[i], centre));
           largest   = std::max(largest, std::abs(values[i]));
         }
       // Neither of a regular mesh, nor of one that is finer.
@@ -66,8 +69,11 @@ namespace ElastoPlastic
                 rounding * std::max(largest, std::abs(value))))
             throw InputError(
               "A traction or displacement of 'Boundary conditions' is not "
-              "linear on the faces of the mesh. In space, the equilibrium "
-              "method is for such that are linear functions of x, y and z.");
+              "linear on the faces of the mesh, near the point (" +
+              Patterns::Tools::to_string(centre) +
+              "). In space, the equilibrium method is for such that are linear "
+              "functions of x, y and z on each face. Put jumps and kinks on "
+              "edges of the mesh.");
         }
       return values;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/exceptions.h"
+#include "equilibrium/from_inside.h"
 #include "equilibrium/side_conditions.h"
 
 namespace ElastoPlastic
@@ -88,8 +89,11 @@ namespace ElastoPlastic
                {{normal, SideConditionType::displacement, zero},
                 {cross_product_2d(normal), SideConditionType::traction, zero}}};
       }
-    prescribe(condition, SideConditionType::displacement, displacements, id);
-    prescribe(condition, SideConditionType::traction, tractions, id);
+    const Point<2> centre(0.5 * (mesh.vertices[side.vertices[0]] +
+                                 mesh.vertices[side.vertices[1]]));
+    prescribe(
+      condition, SideConditionType::displacement, displacements, id, centre);
+    prescribe(condition, SideConditionType::traction, tractions, id, centre);
     return condition;
   }
 
@@ -110,7 +114,8 @@ namespace ElastoPlastic
   SideConditions::prescribe(SideCondition           &condition,
                             const SideConditionType  type,
                             const Values            &values,
-                            const types::boundary_id id) const
+                            const types::boundary_id id,
+                            const Point<2>          &centre) const
   {
     const auto found = values.find(id);
     if (found == values.end())
@@ -118,10 +123,12 @@ namespace ElastoPlastic
     for (unsigned int d = 0; d < 2; ++d)
       if (found->second[d])
         {
-          const auto at = [expression = found->second[d]](const Point<2> &x) {
-            return [expression, x](const double time) {
-              return expression->value(x, time);
-            };
+          const auto at = [expression = found->second[d],
+                           centre](const Point<2> &x) {
+            return
+              [expression, inside = from_inside(x, centre)](const double time) {
+                return expression->value(inside, time);
+              };
           };
           condition.components[d] = {Point<2>::unit_vector(d),
                                      type,

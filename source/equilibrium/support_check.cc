@@ -73,6 +73,93 @@ namespace ElastoPlastic
                  body.mesh.vertices[ends[0]],
                  body.mesh.vertices[ends[1]]);
     }
+
+
+
+    /// How far a @p load on the side from @p a to @p b, in a body of revolution
+    /// multiplied by r, is from the polynomial of the @p degree 1 or 2 with
+    /// which it agrees at the ends and, if it can, in the middle.
+    template <typename Load>
+    double
+    distance_to_polynomial(const Point<2>    &a,
+                           const Point<2>    &b,
+                           const unsigned int degree,
+                           const Load        &load)
+    {
+      const double begin = load(a), end = load(b),
+                   middle = degree == 1 ? 0.5 * (begin + end) :
+                                          load(Point<2>(0.5 * (a + b)));
+      double largest      = 0;
+      look_along_side(a, b, [&](const double t, const Point<2> &x) {
+        enlarge(largest, std::abs(load(x) - quadratic(t, begin, end, middle)));
+      });
+      return largest;
+    }
+
+
+
+    [[noreturn]] void
+    reject_tractions(const PlaneBody   &body,
+                     const unsigned int side,
+                     const unsigned int degree)
+    {
+      const auto &ends = body.mesh.sides[side].vertices;
+      throw InputError(
+        "The tractions of 'Boundary conditions/Traction' do not fit stresses "
+        "of the equilibrium method on the side of the mesh from (" +
+        Patterns::Tools::to_string(body.mesh.vertices[ends[0]]) + ") to (" +
+        Patterns::Tools::to_string(body.mesh.vertices[ends[1]]) +
+        "): there they must be polynomials of degree " +
+        std::to_string(degree) +
+        (body.is_axisymmetric() ? " when multiplied by r" : "") +
+        ". Put jumps and kinks on vertices of the mesh ('Geometry')" +
+        (degree == 1 ? "; limit loads under quadratic ones can be found with "
+                       "'Limit load/Stresses = quadratic'." :
+                       "."));
+    }
+
+
+
+    /// One of the loads of a PlaneBody, load() or growth().
+    using LoadOnSide = double (PlaneBody::*)(const SideCondition::Component &,
+                                             const Tensor<1, 2> &,
+                                             const Point<2> &) const;
+
+
+
+    void
+    require_polynomials(const PlaneBody   &body,
+                        const unsigned int degree,
+                        const LoadOnSide   load_on_side)
+    {
+      constexpr double rounding = 1e-6;
+
+      double       largest = 0, largest_distance = 0;
+      unsigned int worst_side = 0;
+      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+        for (const auto &component : body.conditions[s].components)
+          if (component.type == SideConditionType::traction)
+            {
+              const auto        &ends   = body.mesh.sides[s].vertices;
+              const Tensor<1, 2> normal = body.mesh.normal(body.mesh.sides[s]);
+              const auto         weighted_load = [&](const Point<2> &x) {
+                const double load =
+                  body.weight(x) * (body.*load_on_side)(component, normal, x);
+                enlarge(largest, std::abs(load));
+                return load;
+              };
+              const double distance =
+                distance_to_polynomial(body.mesh.vertices[ends[0]],
+                                       body.mesh.vertices[ends[1]],
+                                       degree,
+                                       weighted_load);
+              if (distance > largest_distance)
+                worst_side = s;
+              enlarge(largest_distance, distance);
+            }
+      if (largest_distance > rounding * largest)
+        reject_tractions(body, worst_side, degree);
+    }
   } // namespace
 
 
@@ -105,6 +192,15 @@ namespace ElastoPlastic
               "degree 2 or less of x and y. Prescribe such, or choose "
               "'Analysis = contact'.");
         });
+  }
+
+
+
+  void
+  require_polynomial_tractions(const PlaneBody &body, const unsigned int degree)
+  {
+    require_polynomials(body, degree, &PlaneBody::load);
+    require_polynomials(body, degree, &PlaneBody::growth);
   }
 
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 #include "mechanics/rigid_body_modes.h"
@@ -139,46 +140,75 @@ namespace ElastoPlastic
 
 
 
-    /// The factors c of a motion sum_j c_j m_j of the modes m_j that nothing
-    /// prevents, because sum_j c_j v_j = 0 for their violations v_j of the
-    /// supports: one mode alone if possible. Empty if there is none.
-    std::vector<double>
-    free_combination(const std::vector<Vector> &violations)
+    /// Products of violations are rounding errors below that, relative.
+    constexpr double negligible = 1e-10;
+
+
+
+    /// The vectors that a positive semidefinite @p matrix, beside the @p scale
+    /// of its entries, maps to zero.
+    FullMatrix<double>
+    null_space(LAPACKFullMatrix<double> matrix, const double scale)
     {
-      const unsigned int       n = violations.size();
+      FullMatrix<double> vectors;
+      if (matrix.m() == 0)
+        return vectors;
+      dealii::Vector<double> eigenvalues;
+      matrix.compute_eigenvalues_symmetric(
+        -scale, negligible * scale, 0., eigenvalues, vectors);
+      if (eigenvalues.size() == 0)
+        vectors.reinit(0, 0);
+      return vectors;
+    }
+
+
+
+    /// The products of some @p violations with each other.
+    LAPACKFullMatrix<double>
+    gram_matrix(const std::vector<Vector>       &violations,
+                const std::vector<unsigned int> &some)
+    {
+      const unsigned int       n = some.size();
       LAPACKFullMatrix<double> gram(n, n);
       for (unsigned int j = 0; j < n; ++j)
         for (unsigned int i = 0; i < n; ++i)
-          gram(i, j) = violations[i] * violations[j];
+          gram(i, j) = violations[some[i]] * violations[some[j]];
+      return gram;
+    }
 
-      const double        scale = gram.frobenius_norm();
-      std::vector<double> factors(n, 0.);
-      if (scale == 0)
-        {
-          factors[0] = 1.;
-          return factors;
-        }
-      dealii::Vector<double> eigenvalues;
-      FullMatrix<double>     eigenvectors;
-      gram.compute_eigenvalues_symmetric(
-        -scale, 1e-10 * scale, 0., eigenvalues, eigenvectors);
-      if (eigenvalues.size() == 0)
-        return {};
 
+
+    /// A basis of the factors c of the motions sum_j c_j m_j of the modes m_j
+    /// that nothing prevents, because sum_j c_j v_j = 0 for their violations
+    /// v_j of the supports: first the modes that are free alone, which the
+    /// other ones are without.
+    std::vector<std::vector<double>>
+    free_combinations(const std::vector<Vector> &violations)
+    {
+      const unsigned int        n = violations.size();
+      std::vector<unsigned int> all(n), others;
+      std::iota(all.begin(), all.end(), 0);
+      const auto   gram  = gram_matrix(violations, all);
+      const double scale = gram.frobenius_norm();
+
+      std::vector<std::vector<double>> result;
       for (unsigned int mode = 0; mode < n; ++mode)
+        if (gram(mode, mode) <= negligible * scale)
+          {
+            result.emplace_back(n, 0.);
+            result.back()[mode] = 1.;
+          }
+        else
+          others.push_back(mode);
+
+      const auto vectors = null_space(gram_matrix(violations, others), scale);
+      for (unsigned int k = 0; k < vectors.n(); ++k)
         {
-          double share = 0;
-          for (unsigned int k = 0; k < eigenvalues.size(); ++k)
-            share += eigenvectors(mode, k) * eigenvectors(mode, k);
-          if (share > 1 - 1e-8)
-            {
-              factors[mode] = 1.;
-              return factors;
-            }
+          result.emplace_back(n, 0.);
+          for (unsigned int i = 0; i < others.size(); ++i)
+            result.back()[others[i]] = vectors(i, k);
         }
-      for (unsigned int mode = 0; mode < n; ++mode)
-        factors[mode] = eigenvectors(mode, 0);
-      return factors;
+      return result;
     }
   } // namespace
 
@@ -198,12 +228,16 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  std::optional<FreeMotion<dim>>
-  find_free_motion(const DoFHandler<dim>           &dof_handler,
-                   const Vector                    &held,
-                   const AffineConstraints<double> &constraints)
+  std::vector<FreeMotion<dim>>
+  free_motions(const DoFHandler<dim>           &dof_handler,
+               const Vector                    &held,
+               const AffineConstraints<double> &constraints)
   {
-    const ConnectedParts<dim> parts(dof_handler.get_triangulation());
+    const auto magnitude = [](const double a, const double b) {
+      return std::abs(a) < std::abs(b);
+    };
+    std::vector<FreeMotion<dim>> result;
+    const ConnectedParts<dim>    parts(dof_handler.get_triangulation());
     for (unsigned int part = 0; part < parts.size(); ++part)
       {
         const auto modes = modes_of_cells<dim>(
@@ -211,26 +245,22 @@ namespace ElastoPlastic
           parts.box(part),
           [&](const auto &cell) { return parts.part_of(cell) == part; },
           held);
-        const std::vector<double> factors =
-          free_combination(violations_by(modes, held, constraints));
-        if (factors.empty())
-          continue;
-
-        const auto magnitude = [](const double a, const double b) {
-          return std::abs(a) < std::abs(b);
-        };
-        const auto largest =
-          std::max_element(factors.begin(), factors.end(), magnitude);
-        Vector displacement;
-        displacement.reinit(held);
-        for (unsigned int mode = 0; mode < modes.size(); ++mode)
-          displacement.add(factors[mode], modes[mode]);
-        return FreeMotion<dim>{name_of_mode<dim>(largest - factors.begin()),
-                               parts.box(part),
-                               parts.size() == 1,
-                               displacement};
+        for (const std::vector<double> &factors :
+             free_combinations(violations_by(modes, held, constraints)))
+          {
+            const auto largest =
+              std::max_element(factors.begin(), factors.end(), magnitude);
+            Vector displacement;
+            displacement.reinit(held);
+            for (unsigned int mode = 0; mode < modes.size(); ++mode)
+              displacement.add(factors[mode], modes[mode]);
+            result.push_back({name_of_mode<dim>(largest - factors.begin()),
+                              parts.box(part),
+                              parts.size() == 1,
+                              displacement});
+          }
       }
-    return {};
+    return result;
   }
 
 
@@ -239,12 +269,12 @@ namespace ElastoPlastic
   rigid_body_modes(const DoFHandler<2> &, const Vector &);
   template std::vector<Vector>
   rigid_body_modes(const DoFHandler<3> &, const Vector &);
-  template std::optional<FreeMotion<2>>
-  find_free_motion(const DoFHandler<2> &,
-                   const Vector &,
-                   const AffineConstraints<double> &);
-  template std::optional<FreeMotion<3>>
-  find_free_motion(const DoFHandler<3> &,
-                   const Vector &,
-                   const AffineConstraints<double> &);
+  template std::vector<FreeMotion<2>>
+  free_motions(const DoFHandler<2> &,
+               const Vector &,
+               const AffineConstraints<double> &);
+  template std::vector<FreeMotion<3>>
+  free_motions(const DoFHandler<3> &,
+               const Vector &,
+               const AffineConstraints<double> &);
 } // namespace ElastoPlastic
