@@ -4,6 +4,7 @@
 #ifndef load_checks_h
 #define load_checks_h
 
+#include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
 
 #include "io/output_parameters.h"
@@ -18,13 +19,15 @@ namespace ElastoPlastic
   /// An expression shows what is wrong with it only where and when it is
   /// evaluated: so it is, for the ends of all steps ahead of @p steps, on the
   /// loaded boundaries and, for body forces, in a sample of the cells. And
-  /// something must load the body at one of these times. Collective.
-  /// @throws InputError
+  /// something must load the body at one of these times, by more than vanishes
+  /// in the rounding of its deformation. @p triangulation is that of
+  /// @p dof_handler. Collective. @throws InputError
   template <int dim>
   void
-  check_loads(const Model<dim>      &model,
-              const TimeSteps       &steps,
-              const DoFHandler<dim> &dof_handler);
+  check_loads(const Model<dim>                                &model,
+              const TimeSteps                                 &steps,
+              const DoFHandler<dim>                           &dof_handler,
+              const parallel::distributed::Triangulation<dim> &triangulation);
 
   /// Each time at which fields are to be written must be within the history.
   /// @throws InputError

@@ -16,6 +16,13 @@
 
 namespace ElastoPlastic
 {
+  /// Whether there are others than that of the indenter.
+  template <int dim>
+  bool
+  has_other_loads(const Model<dim> &model);
+
+
+
   /// The load steps that @p parameters ask for. Adaptive steps end where fixed
   /// ones do if something may turn there.
   template <int dim>

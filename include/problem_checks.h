@@ -4,10 +4,7 @@
 #ifndef problem_checks_h
 #define problem_checks_h
 
-#include "contact/contact_set.h"
 #include "loading/time_steps.h"
-#include "mechanics/solid_operator.h"
-#include "mechanics/supports.h"
 #include "model/model.h"
 
 // What can be wrong with a problem although each of its entries is right, and
@@ -16,23 +13,12 @@
 
 namespace ElastoPlastic
 {
-  /// The supports must prevent every rigid body motion of every part. The
-  /// indenter, free of friction and adhesion, helps them only where it is kept
-  /// in its place and the tractions press the body against it. Collective.
-  /// @throws InputError
+  /// The indenter must be able to touch the body, and the load program must
+  /// let it press beyond the smallest gap under it, which is @p min_gap, or up
+  /// to it if other loads may press the body against it. @throws InputError
   template <int dim>
   void
-  check_supports(const Model<dim>      &model,
-                 const DoFHandler<dim> &dof_handler,
-                 const Supports<dim>   &supports,
-                 const ContactSet<dim> &contact,
-                 const VectorType      &external_forces);
-
-  /// The indenter must be able to touch the body, and the load program must
-  /// let it close the smallest gap under it, which is @p min_gap. @throws
-  /// InputError
-  void
-  check_reach(const LoadProgram       &load_program,
+  check_reach(const Model<dim>        &model,
               TimeSteps                steps,
               const LoadingParameters &loading,
               const double             min_gap);

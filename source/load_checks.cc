@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
 #include "load_checks.h"
 #include "mechanics/boundary_points.h"
+#include "mesh/body_size.h"
 
 namespace ElastoPlastic
 {
@@ -32,13 +37,32 @@ namespace ElastoPlastic
 
 
 
-    /// The loads of a body at the points where they are evaluated.
+    /// The smallest of all materials.
+    template <int dim>
+    double
+    smallest_shear_modulus(const Model<dim> &model)
+    {
+      double smallest = std::numeric_limits<double>::max();
+      for (const Material<double> &material : model.materials)
+        smallest = std::min(smallest, material.shear_modulus);
+      return smallest;
+    }
+
+
+
+    /// The loads of a body at the points where they are evaluated, relative to
+    /// such as would deform it by about its own size.
     template <int dim>
     class SampledLoads
     {
     public:
-      SampledLoads(const Model<dim> &model, const DoFHandler<dim> &dof_handler)
+      SampledLoads(
+        const Model<dim>                                &model,
+        const DoFHandler<dim>                           &dof_handler,
+        const parallel::distributed::Triangulation<dim> &triangulation)
         : model(model)
+        , length(body_size(triangulation))
+        , stress(smallest_shear_modulus(model))
       {
         const BoundaryConditions<dim> &conditions = model.boundary_conditions;
         std::set<types::boundary_id>   boundaries =
@@ -47,47 +71,70 @@ namespace ElastoPlastic
           conditions.ids(BoundaryConditionType::prescribed_displacement));
         boundary = boundary_points(dof_handler, boundaries);
         if (model.body_force.is_present())
-          inner = centres_of_some_cells(dof_handler.get_triangulation());
+          inner = centres_of_some_cells(triangulation);
       }
 
-      /// @return whether there is any load. @throws InputError
-      bool
-      check(const double time) const
+      /// The largest one. @throws InputError
+      double
+      largest(const double time) const
       {
-        const auto load = model.load_program.load(time);
-        bool       is_loaded =
-          model.indenter.shape &&
-          (!load || load->control == Control::depth || load->value > 0.);
+        const auto &displacements =
+          model.boundary_conditions.prescribed_displacements();
+        double result = model.indenter.shape ? of_indenter(time) : 0.;
         for (const auto &[id, point] : boundary)
-          is_loaded |= model.boundary_conditions.check_values(id, point, time);
+          result =
+            std::max(result,
+                     model.boundary_conditions.largest_value(id, point, time) /
+                       (displacements.count(id) > 0 ? length : stress));
         for (const Point<dim> &point : inner)
-          is_loaded |= model.body_force.value(point, time).norm() > 0.;
-        return is_loaded;
+          {
+            const Tensor<1, dim> force = model.body_force.value(point, time);
+            for (unsigned int d = 0; d < dim; ++d)
+              result = std::max(result, std::abs(force[d]) * length / stress);
+          }
+        return result;
       }
 
     private:
+      // (Where it depends on what is reached, it may be any.)
+      double
+      of_indenter(const double time) const
+      {
+        const auto load = model.load_program.load(time);
+        if (!load)
+          return std::numeric_limits<double>::infinity();
+        if (load->control == Control::depth)
+          return std::max(load->value, 0.) / length;
+        const bool is_round =
+          model.strain_model.kinematics == Kinematics::axisymmetric;
+        return load->value / stress / std::pow(length, is_round ? 2 : dim - 1);
+      }
+
       const Model<dim>                                      &model;
+      const double                                           length, stress;
       std::vector<std::pair<types::boundary_id, Point<dim>>> boundary;
       std::vector<Point<dim>>                                inner;
     };
 
 
 
-    /// Collective. @throws InputError
+    /// See SampledLoads. Collective. @throws InputError
     template <int dim>
-    bool
-    is_loaded_at_any_time(const Model<dim>      &model,
-                          TimeSteps              steps,
-                          const DoFHandler<dim> &dof_handler)
+    double
+    largest_load_at_any_time(
+      const Model<dim>                                &model,
+      TimeSteps                                        steps,
+      const DoFHandler<dim>                           &dof_handler,
+      const parallel::distributed::Triangulation<dim> &triangulation)
     {
       const MPI_Comm          communicator = dof_handler.get_communicator();
-      const SampledLoads<dim> loads(model, dof_handler);
-      bool                    is_loaded = false;
+      const SampledLoads<dim> loads(model, dof_handler, triangulation);
+      double                  largest = 0.;
       rethrow_collectively(communicator, [&]() {
         for (; !steps.finished(); steps.advance())
-          is_loaded |= loads.check(steps.next_time());
+          largest = std::max(largest, loads.largest(steps.next_time()));
       });
-      return Utilities::MPI::logical_or(is_loaded, communicator);
+      return Utilities::MPI::max(largest, communicator);
     }
   } // namespace
 
@@ -95,16 +142,30 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  check_loads(const Model<dim>      &model,
-              const TimeSteps       &steps,
-              const DoFHandler<dim> &dof_handler)
+  check_loads(const Model<dim>                                &model,
+              const TimeSteps                                 &steps,
+              const DoFHandler<dim>                           &dof_handler,
+              const parallel::distributed::Triangulation<dim> &triangulation)
   {
-    if (!is_loaded_at_any_time(model, steps, dof_handler))
+    constexpr double smallest_load = 1e-20;
+
+    const double largest =
+      largest_load_at_any_time(model, steps, dof_handler, triangulation);
+    if (largest == 0.)
       throw InputError(
-        "Nothing loads the body: at the ends of all load steps, the force of "
-        "the indenter, tractions, prescribed displacements and body forces are "
-        "zero, as far as there are any. Check 'Loading', 'Boundary conditions' "
-        "and 'Body force'.");
+        "Nothing loads the body: at the ends of all load steps, neither depth "
+        "nor force of the indenter is greater than 0, and tractions, prescribed "
+        "displacements and body forces are zero, as far as there are any. "
+        "Check 'Loading', 'Boundary conditions' and 'Body force'.");
+    if (largest < smallest_load)
+      throw InputError(
+        "The loads are so small that the rounding of numbers hides what they "
+        "do: at the ends of all load steps, the largest of them strains the "
+        "body by about " +
+        Patterns::Tools::to_string(largest) +
+        ". At least 1e-20 is needed. Are the values in 'Loading', 'Boundary "
+        "conditions' and 'Body force' in the same system of units as lengths "
+        "and moduli?");
   }
 
 
@@ -131,7 +192,13 @@ namespace ElastoPlastic
 
 
   template void
-  check_loads(const Model<2> &, const TimeSteps &, const DoFHandler<2> &);
+  check_loads(const Model<2> &,
+              const TimeSteps &,
+              const DoFHandler<2> &,
+              const parallel::distributed::Triangulation<2> &);
   template void
-  check_loads(const Model<3> &, const TimeSteps &, const DoFHandler<3> &);
+  check_loads(const Model<3> &,
+              const TimeSteps &,
+              const DoFHandler<3> &,
+              const parallel::distributed::Triangulation<3> &);
 } // namespace ElastoPlastic

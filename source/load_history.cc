@@ -5,17 +5,14 @@
 
 namespace ElastoPlastic
 {
-  namespace
+  template <int dim>
+  bool
+  has_other_loads(const Model<dim> &model)
   {
-    template <int dim>
-    bool
-    depends_on_time_elsewhere(const Model<dim> &model)
-    {
-      return !model.boundary_conditions.prescribed_displacements().empty() ||
-             !model.boundary_conditions.tractions().empty() ||
-             model.body_force.is_present();
-    }
-  } // namespace
+    return !model.boundary_conditions.prescribed_displacements().empty() ||
+           !model.boundary_conditions.tractions().empty() ||
+           model.body_force.is_present();
+  }
 
 
 
@@ -31,8 +28,7 @@ namespace ElastoPlastic
     if (loading.step_control == StepControl::fixed)
       return fixed;
     std::vector<double> stops = parameters.output.field_times;
-    if (!model.load_program.is_piecewise_linear() ||
-        depends_on_time_elsewhere(model))
+    if (!model.load_program.is_piecewise_linear() || has_other_loads(model))
       stops.insert(stops.end(),
                    fixed.uncut_ends().begin(),
                    fixed.uncut_ends().end());
@@ -46,8 +42,7 @@ namespace ElastoPlastic
   remarks_on_holds(const Model<dim> &model)
   {
     std::vector<std::string> remarks;
-    if (model.load_program.path().is_at_rest() &&
-        !depends_on_time_elsewhere(model))
+    if (model.load_program.path().is_at_rest() && !has_other_loads(model))
       for (const auto &[begin, end] : model.load_program.holds())
         remarks.push_back("'Loading/History' holds the load from t = " +
                           Patterns::Tools::to_string(begin) + " to " +
@@ -59,6 +54,11 @@ namespace ElastoPlastic
   }
 
 
+
+  template bool
+  has_other_loads(const Model<2> &);
+  template bool
+  has_other_loads(const Model<3> &);
 
   template TimeSteps
   make_time_steps(const Model<2> &, const Parameters &);

@@ -1,19 +1,17 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include "base/exceptions.h"
 #include "evaluation/modelled_part.h"
 #include "evaluation/nominal_contact.h"
+#include "load_history.h"
 #include "loading/largest_load.h"
-#include "mechanics/rigid_body_modes.h"
 #include "mesh/body_size.h"
 #include "problem_checks.h"
 
@@ -21,21 +19,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    template <int dim>
-    bool
-    is_pressed_against_indenter(const ContactSet<dim> &contact,
-                                const VectorType      &external_forces,
-                                const VectorType      &motion)
-    {
-      if (contact.is_force_driven())
-        return false;
-      VectorType candidates(external_forces.get_partitioner());
-      contact.set_candidate_entries(candidates, 1.);
-      return (candidates * motion) * (external_forces * motion) > 0;
-    }
-
-
-
     /// The horizontal directions across which rollers through the indenter's
     /// first position hold the body.
     template <int dim>
@@ -129,47 +112,7 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  check_supports(const Model<dim>      &model,
-                 const DoFHandler<dim> &dof_handler,
-                 const Supports<dim>   &supports,
-                 const ContactSet<dim> &contact,
-                 const VectorType      &external_forces)
-  {
-    VectorType held(external_forces.get_partitioner());
-    supports.set_fixed_entries(held, 1.);
-    if (model.strain_model.kinematics == Kinematics::axisymmetric)
-      for (const auto dof : DoFTools::extract_dofs(
-             dof_handler, ComponentMask(std::vector<bool>{true, false})))
-        held(dof) = 1.; // rings resist all but the vertical motion
-
-    auto motion = find_free_motion(dof_handler, held, supports.constraints());
-    if (motion && is_pressed_against_indenter(contact,
-                                              external_forces,
-                                              motion->displacement))
-      {
-        contact.set_candidate_entries(held, 1.);
-        motion = find_free_motion(dof_handler, held, supports.constraints());
-      }
-    if (!motion)
-      return;
-
-    std::ostringstream what;
-    what << "its rigid body motion '" << motion->name << "'";
-    if (!motion->whole_body)
-      what << " of the part between ("
-           << motion->part.get_boundary_points().first << ") and ("
-           << motion->part.get_boundary_points().second
-           << "), which no face of a cell connects with the rest";
-    throw InputError(
-      "The supports do not hold the body: nothing prevents " + what.str() +
-      ". Add a fixed boundary or rollers to 'Boundary conditions'. The indenter "
-      "is no support: it only presses.");
-  }
-
-
-
-  void
-  check_reach(const LoadProgram       &load_program,
+  check_reach(const Model<dim>        &model,
               TimeSteps                steps,
               const LoadingParameters &loading,
               const double             min_gap)
@@ -183,10 +126,12 @@ namespace ElastoPlastic
 
     bool is_pushed_to_depth = false;
     for (; !steps.finished(); steps.advance())
-      if (const auto load = load_program.load(steps.next_time()))
+      if (const auto load = model.load_program.load(steps.next_time()))
         {
           const bool is_depth = load->control == Control::depth;
-          if (is_depth ? load->value >= min_gap : load->value > 0.)
+          if (is_depth ? load->value > min_gap ||
+                           (load->value == min_gap && has_other_loads(model)) :
+                         load->value > 0.)
             return;
           is_pushed_to_depth |= is_depth;
         }
@@ -305,11 +250,10 @@ namespace ElastoPlastic
 
 
   template void
-  check_supports(const Model<2> &,
-                 const DoFHandler<2> &,
-                 const Supports<2> &,
-                 const ContactSet<2> &,
-                 const VectorType &);
+  check_reach(const Model<2> &,
+              TimeSteps,
+              const LoadingParameters &,
+              const double);
   template void
   check_width(const GapFunction<2> &,
               const parallel::distributed::Triangulation<2> &);
@@ -325,11 +269,10 @@ namespace ElastoPlastic
              const LoadingParameters &,
              const parallel::distributed::Triangulation<2> &);
   template void
-  check_supports(const Model<3> &,
-                 const DoFHandler<3> &,
-                 const Supports<3> &,
-                 const ContactSet<3> &,
-                 const VectorType &);
+  check_reach(const Model<3> &,
+              TimeSteps,
+              const LoadingParameters &,
+              const double);
   template void
   check_width(const GapFunction<3> &,
               const parallel::distributed::Triangulation<3> &);

@@ -173,7 +173,7 @@ namespace
     const auto                  names = names_of_box<2>();
     const BoundaryConditions<2> conditions(parameters, names);
     for (const auto &[name, id] : names)
-      conditions.check_values(id, Point<2>(0.5, 2), 1);
+      conditions.largest_value(id, Point<2>(0.5, 2), 1);
   }
 
 

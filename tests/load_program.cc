@@ -58,6 +58,12 @@ namespace
     parameters.force   = "5*t";
     output() << "A force" << std::endl;
     print_loads(LoadProgram(parameters), {1, 4});
+
+    parameters.final_time = 3;
+    parameters.n_steps    = 3;
+    parameters.force      = "5*(0.3 - 0.1*t)"; // -3e-16 at the end
+    verify("  what rounding leaves of it is zero",
+           LoadProgram(parameters).load(3.)->value == 0.);
   }
 
 

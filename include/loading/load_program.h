@@ -92,6 +92,9 @@ namespace ElastoPlastic
       std::optional<double> begin_value = 0.;
       /// Instead of the two values, if there is one.
       std::shared_ptr<const Expression<1>> expression = nullptr;
+      /// What is not larger than that of the expression is a rounding error of
+      /// zero.
+      double rounding = 0.;
     };
 
     void

@@ -10,6 +10,7 @@
 #include "load_history.h"
 #include "mesh/material_ids.h"
 #include "problem_checks.h"
+#include "support_checks.h"
 
 namespace ElastoPlastic
 {
@@ -40,7 +41,7 @@ namespace ElastoPlastic
   {
     body.reinit(time_steps.next_time(), load_at_end_of_step());
     check_field_times(parameters.output, load_program);
-    check_loads(model, time_steps, body.dof_handler);
+    check_loads(model, time_steps, body.dof_handler, body.triangulation);
     check_supports(model,
                    body.dof_handler,
                    body.supports,
@@ -64,7 +65,7 @@ namespace ElastoPlastic
   {
     if (body.gap_function.has_indenter())
       {
-        check_reach(load_program,
+        check_reach(model,
                     time_steps,
                     parameters.loading,
                     adaptation.min_gap());

@@ -8,6 +8,7 @@
 
 #include "base/as_number.h"
 #include "base/exceptions.h"
+#include "base/split.h"
 #include "loading/load_program.h"
 
 namespace ElastoPlastic
@@ -24,6 +25,24 @@ namespace ElastoPlastic
                          text,
                          "a force cannot be negative: the indenter presses, it "
                          "does not pull.");
+    }
+
+
+
+    /// What is less than that of a force as an expression, whose largest value
+    /// is about that at the ends of equal steps, is a rounding error of zero.
+    double
+    rounding_of(const Expression<1> &force, const LoadingParameters &parameters)
+    {
+      constexpr double rounding = 1e-12;
+
+      double largest = 0;
+      for (unsigned int i = 1; i <= parameters.n_steps; ++i)
+        {
+          const double time = parameters.final_time * i / parameters.n_steps;
+          largest = std::max(largest, std::abs(force.value(Point<1>(time))));
+        }
+      return rounding * largest;
     }
 
 
@@ -66,7 +85,7 @@ namespace ElastoPlastic
   LoadProgram::read_history(const std::string &table)
   {
     static const std::string path = "Loading/History";
-    for (const std::string &row : Utilities::split_string_list(table, '|'))
+    for (const std::string &row : split(path, table, '|'))
       {
         const std::vector<std::string> words = words_of(row);
         std::optional<double>          time, value;
@@ -128,7 +147,12 @@ namespace ElastoPlastic
         const auto expression =
           std::make_shared<const Expression<1>>(path, text);
         segments.push_back(
-          {parameters.final_time, control, 0., 0., expression});
+          {parameters.final_time,
+           control,
+           0.,
+           0.,
+           expression,
+           by_depth ? 0. : rounding_of(*expression, parameters)});
         return;
       }
     if (!std::isfinite(*number))
@@ -217,6 +241,8 @@ namespace ElastoPlastic
     if (segment->expression)
       {
         const double value = segment->expression->value(Point<1>(time));
+        if (std::abs(value) <= segment->rounding)
+          return Load{segment->control, 0.};
         if (segment->control == Control::force)
           check_force("Loading/Force",
                       "at t = " + Patterns::Tools::to_string(time) + ": " +

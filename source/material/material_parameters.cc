@@ -33,12 +33,12 @@ namespace ElastoPlastic
             const std::string         &what)
     {
       for (const double value : values)
-        if (!is_moderate(value) || !condition(value))
+        if (!condition(value) || !is_moderate(value))
           throw InputError("Material/" + entry,
                            Patterns::Tools::to_string(values),
-                           is_moderate(value) ?
-                             what :
-                             "its numbers must not exceed 1e100.");
+                           condition(value) ?
+                             "its numbers must not exceed 1e100." :
+                             what);
     }
 
     /// What a law makes of the entries of the section.
@@ -88,7 +88,7 @@ namespace ElastoPlastic
       Patterns::List(*Patterns::Tools::Convert<MaterialLaw>::to_pattern(), 1));
     prm.add_parameter("Young's modulus",
                       young_moduli,
-                      "E > 0. Unit: stress.",
+                      "E, from 1e-30 to 1e30. Unit: stress.",
                       Patterns::List(Patterns::Double(), 1));
     prm.add_parameter("Poisson's ratio",
                       poisson_ratios,
@@ -176,8 +176,9 @@ namespace ElastoPlastic
     require(
       "Young's modulus",
       young_moduli,
-      [](const double E) { return E > 0; },
-      "it must be greater than 0.");
+      [](const double E) { return E >= 1e-30 && E <= 1e30; },
+      "it must be greater than 0, from 1e-30 to 1e30: tangents are kept in "
+      "single precision. Choose a system of units in which it is.");
     require(
       "Poisson's ratio",
       poisson_ratios,

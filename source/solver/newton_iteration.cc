@@ -139,7 +139,8 @@ namespace ElastoPlastic
         "The forces are no longer finite numbers. Are the moduli in "
         "'Material', 'Loading/Depth' and the values in 'Boundary conditions' "
         "right, and all in the same system of units?");
-    if (force_norm < smallest_forces && residual.linfty_norm() > 0.)
+    if (force_norm < smallest_forces &&
+        std::max(residual.linfty_norm(), free_forces().linfty_norm()) > 0.)
       throw InputError(
         "The forces are so small that their squares vanish in double "
         "precision: all of them are below " +
