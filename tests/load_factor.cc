@@ -111,22 +111,22 @@ namespace
                  1e-5);
         }
   }
+
+
+
+  /// What limit_load.csv says of a load factor that need not be positive.
+  void
+  test_relative_difference()
+  {
+    LimitLoadRow row = {};
+    row.upper_bound  = 1.;
+    verify("no difference relative to zero",
+           std::isnan(row.relative_difference()));
+    row.lower_bound = -2.;
+    row.upper_bound = -1.5;
+    verify("a negative factor", row.relative_difference() == 0.25);
+  }
 } // namespace
-
-
-
-/// What limit_load.csv says of a load factor that need not be positive.
-void
-test_relative_difference()
-{
-  LimitLoadRow row = {};
-  row.upper_bound  = 1.;
-  verify("no difference relative to zero",
-         std::isnan(row.relative_difference()));
-  row.lower_bound = -2.;
-  row.upper_bound = -1.5;
-  verify("a negative factor", row.relative_difference() == 0.25);
-}
 
 
 
