@@ -166,6 +166,31 @@ $EndElements
 
 
 
+  /// Two squares side by side, whose common nodes have been written twice.
+  const std::string slit = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+8
+1 0 0 0
+2 1 0 0
+3 0 1 0
+4 1 1 0
+5 1 0 0
+6 2 0 0
+7 1 1 0
+8 2 1 0
+$EndNodes
+$Elements
+3
+1 1 2 1 1 1 2
+2 3 2 3 1 1 2 4 3
+3 3 2 3 1 5 6 8 7
+$EndElements
+)";
+
+
+
   template <int dim>
   void
   print_mesh(const std::string &text)
@@ -260,6 +285,7 @@ main(int argc, char **argv)
   print_mesh<2>(one_square);
   print_mesh<3>(cube);
   print_mesh<2>(hinge);
+  print_mesh<2>(slit);
   std::cout << std::endl;
 
   print_meshes_that_do_not_fit();

@@ -24,6 +24,15 @@ namespace ElastoPlastic
 
 
 
+  /// The centre of a boundary face of the coarse mesh @p mesh in whose place
+  /// there is another one, if there is such a face: the body has a slit, a crack
+  /// or parts whose common nodes have been written twice.
+  template <int dim>
+  std::optional<Point<dim>>
+  find_slit(const Triangulation<dim> &mesh);
+
+
+
   /// Cells that meet at a corner or an edge only are not connected: a
   /// continuum passes no force there. Each group of cells around a vertex that
   /// are connected through faces with that vertex gets a vertex of its own, in

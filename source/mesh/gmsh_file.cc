@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/bounding_box.h>
+#include <deal.II/base/patterns.h>
 
 #include <algorithm>
 #include <set>
@@ -12,6 +13,7 @@
 #include "mesh/gmsh_coarse_mesh.h"
 #include "mesh/gmsh_contents.h"
 #include "mesh/gmsh_file.h"
+#include "mesh/mesh_defects.h"
 
 namespace ElastoPlastic
 {
@@ -174,6 +176,14 @@ namespace ElastoPlastic
 
     GmshCoarseMesh<dim> mesh(contents);
     mesh.create(triangulation);
+    if (const auto slit = find_slit(triangulation))
+      warn(
+        "The body of the mesh file has a slit at (" +
+        Patterns::Tools::to_string(*slit) +
+        "): two boundary faces are in the same place. They are not connected, "
+        "and do not touch: one side may sink into the other. If it is no "
+        "crack, the nodes have been written twice: in Gmsh, 'Coherence Mesh' "
+        "or 'BooleanFragments' before meshing joins the parts.");
     const GmshBoundaries<dim> boundaries(contents, mesh, warn, triangulation);
     const BoundaryNames       names = boundaries.names();
     if (!parameters.material_groups.empty())

@@ -7,6 +7,7 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -103,6 +104,45 @@ namespace ElastoPlastic
   find_hanging_vertex(const Triangulation<2> &);
   template std::optional<Point<3>>
   find_hanging_vertex(const Triangulation<3> &);
+
+
+
+  template <int dim>
+  std::optional<Point<dim>>
+  find_slit(const Triangulation<dim> &mesh)
+  {
+    constexpr double rounding = 1e-8;
+
+    std::vector<Point<dim>>       centres;
+    std::vector<BoundingBox<dim>> surroundings;
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary())
+          {
+            centres.push_back(face->center());
+            surroundings.emplace_back(
+              std::make_pair(centres.back(), centres.back()));
+            surroundings.back().extend(rounding * face->diameter());
+          }
+
+    namespace bgi   = boost::geometry::index;
+    const auto tree = pack_rtree(centres);
+    for (unsigned int i = 0; i < centres.size(); ++i)
+      {
+        std::vector<Point<dim>> near;
+        tree.query(bgi::intersects(surroundings[i]), std::back_inserter(near));
+        if (near.size() > 1)
+          return centres[i];
+      }
+    return {};
+  }
+
+
+
+  template std::optional<Point<2>>
+  find_slit(const Triangulation<2> &);
+  template std::optional<Point<3>>
+  find_slit(const Triangulation<3> &);
 
 
 
