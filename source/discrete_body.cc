@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/distributed/solution_transfer.h>
 #include <deal.II/fe/fe_q.h>
 
 #include <algorithm>
 
+#include "base/compatibility.h"
 #include "discrete_body.h"
 #include "make_tangent_solver.h"
 #include "mechanics/external_forces.h"
@@ -127,8 +127,7 @@ namespace ElastoPlastic
         fields.push_back(field);
 
     const GhostedCopies<dim> old_fields(fields, dof_handler);
-    parallel::distributed::SolutionTransfer<dim, VectorType> transfer(
-      dof_handler);
+    DistributedSolutionTransfer<dim, VectorType> transfer(dof_handler);
     transfer.prepare_for_coarsening_and_refinement(old_fields.pointers());
     const CellStates   states = is_virgin ? CellStates() : solid.states();
     StateTransfer<dim> state_transfer(triangulation,

@@ -3,6 +3,7 @@
 
 // What a checkpoint keeps of the body.
 
+#include "base/compatibility.h"
 #include "base/rethrow_collectively.h"
 #include "discrete_body.h"
 #include "mechanics/ghosted_copy.h"
@@ -77,7 +78,7 @@ namespace ElastoPlastic
     const GhostedCopies<dim> fields(fields_to_keep(last_step, response),
                                     dof_handler);
     save_mesh<dim>(
-      triangulation.get_communicator(),
+      communicator_of(triangulation),
       [&](const CellVisitor<dim> &visit) {
         solid.for_each_state(
           [&](const auto &cell, std::vector<double> &&state) {
@@ -98,7 +99,7 @@ namespace ElastoPlastic
     const auto fields = fields_to_keep(last_step, response);
     for (VectorType *field : fields)
       solid.initialize_vector(*field);
-    rethrow_collectively(triangulation.get_communicator(), [&]() {
+    rethrow_collectively(communicator_of(triangulation), [&]() {
       solid.set_states([&](const auto &cell) {
         std::vector<double> values = saved.values(cell);
         take_values(values, cell, fields);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/compatibility.h"
 #include "bound_checks.h"
 #include "error_estimate.h"
 
@@ -23,7 +24,7 @@ namespace ElastoPlastic
       return;
     error_bound.emplace(body.model,
                         parameters,
-                        body.triangulation.get_communicator(),
+                        communicator_of(body.triangulation),
                         body.gap_function,
                         body.triangulation);
     if (const std::string warning = warning_of_curved_body(body.triangulation);
@@ -43,7 +44,7 @@ namespace ElastoPlastic
     find_indicators();
     result.estimated_error =
       std::sqrt(Utilities::MPI::sum(body.error_indicators.norm_sqr(),
-                                    body.triangulation.get_communicator()));
+                                    communicator_of(body.triangulation)));
     if (error_bound)
       bound(result, load, displacement_at);
   }

@@ -179,8 +179,8 @@ namespace ElastoPlastic
   {
     Supports<dim> supports(quick);
     supports.reinit(dof_handler);
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    const IndexSet relevant =
+      DoFTools::extract_locally_relevant_dofs(dof_handler);
     const LinearAlgebra::distributed::Vector<double> layout(
       dof_handler.locally_owned_dofs(), relevant, MPI_COMM_SELF);
     ContactSet<dim> contact_set(vertical_bounds<dim>(

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
 #include "load_checks.h"
@@ -127,7 +128,7 @@ namespace ElastoPlastic
       const DoFHandler<dim>                           &dof_handler,
       const parallel::distributed::Triangulation<dim> &triangulation)
     {
-      const MPI_Comm          communicator = dof_handler.get_communicator();
+      const MPI_Comm          communicator = communicator_of(dof_handler);
       const SampledLoads<dim> loads(model, dof_handler, triangulation);
       double                  largest = 0.;
       rethrow_collectively(communicator, [&]() {

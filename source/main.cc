@@ -8,6 +8,9 @@
 int
 main(int argc, char *argv[])
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // (PETSc, which deal.II starts too where it has it, would take our options
+  // for its own, and complain of those it does not know.)
+  int                                            only_name = 1;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(only_name, argv, 1);
   return ElastoPlastic::run_program(argc, argv);
 }

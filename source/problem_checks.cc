@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "evaluation/modelled_part.h"
 #include "evaluation/nominal_contact.h"
@@ -46,7 +47,7 @@ namespace ElastoPlastic
       std::array<bool, dim - 1> result;
       for (unsigned int d = 0; d < dim - 1; ++d)
         result[d] =
-          Utilities::MPI::sum(found[d], triangulation.get_communicator()) > 0;
+          Utilities::MPI::sum(found[d], communicator_of(triangulation)) > 0;
       return result;
     }
 
@@ -91,7 +92,7 @@ namespace ElastoPlastic
     {
       const auto [lower, upper] =
         GridTools::compute_bounding_box(triangulation).get_boundary_points();
-      const MPI_Comm communicator = triangulation.get_communicator();
+      const MPI_Comm communicator = communicator_of(triangulation);
       return Utilities::MPI::max(upper[dim - 1], communicator) -
              Utilities::MPI::min(lower[dim - 1], communicator);
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "base/to_text.h"
 #include "evaluation/element_quality.h"
@@ -260,7 +261,7 @@ namespace ElastoPlastic
     const bool has_entered =
       !body.contact.entries_entered(body.displacement).empty();
     if (!Utilities::MPI::logical_or(has_entered,
-                                    body.dof_handler.get_communicator()))
+                                    communicator_of(body.dof_handler)))
       return {};
     return "The indenter is in the body, between the nodes that could touch it, "
            "and meets no resistance: the mesh is too coarse under its tip. Set "

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
 #include "mechanics/external_forces.h"
@@ -182,7 +183,7 @@ namespace ElastoPlastic
 
     const VectorType layout(dof_handler.locally_owned_dofs(),
                             supports.constraints().get_local_lines(),
-                            triangulation.get_communicator());
+                            communicator_of(triangulation));
     const VectorType reached =
       reached_unknowns(model, gap_function, dof_handler, layout);
     const auto forces_at = [&](const double time) {

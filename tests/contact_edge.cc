@@ -11,6 +11,7 @@
 
 #include <cmath>
 
+#include "base/compatibility.h"
 #include "contact/contact_evaluation.h"
 #include "sample_mesh.h"
 #include "solver/reduced_unknowns.h"
@@ -49,10 +50,10 @@ namespace
     {
       make_columns(mesh, 12);
       dof_handler.distribute_dofs(fe);
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      const IndexSet relevant =
+        DoFTools::extract_locally_relevant_dofs(dof_handler);
       zero.reinit(dof_handler.locally_owned_dofs(), relevant, MPI_COMM_WORLD);
-      no_constraints.reinit(relevant);
+      no_constraints = empty_constraints(dof_handler);
       no_constraints.close();
       contact.reinit(dof_handler,
                      no_constraints,

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/compatibility.h"
 #include "contact/contact_evaluation.h"
 #include "sample_mesh.h"
 #include "verdict.h"
@@ -42,9 +43,9 @@ namespace
       refine_corner(mesh);
       mesh.refine_global(n_refinements);
       dof_handler.distribute_dofs(fe);
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-      constraints.reinit(relevant);
+      const IndexSet relevant =
+        DoFTools::extract_locally_relevant_dofs(dof_handler);
+      constraints = empty_constraints(dof_handler);
       DoFTools::make_hanging_node_constraints(dof_handler, constraints);
       constraints.close();
       zero.reinit(dof_handler.locally_owned_dofs(), relevant, MPI_COMM_WORLD);

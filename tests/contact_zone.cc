@@ -11,6 +11,7 @@
 
 #include <cmath>
 
+#include "base/compatibility.h"
 #include "contact/contact_zone.h"
 #include "sample_mesh.h"
 #include "verdict.h"
@@ -51,9 +52,9 @@ namespace
     const FESystem<dim> fe(FE_Q<dim>(degree), dim);
     DoFHandler<dim>     dof_handler(mesh);
     dof_handler.distribute_dofs(fe);
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-    AffineConstraints<double> none(relevant);
+    const IndexSet relevant =
+      DoFTools::extract_locally_relevant_dofs(dof_handler);
+    AffineConstraints<double> none = empty_constraints(dof_handler);
     none.close();
     IndexSet fixed(dof_handler.n_dofs());
     for (unsigned int d = 0; d < dim - 1; ++d)

@@ -47,8 +47,8 @@ namespace
     const FESystem<2> fe(FE_Q<2>(1), 2);
     DoFHandler<2>     dof_handler(triangulation);
     dof_handler.distribute_dofs(fe);
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    const IndexSet relevant =
+      DoFTools::extract_locally_relevant_dofs(dof_handler);
     VectorType values(dof_handler.locally_owned_dofs(),
                       relevant,
                       MPI_COMM_WORLD);

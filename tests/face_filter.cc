@@ -37,8 +37,8 @@ namespace
     {
       GridGenerator::subdivided_hyper_cube(mesh, 8, 0., 1., true);
       dof_handler.distribute_dofs(fe);
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      const IndexSet relevant =
+        DoFTools::extract_locally_relevant_dofs(dof_handler);
       constraints.close();
       layout.reinit(dof_handler.locally_owned_dofs(), relevant, MPI_COMM_WORLD);
       filter.reinit(dof_handler, constraints, {top}, kinematics, layout);

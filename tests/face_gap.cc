@@ -161,8 +161,8 @@ namespace
     const FESystem<3> fe(FE_Q<3>(2), 3);
     DoFHandler<3>     dof_handler(triangulation);
     dof_handler.distribute_dofs(fe);
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    const IndexSet relevant =
+      DoFTools::extract_locally_relevant_dofs(dof_handler);
     VectorType values(dof_handler.locally_owned_dofs(),
                       relevant,
                       MPI_COMM_WORLD);

@@ -9,6 +9,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include "base/compatibility.h"
 #include "contact/contact_set.h"
 #include "sample_mesh.h"
 #include "verdict.h"
@@ -60,9 +61,9 @@ namespace
     {
       make_columns(mesh, 4);
       dof_handler.distribute_dofs(fe);
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-      constraints.reinit(relevant);
+      const IndexSet relevant =
+        DoFTools::extract_locally_relevant_dofs(dof_handler);
+      constraints = empty_constraints(dof_handler);
       constraints.close();
       zero.reinit(dof_handler.locally_owned_dofs(), relevant, MPI_COMM_WORLD);
       contact.reinit(

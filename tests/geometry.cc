@@ -14,6 +14,7 @@
 
 #include <iostream>
 
+#include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "mesh/geometry.h"
 
@@ -57,7 +58,7 @@ namespace
               for (const double dS : values.get_JxW_values())
                 sum += dS;
             }
-    return Utilities::MPI::sum(sum, mesh.get_communicator());
+    return Utilities::MPI::sum(sum, communicator_of(mesh));
   }
 
 
@@ -81,7 +82,7 @@ namespace
               std::min(worst,
                        values.jacobian(q).determinant() / cell->measure());
         }
-    return Utilities::MPI::min(worst, mesh.get_communicator());
+    return Utilities::MPI::min(worst, communicator_of(mesh));
   }
 
 
@@ -157,7 +158,7 @@ namespace
       for (const auto &cell : mesh.active_cell_iterators())
         if (cell->is_locally_owned() && cell->material_id() == 1)
           sum += cell->measure();
-      return Utilities::MPI::sum(sum, mesh.get_communicator());
+      return Utilities::MPI::sum(sum, communicator_of(mesh));
     };
     const auto adapt = [&mesh](const bool refine) {
       for (const auto &cell : mesh.active_cell_iterators())

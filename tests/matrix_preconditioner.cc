@@ -11,6 +11,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include "base/compatibility.h"
 #include "material/material_parameters.h"
 #include "mechanics/rigid_body_modes.h"
 #include "mechanics/solid_operator.h"
@@ -41,9 +42,7 @@ namespace
       GridGenerator::subdivided_hyper_cube(mesh, n_cells, 0., 1., true);
       refine_corner(mesh);
       dof_handler.distribute_dofs(fe);
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-      constraints.reinit(relevant);
+      constraints = empty_constraints(dof_handler);
       DoFTools::make_hanging_node_constraints(dof_handler, constraints);
       constraints.close();
       solid->reinit(dof_handler, constraints);

@@ -20,6 +20,7 @@
 
 #include <set>
 
+#include "base/compatibility.h"
 #include "mesh/geometry.h"
 #include "verdict.h"
 
@@ -84,7 +85,7 @@ namespace
               for (const double dS : values.get_JxW_values())
                 sum += dS;
             }
-    return Utilities::MPI::sum(sum, mesh.get_communicator());
+    return Utilities::MPI::sum(sum, communicator_of(mesh));
   }
 
 
@@ -111,7 +112,7 @@ namespace
                                   columns[2].norm()));
             }
         }
-    return Utilities::MPI::min(worst, mesh.get_communicator());
+    return Utilities::MPI::min(worst, communicator_of(mesh));
   }
 
 
@@ -129,7 +130,7 @@ namespace
           if (face->at_boundary() && face->boundary_id() == id)
             for (const unsigned int v : face->vertex_indices())
               distance = std::max(distance, std::abs(face->vertex(v) * normal));
-    return Utilities::MPI::max(distance, mesh.get_communicator());
+    return Utilities::MPI::max(distance, communicator_of(mesh));
   }
 
 
@@ -142,9 +143,9 @@ namespace
     const FE_Q<3> fe(1);
     DoFHandler<3> dof_handler(mesh);
     dof_handler.distribute_dofs(fe);
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-    AffineConstraints<double> hanging(relevant);
+    const IndexSet relevant =
+      DoFTools::extract_locally_relevant_dofs(dof_handler);
+    AffineConstraints<double> hanging = empty_constraints(dof_handler);
     DoFTools::make_hanging_node_constraints(dof_handler, hanging);
     hanging.close();
 

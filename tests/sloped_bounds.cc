@@ -8,7 +8,6 @@
 // the derivative of the forces along the bounds. In two and three dimensions,
 // with a given depth and with a given force, without and with friction.
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/grid/grid_generator.h>
@@ -16,6 +15,7 @@
 
 #include <algorithm>
 
+#include "base/compatibility.h"
 #include "contact/contact_set.h"
 #include "material/material_parameters.h"
 #include "mechanics/solid_operator.h"
@@ -113,9 +113,7 @@ namespace
       GridGenerator::subdivided_hyper_rectangle(
         mesh, n_cells, lower, upper, true);
       dof_handler.distribute_dofs(fe);
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-      constraints.reinit(relevant);
+      constraints = empty_constraints(dof_handler);
       constraints.close();
       solid.reinit(dof_handler, constraints);
       solid.initialize_vector(u);

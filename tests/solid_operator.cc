@@ -16,6 +16,7 @@
 
 #include <iomanip>
 
+#include "base/compatibility.h"
 #include "material/material_parameters.h"
 #include "mechanics/rigid_body_modes.h"
 #include "mechanics/solid_operator.h"
@@ -92,9 +93,7 @@ namespace
       if (is_axisymmetric())
         GridTools::shift(Point<dim>::unit_vector(0), mesh);
       dof_handler.distribute_dofs(fe);
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-      constraints.reinit(relevant);
+      constraints = empty_constraints(dof_handler);
       DoFTools::make_hanging_node_constraints(dof_handler, constraints);
       constraints.close();
       solid->reinit(dof_handler, constraints);

@@ -11,6 +11,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_generator.h>
 
+#include "base/compatibility.h"
 #include "io/saved_mesh.h"
 #include "mechanics/state_transfer.h"
 #include "mesh/material_ids.h"
@@ -89,7 +90,7 @@ namespace
           sums[i] +=
             states[cell->active_cell_index()][2 * q + i] * points.JxW(q);
     });
-    Utilities::MPI::sum(sums, mesh.get_communicator(), sums);
+    Utilities::MPI::sum(sums, communicator_of(mesh), sums);
     return sums;
   }
 
@@ -109,7 +110,7 @@ namespace
                                   sample_values(points.quadrature_point(q),
                                                 degree)[0]));
     });
-    return Utilities::MPI::max(error, mesh.get_communicator());
+    return Utilities::MPI::max(error, communicator_of(mesh));
   }
 
 

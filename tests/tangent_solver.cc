@@ -12,6 +12,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include "base/compatibility.h"
 #include "material/material_parameters.h"
 #include "mechanics/rigid_body_modes.h"
 #include "mechanics/solid_operator.h"
@@ -156,9 +157,7 @@ namespace
     {
       GridGenerator::subdivided_hyper_cube(mesh, 6, 0., 1., true);
       dof_handler.distribute_dofs(fe);
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-      constraints.reinit(relevant);
+      constraints = empty_constraints(dof_handler);
       constraints.close();
       solid->reinit(dof_handler, constraints);
       solid->initialize_vector(rhs);

@@ -31,8 +31,14 @@ namespace ElastoPlastic
 
 namespace dealii::Patterns::Tools
 {
+  // Constrained, it is preferred to the one by magic_enum, which deal.II has
+  // for all enums where it is configured with that.
   template <typename Enum>
-  struct Convert<Enum, std::enable_if_t<std::is_enum_v<Enum>>>
+#ifdef DEAL_II_WITH_MAGIC_ENUM
+  requires std::is_enum_v<Enum>
+#endif
+    struct Convert<Enum,
+                   typename std::enable_if<std::is_enum<Enum>::value>::type>
   {
     static std::unique_ptr<PatternBase>
     to_pattern()

@@ -36,7 +36,7 @@ namespace ElastoPlastic
     write(DataOutInterface<dim, spacedim> &data, const unsigned int cycle)
     {
       DataOutBase::VtkFlags flags;
-      flags.compression_level = DataOutBase::VtkFlags::best_speed;
+      flags.compression_level = decltype(flags.compression_level)::best_speed;
       if (units.are_named())
         for (const std::string field : {"stress", "von_mises_stress"})
           flags.physical_units[field] = units.of("stress");

@@ -7,6 +7,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 
+#include "base/compatibility.h"
 #include "mechanics/solid_operator.h"
 
 namespace ElastoPlastic
@@ -20,11 +21,11 @@ namespace ElastoPlastic
   VectorType
   ghosted_copy(const VectorType &vector, const DoFHandler<dim> &dof_handler)
   {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    const IndexSet relevant =
+      DoFTools::extract_locally_relevant_dofs(dof_handler);
     VectorType copy(dof_handler.locally_owned_dofs(),
                     relevant,
-                    dof_handler.get_communicator());
+                    communicator_of(dof_handler));
     copy.copy_locally_owned_data_from(vector);
     copy.update_ghost_values();
     return copy;

@@ -49,6 +49,8 @@ namespace ElastoPlastic
       n_cells.resize(n_batches);
       packs_fit.resize(n_batches);
       indices.assign(n_batches * n_indices, 0);
+      const auto &numbering =
+        matrix_free.get_shape_info().lexicographic_numbering;
       std::vector<types::global_dof_index> dofs(dim * n_nodes);
       for (unsigned int batch = 0; batch < n_batches; ++batch)
         {
@@ -58,8 +60,8 @@ namespace ElastoPlastic
             {
               matrix_free.get_cell_iterator(batch, lane)->get_dof_indices(dofs);
               for (unsigned int node = 0; node < n_nodes; ++node)
-                index[node * n_lanes + lane] = layout.global_to_local(
-                  first_unknown(dofs, node, matrix_free.get_shape_info()));
+                index[node * n_lanes + lane] =
+                  layout.global_to_local(first_unknown(dofs, node, numbering));
             }
           packs_fit[batch] =
             n_cells[batch] == n_lanes &&
@@ -130,14 +132,12 @@ namespace ElastoPlastic
     /// The first unknown of a node of a cell with these @p dofs; the others
     /// follow it.
     static types::global_dof_index
-    first_unknown(
-      const std::vector<types::global_dof_index>             &dofs,
-      const unsigned int                                      node,
-      const internal::MatrixFreeFunctions::ShapeInfo<Number> &shape_info)
+    first_unknown(const std::vector<types::global_dof_index> &dofs,
+                  const unsigned int                          node,
+                  const std::vector<unsigned int>            &numbering)
     {
-      const auto        &numbering = shape_info.lexicographic_numbering;
-      const unsigned int n_nodes   = dofs.size() / dim;
-      const auto         first     = dofs[numbering[node]];
+      const unsigned int n_nodes = dofs.size() / dim;
+      const auto         first   = dofs[numbering[node]];
       for (unsigned int c = 1; c < dim; ++c)
         AssertThrow(dofs[numbering[c * n_nodes + node]] == first + c,
                     ExcInternalError());

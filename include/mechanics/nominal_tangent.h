@@ -56,9 +56,9 @@ namespace ElastoPlastic
     stiffness_times(const Tensor<1, n, Number> &gradient) const
     {
       Tensor<1, n, Number> stress;
-      add_stiffness_times(stress.begin_raw(),
-                          gradient.begin_raw(),
-                          [](const unsigned int) { return false; });
+      add_stiffness_times(&stress[0], &gradient[0], [](const unsigned int) {
+        return false;
+      });
       return stress;
     }
 

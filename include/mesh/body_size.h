@@ -11,6 +11,8 @@
 #include <limits>
 #include <set>
 
+#include "base/compatibility.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -53,8 +55,8 @@ namespace ElastoPlastic
                 lowest  = std::min(lowest, face->vertex(v)[dim - 1]);
                 highest = std::max(highest, face->vertex(v)[dim - 1]);
               }
-    return {Utilities::MPI::min(lowest, triangulation.get_communicator()),
-            Utilities::MPI::max(highest, triangulation.get_communicator())};
+    return {Utilities::MPI::min(lowest, communicator_of(triangulation)),
+            Utilities::MPI::max(highest, communicator_of(triangulation))};
   }
 
 

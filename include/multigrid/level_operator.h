@@ -4,12 +4,11 @@
 #ifndef multigrid_level_operator_h
 #define multigrid_level_operator_h
 
-#include <deal.II/base/subscriptor.h>
-
 #include <array>
 #include <memory>
 #include <vector>
 
+#include "base/compatibility.h"
 #include "base/shared_rows.h"
 #include "mechanics/cell_kernel.h"
 
@@ -28,7 +27,7 @@ namespace ElastoPlastic
   /// those of eliminated ones, their rows and columns are those of the
   /// identity.
   template <int dim>
-  class LevelOperator : public Subscriptor
+  class LevelOperator : public Observable
   {
   public:
     using value_type = float;

@@ -15,6 +15,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/compatibility.h"
 #include "contact/contact_zone.h"
 
 namespace ElastoPlastic
@@ -80,7 +81,7 @@ namespace ElastoPlastic
     const typename ContactSet<dim>::Vector &displacement,
     const typename ContactSet<dim>::Vector &residual)
   {
-    find_spots(join(Utilities::MPI::all_gather(dof_handler.get_communicator(),
+    find_spots(join(Utilities::MPI::all_gather(communicator_of(dof_handler),
                                                find_nodes(dof_handler,
                                                           hanging_nodes,
                                                           fixed_dofs,
@@ -107,11 +108,11 @@ namespace ElastoPlastic
     const typename ContactSet<dim>::Vector &residual)
   {
     using Vector = typename ContactSet<dim>::Vector;
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    const IndexSet relevant =
+      DoFTools::extract_locally_relevant_dofs(dof_handler);
     Vector       is_active(dof_handler.locally_owned_dofs(),
                      relevant,
-                     dof_handler.get_communicator());
+                     communicator_of(dof_handler));
     const auto   first_owned = is_active.get_partitioner()->local_range().first;
     const Vector forces      = contact.vertical_forces_on_body(residual);
     Graph        graph;

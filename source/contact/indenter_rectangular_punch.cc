@@ -16,7 +16,7 @@ namespace ElastoPlastic
     const std::vector<double> &half_widths)
   {
     AssertDimension(half_widths.size(), dim - 1);
-    std::copy(half_widths.begin(), half_widths.end(), widths.begin());
+    std::copy_n(half_widths.begin(), dim - 1, widths.begin());
   }
 
 

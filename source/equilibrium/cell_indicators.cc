@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/compatibility.h"
 #include "equilibrium/cell_indicators.h"
 
 namespace ElastoPlastic
@@ -27,7 +28,7 @@ namespace ElastoPlastic
       for (unsigned int t = 0; t < of_simplices.size(); ++t)
         of_cell[cells[simplices[t].cell].id] += std::max(0., of_simplices[t]);
       of_cell =
-        Utilities::MPI::broadcast(triangulation.get_communicator(), of_cell);
+        Utilities::MPI::broadcast(communicator_of(triangulation), of_cell);
 
       Vector<float> indicators(triangulation.n_active_cells());
       for (const auto &cell : triangulation.active_cell_iterators())

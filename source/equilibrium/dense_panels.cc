@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstring>
 
-#include "base/lanes.h"
 #include "equilibrium/dense_panels.h"
 
 // Products are computed as in the libraries (Goto and van de Geijn 2008): a few
@@ -20,24 +19,27 @@ namespace ElastoPlastic::DensePanels
 {
   namespace
   {
-    using Lanes = Simd<double>;
+    /// Bytes of the widest register of the processor that is compiled for,
+    /// whatever deal.II was compiled for.
+    constexpr unsigned int register_size = __BIGGEST_ALIGNMENT__;
+    constexpr unsigned int n_lanes       = register_size / sizeof(double);
 
     /// With AVX-512, 24 of 32 registers hold the product; with AVX2, 12 of 16.
     constexpr unsigned int n_vectors = 3;
-    constexpr unsigned int n_rows    = n_vectors * n_lanes<Lanes>;
-    constexpr unsigned int n_columns = std::max(4u, n_lanes<Lanes>);
+    constexpr unsigned int n_rows    = n_vectors * n_lanes;
+    constexpr unsigned int n_columns = std::max(4u, n_lanes);
 
     /// So many columns of A are packed: a panel of B stays in the first cache.
     constexpr unsigned int depth = 256;
 
     /// The compiler leaves an array of these in registers, but not one of
     /// VectorizedArray.
-    using Register [[gnu::vector_size(sizeof(Lanes))]] = double;
+    using Register [[gnu::vector_size(register_size)]] = double;
 
     /// One column after the other.
     struct Product
     {
-      alignas(sizeof(Lanes)) double entries[n_columns * n_rows];
+      alignas(register_size) double entries[n_columns * n_rows];
     };
 
     using Buffer = dealii::AlignedVector<double>;
@@ -59,14 +61,14 @@ namespace ElastoPlastic::DensePanels
         {
           Register rows[n_vectors];
           for (unsigned int v = 0; v < n_vectors; ++v)
-            std::memcpy(&rows[v], a + v * n_lanes<Lanes>, sizeof(Register));
+            std::memcpy(&rows[v], a + v * n_lanes, sizeof(Register));
           for (unsigned int c = 0; c < n_columns; ++c)
             for (unsigned int v = 0; v < n_vectors; ++v)
               sum[c][v] += rows[v] * b[c];
         }
       for (unsigned int c = 0; c < n_columns; ++c)
         for (unsigned int v = 0; v < n_vectors; ++v)
-          std::memcpy(product.entries + c * n_rows + v * n_lanes<Lanes>,
+          std::memcpy(product.entries + c * n_rows + v * n_lanes,
                       &sum[c][v],
                       sizeof(Register));
     }

@@ -7,6 +7,7 @@
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include "base/compatibility.h"
 #include "equilibrium/gathered_solution.h"
 #include "mechanics/ghosted_copy.h"
 
@@ -27,7 +28,7 @@ namespace ElastoPlastic
           own[cell->id()].assign(of_cell.begin(), of_cell.end());
         }
     for (const auto &of_rank :
-         Utilities::MPI::gather(dof_handler.get_communicator(), own))
+         Utilities::MPI::gather(communicator_of(dof_handler), own))
       of_cells.insert(of_rank.begin(), of_rank.end());
   }
 

@@ -12,6 +12,7 @@
 #include <map>
 #include <utility>
 
+#include "base/compatibility.h"
 #include "equilibrium/split_mesh.h"
 
 namespace ElastoPlastic
@@ -62,7 +63,7 @@ namespace ElastoPlastic
       constexpr std::array<unsigned int, 4> vertices = {{0, 1, 3, 2}};
       constexpr std::array<unsigned int, 4> faces    = {{2, 1, 3, 0}};
       const auto unit_vertex = [&vertices](const unsigned int i) {
-        return GeometryInfo<2>::unit_cell_vertex(vertices[i]);
+        return ReferenceCells::Quadrilateral.template vertex<2>(vertices[i]);
       };
 
       Polygon polygon;
@@ -104,7 +105,7 @@ namespace ElastoPlastic
 
       std::vector<Polygon> all;
       for (const auto &polygons :
-           Utilities::MPI::gather(triangulation.get_communicator(), own))
+           Utilities::MPI::gather(communicator_of(triangulation), own))
         all.insert(all.end(), polygons.begin(), polygons.end());
       std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
         return a.id < b.id;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/compatibility.h"
 #include "equilibrium/tetrahedral_mesh.h"
 
 namespace ElastoPlastic
@@ -96,7 +97,7 @@ namespace ElastoPlastic
       UnitPositions positions;
       for (const unsigned int v : cell->vertex_indices())
         positions[cell->vertex_dof_index(v, 0)] =
-          GeometryInfo<3>::unit_cell_vertex(v);
+          ReferenceCells::Hexahedron.template vertex<3>(v);
       const auto at = [&](const auto &object, const unsigned int vertex) {
         return positions.at(object->vertex_dof_index(vertex, 0));
       };
@@ -182,7 +183,7 @@ namespace ElastoPlastic
 
       std::vector<Hexahedron> all;
       for (const auto &hexahedra :
-           Utilities::MPI::gather(triangulation.get_communicator(), own))
+           Utilities::MPI::gather(communicator_of(triangulation), own))
         all.insert(all.end(), hexahedra.begin(), hexahedra.end());
       std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
         return a.id < b.id;

@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 
+#include "base/compatibility.h"
 #include "evaluation/boundary_displacements.h"
 #include "mechanics/ghosted_copy.h"
 
@@ -27,7 +28,7 @@ namespace ElastoPlastic
               extent(face->center(), kinematics) > 1e-10 * face->diameter())
             areas[face->boundary_id()] += face->measure();
     for (const auto &[name, id] : model.boundary_conditions.names())
-      if (Utilities::MPI::max(areas[id], triangulation.get_communicator()) > 0.)
+      if (Utilities::MPI::max(areas[id], communicator_of(triangulation)) > 0.)
         boundaries[name] = id;
   }
 
@@ -84,7 +85,7 @@ namespace ElastoPlastic
     std::vector<double> sums;
     for (const auto &[name, id] : boundaries)
       sums.insert(sums.end(), integrals[id].begin(), integrals[id].end());
-    Utilities::MPI::sum(sums, dof_handler.get_communicator(), sums);
+    Utilities::MPI::sum(sums, communicator_of(dof_handler), sums);
     std::vector<double> means;
     for (unsigned int i = 0; i < sums.size(); i += dim + 1)
       for (unsigned int d = 0; d < dim; ++d)

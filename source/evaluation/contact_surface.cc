@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/compatibility.h"
 #include "evaluation/contact_surface.h"
 
 namespace ElastoPlastic
@@ -132,7 +133,7 @@ namespace ElastoPlastic
     const DoFHandler<dim>              &dof_handler,
     const std::set<types::boundary_id> &boundaries,
     const SurfaceFields                &fields)
-    : communicator(dof_handler.get_communicator())
+    : communicator(communicator_of(dof_handler))
     , at_present_place(fields.at_present_place)
   {
     const auto               &fe = dof_handler.get_fe();

@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "base/compatibility.h"
 #include "evaluation/element_quality.h"
 #include "mechanics/ghosted_copy.h"
 
@@ -43,7 +44,7 @@ namespace ElastoPlastic
                 const LinearAlgebra::distributed::Vector<double> &displacement)
   {
     const auto          ghosted_u    = ghosted_copy(displacement, dof_handler);
-    const MPI_Comm      communicator = dof_handler.get_communicator();
+    const MPI_Comm      communicator = communicator_of(dof_handler);
     ElementQuality<dim> worst        = {std::numeric_limits<double>::max(), {}};
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/compatibility.h"
 #include "evaluation/modelled_part.h"
 #include "evaluation/tip_on_curved_surface.h"
 #include "evaluation/tip_on_level_surface.h"
@@ -58,7 +59,7 @@ namespace ElastoPlastic
               if (std::min(a, b) <= tolerance && std::max(a, b) > tolerance)
                 n_sides += 1.;
             }
-    return 0.5 * Utilities::MPI::sum(n_sides, triangulation.get_communicator());
+    return 0.5 * Utilities::MPI::sum(n_sides, communicator_of(triangulation));
   }
 
 
@@ -84,7 +85,7 @@ namespace ElastoPlastic
               std::swap(corners[2], corners[3]); // around the face
               angle += angle_of_view(corners);
             }
-    return Utilities::MPI::sum(angle, triangulation.get_communicator()) /
+    return Utilities::MPI::sum(angle, communicator_of(triangulation)) /
            (2 * numbers::PI);
   }
 
@@ -112,10 +113,9 @@ namespace ElastoPlastic
       return {};
     std::shared_ptr<const TipOnSurface> tip;
     if (are_level(triangulation, boundaries))
-      tip =
-        std::make_shared<TipOnLevelSurface>(model.indenter.shape,
-                                            model.indenter.initial_gap,
-                                            triangulation.get_communicator());
+      tip = std::make_shared<TipOnLevelSurface>(model.indenter.shape,
+                                                model.indenter.initial_gap,
+                                                communicator_of(triangulation));
     else
       tip = std::make_shared<TipOnCurvedSurface<dim>>(
         model.indenter.shape, gap_function, triangulation, boundaries, part);

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "base/as_number.h"
+#include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "base/split.h"
 #include "evaluation/probe_points.h"
@@ -186,7 +187,7 @@ namespace ElastoPlastic
           }
 
     const auto of_ranks =
-      Utilities::MPI::all_gather(triangulation.get_communicator(), nearest);
+      Utilities::MPI::all_gather(communicator_of(triangulation), nearest);
     for (unsigned int i = 0; i < probes.size(); ++i)
       {
         Rank first = nearest[i];
@@ -219,11 +220,11 @@ namespace ElastoPlastic
             nearest = std::min(nearest, vertex);
           }
     for (const auto &of_rank :
-         Utilities::MPI::all_gather(triangulation.get_communicator(), nearest))
+         Utilities::MPI::all_gather(communicator_of(triangulation), nearest))
       nearest = std::min(nearest, of_rank);
 
     Point<dim> vertex;
-    std::copy(nearest.begin() + 1, nearest.end(), vertex.begin_raw());
+    std::copy(nearest.begin() + 1, nearest.end(), &vertex[0]);
     throw InputError(probe_entry,
                      probe.name + ": " +
                        Patterns::Tools::to_string(probe.point),
@@ -281,7 +282,7 @@ namespace ElastoPlastic
               *value += weight * points[q].equivalent_plastic_strain;
             }
     });
-    Utilities::MPI::sum(values, triangulation.get_communicator(), values);
+    Utilities::MPI::sum(values, communicator_of(triangulation), values);
     return values;
   }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/compatibility.h"
 #include "base/rethrow_collectively.h"
 #include "evaluation/tip_on_curved_surface.h"
 
@@ -49,7 +50,7 @@ namespace ElastoPlastic
   double
   TipOnCurvedSurface<dim>::initial_gap() const
   {
-    const MPI_Comm communicator = triangulation.get_communicator();
+    const MPI_Comm communicator = communicator_of(triangulation);
     double         smallest     = std::numeric_limits<double>::infinity();
     rethrow_collectively(communicator, [&]() {
       for_each_face([&](const Patch &face) {
@@ -76,7 +77,7 @@ namespace ElastoPlastic
   double
   TipOnCurvedSurface<dim>::overlapped_area(const double height) const
   {
-    const MPI_Comm communicator = triangulation.get_communicator();
+    const MPI_Comm communicator = communicator_of(triangulation);
     const double   depth        = initial_gap() + height;
     double         sum          = 0;
     rethrow_collectively(communicator, [&]() {

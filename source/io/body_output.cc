@@ -251,7 +251,7 @@ namespace ElastoPlastic
             point[d] +=
               GeometryInfo<dim>::d_linear_shape_function(reference_point, v) *
               vertices[v][d];
-        numbers.insert(numbers.end(), point.begin_raw(), point.end_raw());
+        numbers.insert(numbers.end(), &point[0], &point[0] + 3);
       }
   }
 

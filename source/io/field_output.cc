@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "base/compatibility.h"
 #include "evaluation/surface_fields.h"
 #include "io/body_output.h"
 #include "io/boundary_patches.h"
@@ -59,7 +60,7 @@ namespace ElastoPlastic
                                  solution.error_indicators,
                                  parameters);
     write_files(
-      output, solution.dof_handler.get_communicator(), "solution", name, time);
+      output, communicator_of(solution.dof_handler), "solution", name, time);
   }
 
 
@@ -98,7 +99,7 @@ namespace ElastoPlastic
                                    fields);
     output.set_flags(flags_with_units(parameters.units));
     write_files(
-      output, solution.dof_handler.get_communicator(), "surface", name, time);
+      output, communicator_of(solution.dof_handler), "surface", name, time);
   }
 
 

@@ -79,7 +79,7 @@ namespace ElastoPlastic
       write(file, ids.data(), ids.size());
       for_each_cell([&](const auto &cell, const std::vector<double> &values) {
         const Point<dim> centre = cell->center();
-        write(file, centre.begin_raw(), dim);
+        write(file, &centre[0], dim);
         write(file, values.data(), values.size());
       });
     }
@@ -218,7 +218,8 @@ namespace ElastoPlastic
   SavedMesh<dim>::values(
     const typename Triangulation<dim>::active_cell_iterator &cell)
   {
-    const SavedCell &saved = find(cell->id());
+    const CellId     id    = cell->id();
+    const SavedCell &saved = find(id);
     if (saved.file != n_of_stream)
       {
         n_of_stream = saved.file;
@@ -227,7 +228,7 @@ namespace ElastoPlastic
     std::vector<double> values(saved.n_values);
     Point<dim>          centre;
     stream.seekg(saved.position);
-    read(stream, centre.begin_raw(), dim);
+    read(stream, &centre[0], dim);
     read(stream, values.data(), values.size());
     check_read(stream, name, n_of_stream);
     if (centre.distance(cell->center()) > 1e-8 * cell->diameter())

@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include "base/compatibility.h"
 #include "base/rethrow_collectively.h"
 #include "mechanics/external_forces.h"
 
@@ -110,7 +111,7 @@ namespace ElastoPlastic
     forces                  = 0;
     const bool in_all_cells = model.body_force.is_present();
     if (in_all_cells || !model.boundary_conditions.tractions().empty())
-      rethrow_collectively(dof_handler.get_communicator(), [&]() {
+      rethrow_collectively(communicator_of(dof_handler), [&]() {
         CellForces<dim> forces_of(dof_handler.get_fe(), model, time);
         std::vector<types::global_dof_index> dof_indices(
           dof_handler.get_fe().n_dofs_per_cell());

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -12,6 +11,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/compatibility.h"
 #include "mechanics/rigid_body_modes.h"
 #include "mesh/connected_parts.h"
 
@@ -40,7 +40,7 @@ namespace ElastoPlastic
     {
       BoundingBox<dim> box =
         GridTools::compute_bounding_box(dof_handler.get_triangulation());
-      const MPI_Comm communicator = dof_handler.get_communicator();
+      const MPI_Comm communicator = communicator_of(dof_handler);
       auto [lower, upper]         = box.get_boundary_points();
       for (unsigned int d = 0; d < dim; ++d)
         {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/compatibility.h"
 #include "mechanics/roller_conditions.h"
 
 namespace ElastoPlastic
@@ -49,7 +50,7 @@ namespace ElastoPlastic
                              cell->face(f)->diameter());
     for (unsigned int d = 0; d < dim; ++d)
       if (Utilities::MPI::max(largest_deviation[d],
-                              dof_handler.get_communicator()) < 1e-10)
+                              communicator_of(dof_handler)) < 1e-10)
         return d;
     return dim;
   }
@@ -77,8 +78,7 @@ namespace ElastoPlastic
     for (unsigned int d = 0; d < dim; ++d)
       components.set(d,
                      Utilities::MPI::max(largest[d],
-                                         dof_handler.get_communicator()) >
-                       1e-10);
+                                         communicator_of(dof_handler)) > 1e-10);
     return components;
   }
 

@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "base/compatibility.h"
 #include "material/hardening_input.h"
 #include "material/plane_stress.h"
 #include "mechanics/solid_operator.h"
@@ -73,7 +74,7 @@ namespace ElastoPlastic
                              const AffineConstraints<double> &constraints)
   {
     kernel->reinit(dof_handler, constraints);
-    materials.reinit(*kernel, dof_handler.get_communicator());
+    materials.reinit(*kernel, communicator_of(dof_handler));
 
     tangents.reinit(kernel->n_batches());
     for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)

@@ -5,6 +5,7 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
 #include "mechanics/roller_conditions.h"
@@ -82,9 +83,7 @@ namespace ElastoPlastic
   Supports<dim>::reinit(const DoFHandler<dim> &new_dof_handler)
   {
     dof_handler = &new_dof_handler;
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(*dof_handler, relevant);
-    hanging.reinit(relevant);
+    hanging     = empty_constraints(*dof_handler);
     DoFTools::make_hanging_node_constraints(*dof_handler, hanging);
     hanging.close();
     with_skew_rollers.reset();
@@ -147,7 +146,7 @@ namespace ElastoPlastic
   Supports<dim>::prescribed_values(const std::optional<double> time) const
   {
     Values values;
-    rethrow_collectively(dof_handler->get_communicator(), [&]() {
+    rethrow_collectively(communicator_of(*dof_handler), [&]() {
       for (const auto &[id, displacement] :
            model.boundary_conditions.prescribed_displacements())
         VectorTools::interpolate_boundary_values(
@@ -183,7 +182,7 @@ namespace ElastoPlastic
                                                fixed_at_zero,
                                                mask_of_component<dim>(axis));
     if (model.strain_model.kinematics == Kinematics::axisymmetric)
-      rethrow_collectively(dof_handler->get_communicator(),
+      rethrow_collectively(communicator_of(*dof_handler),
                            [&]() { find_axis(); });
 
     for (const Values &values : {prescribed_values({}), fixed_at_zero})
@@ -246,9 +245,9 @@ namespace ElastoPlastic
     std::set<types::boundary_id> rollers;
     for (const auto &roller : skew_rollers)
       rollers.insert(roller.first);
-    const IndexSet           &relevant = hanging.get_local_lines();
-    const IndexSet           &owned    = dof_handler->locally_owned_dofs();
-    AffineConstraints<double> sliding(relevant), conditions(relevant);
+    const IndexSet &owned      = dof_handler->locally_owned_dofs();
+    auto            sliding    = empty_constraints(*dof_handler);
+    auto            conditions = empty_constraints(*dof_handler);
     VectorTools::compute_no_normal_flux_constraints(
       *dof_handler, 0, rollers, sliding, MappingQ1<dim>());
     sliding.close();
@@ -256,9 +255,10 @@ namespace ElastoPlastic
       if (owned.is_element(line.index))
         add_sliding_condition(line, fixed_values, hanging, conditions);
     conditions.make_consistent_in_parallel(owned,
-                                           relevant,
-                                           dof_handler->get_communicator());
-    with_skew_rollers = std::make_unique<AffineConstraints<double>>(relevant);
+                                           hanging.get_local_lines(),
+                                           communicator_of(*dof_handler));
+    with_skew_rollers = std::make_unique<AffineConstraints<double>>(
+      empty_constraints(*dof_handler));
     with_skew_rollers->merge(hanging);
     with_skew_rollers->merge(conditions);
     with_skew_rollers->close();

@@ -175,7 +175,7 @@ namespace ElastoPlastic
       Disc<2> disc{Point<2>(), p.circle_radius};
       std::copy(p.circle_centre.begin(),
                 p.circle_centre.end(),
-                disc.centre.begin_raw());
+                &disc.centre[0]);
 
       Triangulation<2> section;
       GridGenerator::subdivided_hyper_rectangle(section,
@@ -337,8 +337,8 @@ namespace ElastoPlastic
                                 parameters.grading);
 
     Point<dim> lower_point, upper_point;
-    std::copy(lower.begin(), lower.end(), lower_point.begin_raw());
-    std::copy(upper.begin(), upper.end(), upper_point.begin_raw());
+    std::copy(lower.begin(), lower.end(), &lower_point[0]);
+    std::copy(upper.begin(), upper.end(), &upper_point[0]);
     if constexpr (dim == 3)
       if (parameters.circle_radius > 0)
         {

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <vector>
 
+#include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "base/memory.h"
 #include "mesh/geometry.h"
@@ -133,7 +134,7 @@ namespace ElastoPlastic
       double reach = 0;
       for (const Point<dim> &vertex : mesh.get_vertices())
         reach = std::max(reach, centre.distance(vertex));
-      reach = Utilities::MPI::max(reach, mesh.get_communicator());
+      reach = Utilities::MPI::max(reach, communicator_of(mesh));
 
       const double n_times =
         std::clamp(std::ceil(std::log2(parameters.local_radius / reach)),
@@ -176,8 +177,8 @@ namespace ElastoPlastic
                         parameters.local_refinements,
                         triangulation.n_global_active_cells() +
                           n_new_cells *
-                            Utilities::MPI::sum(
-                              n_flagged, triangulation.get_communicator()),
+                            Utilities::MPI::sum(n_flagged,
+                                                communicator_of(triangulation)),
                         max_n_cells);
           triangulation.execute_coarsening_and_refinement();
           radius *= 0.5;
@@ -364,7 +365,7 @@ namespace ElastoPlastic
   void
   Geometry<dim>::make_mesh(Triangulation<dim> &triangulation) const
   {
-    const MPI_Comm communicator = triangulation.get_communicator();
+    const MPI_Comm communicator = communicator_of(triangulation);
     check_size(communicator);
     triangulation.copy_triangulation(*coarse_mesh);
     triangulation.refine_global(parameters.initial_refinements);

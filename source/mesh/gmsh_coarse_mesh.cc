@@ -94,9 +94,7 @@ namespace ElastoPlastic
         if (is_new)
           {
             vertices.emplace_back();
-            std::copy_n(contents.nodes[node].begin_raw(),
-                        dim,
-                        vertices.back().begin_raw());
+            std::copy_n(&contents.nodes[node][0], dim, &vertices.back()[0]);
           }
         cells.back().vertices[GeometryInfo<dim>::ucd_to_deal[i]] =
           vertex->second;

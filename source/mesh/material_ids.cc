@@ -8,6 +8,7 @@
 #include <memory>
 #include <sstream>
 
+#include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "base/expression.h"
 #include "base/rethrow_collectively.h"
@@ -30,7 +31,7 @@ namespace ElastoPlastic
       void
       apply_to(Triangulation<dim> &triangulation) const
       {
-        rethrow_collectively(triangulation.get_communicator(), [&]() {
+        rethrow_collectively(communicator_of(triangulation), [&]() {
           for (const auto &cell : triangulation.cell_iterators())
             cell->set_material_id(value(cell->center()));
         });
@@ -98,7 +99,7 @@ namespace ElastoPlastic
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned() && cell->material_id() < n_materials)
         ++n_cells[cell->material_id()];
-    Utilities::MPI::sum(n_cells, triangulation.get_communicator(), n_cells);
+    Utilities::MPI::sum(n_cells, communicator_of(triangulation), n_cells);
 
     std::string unused;
     for (unsigned int id = 0; id < n_materials; ++id)
@@ -123,7 +124,7 @@ namespace ElastoPlastic
   {
     if (n_materials == 1)
       return;
-    rethrow_collectively(triangulation.get_communicator(), [&]() {
+    rethrow_collectively(communicator_of(triangulation), [&]() {
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
           check_material_id(*cell, n_materials);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "base/compatibility.h"
 #include "mesh/refinement.h"
 
 namespace ElastoPlastic
@@ -91,7 +92,7 @@ namespace ElastoPlastic
           triangulation.prepare_coarsening_and_refinement();
           next_flags = own_flags();
       } while (Utilities::MPI::logical_or(next_flags != flags,
-                                          triangulation.get_communicator()));
+                                          communicator_of(triangulation)));
     }
 
 
@@ -161,7 +162,7 @@ namespace ElastoPlastic
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         found = found || size_of(cell) > allowed_size<dim>(sizes, cell);
-    return Utilities::MPI::logical_or(found, triangulation.get_communicator());
+    return Utilities::MPI::logical_or(found, communicator_of(triangulation));
   }
 
 
@@ -193,7 +194,7 @@ namespace ElastoPlastic
         }
     smooth_flags(triangulation);
     return Utilities::MPI::logical_or(any_refined,
-                                      triangulation.get_communicator());
+                                      communicator_of(triangulation));
   }
 
 
@@ -255,7 +256,7 @@ namespace ElastoPlastic
           n_refined += cell->refine_flag_set() ? 1 : 0;
           n_coarsened += cell->coarsen_flag_set() ? 1 : 0;
         }
-    const MPI_Comm communicator = triangulation.get_communicator();
+    const MPI_Comm communicator = communicator_of(triangulation);
     return triangulation.n_global_active_cells() +
            (n_children - 1) * Utilities::MPI::sum(n_refined, communicator) -
            (n_children - 1) * Utilities::MPI::sum(n_coarsened, communicator) /

@@ -7,6 +7,7 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include "base/compatibility.h"
 #include "multigrid/level_matching.h"
 
 namespace ElastoPlastic
@@ -39,7 +40,7 @@ namespace ElastoPlastic
           const_cast<typename P4est::types<dim>::forest *>(mesh.get_p4est()),
           tree,
           &child,
-          Utilities::MPI::this_mpi_process(mesh.get_communicator()));
+          Utilities::MPI::this_mpi_process(communicator_of(mesh)));
       };
       // p4est numbers the cells of the ranks one after the other.
       const unsigned int     first  = owner_of(children[0]);
@@ -105,7 +106,7 @@ namespace ElastoPlastic
       dynamic_cast<const Mesh &>(fine.get_triangulation());
     parents.resize(fine_cells.size());
     const unsigned int this_rank =
-      Utilities::MPI::this_mpi_process(fine_mesh.get_communicator());
+      Utilities::MPI::this_mpi_process(communicator_of(fine_mesh));
 
     std::map<unsigned int, std::vector<CoarseCell>> messages;
     for (const auto &cell : coarse.active_cell_iterators())
@@ -119,7 +120,7 @@ namespace ElastoPlastic
               messages[rank].push_back(coarse_cell);
         }
     for (const auto &[rank, received] :
-         Utilities::MPI::some_to_some(fine_mesh.get_communicator(), messages))
+         Utilities::MPI::some_to_some(communicator_of(fine_mesh), messages))
       for (const CoarseCell &coarse_cell : received)
         match(coarse_cell);
   }

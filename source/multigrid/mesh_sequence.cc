@@ -4,6 +4,7 @@
 #include <deal.II/distributed/p4est_wrappers.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include "base/compatibility.h"
 #include "multigrid/mesh_sequence.h"
 
 namespace ElastoPlastic
@@ -57,7 +58,7 @@ namespace ElastoPlastic
               const Forest<dim>                               &forest)
     {
       auto mesh = std::make_shared<parallel::distributed::Triangulation<dim>>(
-        original.get_communicator(), original.get_mesh_smoothing());
+        communicator_of(original), original.get_mesh_smoothing());
       const auto [vertices, cells, boundary] =
         GridTools::get_coarse_mesh_description(original);
       mesh->create_triangulation(vertices, cells, boundary);

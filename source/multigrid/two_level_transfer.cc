@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "base/compatibility.h"
 #include "base/ghost_values.h"
 #include "multigrid/level_matching.h"
 #include "multigrid/two_level_transfer.h"
@@ -41,7 +42,7 @@ namespace ElastoPlastic
                                 coarse,
                                 coarse_constraints);
 
-    const MPI_Comm communicator = coarse.get_communicator();
+    const MPI_Comm communicator = communicator_of(coarse);
     coarse_values =
       vector_for(coarse.locally_owned_dofs(), matching.entries, communicator);
     const auto &layout = *coarse_values.get_partitioner();

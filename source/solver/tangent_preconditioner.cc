@@ -6,6 +6,7 @@
 
 #include <functional>
 
+#include "base/compatibility.h"
 #include "solver/tangent_preconditioner.h"
 
 namespace ElastoPlastic
@@ -15,9 +16,9 @@ namespace ElastoPlastic
   TangentMatrix<dim>::reinit(const DoFHandler<dim>           &new_dof_handler,
                              const AffineConstraints<double> &new_constraints)
   {
-    dof_handler = &new_dof_handler;
-    constraints = &new_constraints;
-    DoFTools::extract_locally_relevant_dofs(*dof_handler, relevant_dofs);
+    dof_handler   = &new_dof_handler;
+    constraints   = &new_constraints;
+    relevant_dofs = DoFTools::extract_locally_relevant_dofs(*dof_handler);
     partners.clear();
     make_pattern();
   }
@@ -35,7 +36,7 @@ namespace ElastoPlastic
     TrilinosWrappers::SparsityPattern pattern(dof_handler->locally_owned_dofs(),
                                               dof_handler->locally_owned_dofs(),
                                               writable_rows,
-                                              dof_handler->get_communicator());
+                                              communicator_of(*dof_handler));
     DoFTools::make_sparsity_pattern(*dof_handler, pattern, *constraints, false);
     if (!partners.empty())
       add_to_pattern_of_moves(pattern);
@@ -89,10 +90,10 @@ namespace ElastoPlastic
     if (!shared.rows)
       return moves;
     VectorType layout(dof_handler->locally_owned_dofs(),
-                      dof_handler->get_communicator());
+                      communicator_of(*dof_handler));
     Moves      rows;
     for (const auto &of_rank : Utilities::MPI::all_gather(
-           dof_handler->get_communicator(),
+           communicator_of(*dof_handler),
            shared.rows->global_entries(*layout.get_partitioner())))
       for (const auto &[row, column, value] : of_rank)
         rows[row][column] = value;
@@ -136,7 +137,7 @@ namespace ElastoPlastic
   {
     VectorType copy(dof_handler->locally_owned_dofs(),
                     relevant_dofs,
-                    dof_handler->get_communicator());
+                    communicator_of(*dof_handler));
     copy.copy_locally_owned_data_from(vector);
     copy.update_ghost_values();
     return copy;
@@ -178,7 +179,7 @@ namespace ElastoPlastic
     const VectorType slopes =
       is_sloped ? with_ghosts(held.slopes) : VectorType();
 
-    AffineConstraints<double> all_constraints(relevant_dofs);
+    auto all_constraints = empty_constraints(*dof_handler);
     all_constraints.merge(*constraints);
     for (const types::global_dof_index dof : relevant_dofs)
       if (constrained(dof) != 0.)
