@@ -8,10 +8,11 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-readonly build_packages=(libdeal.ii-dev libsuitesparse-dev libopenblas0-serial libpng-dev libboost-program-options-dev cmake g++ ninja-build git)
-readonly test_packages=(numdiff perl python3 lld)
+readonly build_packages=(libdeal.ii-dev libsuitesparse-dev libopenblas0-serial libpng-dev libboost-program-options-dev cmake g++ ninja-build lld mold git)
+readonly test_packages=(numdiff perl python3)
 readonly plot_packages=(python3 python3-matplotlib)
-readonly lint_packages=(clang-format-14 clang-tidy-14)
+# (Other versions format differently. Newer systems have none of this one.)
+readonly clang_format=clang-format-14
 
 # (nproc would take the next variable for its answer.)
 n_processors=$(env -u OMP_NUM_THREADS nproc)
@@ -21,8 +22,8 @@ readonly n_processors
 export OMP_NUM_THREADS=1
 
 # On one machine, Open MPI need not look for fast networks, which takes 0.2 s at
-# each start.
-export OMPI_MCA_pml=${OMPI_MCA_pml:-ob1}
+# each start, nor for slow ones, of which version 5 complains.
+export OMPI_MCA_pml=${OMPI_MCA_pml:-ob1} OMPI_MCA_btl=${OMPI_MCA_btl:-^tcp}
 
 # (Of a sanitizer build. MPI never frees some memory; deal.II's own library knows
 # nothing of the marks beyond the end of a vector.)
@@ -73,6 +74,12 @@ install_missing()
   run_as_root apt-get update -q
   run_as_root env DEBIAN_FRONTEND=noninteractive \
     apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
+
+# is_available PACKAGE
+is_available()
+{
+  dpkg-query --show "$1" >/dev/null 2>&1 || [ -n "$(apt-cache search --names-only "^$1\$" 2>/dev/null)" ]
 }
 
 # set_up SOURCE FOLDER [CMAKE_OPTION ...]
