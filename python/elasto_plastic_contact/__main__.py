@@ -22,6 +22,7 @@ COMMANDS = {
     "contact_law": ("verification.contact_law", "waves and errors for values of 'Contact/Edge'"),
     "contact_uniqueness": ("verification.contact_uniqueness", "the same history computed in several ways"),
     "rough_spots": ("verification.rough_spots", "force and pressure of many spots for values of 'Contact/Edge'"),
+    "ten_cases": ("verification.ten_cases", "a number of each of ten short runs, to compare systems"),
     "full_disk_test": ("verification.full_disk_test", "fill disks, resume and compare"),
     "compare_with_step42": ("verification.step42_comparison", "run step-42 on the same cases"),
     "height_maps": ("inputs.height_maps", "make the height maps of the ready cases"),
