@@ -28,16 +28,18 @@ root=$(realpath -m "${2:-build/systems/$suite}")
 readonly root
 readonly checkout=/root/elasto_plastic_contact
 
-# The mirror and its settings are those of this system.
-mirror()
+# From the mirror of this system, or else from debootstrap's own.
+install_system()
 {
-  grep -rhoE 'https?://[^ ]+/debian/?( |$)' /etc/apt/sources.list /etc/apt/sources.list.d 2>/dev/null | head -n 1
+  local mirror
+  mapfile -t mirror < <(grep -rhoE 'https?://[^ ]+/debian/?( |$)' /etc/apt/sources.list /etc/apt/sources.list.d 2>/dev/null | head -n 1)
+  debootstrap --variant=minbase "$suite" "$root" "${mirror[@]}"
 }
 
 mount_kernel_folders()
 {
   local folder
-  for folder in proc dev sys; do
+  for folder in proc sys dev dev/shm; do
     mount --bind "/$folder" "$root/$folder"
   done
 }
@@ -46,7 +48,7 @@ mount_kernel_folders()
 unmount_kernel_folders()
 {
   local folder
-  for folder in proc dev sys; do
+  for folder in dev/shm dev sys proc; do
     ! mountpoint -q "$root/$folder" || umount "$root/$folder"
   done
 }
@@ -55,6 +57,7 @@ unmount_kernel_folders()
 there()
 {
   chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+    ${http_proxy+"http_proxy=$http_proxy"} \
     ${TEST_BUILDS+"TEST_BUILDS=$TEST_BUILDS"} ${TEST_SELECTION+"TEST_SELECTION=$TEST_SELECTION"} \
     sh -c "cd $checkout && exec \"\$@\"" sh "$@"
 }
@@ -66,7 +69,9 @@ version_there()
 }
 
 install_missing "${build_packages[@]}" debootstrap git python3
-[ -d "$root/etc/apt" ] || debootstrap --variant=minbase "$suite" "$root" "$(mirror)"
+if [ ! -x "$root/usr/bin/apt-get" ] || [ -d "$root/debootstrap" ]; then
+  install_system
+fi
 trap unmount_kernel_folders EXIT
 mount_kernel_folders
 cp /etc/resolv.conf "$root/etc/"
