@@ -126,7 +126,7 @@ class Studies(unittest.TestCase):
     def test_wrong_files(self):
         number = STUDY["numbers"]["stress"]
         for data, message in (
-                ("{\"case\": 1,}", "line 1, column 12: this is no JSON"),
+                ("{\"case\" 1}", "line 1, column 9: this is no JSON"),
                 ("{\"case\": 1, \"case\": 2}", "'case' stands twice in one object"),
                 ([], r"the study is \[\], but must be an object"),
                 ({**STUDY, "varry": {}}, "a key of the study: there is no \"varry\". Did you mean 'vary'"),
