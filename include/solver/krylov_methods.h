@@ -10,6 +10,9 @@
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/vector_memory.h>
 
+#include <type_traits>
+#include <utility>
+
 #include "base/exceptions.h"
 
 namespace ElastoPlastic
@@ -92,6 +95,33 @@ namespace ElastoPlastic
 
 
 
+  template <typename Settings, typename = void>
+  constexpr bool offers_orthogonalizations = false;
+
+  template <typename Settings>
+  constexpr bool offers_orthogonalizations<
+    Settings,
+    std::void_t<
+      decltype(std::declval<Settings>().orthogonalization_strategy)>> = true;
+
+  /// Makes each basis vector orthogonal to the others before the preconditioner
+  /// takes it. The default of newer versions of deal.II does so afterwards,
+  /// when the preconditioned vector, of which flexible GMRES makes the
+  /// solution, no longer changes: the residual is then not the one that it
+  /// reports.
+  template <typename Settings>
+  void
+  orthogonalize_at_once(Settings &settings)
+  {
+    if constexpr (offers_orthogonalizations<Settings>)
+      {
+        using Strategy = decltype(settings.orthogonalization_strategy);
+        settings.orthogonalization_strategy = Strategy::modified_gram_schmidt;
+      }
+  }
+
+
+
   /// krylov_method() for any regular matrix: flexible GMRES @cite saad_1993,
   /// restarted after @p n_basis_vectors iterations, for each of which it keeps
   /// two vectors. Flexible, because multigrid solves its
@@ -107,14 +137,15 @@ namespace ElastoPlastic
                  const unsigned int    n_basis_vectors = 30)
   {
     using Solver = SolverFGMRES<Vector>;
+    typename Solver::AdditionalData settings(n_basis_vectors);
+    orthogonalize_at_once(settings);
     return krylov_method<Solver>(matrix,
                                  solution,
                                  rhs,
                                  preconditioner,
                                  reduction,
                                  maximum_iterations,
-                                 typename Solver::AdditionalData(
-                                   n_basis_vectors));
+                                 settings);
   }
 } // namespace ElastoPlastic
 
