@@ -103,9 +103,9 @@ namespace ElastoPlastic
       return exists() && std::isfinite(coefficient);
     }
 
-    /// A load step begins.
+    /// A load step begins, with a node that @p touches the indenter or not.
     void
-    begin_step(FrictionState<dim> &state) const;
+    begin_step(FrictionState<dim> &state, const bool touches) const;
 
     /// A node has left the indenter. One that is torn off where it sticks, and
     /// comes back where it does not, again and again, has a normal force that
