@@ -47,6 +47,28 @@ def bonded_punch(runner):
     runner.compare("force, bonded over smooth", bonded / smooth, (1 - nu) * math.log(3 - 4 * nu) / (1 - 2 * nu), 2e-3)
 
 
+def adhesion(runner):
+    """A sphere and a cone that stick to the body: depth and force grow as under bonded flat punches that become wider."""
+    shear_modulus, nu = 2e5 / 2.6, 0.3
+    stiffness = 4 * shear_modulus * math.log(3 - 4 * nu) / (1 - 2 * nu)  # dP/d(depth) over the radius
+    sphere = ("Loading/History=1: depth 0.0004 | 2: force 0",)
+    cone = ("Loading/History=1: depth 0.004 | 2: force 0", "Indenter/Type=cone", "Indenter/Semi-apex angle=85")
+    for name, indenter, exponent, degree in (("sphere", sphere, 2, 1), ("sphere", sphere, 2, 2), ("cone", cone, 1, 2)):
+        rows = runner.history("indentation/sphere_axisymmetric.prm", *indenter, "Loading/Number of steps=20",
+                              "Material/Law=linear elastic", "Contact/Friction coefficient=stick",
+                              f"Discretization/Polynomial degree={degree}",
+                              f"Discretization/Volumetric treatment={'B-bar' if degree == 1 else 'standard'}")
+        runner.verify(f"{name}, degree {degree}: no step is cut", len(rows) == 20)
+        pressed, freed = rows[9], rows[19]
+        radius = math.sqrt(pressed["contact_area"] / math.pi)
+        runner.compare(f"{name}, degree {degree}: force",
+                       pressed["force"] / (radius * pressed["depth"] * exponent / (exponent + 1)), stiffness, 0.01)
+        runner.compare(f"{name}, degree {degree}: energy left", freed["elastic_energy"] / pressed["elastic_energy"],
+                       0, 1e-12, absolute=True)
+        most = max(row["newton_iterations"] for row in rows)
+        runner.verify(f"{name}, degree {degree}: at most {most:.0f} Newton steps in a load step", most <= 25)
+
+
 def spence(runner):
     """A flat circular punch with friction: the same stick radius at all loads."""
     for coefficient in (0.05, 0.1, 0.2):

@@ -23,7 +23,7 @@ from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, er
                           limit_load_revolution, limit_load_space, safe_load)
 from .finite_strain import (cone_in_space, finite_cone, finite_strain, finite_strain_ranks,
                             finite_strain_resume, published_cones, pyramids, symmetric_bodies)
-from .friction import (bonded_punch, friction_ranks, friction_resume, friction_symmetries, mindlin_cylinder,
+from .friction import (adhesion, bonded_punch, friction_ranks, friction_resume, friction_symmetries, mindlin_cylinder,
                        mindlin_sphere, sliding_mesh, spence, ssnv128)
 from .limit_load_runs import limit_load_runs
 from .loads import body_force, limit_load_factors
@@ -298,7 +298,7 @@ ALL = {
                      nearly_incompressible, job_preview, curved_body,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
                      adaptive_steps, checkpoint_memory,
-                     ssnv128, bonded_punch, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
+                     ssnv128, bonded_punch, adhesion, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
                      friction_symmetries, friction_ranks, friction_resume,
                      symmetric_bodies, cone_in_space, pyramids)
 }
