@@ -14,7 +14,9 @@
 
 namespace ElastoPlastic
 {
-  // (With finite coefficients, it is the law that says what sticks.)
+  // (With finite coefficients, it is the law that says what sticks. An indenter
+  // that moves to the side has done so already: a node was farther from it, by
+  // its slope times that way, and has touched it only if it was closed.)
   template <int dim>
   void
   ContactSet<dim>::begin_step(const Vector             &u,
@@ -30,10 +32,13 @@ namespace ElastoPlastic
       {
         Node        &node    = candidates[k];
         const double spacing = is_plane ? node.area : std::sqrt(node.area);
-        const bool   touches =
-          node.status == ContactStatus::closed || gaps[k] <= rounding * spacing;
+        const double distance =
+          std::max(gaps[k] + bounds.surface(node, u).slope * motion, 0.);
+        const bool touches =
+          node.status == ContactStatus::closed ||
+          (motion.norm() == 0. && distance <= rounding * spacing);
         node.anchor         = horizontal_part<dim>(node, u) + motion;
-        node.first_distance = touches ? 0. : gaps[k];
+        node.first_distance = touches ? 0. : distance;
         friction.begin_step(node.friction, touches);
       }
   }
@@ -72,7 +77,7 @@ namespace ElastoPlastic
           continue;
         changed              = true;
         node.friction.sticks = sticks;
-        if (sticks)
+        if (sticks && way > 0.)
           node.anchor += (node.first_distance - nearest) / way *
                          (horizontal_part<dim>(node, u) - node.anchor);
       }
