@@ -85,6 +85,9 @@ add_message_test(error_bound_waves 2 "A displacement of 'Boundary conditions/Pre
   ${_parabola} --set "Boundary conditions/Prescribed displacement=left: 3e-2*sin(32*pi*y)@ free")
 add_message_test(error_bound_traction_jumps 2 "The tractions of 'Boundary conditions/Traction' do not fit stresses of the equilibrium method on the side of the mesh from .*: there they must be polynomials of degree 1"
   ${_parabola} --set "Boundary conditions/Free=left" --set "Boundary conditions/Traction=right: if(y < -0.7, 1e-3, 0)@ 0")
+foreach(_boundary bottom right)
+  add_entry_test(contact_${_boundary} "The boundary '${_boundary}' of 'Boundary conditions/Contact' does not face the indenter, which comes from above" "Boundary conditions/Contact=top, ${_boundary}" "Boundary conditions/Fixed=" "Boundary conditions/Free=")
+endforeach()
 add_message_test(no_limit_of_loads 3 "There is no limit load: the supports enclose the body, which bears any load" ${_pulled_block} --output-directory no_limit_of_loads --set "Boundary conditions/Fixed=bottom, left, top" --set "Boundary conditions/Roller=" --set "Boundary conditions/Contact=" --set Indenter/Type=none --set "Boundary conditions/Traction=right: -t@ 0" --set "Body force=1@ 0")
 add_entry_test(body_force_trailing "entry 'Body force' is '0. 1.', but number 3 of the parts that '.' separates is empty" "Body force=0@ 1@")
 add_entry_test(body_force_components "entry 'Body force' is '1', but it must have 2 components separated by ';', one per dimension" "Body force=1")

@@ -88,7 +88,7 @@ namespace ElastoPlastic
     candidates.clear();
     hanging_nodes.clear();
     for (const Node &node : nodes)
-      if (std::isfinite(node.gap.height))
+      if (bounds.reach(node))
         {
           (node.hanging ? hanging_nodes : candidates).push_back(node);
           if (const auto old = before.find(node.index);

@@ -104,9 +104,13 @@ namespace ElastoPlastic
                      const unsigned int degree)
     {
       const auto &ends = body.mesh.sides[side].vertices;
+      const bool  is_heavy =
+        body.body_force.norm() + body.body_force_growth.norm() > 0.;
       throw InputError(
-        "The tractions of 'Boundary conditions/Traction' do not fit stresses "
-        "of the equilibrium method on the side of the mesh from (" +
+        "The tractions of 'Boundary conditions/Traction'" +
+        std::string(is_heavy ? ", and the pressure of 'Body force'," : "") +
+        " do not fit stresses of the equilibrium method on the side of the "
+        "mesh from (" +
         Patterns::Tools::to_string(body.mesh.vertices[ends[0]]) + ") to (" +
         Patterns::Tools::to_string(body.mesh.vertices[ends[1]]) +
         "): there they must be polynomials of degree " +

@@ -29,6 +29,9 @@ namespace ElastoPlastic
     constexpr double nonlinear_rounding_factor = 32.;
     /// Smaller forces have squares that underflow.
     constexpr double smallest_forces = 1e-130;
+    /// Under a larger displacement, they are what rounding leaves of a rigid
+    /// body motion.
+    constexpr double smallest_motion = 1e-100;
 
 
 
@@ -139,7 +142,7 @@ namespace ElastoPlastic
         "The forces are no longer finite numbers. Are the moduli in "
         "'Material', 'Loading/Depth' and the values in 'Boundary conditions' "
         "right, and all in the same system of units?");
-    if (force_norm < smallest_forces &&
+    if (force_norm < smallest_forces && u.linfty_norm() < smallest_motion &&
         std::max(residual.linfty_norm(), free_forces().linfty_norm()) > 0.)
       throw InputError(
         "The forces are so small that their squares vanish in double "
