@@ -65,6 +65,7 @@ add_message_test(limit_load_rough_slope 2 "entry 'Indenter/Surface' is 'rough', 
 add_message_test(limit_load_tractions_in_space 2 "A traction or displacement of 'Boundary conditions' is not linear on the faces of the mesh" ${_loaded_block_in_space} "Boundary conditions/Traction=right: 0.1*y^2@ 0@ 0")
 add_message_test(limit_load_waves_in_space 2 "A traction or displacement of 'Boundary conditions' is not linear on the faces of the mesh" ${_loaded_block_in_space} "Boundary conditions/Traction=right: 0.1*sin(8*pi*y)@ 0@ 0")
 add_message_test(limit_load_unsupported 2 "The supports do not hold the body: nothing prevents its rigid body motion 'translation along y'" ${_limit_load}/strip_punch.prm --validate --set "Boundary conditions/Fixed=" --set "Boundary conditions/Free=right, bottom")
+add_message_test(limit_load_unsupported_in_space 2 "The supports do not hold the body: nothing prevents its rigid body motion 'translation along z'" ${_limit_load}/square_punch_3d.prm --validate --set "Boundary conditions/Fixed=" --set "Boundary conditions/Free=right, back, bottom")
 add_message_test(limit_load_huge_stress 2 "entry 'Material/Yield stress' is '1e.300', but" ${_limit_load}/strip_punch.prm --validate --set "Material/Yield stress=1e300")
 
 set(_pulled_block ${_files}/pulled_apart.prm --quiet --overwrite --set "Limit load/Load=tractions")

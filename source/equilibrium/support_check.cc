@@ -76,9 +76,9 @@ namespace ElastoPlastic
 
 
 
-    /// How far a @p load on the side from @p a to @p b, in a body of revolution
-    /// multiplied by r, is from the polynomial of the @p degree 1 or 2 with
-    /// which it agrees at the ends and, if it can, in the middle.
+    /// How far a @p load on the side from @p a to @p b is from the polynomial
+    /// of the @p degree 1 or 2 with which it agrees at the ends and, if it can,
+    /// in the middle.
     template <typename Load>
     double
     distance_to_polynomial(const Point<2>    &a,
