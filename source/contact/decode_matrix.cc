@@ -3,6 +3,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -16,12 +17,33 @@ namespace ElastoPlastic
 {
   namespace
   {
+    /// Whether every other comma, beginning with the first, has no blank behind
+    /// it, and only those: so are lists of numbers with decimal commas.
+    bool
+    has_decimal_commas(const std::string &line)
+    {
+      unsigned int n_commas = 0;
+      for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        if (line[i] == ',')
+          if ((std::isspace(static_cast<unsigned char>(line[i + 1])) != 0) !=
+              (++n_commas % 2 == 0))
+            return false;
+      return n_commas > 1;
+    }
+
+
+
     /// The numbers of one line; @p place is where it stands, for messages.
     std::vector<double>
     decode_row(const HeightFile  &file,
                const std::string &line,
                const std::string &place)
     {
+      if (has_decimal_commas(line))
+        file.reject("numbers" + place +
+                    " have commas, with and without white "
+                    "space behind them in turn. " +
+                    decimal_point_hint);
       std::vector<double> row;
       for (const std::string &field : Utilities::split_string_list(line, ','))
         {
