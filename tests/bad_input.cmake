@@ -26,6 +26,7 @@ add_message_test(no_file 2 "^Error: Wrong usage: give exactly one parameter file
 add_message_test(two_files 2 "exactly one parameter file \\(2 given\\)" ${_base} ${_base})
 add_message_test(unknown_option 2 "unrecognised option '--no-such-option'" ${_base} --no-such-option)
 add_message_test(option_without_value 2 "argument for option '--set' is missing" ${_base} --set)
+add_message_test(output_directory_empty_option 2 "Wrong usage: --output-directory must name a folder" ${_base} --output-directory=)
 add_message_test(option_with_value 2 "'--validate' does not take any arguments" ${_base} --validate=yes)
 add_message_test(option_twice 2 "'--output-directory' cannot be specified more than once" ${_base} --output-directory a --output-directory b)
 add_message_test(set_without_value 2 "--set 'Dimension' does not have the form" ${_base} --set Dimension)
@@ -176,6 +177,7 @@ add_message_test(include_itself 2 "^Error: [^ ]*include_itself.prm, line 2: [^ ]
 string(ASCII 7 _bell)
 add_message_test(value_with_comment 2 "'Output/Directory' is 'run#1', but a value cannot contain '#'" ${_base} --validate --output-directory run\#1)
 add_message_test(value_with_backslash 2 "'Output/Directory' is 'C:.', but a value cannot .* end with a backslash" ${_base} --validate --output-directory "C:\\")
+add_entry_test(output_directory_empty "'Output/Directory' is '', but it must name a folder" "Output/Directory=")
 add_entry_test(unit_in_brackets "'Output/Length unit' is '<mm>', but a unit is a name such as mm" "Output/Length unit=<mm>")
 add_message_test(unknown_field 2 "'Output/Additional fields' is 'temperature', but it must be: list.*`principal stresses`" ${_base} --validate --set "Output/Additional fields=temperature")
 add_message_test(value_with_bell 2 "'Output/Directory' is 'a.b', but a value cannot contain .* a control character" ${_base} --validate --output-directory "a${_bell}b")
@@ -338,6 +340,9 @@ add_entry_test(matrix_utf_16 "utf_16.txt', but this file is in UTF-16" "Indenter
 add_entry_test(matrix_old_mac "old_mac.txt', but the row in line 3 has length 2, the ones before it 3" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/old_mac.txt")
 add_entry_test(matrix_ragged "ragged.txt', but .* All rows must have the same length" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/ragged.txt")
 add_entry_test(matrix_decimal_commas "decimal_commas.txt', but numbers in line 2 are separated by white space, and by commas too. Numbers have a decimal point" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/decimal_commas.txt")
+add_entry_test(matrix_decimal_commas_and_blanks "commas_and_blanks.txt', but numbers in line 1 have commas, with and without white space behind them in turn. Numbers have a decimal point" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/commas_and_blanks.txt")
+add_entry_test(matrix_decimal_commas_in_column "commas_in_column.txt', but all lines are two numbers without a decimal point, with a comma between them. Numbers have a decimal point" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/commas_in_column.txt")
+add_entry_test(matrix_of_points "points.txt', but its rows are the points of a lattice, x y z. A height matrix holds heights only" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/points.txt")
 add_entry_test(matrix_two_rows "two_rows.txt', but it has 2 rows" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/two_rows.txt")
 add_entry_test(stl_of_wrong_type "base.prm', but its content is not an STL surface" "Indenter/Type=STL surface" "Indenter/File=${_base}")
 add_entry_test(stl_byte_order_mark "byte_order_mark.stl', but this file begins with a byte order mark" "Indenter/Type=STL surface" "Indenter/File=${_files}/byte_order_mark.stl")
@@ -501,6 +506,9 @@ add_message_test(no_error_bound 3 "Error: The contact problem has been solved, a
   ${_no_bound} --output-directory no_error_bound --set "Refinement/Number of cycles=1")
 add_message_test(no_error_bound_yet 3 "Warning: The contact problem has been solved, but there is no error bound on this mesh"
   ${_no_bound} --output-directory no_error_bound_yet --set "Refinement/Number of cycles=2")
+add_message_test(error_bound_reach 3 "there is no error bound on the last mesh. No side or face of the mesh lies within the reach of the indenter as a whole"
+  ${CMAKE_SOURCE_DIR}/parameter_files/error_bound/parabola.prm --quiet --overwrite --output-directory error_bound_reach
+  --set "Refinement/Number of cycles=1" --set "Output/Fields=never" --set "Indenter/Reach=0.01")
 add_message_test(no_limit_load_to_compare 0 "Warning: There is no bound of the limit load to compare the force 1 with. There is no limit load: the supports enclose the body"
   ${_full_width} --output-directory no_limit_load_to_compare --set "Analysis=contact" --set "Loading/Control=force" --set "Output/Fields=never")
 add_message_test(no_error_bound_tractions 2 "The tractions of .Boundary conditions/Traction. do not fit stresses of the equilibrium method on the side of the mesh from .*: there they must be polynomials of degree 1 when multiplied by r. Put jumps"
@@ -524,7 +532,7 @@ add_message_test(beyond_limit_load 4 "No equilibrium has been found for the forc
 add_message_test(close_to_limit_load 4 "Error: No equilibrium .* The largest force reached is 10.*, at the depth 0.0"
   ${_circular_punch} --output-directory close_to_limit_load --set "Loading/Force=20"
   --set "Loading/Number of steps=4" --set "Loading/Maximum number of cuts=3")
-add_message_test(tractions_beyond_limit 4 "Error: No equilibrium has been found under the tractions at t = 0.57[0-9]*: they seem to be beyond the limit load of the body, whose material stops hardening. The last equilibrium is that at t = 0.57[0-9]*. Prescribe smaller tractions"
+add_message_test(tractions_beyond_limit 4 "Error: No equilibrium has been found under the tractions and body forces at t = 0.57[0-9]*: they seem to be beyond the limit load of the body, whose material stops hardening. The last equilibrium is that at t = 0.57[0-9]*. Prescribe smaller ones"
   ${_files}/pulled_too_far.prm --quiet --overwrite --output-directory tractions_beyond_limit --set Dimension=3
   --set "Boundary conditions/Roller=left, bottom, front, back" --set "Boundary conditions/Traction=right: 2*t@ 0@ 0")
 add_message_test(unsafe_tractions 4 "Error: There is no equilibrium under the largest load of tractions and body forces: the limit load of the body is between 0.57735[0-9]* and 0.57735[0-9]* times that. Prescribe smaller loads"
@@ -535,7 +543,7 @@ set(_sphere_beyond_limit ${CMAKE_SOURCE_DIR}/parameter_files/verification/thick_
   --set "Boundary conditions/Traction=inner: 366*t*x/sqrt(x^2+y^2)@ 366*t*y/sqrt(x^2+y^2)" --set "Loading/Final time=1" --set "Loading/Number of steps=5"
   --set "Loading/Maximum number of cuts=2" --set "Linear solver/Type=direct" --set "Output/Fields=never")
 foreach(_treatment standard B-bar)
-  add_message_test(sphere_beyond_limit_${_treatment} 4 "Error: No equilibrium has been found under the tractions at t = 0.9[0-9]*: they seem to be beyond the limit load of the body, whose material stops hardening. The last equilibrium is that at t = 0.[89][0-9]*. Prescribe"
+  add_message_test(sphere_beyond_limit_${_treatment} 4 "Error: No equilibrium has been found under the tractions and body forces at t = 0.9[0-9]*: they seem to be beyond the limit load of the body, whose material stops hardening. The last equilibrium is that at t = 0.[89][0-9]*. Prescribe"
     ${_sphere_beyond_limit} --output-directory sphere_beyond_limit_${_treatment} --set "Discretization/Volumetric treatment=${_treatment}")
 endforeach()
 # The exact limit of the punch is 10.3: what the first mesh bears, the next one does not.
@@ -650,11 +658,11 @@ function(add_disk_full_test _name _limit _file)
       sh -c "trap '' XFSZ && ulimit -f ${_limit} && exec \"$@\"" sh
       env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_btl=self PMIX_MCA_gds=hash
       $<TARGET_FILE:elasto_plastic_contact> ${_base} --output-directory ${_name} --overwrite
-      --set "Geometry/Initial refinements=5" ${ARGN}
+      ${ARGN}
     WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   set_tests_properties(messages/${_name} PROPERTIES LABELS messages TIMEOUT 60)
 endfunction()
 
 add_disk_full_test(disk_full_at_start 8 parameters.prm)
-add_disk_full_test(disk_full_at_fields 64 solution-.*.vtu)
-add_disk_full_test(disk_full_at_checkpoint 64 checkpoint.new/mesh-0000 --set "Output/Fields=never" --set "Loading/Number of steps=3")
+add_disk_full_test(disk_full_at_fields 64 solution-.*.vtu --set "Geometry/Initial refinements=5")
+add_disk_full_test(disk_full_at_checkpoint 128 checkpoint.new/.*-0000 --set "Output/Fields=never" --set "Geometry/Initial refinements=6" --set "Loading/Number of steps=3")

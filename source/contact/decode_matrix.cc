@@ -3,9 +3,11 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -70,6 +72,46 @@ namespace ElastoPlastic
         }
       return row;
     }
+
+
+
+    /// Whether numbers like 0,125, one below the other, are what the file
+    /// holds: lines with one comma each, and no other sign that it separates.
+    bool
+    is_column_with_decimal_commas(const HeightFile &file)
+    {
+      std::istringstream words(file.text());
+      std::string        line, word;
+      while (std::getline(words, line))
+        {
+          line = Utilities::trim(line.substr(0, line.find('#')));
+          if (!line.empty() &&
+              (std::count(line.begin(), line.end(), ',') != 1 ||
+               line.find_first_of(". \t") != std::string::npos))
+            return false;
+        }
+      return true;
+    }
+
+
+
+    /// Whether the rows are the points of a lattice, x y z, all combinations of
+    /// the x and y that there are.
+    bool
+    is_list_of_points(const std::vector<double> &numbers,
+                      const unsigned int         n_columns)
+    {
+      if (n_columns != 3)
+        return false;
+      std::set<double> x, y;
+      for (std::size_t i = 0; i < numbers.size(); i += n_columns)
+        {
+          x.insert(numbers[i]);
+          y.insert(numbers[i + 1]);
+        }
+      return x.size() > 1 && y.size() > 1 &&
+             x.size() * y.size() * n_columns == numbers.size();
+    }
   } // namespace
 
 
@@ -103,6 +145,17 @@ namespace ElastoPlastic
 
     if (numbers.empty())
       file.reject("this file holds no numbers.");
+    if (n_rows > 1 && is_column_with_decimal_commas(file))
+      file.reject(
+        "all lines are two numbers without a decimal point, with a "
+        "comma between them. " +
+        decimal_point_hint +
+        " If these are two columns, put a blank behind the commas.");
+    if (is_list_of_points(numbers, n_columns))
+      file.reject(
+        "its rows are the points of a lattice, x y z. A height matrix "
+        "holds heights only: a row for each y, from the largest to "
+        "the smallest, with a number for each x.");
     return {n_rows, n_columns, numbers.begin()};
   }
 } // namespace ElastoPlastic
