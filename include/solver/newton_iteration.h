@@ -165,7 +165,6 @@ namespace ElastoPlastic
     Vector previous_u, residual, increment, work;
 
     double force_norm         = 0;
-    double largest_force_norm = 0;
     double free_norm          = 0;
     double previous_free_norm = 0;
     Energy current_energy;

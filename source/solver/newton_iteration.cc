@@ -35,9 +35,6 @@ namespace ElastoPlastic
     /// Under a larger displacement, they are what rounding leaves of a rigid
     /// body motion.
     constexpr double smallest_motion = 1e-100;
-    /// Forces that have been so much larger in the same solution are what
-    /// rounding leaves of them: the body is free of forces.
-    constexpr double vanishing = 1e-13;
 
 
 
@@ -164,10 +161,6 @@ namespace ElastoPlastic
         ". Choose larger loads in 'Loading' and 'Boundary conditions', or a "
         "system of units in which moduli and displacements are larger "
         "numbers.");
-
-    largest_force_norm = std::max(largest_force_norm, force_norm);
-    if (force_norm <= vanishing * largest_force_norm)
-      force_norm = largest_force_norm;
 
     step.n_active = problem.n_active();
     step.energy   = current_energy.value;
