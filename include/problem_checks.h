@@ -13,6 +13,14 @@
 
 namespace ElastoPlastic
 {
+  /// The indenter comes from above: each contact boundary must have a face that
+  /// faces upwards. Collective. @throws InputError
+  template <int dim>
+  void
+  check_contact_boundaries(
+    const Model<dim>                                &model,
+    const parallel::distributed::Triangulation<dim> &triangulation);
+
   /// The indenter must be able to touch the body, and the load program must
   /// let it press beyond the smallest gap under it, which is @p min_gap, or up
   /// to it if other loads may press the body against it. @throws InputError

@@ -32,8 +32,8 @@ namespace ElastoPlastic
   /// Of a rigid-plastic body under limit loads, the supports must prevent those
   /// rigid body motions that the loads drive: the indenter, if it is its force
   /// that grows, because all that it reaches would move down; tractions and
-  /// body forces by their power, unless they press the body against an
-  /// indenter. Collective. @throws InputError
+  /// body forces by their power, unless an indenter might hold the body, which
+  /// is not decided here. Collective. @throws InputError
   template <int dim>
   void
   check_supports_of_limit_load(

@@ -197,6 +197,12 @@ namespace ElastoPlastic
       remove_penetration(displacement, body, solution.depth);
       const ErrorBound bound =
         bound_error(body, displacement, solution.depth, stress);
+      if (solution.force > 0. && stress.force == 0.)
+        throw ConvergenceError(
+          "No side or face of the mesh lies within the reach of the indenter "
+          "as a whole, so that the stresses in equilibrium bear nothing of its "
+          "force. Refine the mesh under it, or let 'Indenter/Reach' end at a "
+          "node, or farther away.");
       if (!std::isfinite(bound.total()))
         throw ConvergenceError("The energies on this mesh are not finite.");
       errors = bound.indicators(body.mesh);

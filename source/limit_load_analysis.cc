@@ -23,6 +23,7 @@
 #include "limit_load_fields.h"
 #include "mesh/material_ids.h"
 #include "mesh/refinement.h"
+#include "problem_checks.h"
 #include "support_checks.h"
 
 namespace ElastoPlastic
@@ -197,6 +198,7 @@ namespace ElastoPlastic
   void
   LimitLoadAnalysis<dim>::check()
   {
+    check_contact_boundaries(model, triangulation);
     setup_body();
     check_supports_of_limit_load(model,
                                  parameters.limit_load.load,

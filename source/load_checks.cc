@@ -97,12 +97,13 @@ namespace ElastoPlastic
       }
 
     private:
-      // (Where it depends on what is reached, it may be any.)
+      // (Where it depends on what is reached, or on what the indenter moves
+      // into, it may be any.)
       double
       of_indenter(const double time) const
       {
         const auto load = model.load_program.load(time);
-        if (!load)
+        if (!load || !model.load_program.path().is_at_rest())
           return std::numeric_limits<double>::infinity();
         if (load->control == Control::depth)
           return std::max(load->value, 0.) / length;

@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
@@ -108,6 +112,44 @@ namespace ElastoPlastic
                std::pair("Loading/History", loading.history);
     }
   } // namespace
+
+
+
+  template <int dim>
+  void
+  check_contact_boundaries(
+    const Model<dim>                                &model,
+    const parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    constexpr double rounding = 1e-6;
+
+    std::map<types::boundary_id, double> upwards;
+    for (const auto id :
+         model.boundary_conditions.ids(BoundaryConditionType::contact))
+      upwards[id] = -1.;
+    const FE_Nothing<dim> fe;
+    FEFaceValues<dim> values(fe, QMidpoint<dim - 1>(), update_normal_vectors);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int f : cell->face_indices())
+          if (const auto found = upwards.find(cell->face(f)->boundary_id());
+              cell->face(f)->at_boundary() && found != upwards.end())
+            {
+              values.reinit(cell, f);
+              found->second =
+                std::max(found->second, values.normal_vector(0)[dim - 1]);
+            }
+    for (const auto &[name, id] : model.boundary_conditions.names())
+      if (const auto found = upwards.find(id);
+          found != upwards.end() &&
+          Utilities::MPI::max(found->second, communicator_of(triangulation)) <=
+            rounding)
+        throw InputError(
+          "The boundary '" + name +
+          "' of 'Boundary conditions/Contact' does not face the indenter, which "
+          "comes from above (in the last coordinate): no part of it faces "
+          "upwards. Turn the body, or name another boundary.");
+  }
 
 
 
@@ -250,6 +292,12 @@ namespace ElastoPlastic
 
 
 
+  template void
+  check_contact_boundaries(const Model<2> &,
+                           const parallel::distributed::Triangulation<2> &);
+  template void
+  check_contact_boundaries(const Model<3> &,
+                           const parallel::distributed::Triangulation<3> &);
   template void
   check_reach(const Model<2> &,
               TimeSteps,

@@ -230,10 +230,11 @@ namespace ElastoPlastic
               << last.force << ", at the depth " << last.depth
               << ". Prescribe the depth, or a smaller force";
     else
-      message << "under the tractions at t = " << step.end << ": they seem "
-              << where << "The last equilibrium is that at t = " << last.time
-              << ". Prescribe smaller tractions ('Boundary "
-                 "conditions/Traction'), or displacements instead";
+      message << "under the tractions and body forces at t = " << step.end
+              << ": they seem " << where
+              << "The last equilibrium is that at t = " << last.time
+              << ". Prescribe smaller ones ('Boundary conditions/Traction', "
+                 "'Body force'), or displacements instead";
     message << "; several load steps come closer to the limit.";
     throw EquilibriumError(message.str());
   }

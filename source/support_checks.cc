@@ -73,6 +73,29 @@ namespace ElastoPlastic
 
 
 
+    /// Calls @p action(face, vertex number) on the contact boundary of this
+    /// rank. Collective.
+    template <int dim, typename Action>
+    void
+    for_each_contact_vertex(const Model<dim>      &model,
+                            const DoFHandler<dim> &dof_handler,
+                            const Action          &action)
+    {
+      const auto boundaries =
+        model.boundary_conditions.ids(BoundaryConditionType::contact);
+      rethrow_collectively(communicator_of(dof_handler), [&]() {
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          if (!cell->is_artificial())
+            for (const auto &face : cell->face_iterators())
+              if (face->at_boundary() &&
+                  boundaries.count(face->boundary_id()) > 0)
+                for (const auto v : face->vertex_indices())
+                  action(face, v);
+      });
+    }
+
+
+
     /// Ones at the vertical unknowns of the sides or faces of the contact
     /// boundary that the indenter reaches, at a corner or in the middle.
     template <int dim>
@@ -82,8 +105,6 @@ namespace ElastoPlastic
                      const DoFHandler<dim>  &dof_handler,
                      const VectorType       &layout)
     {
-      const auto boundaries =
-        model.boundary_conditions.ids(BoundaryConditionType::contact);
       const auto is_reached = [&](const auto &face) {
         const auto vertices = face->vertex_indices();
         return std::isfinite(gap_function.value(face->center())) ||
@@ -92,18 +113,35 @@ namespace ElastoPlastic
                });
       };
       VectorType reached(layout.get_partitioner());
-      rethrow_collectively(layout.get_mpi_communicator(), [&]() {
-        for (const auto &cell : dof_handler.active_cell_iterators())
-          if (!cell->is_artificial())
-            for (const auto &face : cell->face_iterators())
-              if (face->at_boundary() &&
-                  boundaries.count(face->boundary_id()) > 0 && is_reached(face))
-                for (const auto v : face->vertex_indices())
-                  if (const auto dof = face->vertex_dof_index(v, dim - 1);
-                      reached.in_local_range(dof))
-                    reached(dof) = 1.;
-      });
+      for_each_contact_vertex(
+        model, dof_handler, [&](const auto &face, const unsigned int v) {
+          if (const auto dof = face->vertex_dof_index(v, dim - 1);
+              reached.in_local_range(dof) && is_reached(face))
+            reached(dof) = 1.;
+        });
       return reached;
+    }
+
+
+
+    /// Ones at all unknowns that an indenter may hold, should the body be
+    /// pressed against it.
+    template <int dim>
+    VectorType
+    unknowns_on_indenter(const Model<dim>      &model,
+                         const DoFHandler<dim> &dof_handler,
+                         const VectorType      &layout)
+    {
+      VectorType held(layout.get_partitioner());
+      if (model.indenter.shape)
+        for_each_contact_vertex(
+          model, dof_handler, [&](const auto &face, const unsigned int v) {
+            for (unsigned int d = 0; d < dim; ++d)
+              if (const auto dof = face->vertex_dof_index(v, d);
+                  held.in_local_range(dof))
+                held(dof) = 1.;
+          });
+      return held;
     }
 
 
@@ -184,32 +222,32 @@ namespace ElastoPlastic
     const VectorType layout(dof_handler.locally_owned_dofs(),
                             supports.constraints().get_local_lines(),
                             communicator_of(triangulation));
-    const VectorType reached =
-      reached_unknowns(model, gap_function, dof_handler, layout);
-    const auto forces_at = [&](const double time) {
-      VectorType forces(layout.get_partitioner());
-      compute_external_forces(
-        forces, dof_handler, supports.hanging_nodes(), model, time);
-      return forces;
-    };
-    std::vector<VectorType> loads = {forces_at(0.)};
-    if (growing_load == GrowingLoad::tractions)
-      loads.push_back(forces_at(1.));
-
-    for (const FreeMotion<dim> &motion :
-         free_motions(dof_handler,
-                      held_unknowns(model, dof_handler, supports, layout),
-                      supports.constraints()))
+    VectorType       held = held_unknowns(model, dof_handler, supports, layout);
+    if (growing_load == GrowingLoad::indenter)
       {
-        const VectorType &displacement = motion.displacement;
-        if (growing_load == GrowingLoad::indenter &&
-            move_together(reached, displacement))
-          reject_free_motion(motion);
-        for (const VectorType &forces : loads)
-          if (drive(forces, displacement) &&
-              !((reached * displacement) * (forces * displacement) > 0.))
+        const VectorType reached =
+          reached_unknowns(model, gap_function, dof_handler, layout);
+        for (const FreeMotion<dim> &motion :
+             free_motions(dof_handler, held, supports.constraints()))
+          if (move_together(reached, motion.displacement))
             reject_free_motion(motion);
       }
+
+    std::vector<VectorType> loads;
+    for (const double time : {0., 1.})
+      {
+        loads.emplace_back(layout.get_partitioner());
+        compute_external_forces(
+          loads.back(), dof_handler, supports.hanging_nodes(), model, time);
+      }
+    if (growing_load == GrowingLoad::indenter)
+      loads.pop_back();
+    held += unknowns_on_indenter(model, dof_handler, layout);
+    for (const FreeMotion<dim> &motion :
+         free_motions(dof_handler, held, supports.constraints()))
+      for (const VectorType &forces : loads)
+        if (drive(forces, motion.displacement))
+          reject_free_motion(motion);
   }
 
 

@@ -65,10 +65,11 @@ add_message_test(limit_load_rough_slope 2 "entry 'Indenter/Surface' is 'rough', 
 add_message_test(limit_load_tractions_in_space 2 "A traction or displacement of 'Boundary conditions' is not linear on the faces of the mesh" ${_loaded_block_in_space} "Boundary conditions/Traction=right: 0.1*y^2@ 0@ 0")
 add_message_test(limit_load_waves_in_space 2 "A traction or displacement of 'Boundary conditions' is not linear on the faces of the mesh" ${_loaded_block_in_space} "Boundary conditions/Traction=right: 0.1*sin(8*pi*y)@ 0@ 0")
 add_message_test(limit_load_unsupported 2 "The supports do not hold the body: nothing prevents its rigid body motion 'translation along y'" ${_limit_load}/strip_punch.prm --validate --set "Boundary conditions/Fixed=" --set "Boundary conditions/Free=right, bottom")
+add_message_test(limit_load_unsupported_in_space 2 "The supports do not hold the body: nothing prevents its rigid body motion 'translation along z'" ${_limit_load}/square_punch_3d.prm --validate --set "Boundary conditions/Fixed=" --set "Boundary conditions/Free=right, back, bottom")
 add_message_test(limit_load_huge_stress 2 "entry 'Material/Yield stress' is '1e.300', but" ${_limit_load}/strip_punch.prm --validate --set "Material/Yield stress=1e300")
 
 set(_pulled_block ${_files}/pulled_apart.prm --quiet --overwrite --set "Limit load/Load=tractions")
-add_message_test(limit_load_pulled_away 2 "The supports do not hold the body: nothing prevents its rigid body motion 'translation along x'" ${_pulled_block} --validate --set "Boundary conditions/Roller=" --set "Boundary conditions/Fixed=" --set "Boundary conditions/Free=left, bottom")
+add_message_test(limit_load_pulled_away 2 "The supports do not hold the body: nothing prevents its rigid body motion 'translation along x'" ${_pulled_block} --validate --set "Boundary conditions/Roller=" --set "Boundary conditions/Fixed=" --set "Boundary conditions/Contact=" --set Indenter/Type=none --set "Boundary conditions/Free=left, bottom, top")
 add_message_test(traction_jumps 2 "The tractions of 'Boundary conditions/Traction' do not fit stresses of the equilibrium method on the side of the mesh from .*: there they must be polynomials of degree 1. Put jumps and kinks on vertices of the mesh" ${_pulled_block} --validate --set "Boundary conditions/Traction=right: if(y < 0.3, t, 0)@ 0")
 add_message_test(no_growing_load 2 "entry 'Limit load/Load' is 'tractions', but there is no traction" ${_pulled_block} --validate --set "Boundary conditions/Traction=right: 0@ 0")
 add_message_test(load_not_linear 2 "entry 'Limit load/Load' is 'tractions', but tractions and body forces must be linear functions of the time t" ${_pulled_block} --validate --set "Boundary conditions/Traction=right: t^2@ 0")
@@ -85,6 +86,8 @@ add_message_test(error_bound_waves 2 "A displacement of 'Boundary conditions/Pre
   ${_parabola} --set "Boundary conditions/Prescribed displacement=left: 3e-2*sin(32*pi*y)@ free")
 add_message_test(error_bound_traction_jumps 2 "The tractions of 'Boundary conditions/Traction' do not fit stresses of the equilibrium method on the side of the mesh from .*: there they must be polynomials of degree 1"
   ${_parabola} --set "Boundary conditions/Free=left" --set "Boundary conditions/Traction=right: if(y < -0.7, 1e-3, 0)@ 0")
+add_entry_test(contact_bottom "The boundary 'bottom' of 'Boundary conditions/Contact' does not face the indenter, which comes from above" "Boundary conditions/Contact=top, bottom" "Boundary conditions/Fixed=")
+add_entry_test(contact_right "The boundary 'right' of 'Boundary conditions/Contact' does not face the indenter, which comes from above" "Boundary conditions/Contact=top, right" "Boundary conditions/Free=")
 add_message_test(no_limit_of_loads 3 "There is no limit load: the supports enclose the body, which bears any load" ${_pulled_block} --output-directory no_limit_of_loads --set "Boundary conditions/Fixed=bottom, left, top" --set "Boundary conditions/Roller=" --set "Boundary conditions/Contact=" --set Indenter/Type=none --set "Boundary conditions/Traction=right: -t@ 0" --set "Body force=1@ 0")
 add_entry_test(body_force_trailing "entry 'Body force' is '0. 1.', but number 3 of the parts that '.' separates is empty" "Body force=0@ 1@")
 add_entry_test(body_force_components "entry 'Body force' is '1', but it must have 2 components separated by ';', one per dimension" "Body force=1")
@@ -112,9 +115,6 @@ add_entry_test(adaptive_single_step "entry 'Loading/Step control' is 'adaptive',
 # Friction and motion to the side
 add_entry_test(friction_negative "entry 'Contact/Friction coefficient' is '-0.1', but it must be a number, at least 0, or 'stick'" "Contact/Friction coefficient=-0.1")
 add_entry_test(friction_word "entry 'Contact/Friction coefficient' is 'rough', but it must be a number, at least 0, or 'stick'" "Contact/Friction coefficient=rough")
-add_message_test(rough_not_level 2 "entry 'Indenter/Surface' is 'rough', but the bounds of a rough indenter are for contact boundaries that are level"
-  ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --quiet --overwrite --output-directory rough_not_level --set "Geometry/Type=half ball" --set "Geometry/Radius=1"
-  --set "Indenter/Surface=rough" --set "Boundary conditions/Contact=curved" --set "Boundary conditions/Roller=" --set "Boundary conditions/Free=" --set "Boundary conditions/Fixed=top")
 add_entry_test(rough_indenter "entry 'Indenter/Surface' is 'rough', but that is for 'Analysis = limit load'" "Indenter/Surface=rough" Dimension=2)
 add_entry_test(friction_limit_load "entry 'Contact/Friction coefficient' is '0.1', but 'Analysis = limit load' knows indenters without friction" "Analysis=limit load" "Contact/Friction coefficient=0.1" Dimension=2)
 add_entry_test(path_row "entry 'Loading/Path' is '2 0.1', but a row must look like" "Loading/Path=1: 0, 0 | 2 0.1")
@@ -176,6 +176,7 @@ add_message_test(include_itself 2 "^Error: [^ ]*include_itself.prm, line 2: [^ ]
 string(ASCII 7 _bell)
 add_message_test(value_with_comment 2 "'Output/Directory' is 'run#1', but a value cannot contain '#'" ${_base} --validate --output-directory run\#1)
 add_message_test(value_with_backslash 2 "'Output/Directory' is 'C:.', but a value cannot .* end with a backslash" ${_base} --validate --output-directory "C:\\")
+add_entry_test(output_directory_empty "'Output/Directory' is '', but it must name a folder" "Output/Directory=")
 add_entry_test(unit_in_brackets "'Output/Length unit' is '<mm>', but a unit is a name such as mm" "Output/Length unit=<mm>")
 add_message_test(unknown_field 2 "'Output/Additional fields' is 'temperature', but it must be: list.*`principal stresses`" ${_base} --validate --set "Output/Additional fields=temperature")
 add_message_test(value_with_bell 2 "'Output/Directory' is 'a.b', but a value cannot contain .* a control character" ${_base} --validate --output-directory "a${_bell}b")
@@ -338,6 +339,9 @@ add_entry_test(matrix_utf_16 "utf_16.txt', but this file is in UTF-16" "Indenter
 add_entry_test(matrix_old_mac "old_mac.txt', but the row in line 3 has length 2, the ones before it 3" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/old_mac.txt")
 add_entry_test(matrix_ragged "ragged.txt', but .* All rows must have the same length" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/ragged.txt")
 add_entry_test(matrix_decimal_commas "decimal_commas.txt', but numbers in line 2 are separated by white space, and by commas too. Numbers have a decimal point" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/decimal_commas.txt")
+add_entry_test(matrix_decimal_commas_and_blanks "commas_and_blanks.txt', but numbers in line 1 have commas, with and without white space behind them in turn. Numbers have a decimal point" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/commas_and_blanks.txt")
+add_entry_test(matrix_decimal_commas_in_column "commas_in_column.txt', but all lines are two numbers without a decimal point, with a comma between them. Numbers have a decimal point" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/commas_in_column.txt")
+add_entry_test(matrix_of_points "points.txt', but its rows are the points of a lattice, x y z. A height matrix holds heights only" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/points.txt")
 add_entry_test(matrix_two_rows "two_rows.txt', but it has 2 rows" "Indenter/Type=height matrix" "Indenter/Size=1" "Indenter/File=${_files}/two_rows.txt")
 add_entry_test(stl_of_wrong_type "base.prm', but its content is not an STL surface" "Indenter/Type=STL surface" "Indenter/File=${_base}")
 add_entry_test(stl_byte_order_mark "byte_order_mark.stl', but this file begins with a byte order mark" "Indenter/Type=STL surface" "Indenter/File=${_files}/byte_order_mark.stl")
@@ -501,6 +505,9 @@ add_message_test(no_error_bound 3 "Error: The contact problem has been solved, a
   ${_no_bound} --output-directory no_error_bound --set "Refinement/Number of cycles=1")
 add_message_test(no_error_bound_yet 3 "Warning: The contact problem has been solved, but there is no error bound on this mesh"
   ${_no_bound} --output-directory no_error_bound_yet --set "Refinement/Number of cycles=2")
+add_message_test(error_bound_reach 3 "there is no error bound on the last mesh. No side or face of the mesh lies within the reach of the indenter as a whole"
+  ${CMAKE_SOURCE_DIR}/parameter_files/error_bound/parabola.prm --quiet --overwrite --output-directory error_bound_reach
+  --set "Refinement/Number of cycles=1" --set "Output/Fields=never" --set "Indenter/Reach=0.01" --set Loading/Control=depth --set Loading/Depth=0.005)
 add_message_test(no_limit_load_to_compare 0 "Warning: There is no bound of the limit load to compare the force 1 with. There is no limit load: the supports enclose the body"
   ${_full_width} --output-directory no_limit_load_to_compare --set "Analysis=contact" --set "Loading/Control=force" --set "Output/Fields=never")
 add_message_test(no_error_bound_tractions 2 "The tractions of .Boundary conditions/Traction. do not fit stresses of the equilibrium method on the side of the mesh from .*: there they must be polynomials of degree 1 when multiplied by r. Put jumps"
@@ -524,7 +531,7 @@ add_message_test(beyond_limit_load 4 "No equilibrium has been found for the forc
 add_message_test(close_to_limit_load 4 "Error: No equilibrium .* The largest force reached is 10.*, at the depth 0.0"
   ${_circular_punch} --output-directory close_to_limit_load --set "Loading/Force=20"
   --set "Loading/Number of steps=4" --set "Loading/Maximum number of cuts=3")
-add_message_test(tractions_beyond_limit 4 "Error: No equilibrium has been found under the tractions at t = 0.57[0-9]*: they seem to be beyond the limit load of the body, whose material stops hardening. The last equilibrium is that at t = 0.57[0-9]*. Prescribe smaller tractions"
+add_message_test(tractions_beyond_limit 4 "Error: No equilibrium has been found under the tractions and body forces at t = 0.57[0-9]*: they seem to be beyond the limit load of the body, whose material stops hardening. The last equilibrium is that at t = 0.57[0-9]*. Prescribe smaller ones"
   ${_files}/pulled_too_far.prm --quiet --overwrite --output-directory tractions_beyond_limit --set Dimension=3
   --set "Boundary conditions/Roller=left, bottom, front, back" --set "Boundary conditions/Traction=right: 2*t@ 0@ 0")
 add_message_test(unsafe_tractions 4 "Error: There is no equilibrium under the largest load of tractions and body forces: the limit load of the body is between 0.57735[0-9]* and 0.57735[0-9]* times that. Prescribe smaller loads"
@@ -535,7 +542,7 @@ set(_sphere_beyond_limit ${CMAKE_SOURCE_DIR}/parameter_files/verification/thick_
   --set "Boundary conditions/Traction=inner: 366*t*x/sqrt(x^2+y^2)@ 366*t*y/sqrt(x^2+y^2)" --set "Loading/Final time=1" --set "Loading/Number of steps=5"
   --set "Loading/Maximum number of cuts=2" --set "Linear solver/Type=direct" --set "Output/Fields=never")
 foreach(_treatment standard B-bar)
-  add_message_test(sphere_beyond_limit_${_treatment} 4 "Error: No equilibrium has been found under the tractions at t = 0.9[0-9]*: they seem to be beyond the limit load of the body, whose material stops hardening. The last equilibrium is that at t = 0.[89][0-9]*. Prescribe"
+  add_message_test(sphere_beyond_limit_${_treatment} 4 "Error: No equilibrium has been found under the tractions and body forces at t = 0.9[0-9]*: they seem to be beyond the limit load of the body, whose material stops hardening. The last equilibrium is that at t = 0.[89][0-9]*. Prescribe"
     ${_sphere_beyond_limit} --output-directory sphere_beyond_limit_${_treatment} --set "Discretization/Volumetric treatment=${_treatment}")
 endforeach()
 # The exact limit of the punch is 10.3: what the first mesh bears, the next one does not.
@@ -652,11 +659,11 @@ function(add_disk_full_test _name _limit _file)
       sh -c "trap '' XFSZ && ulimit -f ${_limit} && exec \"$@\"" sh
       env OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_btl=self PMIX_MCA_gds=hash
       $<TARGET_FILE:elasto_plastic_contact> ${_base} --output-directory ${_name} --overwrite
-      --set "Geometry/Initial refinements=5" ${ARGN}
+      ${ARGN}
     WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   set_tests_properties(messages/${_name} PROPERTIES LABELS messages TIMEOUT 60)
 endfunction()
 
 add_disk_full_test(disk_full_at_start 8 parameters.prm)
-add_disk_full_test(disk_full_at_fields 64 solution-.*.vtu)
-add_disk_full_test(disk_full_at_checkpoint 64 checkpoint.new/mesh-0000 --set "Output/Fields=never" --set "Loading/Number of steps=3")
+add_disk_full_test(disk_full_at_fields 64 solution-.*.vtu --set "Geometry/Initial refinements=5")
+add_disk_full_test(disk_full_at_checkpoint 128 checkpoint.new/.*-0000 --set "Output/Fields=never" --set "Geometry/Initial refinements=6" --set "Loading/Number of steps=3")

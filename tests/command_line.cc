@@ -88,6 +88,7 @@ main(int argc, char *argv[])
   print({"one.prm", "two.prm"});
   print({"case.prm", "--no-such-option"});
   print({"case.prm", "--output-directory"});
+  print({"case.prm", "--output-directory", ""});
   print({"case.prm", "--set"});
   print({"case.prm", "--set", "Dimension"});
   print({"case.prm", "--set", "=3"});

@@ -124,9 +124,25 @@ namespace
         verify("  sticks or slips", state.sticks == sticks);
         friction.release(state);
       }
-    friction.begin_step(state);
+    friction.begin_step(state, true);
     friction.touch(state, slip, flat, 1.);
     verify("  sticks in the next step", state.sticks);
+  }
+
+
+
+  /// Without a law, what touches when a load step begins sticks, and no other
+  /// node does.
+  template <int dim>
+  void
+  check_beginning(const CoulombFriction<dim> &stick)
+  {
+    FrictionState<dim> state;
+    for (const bool touches : {false, true})
+      {
+        stick.begin_step(state, touches);
+        verify("  sticks or not", state.sticks == touches);
+      }
   }
 
 
@@ -171,7 +187,7 @@ namespace
            !CoulombFriction<dim>(std::numeric_limits<double>::infinity(), 1.)
               .update(state, {1., vector<dim>(9., 0.), flat}, none, flat, 1.));
     check_release(friction);
-    check_release(
+    check_beginning(
       CoulombFriction<dim>(std::numeric_limits<double>::infinity(), 1.));
   }
 

@@ -71,7 +71,7 @@ namespace
       force = zero;
       VectorTools::interpolate(dof_handler, Force(), force);
       contact.place(0.1);
-      contact.begin_step(zero, {});
+      contact.begin_step(zero, 0., {});
       contact.activate_touching(zero);
     }
 

@@ -217,7 +217,7 @@ namespace
     void
     let_slip()
     {
-      contact.begin_step(VectorType(u.get_partitioner()), {});
+      contact.begin_step(VectorType(u.get_partitioner()), 0., {});
       compute_residual(residual, u);
       contact.update(u, residual);
       contact.move_active(u);

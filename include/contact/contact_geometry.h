@@ -54,6 +54,11 @@ namespace ElastoPlastic
       return geometry == ContactGeometry::present;
     }
 
+    /// Whether the indenter reaches a node: it is above the node, and where a
+    /// bound depends on its flank, that is no wall beside the node.
+    bool
+    reach(const ContactNode<dim> &node) const;
+
     /// Whether they depend on the horizontal displacements.
     bool
     are_sloped() const

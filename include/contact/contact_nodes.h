@@ -132,6 +132,8 @@ namespace ElastoPlastic
     std::array<bool, dim - 1> free = {};
     /// The horizontal displacement with which it sticks.
     TangentVector<dim> anchor;
+    /// How far it was below the indenter when the load step began.
+    double             first_distance = 0.;
     FrictionState<dim> friction;
   };
 

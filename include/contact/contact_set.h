@@ -84,10 +84,19 @@ namespace ElastoPlastic
     void
     follow_indenter();
 
-    /// A load step begins with the displacement @p u, and the indenter will
-    /// move sideways by @p motion: where nodes that stick will go.
+    /// A load step begins with the displacement @p u and the indenter at @p
+    /// depth, and it will move sideways by @p motion: where nodes that stick
+    /// will go. Collective.
     void
-    begin_step(const Vector &u, const Tensor<1, dim - 1> &motion);
+    begin_step(const Vector             &u,
+               const double              depth,
+               const Tensor<1, dim - 1> &motion);
+
+    /// Of nodes that never slip: @p u is the solution if in this load step
+    /// nothing new sticks, and nothing gets free. From it follows what sticks,
+    /// and where. @return whether the solution then is another. Collective.
+    bool
+    find_sticking(const Vector &u, const Vector &residual);
 
     /// Drives the indenter: to a depth, or by a force F, which leaves it where
     /// it is until a displacement says how far it has moved.
@@ -194,23 +203,14 @@ namespace ElastoPlastic
     /// Whether bounds depend on horizontal displacements, or forces have
     /// horizontal parts.
     bool
-    has_sloped_bounds() const
-    {
-      return bounds.are_sloped() || friction.exists();
-    }
+    has_sloped_bounds() const;
 
     bool
-    has_friction() const
-    {
-      return friction.exists();
-    }
+    has_friction() const;
 
     /// Whether friction takes energy.
     bool
-    dissipates() const
-    {
-      return friction.dissipates();
-    }
+    dissipates() const;
 
     /// Whether its edge moves through the faces now.
     bool
@@ -218,10 +218,7 @@ namespace ElastoPlastic
 
     /// Whether a motion along the bounds to first order leaves them.
     bool
-    has_curved_bounds() const
-    {
-      return bounds.follow_deformation();
-    }
+    has_curved_bounds() const;
 
     /// The same as move_active() for an indenter where @p u says that it is.
     void

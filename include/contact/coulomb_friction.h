@@ -103,9 +103,17 @@ namespace ElastoPlastic
       return exists() && std::isfinite(coefficient);
     }
 
-    /// A load step begins.
+    /// Whether a node in contact with this @p state counts as sticking: with an
+    /// infinite coefficient all do, those also that begin to in this load step.
+    bool
+    sticks(const FrictionState<dim> &state) const
+    {
+      return exists() && (state.sticks || !dissipates());
+    }
+
+    /// A load step begins, with a node that @p touches the indenter or not.
     void
-    begin_step(FrictionState<dim> &state) const;
+    begin_step(FrictionState<dim> &state, const bool touches) const;
 
     /// A node has left the indenter. One that is torn off where it sticks, and
     /// comes back where it does not, again and again, has a normal force that

@@ -25,8 +25,8 @@ namespace ElastoPlastic
 
 
   /// The centre of a boundary face of the coarse mesh @p mesh in whose place
-  /// there is another one, if there is such a face: the body has a slit, a crack
-  /// or parts whose common nodes have been written twice.
+  /// there is another one, if there is such a face: the body has a slit, a
+  /// crack or parts whose common nodes have been written twice.
   template <int dim>
   std::optional<Point<dim>>
   find_slit(const Triangulation<dim> &mesh);

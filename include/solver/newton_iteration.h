@@ -75,12 +75,14 @@ namespace ElastoPlastic
     void
     become_feasible();
 
-    /// Whether u is as good as the tolerance asks for, or as it can be.
+    /// Whether u is as good as the tolerance asks for, or as it can be. Forces
+    /// that are nothing but the rounding of a rigid body motion are dropped.
     bool
     has_converged();
 
-    /// Whether the forces on the free unknowns are small, and no larger than
-    /// what the rounding of u makes of them: the displacements have only so
+    /// Whether the forces on the free unknowns are small, or all forces nothing
+    /// but rounding, and no larger than what the rounding of u makes of them:
+    /// the displacements have only so
     /// many digits, and where the body is very stiff, or almost incompressible,
     /// the last of them are large forces.
     bool

@@ -283,8 +283,9 @@ namespace ElastoPlastic
     for (unsigned int k = 0; k < forces.size(); ++k)
       if (passed[k])
         {
-          const Node &node                = contact.candidates[k];
-          stick.local_element(node.index) = node.friction.sticks ? 1. : 0.;
+          const Node &node = contact.candidates[k];
+          stick.local_element(node.index) =
+            contact.friction.sticks(node.friction) ? 1. : 0.;
           const auto   slope = contact.bounds.surface(node, u).slope;
           const double area  = bearing_areas.local_element(node.index) *
                               std::sqrt(1. + slope * slope) /

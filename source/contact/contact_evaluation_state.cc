@@ -94,8 +94,8 @@ namespace ElastoPlastic
         const auto force = horizontal_part<dim>(node, forces);
         for (unsigned int d = 0; d < dim - 1; ++d)
           state.tangential_force[d] += force[d];
-        if (!node.is_active() || !contact.friction.exists() ||
-            node.friction.sticks)
+        if (!node.is_active() || !contact.dissipates() ||
+            contact.friction.sticks(node.friction))
           continue;
         const auto surface = contact.bounds.surface(node, u);
         state.frictional_dissipation += tangent_product(
@@ -116,7 +116,7 @@ namespace ElastoPlastic
         {
           const double area = touched_areas.local_element(node.index);
           state.contact_area += area;
-          if (contact.friction.exists() && node.friction.sticks)
+          if (contact.friction.sticks(node.friction))
             state.stick_area += area;
         }
   }

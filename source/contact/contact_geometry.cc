@@ -63,6 +63,17 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  bool
+  ContactBounds<dim>::reach(const ContactNode<dim> &node) const
+  {
+    constexpr double slope_of_wall = 1e3;
+    return std::isfinite(node.gap.height) &&
+           (!are_sloped() || node.gap.slope.norm() < slope_of_wall);
+  }
+
+
+
+  template <int dim>
   double
   ContactBounds<dim>::inclination(const ContactNode<dim> &node) const
   {

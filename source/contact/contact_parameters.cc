@@ -43,7 +43,8 @@ namespace ElastoPlastic
       "mu of Coulomb's law: where the surface of the body slips along the "
       "indenter, its shear traction is mu times the pressure; where it is less, "
       "the body sticks to the indenter. 0: no friction. stick: the body does "
-      "not slip at all as long as it is in contact.",
+      "not slip at all as long as it is in contact; what comes into contact in a "
+      "load step has moved freely before, so that it takes several.",
       Patterns::Anything());
     prm.leave_subsection();
   }

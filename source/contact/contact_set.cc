@@ -88,7 +88,7 @@ namespace ElastoPlastic
     candidates.clear();
     hanging_nodes.clear();
     for (const Node &node : nodes)
-      if (std::isfinite(node.gap.height))
+      if (bounds.reach(node))
         {
           (node.hanging ? hanging_nodes : candidates).push_back(node);
           if (const auto old = before.find(node.index);
@@ -304,7 +304,7 @@ namespace ElastoPlastic
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     for (const Node &node : candidates)
       for (unsigned int d = 0; d < dim - 1; ++d)
-        if (node.is_active() && is_held(node, d))
+        if (is_held(node, d))
           u.local_element(node.horizontal[d]) = node.anchor[d];
     const auto place = law().place(gaps(u, depth), statuses());
     for (unsigned int k = 0; k < candidates.size(); ++k)

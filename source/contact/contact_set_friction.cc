@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/rethrow_collectively.h"
 #include "contact/contact_set.h"
@@ -13,16 +14,74 @@
 
 namespace ElastoPlastic
 {
+  // (With finite coefficients, it is the law that says what sticks. An indenter
+  // that moves to the side has done so already: a node was farther from it, by
+  // its slope times that way, and has touched it only if it was closed.)
   template <int dim>
   void
-  ContactSet<dim>::begin_step(const Vector &u, const Tensor<1, dim - 1> &motion)
+  ContactSet<dim>::begin_step(const Vector             &u,
+                              const double              depth,
+                              const Tensor<1, dim - 1> &motion)
   {
+    constexpr double rounding = 1e-8; // of the distance between nodes
+    const bool is_plane = dim == 2 && kinematics != Kinematics::axisymmetric;
+
     wake_law();
+    const std::vector<double> gaps = this->gaps(u, depth);
+    for (unsigned int k = 0; k < candidates.size(); ++k)
+      {
+        Node        &node    = candidates[k];
+        const double spacing = is_plane ? node.area : std::sqrt(node.area);
+        const double distance =
+          std::max(gaps[k] + bounds.surface(node, u).slope * motion, 0.);
+        const bool touches =
+          node.status == ContactStatus::closed ||
+          (motion.norm() == 0. && distance <= rounding * spacing);
+        node.anchor         = horizontal_part<dim>(node, u) + motion;
+        node.first_distance = touches ? 0. : distance;
+        friction.begin_step(node.friction, touches);
+      }
+  }
+
+
+
+  // While the indenter comes nearer, what it touches when a share of its way is
+  // behind it has moved freely by that share of its motion in the step. The
+  // farthest of the nodes that it touches is touched last.
+  template <int dim>
+  bool
+  ContactSet<dim>::find_sticking(const Vector &u, const Vector &residual)
+  {
+    constexpr double rounding = 1e-8;
+
+    if (!friction.exists() || friction.dissipates())
+      return false;
+    double nearest = std::numeric_limits<double>::infinity(), farthest = 0.;
+    for (const Node &node : candidates)
+      if (node.status == ContactStatus::closed)
+        {
+          nearest  = std::min(nearest, node.first_distance);
+          farthest = std::max(farthest, node.first_distance);
+        }
+    nearest          = Utilities::MPI::min(nearest, communicator);
+    farthest         = Utilities::MPI::max(farthest, communicator);
+    const double way = std::max(farthest - nearest, rounding * farthest);
+
+    bool changed = false;
     for (Node &node : candidates)
       {
-        node.anchor = horizontal_part<dim>(node, u) + motion;
-        friction.begin_step(node.friction);
+        const bool sticks =
+          node.status == ContactStatus::closed &&
+          contact_force(node, bounds.surface(node, u), residual).normal > 0.;
+        if (sticks == node.friction.sticks)
+          continue;
+        changed              = true;
+        node.friction.sticks = sticks;
+        if (sticks && way > 0.)
+          node.anchor += (node.first_distance - nearest) / way *
+                         (horizontal_part<dim>(node, u) - node.anchor);
       }
+    return Utilities::MPI::logical_or(changed, communicator);
   }
 
 
@@ -71,7 +130,7 @@ namespace ElastoPlastic
                                   const Vector &u,
                                   const Vector &residual) const
   {
-    if (!friction.exists())
+    if (!friction.dissipates())
       return residual.local_element(node.index);
     const auto surface = bounds.surface(node, u);
     return contact_force(node, surface, residual).normal /
@@ -96,14 +155,14 @@ namespace ElastoPlastic
 
 
 
-  // (A node that is entering presses with next to nothing at first: without a
-  // law that says how much it may stick for that, it does not.)
+  // (Without a law that says how much friction a node can bear, it is decided
+  // before the solution whether it sticks, not by it: then there is only one.)
   template <int dim>
   bool
   ContactSet<dim>::is_held(const Node &node, const unsigned int d) const
   {
     return friction.exists() && node.friction.sticks && node.free[d] &&
-           (friction.dissipates() || node.status == ContactStatus::closed);
+           (node.is_active() || !friction.dissipates());
   }
 
 
@@ -115,7 +174,7 @@ namespace ElastoPlastic
     std::vector<unsigned int> entries;
     for (const Node &node : candidates)
       for (unsigned int d = 0; d < dim - 1; ++d)
-        if (node.is_active() && is_held(node, d))
+        if (is_held(node, d))
           entries.push_back(node.horizontal[d]);
     return entries;
   }

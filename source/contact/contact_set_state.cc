@@ -171,6 +171,42 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  bool
+  ContactSet<dim>::has_sloped_bounds() const
+  {
+    return bounds.are_sloped() || friction.exists();
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSet<dim>::has_friction() const
+  {
+    return friction.exists();
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSet<dim>::dissipates() const
+  {
+    return friction.dissipates();
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSet<dim>::has_curved_bounds() const
+  {
+    return bounds.follow_deformation();
+  }
+
+
+
   template class ContactSet<2>;
   template class ContactSet<3>;
 } // namespace ElastoPlastic

@@ -97,24 +97,21 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  CoulombFriction<dim>::begin_step(FrictionState<dim> &state) const
+  CoulombFriction<dim>::begin_step(FrictionState<dim> &state,
+                                   const bool          touches) const
   {
     if (!dissipates())
-      state = {};
+      state = {touches, {}, 0., 0};
     state.n_releases = 0;
   }
 
 
 
-  // (Without a law that says how much it may stick for its force, it has no
-  // friction from then on.)
   template <int dim>
   void
   CoulombFriction<dim>::release(FrictionState<dim> &state) const
   {
     ++state.n_releases;
-    if (!dissipates() && state.n_releases > tolerated_releases)
-      state.sticks = false;
   }
 
 

@@ -3,8 +3,11 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -16,12 +19,33 @@ namespace ElastoPlastic
 {
   namespace
   {
+    /// Whether every other comma, beginning with the first, has no blank behind
+    /// it, and only those: so are lists of numbers with decimal commas.
+    bool
+    has_decimal_commas(const std::string &line)
+    {
+      unsigned int n_commas = 0;
+      for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        if (line[i] == ',')
+          if ((std::isspace(static_cast<unsigned char>(line[i + 1])) != 0) !=
+              (++n_commas % 2 == 0))
+            return false;
+      return n_commas > 1;
+    }
+
+
+
     /// The numbers of one line; @p place is where it stands, for messages.
     std::vector<double>
     decode_row(const HeightFile  &file,
                const std::string &line,
                const std::string &place)
     {
+      if (has_decimal_commas(line))
+        file.reject("numbers" + place +
+                    " have commas, with and without white "
+                    "space behind them in turn. " +
+                    decimal_point_hint);
       std::vector<double> row;
       for (const std::string &field : Utilities::split_string_list(line, ','))
         {
@@ -47,6 +71,46 @@ namespace ElastoPlastic
                         decimal_point_hint);
         }
       return row;
+    }
+
+
+
+    /// Whether numbers like 0,125, one below the other, are what the file
+    /// holds: lines with one comma each, and no other sign that it separates.
+    bool
+    is_column_with_decimal_commas(const HeightFile &file)
+    {
+      std::istringstream words(file.text());
+      std::string        line, word;
+      while (std::getline(words, line))
+        {
+          line = Utilities::trim(line.substr(0, line.find('#')));
+          if (!line.empty() &&
+              (std::count(line.begin(), line.end(), ',') != 1 ||
+               line.find_first_of(". \t") != std::string::npos))
+            return false;
+        }
+      return true;
+    }
+
+
+
+    /// Whether the rows are the points of a lattice, x y z, all combinations of
+    /// the x and y that there are.
+    bool
+    is_list_of_points(const std::vector<double> &numbers,
+                      const unsigned int         n_columns)
+    {
+      if (n_columns != 3)
+        return false;
+      std::set<double> x, y;
+      for (std::size_t i = 0; i < numbers.size(); i += n_columns)
+        {
+          x.insert(numbers[i]);
+          y.insert(numbers[i + 1]);
+        }
+      return x.size() > 1 && y.size() > 1 &&
+             x.size() * y.size() * n_columns == numbers.size();
     }
   } // namespace
 
@@ -81,6 +145,17 @@ namespace ElastoPlastic
 
     if (numbers.empty())
       file.reject("this file holds no numbers.");
+    if (n_rows > 1 && is_column_with_decimal_commas(file))
+      file.reject(
+        "all lines are two numbers without a decimal point, with a "
+        "comma between them. " +
+        decimal_point_hint +
+        " If these are two columns, put a blank behind the commas.");
+    if (is_list_of_points(numbers, n_columns))
+      file.reject(
+        "its rows are the points of a lattice, x y z. A height matrix "
+        "holds heights only: a row for each y, from the largest to "
+        "the smallest, with a number for each x.");
     return {n_rows, n_columns, numbers.begin()};
   }
 } // namespace ElastoPlastic

@@ -30,7 +30,7 @@ namespace ElastoPlastic
     ++cycle;
     body.refine(time_steps.next_time(), load_at_end_of_step(), last_step);
     body.contact.place(last_step.result.depth);
-    body.contact.begin_step(body.displacement, {});
+    body.contact.begin_step(body.displacement, last_step.result.depth, {});
     body.contact.activate_touching(body.displacement);
     body.solid.predict_flow(body.displacement, body.displacement);
     last_step.displacement = body.displacement;

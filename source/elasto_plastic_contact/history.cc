@@ -40,6 +40,7 @@ namespace ElastoPlastic
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
     body.reinit(time_steps.next_time(), load_at_end_of_step());
+    check_contact_boundaries(model, body.triangulation);
     check_field_times(parameters.output, load_program);
     check_loads(model, time_steps, body.dof_handler, body.triangulation);
     check_supports(model,

@@ -121,6 +121,7 @@ namespace ElastoPlastic
     body.contact.begin_step(last_step.is_virgin() ?
                               VectorType(body.displacement.get_partitioner()) :
                               last_step.displacement,
+                            last_step.is_virgin() ? 0. : last_step.result.depth,
                             body.sideways_position(time_steps.next_time()) -
                               body.sideways_position(last_step.result.time));
     if (body.gap_function.has_indenter() &&
@@ -130,16 +131,21 @@ namespace ElastoPlastic
         "The indenter has left the contact boundary: there is nothing below it "
         "that it could touch. Check 'Loading/Path', or model more of the body.");
     body.contact.activate_touching(body.displacement);
-    ContactProblem<dim> problem =
-      body.problem_with(body.contact, last_step.largest_forces);
-    const NewtonReport report = newton.solve(problem, body.displacement);
-    body.residual             = report.residual;
-    body.contact.settle(body.displacement);
+    const auto minimise = [&]() {
+      ContactProblem<dim> problem =
+        body.problem_with(body.contact, last_step.largest_forces);
+      const NewtonReport report = newton.solve(problem, body.displacement);
+      body.residual             = report.residual;
+      body.contact.settle(body.displacement);
 
-    result.newton_iterations = report.n_iterations();
-    result.linear_iterations = report.n_linear_iterations();
-    result.residual          = report.steps.back().residual;
-    result.energy            = report.steps.back().energy;
+      result.newton_iterations += report.n_iterations();
+      result.linear_iterations += report.n_linear_iterations();
+      result.residual = report.steps.back().residual;
+      result.energy   = report.steps.back().energy;
+    };
+    minimise();
+    if (body.contact.find_sticking(body.displacement, body.residual))
+      minimise();
     if (result.residual > parameters.newton.tolerance)
       log.warn(
         "The forces on the free unknowns are " +
@@ -221,7 +227,7 @@ namespace ElastoPlastic
     body.solid.predict_flow(body.displacement, body.displacement);
     body.contact.deactivate_all();
     body.move_indenter(last_step.result.time);
-    body.contact.begin_step(body.displacement, {});
+    body.contact.begin_step(body.displacement, last_step.result.depth, {});
     body.contact.place(last_step.result.depth);
     body.contact.activate_touching(body.displacement);
   }

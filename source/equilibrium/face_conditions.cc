@@ -41,20 +41,17 @@ namespace ElastoPlastic
 
 
 
-    std::array<double, 3>
-    values_at_corners(const TriangleFace                            &corners,
-                      const std::function<double(const Point<3> &)> &function)
+    /// Whether @p function is linear on a face, with these @p values at its
+    /// @p corners.
+    bool
+    is_linear(const TriangleFace                            &corners,
+              const std::array<double, 3>                   &values,
+              const std::function<double(const Point<3> &)> &function)
     {
       constexpr double rounding = 1e-9;
 
-      const Point<3>        centre((corners[0] + corners[1] + corners[2]) / 3.);
-      std::array<double, 3> values;
-      double                largest = 0;
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          values[i] = function(from_inside(corners[i], centre));
-          largest   = std::max(largest, std::abs(values[i]));
-        }
+      const double largest = std::max(
+        {std::abs(values[0]), std::abs(values[1]), std::abs(values[2])});
       // Neither of a regular mesh, nor of one that is finer.
       static const QWitherdenVincentSimplex<2> inside(4);
       for (const Point<2> &x : inside.get_points())
@@ -67,15 +64,36 @@ namespace ElastoPlastic
           const double value = function(point);
           if (!(std::abs(value - linear) <=
                 rounding * std::max(largest, std::abs(value))))
-            throw InputError(
-              "A traction or displacement of 'Boundary conditions' is not "
-              "linear on the faces of the mesh, near the point (" +
-              Patterns::Tools::to_string(centre) +
-              "). In space, the equilibrium method is for such that are linear "
-              "functions of x, y and z on each face. Put jumps and kinks on "
-              "edges of the mesh.");
+            return false;
         }
-      return values;
+      return true;
+    }
+
+
+
+    /// From inside where the function jumps at a corner.
+    std::array<double, 3>
+    values_at_corners(const TriangleFace                            &corners,
+                      const std::function<double(const Point<3> &)> &function)
+    {
+      const Point<3>        centre((corners[0] + corners[1] + corners[2]) / 3.);
+      std::array<double, 3> values, values_inside;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          values[i]        = function(corners[i]);
+          values_inside[i] = function(from_inside(corners[i], centre));
+        }
+      if (is_linear(corners, values, function))
+        return values;
+      if (is_linear(corners, values_inside, function))
+        return values_inside;
+      throw InputError(
+        "A traction or displacement of 'Boundary conditions' is not linear on "
+        "the faces of the mesh, near the point (" +
+        Patterns::Tools::to_string(centre) +
+        "). In space, the equilibrium method is for such that are linear "
+        "functions of x, y and z on each face. Put jumps and kinks on edges of "
+        "the mesh.");
     }
   } // namespace
 

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/exceptions.h"
+#include "equilibrium/from_inside.h"
 #include "equilibrium/growing_loads.h"
 #include "equilibrium/largest_error.h"
 #include "equilibrium/split_mesh.h"
@@ -59,9 +60,16 @@ namespace ElastoPlastic
       for (const auto &side : sides_of(mesh))
         if (const auto traction = conditions.tractions().find(side.boundary_id);
             traction != conditions.tractions().end())
-          for (const unsigned int vertex : side.vertices)
-            for (const auto &component : traction->second)
-              values.push_back(component->value(mesh.vertices[vertex], time));
+          {
+            Point<dim> centre;
+            for (const unsigned int vertex : side.vertices)
+              centre += mesh.vertices[vertex] / double(side.vertices.size());
+            for (const unsigned int vertex : side.vertices)
+              for (const auto &component : traction->second)
+                values.push_back(
+                  component->value(from_inside(mesh.vertices[vertex], centre),
+                                   time));
+          }
       const double size = size_of(mesh);
       for (const Point<dim> &vertex : mesh.vertices)
         for (unsigned int d = 0; d < dim; ++d)

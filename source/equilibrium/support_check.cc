@@ -76,9 +76,9 @@ namespace ElastoPlastic
 
 
 
-    /// How far a @p load on the side from @p a to @p b, in a body of revolution
-    /// multiplied by r, is from the polynomial of the @p degree 1 or 2 with
-    /// which it agrees at the ends and, if it can, in the middle.
+    /// How far a @p load on the side from @p a to @p b is from the polynomial
+    /// of the @p degree 1 or 2 with which it agrees at the ends and, if it can,
+    /// in the middle.
     template <typename Load>
     double
     distance_to_polynomial(const Point<2>    &a,
@@ -104,9 +104,13 @@ namespace ElastoPlastic
                      const unsigned int degree)
     {
       const auto &ends = body.mesh.sides[side].vertices;
+      const bool  is_heavy =
+        body.body_force.norm() + body.body_force_growth.norm() > 0.;
       throw InputError(
-        "The tractions of 'Boundary conditions/Traction' do not fit stresses "
-        "of the equilibrium method on the side of the mesh from (" +
+        "The tractions of 'Boundary conditions/Traction'" +
+        std::string(is_heavy ? ", and the pressure of 'Body force'," : "") +
+        " do not fit stresses of the equilibrium method on the side of the "
+        "mesh from (" +
         Patterns::Tools::to_string(body.mesh.vertices[ends[0]]) + ") to (" +
         Patterns::Tools::to_string(body.mesh.vertices[ends[1]]) +
         "): there they must be polynomials of degree " +

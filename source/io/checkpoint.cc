@@ -321,8 +321,8 @@ namespace ElastoPlastic
             "the checkpoint in '" + directory + "' is of a run with '" +
               (before == saved.end() ? "" : before->second) +
               "'. A run can only be resumed with the parameters it has been "
-              "started with (those of the sections Output, Evaluation, Linear "
-              "solver and Nonlinear solver may change, 'Refinement/Maximum "
+              "started with (those of the sections Output, except for its probe "
+              "points, Evaluation, Linear solver and Nonlinear solver may change, 'Refinement/Maximum "
               "number of unknowns', and the load history after the "
               "checkpoint).");
       }

@@ -116,7 +116,13 @@ namespace ElastoPlastic
         "with what is there. Give one of them only.");
     result.quiet = given.count("quiet") > 0;
     if (given.count("output-directory"))
-      result.output_directory = given["output-directory"].as<std::string>();
+      {
+        result.output_directory = given["output-directory"].as<std::string>();
+        if (result.output_directory.empty())
+          throw InputError(
+            "Wrong usage: --output-directory must name a folder; "
+            "'.' is the one that the program runs in.");
+      }
     if (given.count("set"))
       for (const std::string &text :
            given["set"].as<std::vector<std::string>>())

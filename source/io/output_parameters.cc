@@ -117,6 +117,11 @@ namespace ElastoPlastic
   void
   OutputParameters::check() const
   {
+    if (directory.empty())
+      throw InputError("Output/Directory",
+                       directory,
+                       "it must name a folder; '.' is the one that the program "
+                       "runs in.");
     check_unit("Length unit", units.length);
     check_unit("Force unit", units.force);
     if (fields == FieldOutputTimes::at_times && field_times.empty())

@@ -29,18 +29,18 @@ namespace ElastoPlastic
 
 
 
-    /// What is less than that of a force as an expression, whose largest value
-    /// is about that at the ends of equal steps, is a rounding error of zero.
+    /// What is not more than rounding leaves of zero, where a depth or a force
+    /// is as large as this @p load at the ends of equal steps.
     double
-    rounding_of(const Expression<1> &force, const LoadingParameters &parameters)
+    rounding_of(const Expression<1> &load, const LoadingParameters &parameters)
     {
-      constexpr double rounding = 1e-12;
+      constexpr double rounding = 1e-14;
 
       double largest = 0;
       for (unsigned int i = 1; i <= parameters.n_steps; ++i)
         {
           const double time = parameters.final_time * i / parameters.n_steps;
-          largest = std::max(largest, std::abs(force.value(Point<1>(time))));
+          largest = std::max(largest, std::abs(load.value(Point<1>(time))));
         }
       return rounding * largest;
     }
@@ -146,13 +146,12 @@ namespace ElastoPlastic
       {
         const auto expression =
           std::make_shared<const Expression<1>>(path, text);
-        segments.push_back(
-          {parameters.final_time,
-           control,
-           0.,
-           0.,
-           expression,
-           by_depth ? 0. : rounding_of(*expression, parameters)});
+        segments.push_back({parameters.final_time,
+                            control,
+                            0.,
+                            0.,
+                            expression,
+                            rounding_of(*expression, parameters)});
         return;
       }
     if (!std::isfinite(*number))

@@ -88,7 +88,9 @@ namespace ElastoPlastic
           throw InputError(
             "The mesh of the geometry '" + parameters.type +
             "' has cells without a volume. Are the lengths and ratios in "
-            "'Geometry' extremely large or small?");
+            "'Geometry' extremely large or small, or is the body far from the "
+            "origin? Then its lengths are lost in the rounding of "
+            "coordinates: move it.");
         }
     }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "base/exceptions.h"
 #include "solver/newton_iteration.h"
@@ -18,8 +19,10 @@ namespace ElastoPlastic
     constexpr unsigned int tolerated_recurrences = 3;
     constexpr unsigned int n_smoothing_sweeps    = 3;
     /// Forces on the free unknowns that exceed this fraction of all forces are
-    /// not negligible, rounding or not.
+    /// not negligible, rounding or not, unless all forces are rounding.
     constexpr double largest_rounding = 1e-5;
+    /// So much larger the forces on the supports may be then.
+    constexpr double rounding_of_supports = 10;
     /// What the forces change by if so many bits of the displacements are lost
     /// tells what one bit is worth, up to a factor. (What is computed of the
     /// displacements is rounded as well: finite strains, through stretches of
@@ -29,19 +32,29 @@ namespace ElastoPlastic
     constexpr double nonlinear_rounding_factor = 32.;
     /// Smaller forces have squares that underflow.
     constexpr double smallest_forces = 1e-130;
+    /// Under a larger displacement, they are what rounding leaves of a rigid
+    /// body motion.
+    constexpr double smallest_motion = 1e-100;
 
 
 
-    /// @p number without its last bits.
-    double
-    round_off(const double number)
+    /// A generator of errors of up to half of the last of the bits that are
+    /// kept, relative to a number. They differ from number to number: errors
+    /// that are all alike would move a body as a whole, without forces.
+    class RelativeErrors
     {
-      constexpr int n_bits = std::numeric_limits<double>::digits - n_lost_bits;
-      int           exponent;
-      const double  mantissa = std::frexp(number, &exponent);
-      return std::ldexp(std::nearbyint(std::ldexp(mantissa, n_bits)),
-                        exponent - n_bits);
-    }
+    public:
+      double
+      operator()()
+      {
+        return std::ldexp(uniform(generator),
+                          n_lost_bits - std::numeric_limits<double>::digits);
+      }
+
+    private:
+      std::minstd_rand                       generator;
+      std::uniform_real_distribution<double> uniform{-1., 1.};
+    };
   } // namespace
 
 
@@ -139,7 +152,7 @@ namespace ElastoPlastic
         "The forces are no longer finite numbers. Are the moduli in "
         "'Material', 'Loading/Depth' and the values in 'Boundary conditions' "
         "right, and all in the same system of units?");
-    if (force_norm < smallest_forces &&
+    if (force_norm < smallest_forces && u.linfty_norm() < smallest_motion &&
         std::max(residual.linfty_norm(), free_forces().linfty_norm()) > 0.)
       throw InputError(
         "The forces are so small that their squares vanish in double "
@@ -173,10 +186,19 @@ namespace ElastoPlastic
   bool
   NewtonIteration::has_converged()
   {
-    return step.iteration > 0 && constrained_unknowns_at_place &&
-           problem.is_itself() &&
-           (free_norm <= parameters.tolerance * force_norm ||
-            (free_norm > 0.5 * previous_free_norm && is_rounding()));
+    if (step.iteration == 0 || !constrained_unknowns_at_place ||
+        !problem.is_itself())
+      return false;
+    if (free_norm <= parameters.tolerance * force_norm)
+      return true;
+    if (free_norm <= 0.5 * previous_free_norm || !is_rounding())
+      return false;
+    if (free_norm > largest_rounding * force_norm)
+      {
+        residual      = 0.;
+        step.residual = 0.;
+      }
+    return true;
   }
 
 
@@ -186,17 +208,19 @@ namespace ElastoPlastic
   bool
   NewtonIteration::is_rounding()
   {
-    if (free_norm > largest_rounding * force_norm)
-      return false;
-    Vector rounded = u;
+    Vector         rounded = u;
+    RelativeErrors error;
     for (double &number : rounded)
-      number = round_off(number);
+      number *= 1. + error();
     problem.compute_residual(work, rounded);
     problem.reduce(work);
     work -= free_forces();
-    return free_norm <=
-           (problem.is_convex() ? rounding_factor : nonlinear_rounding_factor) *
-             std::ldexp(work.l2_norm(), -n_lost_bits);
+    const double rounding =
+      (problem.is_convex() ? rounding_factor : nonlinear_rounding_factor) *
+      std::ldexp(work.l2_norm(), -n_lost_bits);
+    const bool is_small        = free_norm <= largest_rounding * force_norm;
+    const bool is_rigid_motion = force_norm <= rounding_of_supports * rounding;
+    return free_norm <= rounding && (is_small || is_rigid_motion);
   }
 
 

@@ -47,9 +47,10 @@ namespace ElastoPlastic
     while (true)
       {
         iteration.update_active_set();
+        const bool has_converged = iteration.has_converged();
         report.steps.push_back(step);
         show_progress(step);
-        if (iteration.has_converged())
+        if (has_converged)
           {
             report.residual = iteration.residual;
             return report;

@@ -47,6 +47,31 @@ def bonded_punch(runner):
     runner.compare("force, bonded over smooth", bonded / smooth, (1 - nu) * math.log(3 - 4 * nu) / (1 - 2 * nu), 2e-3)
 
 
+def adhesion(runner):
+    """A sphere and a cone that stick to the body: depth and force grow as under bonded flat punches that become wider."""
+    shear_modulus, nu = 2e5 / 2.6, 0.3
+    stiffness = 4 * shear_modulus * math.log(3 - 4 * nu) / (1 - 2 * nu)  # dP/d(depth) over the radius
+    sphere = ("Loading/History=1: depth 0.0004 | 2: force 0",)
+    cone = ("Loading/History=1: depth 0.004 | 2: force 0", "Indenter/Type=cone", "Indenter/Semi-apex angle=85")
+    # (In ten steps; the error is proportional to their length.)
+    for name, indenter, exponent, degree, tolerance in (("sphere", sphere, 2, 1, 0.005), ("sphere", sphere, 2, 2, 0.005),
+                                                        ("cone", cone, 1, 2, 0.01)):
+        rows = runner.history("indentation/sphere_axisymmetric.prm", *indenter, "Loading/Number of steps=20",
+                              "Material/Law=linear elastic", "Contact/Friction coefficient=stick",
+                              f"Discretization/Polynomial degree={degree}",
+                              f"Discretization/Volumetric treatment={'B-bar' if degree == 1 else 'standard'}")
+        runner.verify(f"{name}, degree {degree}: no step is cut", len(rows) == 20)
+        pressed, freed = rows[9], rows[19]
+        radius = math.sqrt(pressed["contact_area"] / math.pi)
+        runner.compare(f"{name}, degree {degree}: force",
+                       pressed["force"] / (radius * pressed["depth"] * exponent / (exponent + 1)), stiffness,
+                       tolerance)
+        runner.compare(f"{name}, degree {degree}: energy left", freed["elastic_energy"] / pressed["elastic_energy"],
+                       0, 1e-12, absolute=True)
+        most = max(row["newton_iterations"] for row in rows)
+        runner.verify(f"{name}, degree {degree}: at most {most:.0f} Newton steps in a load step", most <= 25)
+
+
 def spence(runner):
     """A flat circular punch with friction: the same stick radius at all loads."""
     for coefficient in (0.05, 0.1, 0.2):
@@ -133,15 +158,24 @@ def of_curve(rows):
 
 def friction_ranks(runner):
     """A cylinder to and fro: the same on 1, 2 and 3 ranks."""
-    tables = {n: of_curve(Runner(runner.program, n).tables(MINDLIN, *COARSE)["history"]) for n in (1, 2, 3)}
-    for n in (2, 3):
-        runner.compare(f"{n} ranks: forces, depth and contact area", largest_difference(tables[1], tables[n]), 0, 1e-8,
-                       absolute=True)
+    for coefficient in (MU, "stick"):
+        job = (MINDLIN, *COARSE, f"Contact/Friction coefficient={coefficient}")
+        tables = {n: of_curve(Runner(runner.program, n).tables(*job)["history"]) for n in (1, 2, 3)}
+        for n in (2, 3):
+            runner.compare(f"coefficient {coefficient}, {n} ranks: forces, depth and contact area",
+                           largest_difference(tables[1], tables[n]), 0, 1e-8, absolute=True)
 
 
 def friction_resume(runner):
     """A cylinder to and fro, stopped in between and resumed, as in one run."""
-    entries = {"Output/Fields": "never", **dict(entry.split("=", 1) for entry in COARSE)}
+    for coefficient in (MU, "stick"):
+        resume_with(runner, coefficient)
+
+
+def resume_with(runner, coefficient):
+    """See friction_resume()."""
+    entries = {"Output/Fields": "never", "Contact/Friction coefficient": str(coefficient),
+               **dict(entry.split("=", 1) for entry in COARSE)}
     stopped = entries | {"Loading/History": "1: force 836.8 | 3: force 836.8", "Loading/Number of steps": "6"}
     with tempfile.TemporaryDirectory() as folder:
         def run(changes, name, *options):
@@ -151,5 +185,5 @@ def friction_resume(runner):
             return of_curve(read_tables(directory)["history"])
         whole = run(entries, "whole")
         run(stopped, "stopped")
-        runner.compare("forces, depth and contact area", largest_difference(whole, run(entries, "stopped", "--resume")),
-                       0, 1e-9, absolute=True)
+        runner.compare(f"coefficient {coefficient}: forces, depth and contact area",
+                       largest_difference(whole, run(entries, "stopped", "--resume")), 0, 1e-9, absolute=True)

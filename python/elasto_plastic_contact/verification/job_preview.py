@@ -68,3 +68,10 @@ def curved_body(runner):
                    unloading["max_depth"] - math.tan(math.pi / 6)
                    - (2 - 4 / math.pi) * unloading["max_force"] / unloading["stiffness"], 1e-6)
     runner.compare("hardness by the overlap", unloading["tip_hardness"], unloading["max_force"] / math.pi, 1e-12)
+
+    # A node below the equator of the indenter, where its flank is vertical, is not reached.
+    beside = ("cylinder_2d.prm", "Material/Law=linear elastic", "Indenter/Radius=1", "Loading/Depth=0.005",
+              "Refinement/Strategy=none", "Refinement/Number of cycles=1", "Geometry/Local refinements=3",
+              "Geometry/Local radius=0.5")
+    normal, vertical = (runner.run(*beside, f"Contact/Geometry={geometry}")[-1] for geometry in ("normal", "vertical"))
+    runner.compare("contact area, normal over vertical gap", normal["contact_area"] / vertical["contact_area"], 1, 0.02)

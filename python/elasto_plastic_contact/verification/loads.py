@@ -62,6 +62,16 @@ def limit_load_factors(runner):
         runner.verify(f"uniform load on a strip: 4.7 < {below:.6g} < 2 + pi < {above:.6g}",
                       4.7 < below < 2 + math.pi < above)
     runner.compare("uniform load on a strip: upper bound", rows[-1]["upper_bound"], 2 + math.pi, 0.005)
+    # A block on a wide anvil: pressed off its centre, its columns alone bear 4/3; drawn away, it leaves at 1/2.
+    block = ("limit_load/strip_punch.prm", "Geometry/Lower corner=0, 0", "Geometry/Upper corner=1, 1", "Geometry/Repetitions=4, 4",
+             "Boundary conditions/Fixed=", "Indenter/Half width=5", "Limit load/Load=tractions", "Refinement/Number of cycles=1")
+    pressed = runner.tables(*block, "Boundary conditions/Roller=", "Boundary conditions/Free=left, right",
+                            "Boundary conditions/Traction=bottom: 0; t*(0.5 + x)")["limit_load"][0]
+    runner.verify(f"block off the centre of an anvil: 4/3 < {pressed['lower_bound']:.6g} < {pressed['upper_bound']:.6g}",
+                  4 / 3 - 1e-6 < pressed["lower_bound"] < pressed["upper_bound"] < 1.4)
+    drawn = runner.tables(*block, "Boundary conditions/Traction=bottom: 0; 0.5 - t")["limit_load"][0]
+    for bound in ("lower_bound", "upper_bound"):
+        runner.compare(f"block that is drawn away from an anvil, {bound}", drawn[bound], 0.5, 1e-6)
     weight = runner.tables("limit_load/vertical_cut.prm", "Refinement/Number of cycles=3", "Body force=0; -1000",
                            "Material/Yield stress=1e6")["limit_load"][-1]
     for bound in ("lower_bound", "upper_bound"):

@@ -38,3 +38,16 @@ def direct_contact(runner):
                          for solver in ("direct", "multigrid"))
     for quantity in ("force", "contact_area", "max_pressure"):
         runner.compare(quantity, direct[-1][quantity], multigrid[-1][quantity], 1e-7)
+
+
+def moved_body(runner):
+    """A body, free of forces as a whole, that leaves a sphere and comes back, or the sphere does so: the same forces."""
+    body = ("indentation/sphere_axisymmetric.prm", "Geometry/Initial refinements=3", "Geometry/Local refinements=3",
+            "Refinement/Elements over contact radius=0", "Loading/Number of steps=6")
+    sphere = runner.history(*body, "Loading/History=1: depth -0.001 | 2: depth 0.01")
+    moved = runner.history(*body, "Loading/History=", "Loading/Depth=0*t", "Loading/Final time=2", "Boundary conditions/Fixed=",
+                           "Boundary conditions/Prescribed displacement=bottom: 0; if(t < 1, -0.001*t, -0.012 + 0.011*t)")
+    for of_sphere, of_body in zip(sphere, moved):
+        runner.compare(f"force at t = {of_sphere['time']:.3g}", of_body["force"], of_sphere["force"], 1e-9,
+                       absolute=of_sphere["force"] == 0)
+    runner.verify(f"contact at the end: force {moved[-1]['force']:.4g}", moved[-1]["force"] > 0)

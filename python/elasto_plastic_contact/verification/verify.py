@@ -23,7 +23,7 @@ from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, er
                           limit_load_revolution, limit_load_space, safe_load)
 from .finite_strain import (cone_in_space, finite_cone, finite_strain, finite_strain_ranks,
                             finite_strain_resume, published_cones, pyramids, symmetric_bodies)
-from .friction import (bonded_punch, friction_ranks, friction_resume, friction_symmetries, mindlin_cylinder,
+from .friction import (adhesion, bonded_punch, friction_ranks, friction_resume, friction_symmetries, mindlin_cylinder,
                        mindlin_sphere, sliding_mesh, spence, ssnv128)
 from .limit_load_runs import limit_load_runs
 from .loads import body_force, limit_load_factors
@@ -33,7 +33,7 @@ from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_c
                           johnson_limit, load_cycles, pyramid_sectors, sectors)
 from .job_preview import curved_body, job_preview
 from .load_steps import adaptive_steps, checkpoint_memory
-from .rounding import contrast, direct_contact, nearly_incompressible
+from .rounding import contrast, direct_contact, moved_body, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .units import prescribed_from_nothing, units
 from .zero_load import far_indenter, zero_force, zero_stress
@@ -294,11 +294,11 @@ ALL = {
                      limit_load, limit_load_revolution, limit_load_space, limit_load_factors, body_force, blas_kernels,
                      safe_load, error_bound, error_bound_ranks,
                      error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, equilibrium_hertz, equilibrium_limit, limit_load_runs, zero_stress,
-                     zero_force, far_indenter, units, prescribed_from_nothing, contrast, direct_contact,
+                     zero_force, far_indenter, units, prescribed_from_nothing, contrast, direct_contact, moved_body,
                      nearly_incompressible, job_preview, curved_body,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
                      adaptive_steps, checkpoint_memory,
-                     ssnv128, bonded_punch, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
+                     ssnv128, bonded_punch, adhesion, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
                      friction_symmetries, friction_ranks, friction_resume,
                      symmetric_bodies, cone_in_space, pyramids)
 }
