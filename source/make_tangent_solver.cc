@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/compatibility.h"
 #include "make_tangent_solver.h"
 #include "mechanics/rigid_body_modes.h"
 #include "multigrid/multigrid_preconditioner.h"
@@ -69,13 +70,17 @@ namespace ElastoPlastic
         solid.initialize_vector(layout);
         return make_algebraic_multigrid(rigid_body_modes(dof_handler, layout));
       });
-    const Method direct = with_matrix("a factorisation", make_factorization);
+    const Method direct = with_matrix("a factorisation", [&dof_handler]() {
+      return make_factorization(communicator_of(dof_handler));
+    });
 
     std::vector<Method> methods;
     switch (parameters.type)
       {
         case Preconditioner::multigrid:
-          methods = {geometric, can_factorize ? direct : algebraic};
+          methods = {geometric,
+                     can_factorize || !has_algebraic_multigrid ? direct :
+                                                                 algebraic};
           break;
         case Preconditioner::amg:
           methods = {algebraic};

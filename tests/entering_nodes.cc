@@ -92,7 +92,7 @@ namespace
                 return std::make_unique<AssembledPreconditioner<dim>>(
                   solid,
                   name == "factorisation" ?
-                    make_factorization() :
+                    make_factorization(MPI_COMM_WORLD) :
                     make_algebraic_multigrid(
                       rigid_body_modes(dof_handler, zero)),
                   dof_handler,

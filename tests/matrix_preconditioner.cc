@@ -118,7 +118,7 @@ namespace
   void
   test_factorization(Block &block)
   {
-    const auto factorization = make_factorization();
+    const auto factorization = make_factorization(MPI_COMM_WORLD);
     for (const auto &boundaries :
          std::vector<std::set<types::boundary_id>>{{4}, {0, 4, 5}})
       {
@@ -141,7 +141,7 @@ namespace
   {
     const IndexSet owned =
       Utilities::MPI::create_evenly_distributed_partitioning(MPI_COMM_WORLD, n);
-    TrilinosWrappers::SparseMatrix matrix(owned, MPI_COMM_WORLD, 1);
+    SystemMatrix matrix(owned, MPI_COMM_WORLD, 1);
     for (const auto i : owned)
       matrix.set(i, i, i == n / 2 ? entry : 1.);
     matrix.compress(VectorOperation::insert);
@@ -150,7 +150,7 @@ namespace
     LinearAlgebra::distributed::Vector<double> rhs(owned, MPI_COMM_WORLD),
       solution(owned, MPI_COMM_WORLD);
     rhs                       = 1.;
-    const auto preconditioner = make_factorization();
+    const auto preconditioner = make_factorization(MPI_COMM_WORLD);
     try
       {
         preconditioner->initialize(matrix, 1);
@@ -214,8 +214,8 @@ namespace
       return solution.linfty_norm();
     }
 
-    const IndexSet                 owned;
-    TrilinosWrappers::SparseMatrix matrix;
+    const IndexSet owned;
+    SystemMatrix   matrix;
   };
 
 
@@ -226,7 +226,7 @@ namespace
   {
     Grid grid;
     grid.fill(100.);
-    const auto factorization = make_factorization();
+    const auto factorization = make_factorization(MPI_COMM_WORLD);
     factorization->initialize(grid.matrix, 1);
     grid.fill(0.);
     factorization->initialize(grid.matrix, 1);

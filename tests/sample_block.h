@@ -180,7 +180,10 @@ public:
       "factorisation",
       [this]() {
         return std::make_unique<AssembledPreconditioner<dim>>(
-          *solid, make_factorization(), dof_handler, supports.constraints());
+          *solid,
+          make_factorization(MPI_COMM_WORLD),
+          dof_handler,
+          supports.constraints());
       },
       1000};
     for (const auto &coupled : {std::vector<unsigned int>(), entries_of_top()})

@@ -115,10 +115,10 @@ namespace
     }
 
     void
-    add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
+    add_matrix(SystemMatrix                    &matrix,
                const AffineConstraints<double> &all_constraints) const override
     {
-      TrilinosWrappers::SparseMatrix stable;
+      SystemMatrix stable;
       stable.reinit(matrix);
       tangent.add_matrix(stable, all_constraints);
       matrix.add(-1., stable);

@@ -6,7 +6,6 @@
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
 #include <memory>
@@ -16,6 +15,7 @@
 #include "mechanics/eliminated_unknowns.h"
 #include "mechanics/nodal_access.h"
 #include "mechanics/tangents.h"
+#include "solver/system_matrix.h"
 
 namespace ElastoPlastic
 {
@@ -92,7 +92,7 @@ namespace ElastoPlastic
     /// Adds the tangent to @p matrix, condensed with @p all_constraints, which
     /// contain at least those of reinit().
     virtual void
-    add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
+    add_matrix(SystemMatrix                    &matrix,
                const AffineConstraints<double> &all_constraints,
                const Tangents                  &tangents) const = 0;
 

@@ -35,7 +35,7 @@ namespace ElastoPlastic
     diagonal(Vector &values, const Tangents &tangents) const override;
 
     void
-    add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
+    add_matrix(SystemMatrix                    &matrix,
                const AffineConstraints<double> &all_constraints,
                const Tangents                  &tangents) const override;
 

@@ -85,7 +85,7 @@ namespace ElastoPlastic
   template <int degree, typename StrainMeasure, typename Base>
   void
   MatrixFreeKernel<degree, StrainMeasure, Base>::add_matrix(
-    TrilinosWrappers::SparseMatrix  &matrix,
+    SystemMatrix                    &matrix,
     const AffineConstraints<double> &all_constraints,
     const Tangents                  &tangents) const
   {
@@ -93,6 +93,7 @@ namespace ElastoPlastic
     FullMatrix<double>                   cell_matrix(n_dofs, n_dofs);
     std::vector<types::global_dof_index> dofs(n_dofs);
     AlignedVector<Number>                columns(n_dofs * n_dofs);
+    AssembledMatrix                     &sum = matrix;
     const auto                          &numbering =
       matrix_free.get_shape_info().lexicographic_numbering;
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
@@ -106,9 +107,7 @@ namespace ElastoPlastic
                 cell_matrix(numbering[i], numbering[j]) =
                   columns[j * n_dofs + i][lane];
             this->cell(batch, lane)->get_dof_indices(dofs);
-            all_constraints.distribute_local_to_global(cell_matrix,
-                                                       dofs,
-                                                       matrix);
+            all_constraints.distribute_local_to_global(cell_matrix, dofs, sum);
           }
       }
     matrix.compress(VectorOperation::add);

@@ -8,7 +8,6 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <array>
 #include <functional>
@@ -19,6 +18,7 @@
 #include "mechanics/point_history.h"
 #include "mechanics/point_response.h"
 #include "mechanics/solid_kernel.h"
+#include "solver/system_matrix.h"
 #include "solver/tangent_operator.h"
 
 namespace ElastoPlastic
@@ -174,7 +174,7 @@ namespace ElastoPlastic
     diagonal(VectorType &values) const;
 
     void
-    add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
+    add_matrix(SystemMatrix                    &matrix,
                const AffineConstraints<double> &all_constraints) const override;
 
     /// Calls @p receive for all locally owned cells with the mean of the stored

@@ -112,7 +112,7 @@ namespace ElastoPlastic
     /// Adds the tangent to @p matrix, condensed with @p all_constraints, as
     /// SolidOperator does.
     void
-    add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
+    add_matrix(SystemMatrix                    &matrix,
                const AffineConstraints<double> &all_constraints) const;
 
   private:

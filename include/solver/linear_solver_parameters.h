@@ -36,6 +36,10 @@ namespace ElastoPlastic
 
     void
     add_parameters(ParameterHandler &prm);
+
+    /// @throws InputError
+    void
+    check() const;
   };
 } // namespace ElastoPlastic
 

@@ -5,11 +5,12 @@
 #define solver_matrix_preconditioner_h
 
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "solver/system_matrix.h"
 
 namespace ElastoPlastic
 {
@@ -30,8 +31,7 @@ namespace ElastoPlastic
     /// @throws ConvergenceError if it is found to be singular, FileError if
     /// memory is missing.
     virtual void
-    initialize(const TrilinosWrappers::SparseMatrix &matrix,
-               const unsigned int                    pattern) = 0;
+    initialize(const SystemMatrix &matrix, const unsigned int pattern) = 0;
 
     virtual void
     vmult(Vector &result, const Vector &vector) const = 0;
@@ -40,15 +40,17 @@ namespace ElastoPlastic
 
 
   /// Algebraic multigrid. @p near_null_space holds the rigid body motions of
-  /// the body, which it must represent on its coarse levels.
+  /// the body, which it must represent on its coarse levels. Only if there is
+  /// one: has_algebraic_multigrid.
   std::unique_ptr<MatrixPreconditioner>
   make_algebraic_multigrid(
     const std::vector<MatrixPreconditioner::Vector> &near_null_space);
 
-  /// A sparse factorisation, which does for unsymmetric matrices, too: by KLU
-  /// up to 5000 unknowns, by MUMPS beyond. To destroy it is collective.
+  /// A sparse factorisation, which does for unsymmetric matrices, too. With
+  /// Trilinos by KLU up to 5000 unknowns, by MUMPS beyond; else by UMFPACK, on
+  /// the first rank of @p communicator. To destroy it is collective.
   std::unique_ptr<MatrixPreconditioner>
-  make_factorization();
+  make_factorization(const MPI_Comm communicator);
 } // namespace ElastoPlastic
 
 #endif

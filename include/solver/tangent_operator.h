@@ -7,9 +7,10 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_block_vector.h>
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <memory>
+
+#include "solver/system_matrix.h"
 
 namespace ElastoPlastic
 {
@@ -83,7 +84,7 @@ namespace ElastoPlastic
     /// Adds the tangent to @p matrix, condensed with @p all_constraints, which
     /// contain at least its own. Collective.
     virtual void
-    add_matrix(TrilinosWrappers::SparseMatrix  &matrix,
+    add_matrix(SystemMatrix                    &matrix,
                const AffineConstraints<double> &all_constraints) const = 0;
   };
 } // namespace ElastoPlastic

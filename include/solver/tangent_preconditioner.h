@@ -5,7 +5,6 @@
 #define solver_tangent_preconditioner_h
 
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <map>
 #include <memory>
@@ -81,7 +80,7 @@ namespace ElastoPlastic
       add_springs(held, moves);
     }
 
-    const TrilinosWrappers::SparseMatrix &
+    const SystemMatrix &
     matrix() const;
 
     /// How many patterns the matrix has had.
@@ -107,11 +106,11 @@ namespace ElastoPlastic
     make_room_for(const Moves &moves);
 
     void
-    make_pattern();
+    set_up_pattern();
 
     /// The entries that cells have once their unknowns move with others.
     void
-    add_to_pattern_of_moves(TrilinosWrappers::SparsityPattern &pattern) const;
+    add_to_pattern_of_moves(SystemPattern &pattern) const;
 
     void
     add_springs(const HeldUnknowns &held, const Moves &moves);
@@ -127,7 +126,7 @@ namespace ElastoPlastic
     const DoFHandler<dim>           *dof_handler = nullptr;
     const AffineConstraints<double> *constraints = nullptr;
     IndexSet                         relevant_dofs;
-    TrilinosWrappers::SparseMatrix   system_matrix;
+    SystemMatrix                     system_matrix;
     unsigned int                     pattern_count = 0;
     /// By unknowns, those that they have moved with, on all ranks.
     std::map<types::global_dof_index, std::set<types::global_dof_index>>

@@ -169,6 +169,7 @@ namespace ElastoPlastic
                        Patterns::Tools::to_string(refinement.goal),
                        "only 'Analysis = contact with error bound' bounds the "
                        "force. Choose 'energy'.");
+    linear_solver.check();
     newton.check();
     output.check();
     evaluation.check();

@@ -284,7 +284,7 @@ namespace ElastoPlastic
   template <int dim>
   void
   SolidOperator<dim>::add_matrix(
-    TrilinosWrappers::SparseMatrix  &matrix,
+    SystemMatrix                    &matrix,
     const AffineConstraints<double> &all_constraints) const
   {
     kernel->add_matrix(matrix, all_constraints, tangents);

@@ -305,7 +305,7 @@ namespace ElastoPlastic
   template <int dim>
   void
   LevelOperator<dim>::add_matrix(
-    TrilinosWrappers::SparseMatrix  &matrix,
+    SystemMatrix                    &matrix,
     const AffineConstraints<double> &all_constraints) const
   {
     kernel->add_matrix(matrix, all_constraints, tangents);

@@ -98,7 +98,7 @@ namespace ElastoPlastic
                    hierarchy.coarse_constraints());
     preconditioner =
       is_direct() ?
-        make_factorization() :
+        make_factorization(layout.get_mpi_communicator()) :
         make_algebraic_multigrid(
           rigid_body_modes(hierarchy.coarse_dof_handler(), double_rhs));
   }
@@ -109,7 +109,8 @@ namespace ElastoPlastic
   bool
   MultigridPreconditioner<dim>::CoarseSolver::is_direct() const
   {
-    return double_rhs.size() <= largest_direct_system;
+    return double_rhs.size() <= largest_direct_system ||
+           !has_algebraic_multigrid;
   }
 
 

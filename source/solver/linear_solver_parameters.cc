@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "base/exceptions.h"
 #include "solver/linear_solver_parameters.h"
+#include "solver/system_matrix.h"
 
 namespace ElastoPlastic
 {
@@ -28,5 +30,18 @@ namespace ElastoPlastic
                       "what has been found.",
                       Patterns::Integer(1));
     prm.leave_subsection();
+  }
+
+
+
+  void
+  LinearSolverParameters::check() const
+  {
+    if (type == Preconditioner::amg && !has_algebraic_multigrid)
+      throw InputError("Linear solver/Type",
+                       "AMG",
+                       "this program has been built without Trilinos, which "
+                       "algebraic multigrid is a part of. Choose 'multigrid' "
+                       "or 'direct'.");
   }
 } // namespace ElastoPlastic

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <functional>
 
@@ -20,23 +19,22 @@ namespace ElastoPlastic
     constraints   = &new_constraints;
     relevant_dofs = DoFTools::extract_locally_relevant_dofs(*dof_handler);
     partners.clear();
-    make_pattern();
+    set_up_pattern();
   }
 
 
 
   template <int dim>
   void
-  TangentMatrix<dim>::make_pattern()
+  TangentMatrix<dim>::set_up_pattern()
   {
     IndexSet writable_rows = relevant_dofs;
     for (const auto &[dof, others] : partners)
       if (relevant_dofs.is_element(dof))
         writable_rows.add_indices(others.begin(), others.end());
-    TrilinosWrappers::SparsityPattern pattern(dof_handler->locally_owned_dofs(),
-                                              dof_handler->locally_owned_dofs(),
-                                              writable_rows,
-                                              communicator_of(*dof_handler));
+    SystemPattern pattern = make_pattern(dof_handler->locally_owned_dofs(),
+                                         writable_rows,
+                                         communicator_of(*dof_handler));
     DoFTools::make_sparsity_pattern(*dof_handler, pattern, *constraints, false);
     if (!partners.empty())
       add_to_pattern_of_moves(pattern);
@@ -49,8 +47,7 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  TangentMatrix<dim>::add_to_pattern_of_moves(
-    TrilinosWrappers::SparsityPattern &pattern) const
+  TangentMatrix<dim>::add_to_pattern_of_moves(SystemPattern &pattern) const
   {
     std::vector<types::global_dof_index> of_cell(
       dof_handler->get_fe().n_dofs_per_cell());
@@ -126,7 +123,7 @@ namespace ElastoPlastic
       for (const auto &entry : combination)
         is_new |= partners[unknown].insert(entry.first).second;
     if (is_new)
-      make_pattern();
+      set_up_pattern();
   }
 
 
@@ -201,7 +198,7 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  const TrilinosWrappers::SparseMatrix &
+  const SystemMatrix &
   TangentMatrix<dim>::matrix() const
   {
     return system_matrix;

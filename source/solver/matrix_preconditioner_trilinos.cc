@@ -33,7 +33,7 @@ namespace ElastoPlastic
       {}
 
       void
-      initialize(const TrilinosWrappers::SparseMatrix &matrix,
+      initialize(const SystemMatrix &matrix,
                  const unsigned int /* pattern */) override
       {
         TrilinosWrappers::PreconditionAMG::AdditionalData data;
@@ -99,8 +99,8 @@ namespace ElastoPlastic
       }
 
       void
-      initialize(const TrilinosWrappers::SparseMatrix &matrix,
-                 const unsigned int                    pattern) override
+      initialize(const SystemMatrix &matrix,
+                 const unsigned int  pattern) override
       {
         if (!std::isfinite(matrix.frobenius_norm()))
           throw_singular();
@@ -127,7 +127,7 @@ namespace ElastoPlastic
 
     private:
       void
-      analyze(const TrilinosWrappers::SparseMatrix &matrix)
+      analyze(const SystemMatrix &matrix)
       {
         problem.SetOperator(
           const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
@@ -152,7 +152,7 @@ namespace ElastoPlastic
       /// MUMPS needs: in a matrix that is nearly singular, without end.
       /// @return what the last call has returned.
       int
-      factorize(const TrilinosWrappers::SparseMatrix &matrix)
+      factorize(const SystemMatrix &matrix)
       {
         while (true)
           {
@@ -225,7 +225,7 @@ namespace ElastoPlastic
 
 
   std::unique_ptr<MatrixPreconditioner>
-  make_factorization()
+  make_factorization(const MPI_Comm /* communicator */)
   {
     return std::make_unique<Factorization>();
   }
