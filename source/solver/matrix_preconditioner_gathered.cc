@@ -116,7 +116,8 @@ namespace ElastoPlastic
 
 
   std::unique_ptr<MatrixPreconditioner>
-  make_algebraic_multigrid(const std::vector<Vector> & /* near_null_space */)
+  make_algebraic_multigrid(
+    const std::vector<MatrixPreconditioner::Vector> & /* near_null_space */)
   {
     Assert(false, ExcNotImplemented());
     return {};
