@@ -13,7 +13,8 @@
 
 namespace ElastoPlastic
 {
-  /// An indenter given by heights on a regular grid, (bi)linear in between.
+  /// An indenter given by heights on a regular grid, (bi)linear in between, but
+  /// smooth for nodes that slide along it.
   /// Outside the grid it does not reach.
   template <int dim>
   class IndenterHeightMap : public Indenter<dim>
@@ -37,6 +38,13 @@ namespace ElastoPlastic
     /// On an edge of pixels, that of one of them.
     IndenterSurface<dim>
     surface(const Point<dim - 1> &x) const override;
+
+    /// smooth_surface() through the same heights: a node that slides would be
+    /// caught in a kink, where no side has the direction of its force.
+    IndenterSurface<dim>
+    surface_for(const Point<dim - 1> &origin,
+                const Point<dim - 1> &x,
+                const double          body_size) const override;
 
     /// The larger distance of pixels.
     double

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "contact/indenter_height_map.h"
+#include "contact/smooth_heights.h"
 
 namespace ElastoPlastic
 {
@@ -131,6 +132,24 @@ namespace ElastoPlastic
           (spacing[0] * spacing[dim - 2]);
       }
     return result;
+  }
+
+
+
+  template <int dim>
+  IndenterSurface<dim>
+  IndenterHeightMap<dim>::surface_for(const Point<dim - 1> & /*origin*/,
+                                      const Point<dim - 1> &x,
+                                      const double /* body_size */) const
+  {
+    if (std::isinf(profile(x)))
+      return {profile(x), {}, {}};
+    Point<dim - 1> from_first_pixel;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      from_first_pixel[d] = std::clamp(x[d] + size[d] / 2, 0., size[d]);
+    return smooth_surface<dim>(interpolation.get_data(),
+                               spacing,
+                               from_first_pixel);
   }
 
 
