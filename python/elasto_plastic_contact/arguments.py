@@ -5,6 +5,8 @@
 import argparse
 import math
 
+PICTURES = (".png", ".svg", ".pdf")
+
 
 def number(convert=float, above=None, least=None, below=None, most=None):
     """The type of a finite number within these limits."""
@@ -23,6 +25,13 @@ def number(convert=float, above=None, least=None, below=None, most=None):
         return value
 
     return read
+
+
+def picture(text):
+    """The type of the name of a picture."""
+    if not text.endswith(PICTURES):
+        raise argparse.ArgumentTypeError(f"it is '{text}', but must end with {PICTURES[0]}, {PICTURES[1]} or {PICTURES[2]}")
+    return text
 
 
 def one_of(allowed):

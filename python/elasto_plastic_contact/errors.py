@@ -8,6 +8,10 @@ class UserError(Exception):
     status = 2
 
 
+class NothingToShow(UserError):
+    """A run has not what a diagram shows; the message says what that takes."""
+
+
 class FileError(UserError):
     """A file could not be read or written."""
     status = 5

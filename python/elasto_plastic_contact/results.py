@@ -3,12 +3,21 @@
 """What a run has written, as arrays. Needs NumPy for that."""
 
 import functools
+import math
 import os
 
 from .errors import UserError
 from .fields import check_step, read_record, reading, records
 from .files import read_text
 from .tables import read_table
+
+
+# What it takes that a run writes a table.
+ORIGINS = {
+    "surface_profile.csv": "it takes an indenter, and 'Output/Surface profile' other than 'none'",
+    "indentation.csv": "it takes an indenter whose force falls, with three load steps between 95 and 50 % of its largest value",
+    "error_bound.csv": "it takes 'Analysis = contact with error bound'",
+}
 
 
 class Results:
@@ -25,8 +34,12 @@ class Results:
         return os.path.isfile(self.path(name))
 
     def expect(self, name):
-        """Refuses to look for what a limit load does not have."""
-        if self.has("limit_load.csv") and not self.has(name):
+        """Refuses to look for what a limit load, or such a run, does not have."""
+        if self.has(name):
+            return
+        if name in ORIGINS and self.has("history.csv"):
+            raise UserError(f"there is no {name} in '{self.directory}': {ORIGINS[name]}")
+        if self.has("limit_load.csv"):
             raise UserError(f"there is no {name} in '{self.directory}': these are the results of a limit load. "
                             f"Draw them by 'scripts/plot.py {self.directory}'")
 
@@ -105,6 +118,16 @@ class Results:
         if not numbers:
             raise UserError(f"the run's parameters.prm holds no number for '{path}'")
         return numbers[0]
+
+    @property
+    def modelled_part(self):
+        """How much of the indenter stands on the body that is computed, such as 0.25; 1 if it never touches."""
+        if self.has("indentation.csv"):
+            return self.indentation["modelled_part"][0]
+        largest = self.history[int(self.history["contact_area"].argmax())]
+        radius = largest["contact_radius"]
+        whole = 2. * radius if self.is_plane else math.pi * radius ** 2
+        return largest["contact_area"] / whole if whole > 0. else 1.
 
     @property
     def is_axisymmetric(self):

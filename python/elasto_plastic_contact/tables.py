@@ -5,6 +5,7 @@
 import csv
 import io
 import pathlib
+import re
 
 from .errors import UserError
 from .files import read_text
@@ -17,17 +18,47 @@ FORMATS = ("The first line names the columns, the others hold numbers: remove wh
 
 def read_table(path):
     """The rows of a table, dictionaries of numbers by column; none if only its header is there.
-    If the header is separated by ';', so are the rows, and numbers have a decimal comma."""
+    If there is a ';' in the header, it separates the rows, too, and numbers have a decimal comma."""
     text = read_text(path)
-    separator = max(*TRANSLATIONS, "\t", key=text.partition("\n")[0].count)
+    header, _, body = text.partition("\n")
+    separator = ";" if ";" in header else max(",", "\t", key=header.count)
     if separator not in TRANSLATIONS:
         raise UserError(f"'{path}' separates columns by tabs. {FORMATS}")
+    if separator == "," and has_decimal_commas(header, body):
+        raise UserError(f"'{path}' seems to have decimal commas, and they would separate columns. {FORMATS}. (Of integers, "
+                        "leave out zeros before them, and blanks after the commas of the first line)")
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator)
     try:
         columns = [column.strip() for column in next(reader, [])]
+        check_columns(columns, TRANSLATIONS[separator])
         return [read_row(row, columns, TRANSLATIONS[separator]) for row in reader if row]
     except (ValueError, csv.Error) as error:
         raise UserError(f"'{path}' is damaged in line {reader.line_num}: {error}. {FORMATS}") from None
+
+
+def has_decimal_commas(header, body):
+    """Whether commas between integers look like those of numbers: there are zeros after them, as in 1,05, or
+    the blank after each comma of the header, as in 'depth, mm', is missing here."""
+    if "," not in body or re.search(r"[^-+\d\s,]", body):
+        return False
+    return re.search(r",0\d", body) is not None or (", " in header and ", " not in body)
+
+
+def check_columns(columns, translation):
+    """Raises ValueError if they are no names, or not different ones."""
+    if columns and all(is_number(column, translation) for column in columns):
+        raise ValueError("there are numbers in place of the names of the columns")
+    for column in columns:
+        if columns.count(column) > 1:
+            raise ValueError(f"two columns are called '{column}'")
+
+
+def is_number(text, translation):
+    try:
+        read_number(text, "", translation)
+    except ValueError:
+        return False
+    return True
 
 
 def read_row(row, columns, translation):

@@ -13,7 +13,7 @@ import tempfile
 import unittest
 
 from elasto_plastic_contact import Results, UserError, run
-from elasto_plastic_contact.evaluate import tip_of_run
+from elasto_plastic_contact.evaluate import run_to_compare, tip_of_run
 from elasto_plastic_contact.plots.equilibrium import last_slip_lines
 from elasto_plastic_contact.plots.quantities import shown_entry
 
@@ -151,9 +151,120 @@ class Commands(unittest.TestCase):
         run_of_tip.parameters = {"Indenter/Type": "pyramid", "Indenter/Rounding radius": "0.1"}
         with self.assertRaisesRegex(UserError, "'pyramid', is none of .* sharp or truncated pyramid"):
             tip_of_run(run_of_tip)
-        run_of_tip.parameters = {"Dimension": "2", "Kinematics": "plane strain", "Indenter/Type": "cone"}
         with self.assertRaisesRegex(UserError, "one of plane strain or stress, whose indenter has no tip"):
-            tip_of_run(run_of_tip)
+            run_to_compare(self.plane_run())
+
+    def plane_run(self):
+        folder = self.folder / "plane"
+        folder.mkdir()
+        (folder / "parameters.prm").write_text("set Dimension = 2\nset Kinematics = plane strain\n")
+        return folder
+
+    def write_curve(self, name, rows, factor=1., shift=0.):
+        """Depth and force of the cone."""
+        path = self.folder / name
+        with path.open("w", newline="") as file:
+            writer = csv.writer(file)
+            writer.writerow(["depth", "force"])
+            writer.writerows([[factor * row["depth"] + shift, row["force"]] for row in rows])
+        return path
+
+    def test_evaluate_without_unloading(self):
+        curve = self.write_curve("whole.csv", self.cone.history)
+        loading = self.write_curve("loading.csv", self.cone.history[:10])
+        folder = self.folder / "loading"
+        folder.mkdir()
+        for file in ("parameters.prm", "history.csv", "mesh_changes.csv"):
+            shutil.copy(self.folder / "cone" / file, folder)
+        lines = (folder / "history.csv").read_text().splitlines(keepends=True)
+        for n_steps, words in ((10, "does not fall below 95 % of its largest value, .* as by 'Loading/History = "),
+                               (12, "no unloading with three points between 95 and 50 % .* more 'Loading/Number of steps'")):
+            (folder / "history.csv").write_text("".join(lines[:1 + n_steps]))
+            process = command("evaluate", curve, "--run", folder)
+            self.assertEqual([row["curve"] for row in csv.DictReader(process.stdout.splitlines())], ["measured"])
+            self.assertEqual(process.returncode, 2)
+            self.assertRegex(process.stderr, f"the run in '{folder}' has no unloading")
+            self.assertRegex(process.stderr, words)
+        process = command("evaluate", loading, "--cone", 70.3)
+        self.assertEqual((process.returncode, process.stdout), (2, ""))
+        self.assertRegex(process.stderr, "loading.csv' has no unloading: .* the file must hold it, in the order of time")
+
+    def test_zero_point(self):
+        def evaluated(*arguments):
+            return next(csv.DictReader(command("evaluate", *arguments, "--cone", 70.3).stdout.splitlines()))
+
+        curve = self.write_curve("true.csv", self.cone.history)
+        shifted = self.write_curve("shifted.csv", self.cone.history, shift=0.05)
+        self.assertEqual(float(evaluated(curve)["zero_point"]), 0.)
+        self.expect_message("not counted from the first contact: .* begins at the depth 0.0[45].* --zero-point fit", "evaluate",
+                            shifted, "--cone", 70.3)
+        given, fitted = (evaluated(shifted, "--zero-point", value) for value in (0.05, "fit"))
+        self.assertEqual(float(given["zero_point"]), 0.05)
+        self.assertEqual(given["max_depth"], evaluated(curve)["max_depth"])
+        self.assertAlmostEqual(float(given["tip_hardness"]) / float(evaluated(curve)["tip_hardness"]), 1., places=4)
+        self.assertAlmostEqual(float(fitted["zero_point"]), 0.05, delta=0.002)
+        self.assertEqual(float(evaluated(shifted, "--zero-point", 0)["max_depth"]), 0.07)
+        self.expect_message("no depth beyond its zero point, 0.5", "evaluate", shifted, "--cone", 70.3, "--zero-point", 0.5)
+        unloading = self.write_curve("unloading.csv", self.cone.history[9:])
+        self.expect_message("too few points to fit its zero point", "evaluate", unloading, "--cone", 70.3, "--zero-point",
+                            "fit")
+        turned = self.write_curve("turned.csv", self.cone.history, factor=-1.)
+        self.expect_message("no depth beyond its zero point, 0: turn the sign", "evaluate", turned, "--cone", 70.3)
+
+    def test_options_without_effect(self):
+        curve = self.write_curve("curve_of_options.csv", self.cone.history)
+        self.expect_message("--indenter adds .* to that of a run, and there is no run", "evaluate", curve, "--cone", 70.3,
+                            "--indenter", 1141000, 0.07)
+        self.expect_message("--columns is 'depth' for both", "evaluate", curve, "--cone", 70.3, "--columns", "depth", "depth")
+        self.expect_message("argument --output: it is 'both.gif', but must end with .png, .svg or .pdf", "evaluate", curve,
+                            "--cone", 70.3, "--output", "both.gif")
+        self.expect_message("contact depth of -.*, but it must be above 0", "evaluate", curve, "--cone", 70.3,
+                            "--zero-point", 0.0199)
+        cone = self.folder / "cone"
+        for arguments, words in ((("energies", cone, "--hertz", "sphere"), "--hertz needs the diagram pressure"),
+                                 ((cone, "--hertz", "sphere"), "--hertz needs the diagram pressure and fields"),
+                                 (("energies", cone, "--parts", 4), "--parts needs --hertz"),
+                                 (("energies", cone, "--step", 2), "--step needs the diagram pressure"),
+                                 (("energies", cone, "--centre", 1), "--centre needs the diagram pressure or imprint"),
+                                 (("imprint", cone, "--centre", 1, 2), "--centre has 2 coordinates, but must have at most 1"),
+                                 (("energies", cone, "--panels", "a.png", "--format", "svg"), "--format needs files of"),
+                                 (("energies", cone, "--panels", "a.png", "--output-directory", "b"), "--output-directory needs"),
+                                 (("energies", cone, "--normalised", "--length-unit", "mm"), "--length-unit needs axes"),
+                                 (("pressure", cone, "--hertz", "sphere", "--normalised"), "--hertz sphere is for .* which is 'cone'"),
+                                 (("imprints", cone, "--step", 0), "--step is of surfaces from above, and none"),
+                                 (("imprints", cone, "--extent", 2), "--extent is of surfaces from above, and none"),
+                                 (("cost", cone, "--length-unit", "mm"), "unrecognized arguments: --length-unit")):
+            self.expect_message(words, "plot", *arguments)
+        for arguments, words in ((("--panels", "pressure", "--zoom", 2), "--zoom is of the body"),
+                                 (("--panels", "pressure", "--field", "stress"), "--field is of the body"),
+                                 (("--animation", "film", "--title", "x"), "it goes not with --title")):
+            self.expect_message(words, "render", cone, *arguments)
+
+    def test_diagrams_of_what_is_not_there(self):
+        """One message that says what it takes, and no picture."""
+        cone, picture = self.folder / "cone", self.folder / "not_there.png"
+        for name, words in (("pressure", "'Output/Fields' other than 'never'"), ("convergence", "'Refinement/Number of cycles'"),
+                            ("stress_strain", "bodies without indenter"), ("reactions", "bodies without indenter")):
+            self.expect_message(f"nothing to show for {name}: .*{words}", "plot", name, cone)
+        for name, words in (("friction", "is without friction: it takes a 'Contact/Friction coefficient' above 0"),
+                            ("bounds", "no error_bound.csv in .*: it takes 'Analysis = contact with error bound'"),
+                            ("equilibrium", "neither limit_load.pvd nor equilibrium.pvd"),
+                            ("cycles", "turns back less than twice; it takes")):
+            self.expect_message(words, "plot", name, cone, "--output", picture)
+        self.assertFalse(picture.exists())
+
+    def test_bar_in_one_step(self):
+        bar, picture = self.folder / "bar", self.folder / "no_bar.png"
+        run("verification/uniaxial_stress.prm", bar, {"Output/Fields": "never"})
+        process = command("plot", bar)
+        self.assertEqual((process.returncode, process.stdout), (0, ""))
+        self.assertRegex(process.stderr, "^plot: the run in '.*' has nothing to show: pressure: it takes an indenter")
+        self.expect_message("for energies: it takes several load steps", "plot", "energies", bar)
+        self.expect_message("one in the plane: ParaView shows", "plot", "friction", bar, "--output", picture)
+        self.expect_message("nothing to show for imprints", "plot", "imprints", bar, "--output", picture)
+        curve = self.write_curve("curve_for_bar.csv", self.cone.history)
+        self.expect_message("has no indenter", "evaluate", curve, "--cone", 70.3, "--run", bar)
+        self.assertFalse(picture.exists())
 
     def test_missing_module(self):
         """Without 'site', Python does not find what has been installed."""

@@ -16,7 +16,7 @@ import warnings
 
 import numpy
 
-from elasto_plastic_contact import run
+from elasto_plastic_contact import Results, run
 from elasto_plastic_contact.__main__ import main
 from elasto_plastic_contact.pictures import indenter, skin
 from elasto_plastic_contact.pictures.joined import Joined
@@ -147,8 +147,10 @@ class Files(unittest.TestCase):
                       self.message("render", self.cone, "--steps", 13))
         self.assertIn("surface.pvd': it has 13, counted from 0, or from -1 backwards",
                       self.message("plot", "energies", self.cone, "--step", 13))
-        self.assertIn("must end with .png, .svg or .pdf",
-                      self.message("render", self.cone, "--output", self.folder / "picture.mesh"))
+        with contextlib.redirect_stderr(io.StringIO()) as text, self.assertRaisesRegex(SystemExit, "^2$"):
+            main(["render", str(self.cone), "--output", "picture.mesh"])
+        self.assertIn("must end with .png, .svg or .pdf", text.getvalue())
+        self.assertIn("--cut x takes a body in space with a contact", self.message("render", self.cone, "--cut", "x"))
 
     def test_runs_side_by_side(self):
         sphere = self.folder / "sphere"
@@ -159,6 +161,9 @@ class Files(unittest.TestCase):
         for words in ("(a)", "(b)", "sphere", "other", "contact pressure"):
             self.assertIn(words, texts)
         self.assertNotIn("von Mises", texts)
+        self.assertAlmostEqual(Results(sphere).modelled_part, 0.25)
+        self.assertIn("--hertz cylinder is for a body in plane strain", self.message(
+            "plot", "pressure", sphere, "--hertz", "cylinder"))
         self.assertIn("bodies in the plane and in space do not go side by side",
                       self.message("render", self.cone, sphere))
         self.assertIn("no contact pressure to be seen from above",
@@ -184,6 +189,10 @@ class Files(unittest.TestCase):
                          [self.folder / "equilibrium.pdf"])
         for arguments in (("plot", "energies"), ("render",)):
             self.assertIn(f"of a limit load. Draw them by 'scripts/plot.py {limit}'", self.message(*arguments, limit))
+        for name in ("cost", "bounds", "friction"):
+            self.assertIn("of a limit load. Draw them by", self.message("plot", name, limit))
+        self.assertIn("--normalised has no meaning for the fields of a limit load",
+                      self.message("plot", limit, "--normalised"))
 
     def test_limit_load_that_is_not_drawn(self):
         limit = self.folder / "space"

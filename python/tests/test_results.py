@@ -116,6 +116,28 @@ class Messages(unittest.TestCase):
             with self.assertRaisesRegex(UserError, "in line 3: .* ';' separates columns and ',' is the decimal comma"):
                 read_table(table)
 
+    def test_decimal_commas_that_separate(self):
+        """Of one column, or of two: each would be read as two."""
+        with tempfile.TemporaryDirectory() as folder:
+            table = pathlib.Path(folder) / "curve.csv"
+            for text in ("depth, mm\n0,12\n1,25\n", "depth, mm,force, N\n0,12,3,40\n1,25,6,81\n", "h,mm\n0,12\n0,05\n",
+                         "h\n0,05\n", "h,P\n0,05,0,12\n"):
+                table.write_text(text)
+                with self.assertRaisesRegex(UserError, "curve.csv' seems to have decimal commas.* ';' separates columns"):
+                    read_table(table)
+            table.write_text("h\n0,12\n")
+            with self.assertRaisesRegex(UserError, "in line 2: columns: 1, values: 2.* ',' is the decimal comma"):
+                read_table(table)
+            table.write_text("depth, mm;force, N\n0,12;3,4\n")
+            self.assertEqual(read_table(table), [{"depth, mm": 0.12, "force, N": 3.4}])
+            for text in ("h,P\n1,20\n0,10\n", "h, P\n1, 20\n", "h, P\n1.5,20\n"):
+                table.write_text(text)
+                self.assertEqual(list(read_table(table)[0]), ["h", "P"])
+            for text, words in (("0,0\n1,2\n", "numbers in place of the names"), ("h,P,h\n1,2,3\n", "two columns are called 'h'")):
+                table.write_text(text)
+                with self.assertRaisesRegex(UserError, f"damaged in line 1: .*{words}"):
+                    read_table(table)
+
     def test_limit_load(self):
         with tempfile.TemporaryDirectory() as folder:
             (pathlib.Path(folder) / "limit_load.csv").write_text("cycle,cells\n0,100\n")

@@ -106,6 +106,8 @@ class BodyPanel(Panel):
 
     def choose_cut(self, points):
         if self.contact is None or self.flat:
+            if self.arguments.cut in ("x", "y"):
+                raise UserError(f"--cut {self.arguments.cut} takes a body in space with a contact, in front of which it is cut")
             return "none"
         if self.arguments.cut != "auto":
             return self.arguments.cut

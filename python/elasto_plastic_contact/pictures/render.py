@@ -14,7 +14,7 @@ import os
 from .contact import contact_at, contact_to_look_at
 from .panels import BodyPanel, PressurePanel, is_flat
 from .sheet import draw_sheet
-from ..arguments import number
+from ..arguments import number, picture
 from ..errors import UserError
 from .view import View
 from ..fields import check_step, times
@@ -22,6 +22,9 @@ from ..plots.figures import add_units, save, units_of
 from ..results import Results
 
 PANELS = ["body", "pressure"]
+
+# The options that only the panel of the body knows.
+OF_BODY = ("field", "scale", "cut", "zoom", "no_indenter")
 
 
 def scale(text):
@@ -54,7 +57,7 @@ def parse_arguments(arguments):
     parser.add_argument("--title", default="", help="text above the picture")
     parser.add_argument("--size", default="", help="width x height in pixels, such as 1600x900")
     add_units(parser)
-    parser.add_argument("--output", default="",
+    parser.add_argument("--output", type=picture,
                         help="the picture, .png, .svg or .pdf (default: DIRECTORY/picture.png)")
     parser.add_argument("--animation", default="", metavar="FOLDER",
                         help="draw all entries of the .pvd file, with the same colours and window: "
@@ -65,6 +68,11 @@ def parse_arguments(arguments):
         parser.error("--animation draws all entries into its folder: it goes neither with --output nor with --steps")
     if arguments.animation and len(arguments.directories) > 1:
         parser.error("--animation is for one directory")
+    if arguments.animation and arguments.title:
+        parser.error("--animation writes the time above each picture: it goes not with --title")
+    for name in OF_BODY if "body" not in arguments.panels else ():
+        if getattr(arguments, name) != parser.get_default(name):
+            parser.error(f"--{name.replace('_', '-')} is of the body, which --panels leaves out")
     return arguments
 
 

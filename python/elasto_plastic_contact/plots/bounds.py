@@ -7,23 +7,20 @@ error bound): the bound over the unknowns, and force or depth of both methods.
 """
 
 from .figures import draw_runs, letter, plt, units_of, with_unit
-from ..results import Results
-from ..tables import read_table
 
 
 def plot_bounds(runs, arguments):
     figure, (bound, answer) = plt.subplots(1, 2, figsize=(12., 4.))
-    for directory, label in runs:
-        rows = read_table(f"{directory}/error_bound.csv")
-        columns = {name: [row[name] for row in rows] for name in rows[0]}
+    for run, label in runs:
+        columns = run.table("error_bound")
         line, = bound.loglog(columns["dofs"], columns["relative_bound"], "o-", label=label)
         # what has been prescribed is the same for both methods
-        prescribed_depth = columns["depth"] == columns["equilibrium_depth"]
+        prescribed_depth = (columns["depth"] == columns["equilibrium_depth"]).all()
         quantity = "force" if prescribed_depth else "depth"
         style = {"color": line.get_color()}
         answer.semilogx(columns["dofs"], columns[quantity], "o-", **style)
         answer.semilogx(columns["dofs"], columns[f"equilibrium_{quantity}"], "s:", **style)
-        units = units_of(Results(directory), arguments)
+        units = units_of(run, arguments)
         answer.set(ylabel=with_unit(quantity, units.force if prescribed_depth else units.length))
     bound.set(xlabel="unknowns of the displacement method", ylabel="bound, relative to the energy")
     answer.plot([], [], "ko-", label="displacement method")

@@ -6,26 +6,26 @@ and linear iterations in a Newton step (their mean), over the unknowns.
     scripts/plot.py cost output/uniform="uniform" output/adaptive="adaptive" --output cost.png
 """
 
-from .figures import draw_runs, plt
-from ..tables import read_table
+from .figures import add_runs, labelled, make_parser, plt, save
+from ..errors import NothingToShow
 
 
-def read_costs(directory):
-    """Columns of statistics.csv by name, meshes without any Newton step left out."""
-    rows = [row for row in read_table(f"{directory}/statistics.csv") if row["newton_iterations"] > 0]
-    columns = ("dofs", "wall_seconds", "newton_iterations", "linear_iterations")
-    return {name: [row[name] for row in rows] for name in columns}
+def costs_of(run):
+    """The rows of statistics.csv, meshes without any Newton step left out."""
+    costs = run.statistics[run.statistics["newton_iterations"] > 0]
+    if not len(costs):
+        raise NothingToShow(f"the run in '{run.directory}' has nothing to show for cost: no mesh has needed a Newton step")
+    return costs
 
 
-def plot_costs(runs, _):
+def plot_costs(runs):
     figure, (time, iterations) = plt.subplots(1, 2, figsize=(10., 4.))
-    for directory, label in runs:
-        costs = read_costs(directory)
+    for run, label in runs:
+        costs = costs_of(run)
         line, = time.loglog(costs["dofs"], costs["wall_seconds"], "o-", label=label)
         style = {"color": line.get_color()}
         iterations.semilogx(costs["dofs"], costs["newton_iterations"], "s:", **style)
-        per_step = [linear / newton for linear, newton in zip(costs["linear_iterations"], costs["newton_iterations"])]
-        iterations.semilogx(costs["dofs"], per_step, "o-", **style)
+        iterations.semilogx(costs["dofs"], costs["linear_iterations"] / costs["newton_iterations"], "o-", **style)
     time.set(xlabel="unknowns", ylabel="wall time for the mesh in s")
     time.legend()
     iterations.plot([], [], "ks:", label="Newton steps")
@@ -37,4 +37,7 @@ def plot_costs(runs, _):
 
 
 def main(arguments):
-    draw_runs(plot_costs, __doc__, "cost.png", arguments)
+    parser = make_parser(__doc__, "cost.png")
+    add_runs(parser)
+    chosen = parser.parse_args(arguments)
+    save(plot_costs(labelled(chosen.runs)), chosen.output)

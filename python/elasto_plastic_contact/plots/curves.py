@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The diagrams of a run: each function draws one into the axes. It returns False, and draws
+"""The diagrams of a run: each function draws one into the axes. It raises NothingToShow, and draws
 nothing, if the run has nothing to show there."""
 
 import numpy
@@ -8,7 +8,8 @@ import numpy
 from . import material_test
 from .figures import BLUE, RED
 from .quantities import hertz_of_run, shown_entry
-from ..errors import UserError
+from ..errors import NothingToShow, UserError
+from ..results import ORIGINS
 
 
 def label(axes, x, y):
@@ -31,8 +32,7 @@ def distance_from_axis(points, centre):
 
 def pressure(run, arguments, scales, axes):
     """The contact pressure over the distance from the indenter's axis."""
-    if not run.has("surface.pvd"):
-        return False
+    expect(run.has("surface.pvd"), "it takes an indenter, and 'Output/Fields' other than 'never'")
     surface = run.fields("surface", shown_entry(run, arguments)[0])
     if "contact_pressure" not in surface:
         raise UserError(f"'{run.path('surface.pvd')}' leads to no field 'contact_pressure'")
@@ -54,32 +54,43 @@ def pressure(run, arguments, scales, axes):
                   color=RED, label="Hertz, same force")
         axes.legend()
     axes.set_ylim(bottom=min(0., 1.05 * values.min() / scales.stress.unit))
-    return True
 
 
 def convergence(run, _, scales, axes):
     """Force over unknowns of the meshes of the last load step."""
+    expect_indenter(run)
     table = run.statistics
     last = table["step"] == table["step"][-1]
-    if not has_indenter(run) or last.sum() < 2:
-        return False
+    expect(last.sum() > 1, "it takes several meshes in the last load step, as by 'Refinement/Number of cycles'")
     axes.set(xlabel="number of unknowns", ylabel=scales.force.label("force", "F"), xscale="log")
     axes.plot(table["dofs"][last], table["force"][last] / scales.force.unit, "o-", color=BLUE)
-    return True
+
+
+def expect(is_there, otherwise):
+    if not is_there:
+        raise NothingToShow(otherwise)
 
 
 def has_indenter(run):
     return run.parameters.get("Indenter/Type") != "none"
 
 
-def is_history(run):
-    return len(run.history) > 1
+def expect_indenter(run):
+    expect(has_indenter(run), "it takes an indenter")
+
+
+def expect_no_indenter(run):
+    expect(not has_indenter(run), "it is for bodies without indenter")
+
+
+def expect_history(run):
+    expect(len(run.history) > 1, "it takes several load steps, as by 'Loading/Number of steps'")
 
 
 def force_depth(run, _, scales, axes):
     """Force over depth, with the tangents of Oliver and Pharr at the unloadings."""
-    if not has_indenter(run) or not is_history(run):
-        return False
+    expect_indenter(run)
+    expect_history(run)
     table, depth_unit, force_unit = run.history, scales.length.unit, scales.force.unit
     label(axes, scales.length.label("depth", r"\delta"), scales.force.label("force", "F"))
     axes.plot(table["depth"] / depth_unit, table["force"] / force_unit, "o-", markersize=3., color=BLUE,
@@ -90,17 +101,16 @@ def force_depth(run, _, scales, axes):
             axes.plot(numpy.array([depth - force / slope, depth]) / depth_unit, [0., force / force_unit], "--",
                       color=RED, label=None if row else "initial slope of unloading")
         axes.legend()
-    return True
 
 
 def contact_radius(run, _, scales, axes):
     """Radius of the circle with the area of the contact, over depth."""
-    if run.is_plane or not has_indenter(run) or not is_history(run):
-        return False
+    expect_indenter(run)
+    expect(not run.is_plane, "it takes an axisymmetric body, or one in space")
+    expect_history(run)
     label(axes, scales.length.label("depth", r"\delta"), scales.length.label("contact radius", "a"))
     axes.plot(run.history["depth"] / scales.length.unit, run.history["contact_radius"] / scales.length.unit,
               "o-", markersize=3., color=BLUE)
-    return True
 
 
 def steps_of_imprint(run, table):
@@ -119,8 +129,7 @@ def steps_of_imprint(run, table):
 
 def imprint(run, arguments, scales, axes):
     """The deformed contact surface, in three dimensions along the first line, under load and after it."""
-    if not has_indenter(run) or not run.has("surface_profile.csv"):
-        return False
+    expect(has_indenter(run) and run.has("surface_profile.csv"), ORIGINS["surface_profile.csv"])
     table = run.table("surface_profile")
     if "line" in table.dtype.names:
         table = table[table["line"] == 1.]
@@ -143,13 +152,11 @@ def imprint(run, arguments, scales, axes):
         shown = numpy.abs(place) <= reach
         axes.plot(place[shown] / unit, height[shown] / unit, "o-", markersize=2., label=name, **style)
     axes.legend()
-    return True
 
 
 def energies(run, _, scales, axes):
     """Where the work of indenter, supports and tractions goes, over time."""
-    if not is_history(run):
-        return False
+    expect_history(run)
     table, unit = run.history, scales.energy.unit
     label(axes, "time", scales.energy.label("energy", "W"))
     axes.plot(table["time"], table["external_work"] / unit, color="black", label="work done on the body")
@@ -158,29 +165,27 @@ def energies(run, _, scales, axes):
     axes.stackplot(table["time"], [table[part] / unit for part in parts], colors=[RED, "#d9a441", BLUE], alpha=0.6,
                    labels=["heat", "stored by hardening", "elastic energy"])
     beside(axes)
-    return True
 
 
 def stress_strain(run, _, scales, axes):
     """Nominal stress over strain of a test without indenter."""
-    curve = None if has_indenter(run) or not is_history(run) else material_test.stress_strain(run)
-    if curve is None:
-        return False
+    expect_no_indenter(run)
+    expect_history(run)
+    curve = material_test.stress_strain(run)
+    expect(curve is not None, "it takes a box that is loaded along an axis, with a support at one of both ends")
     label(axes, "nominal strain", scales.stress.label("nominal stress", r"\sigma"))
     axes.plot(curve[0], curve[1] / scales.stress.unit, "o-", markersize=3., color=BLUE)
-    return True
 
 
 def reactions(run, _, scales, axes):
     """The forces of all supports over time, of a test without indenter."""
-    if has_indenter(run) or not is_history(run):
-        return False
+    expect_no_indenter(run)
+    expect_history(run)
     table = run.reactions
     label(axes, "time", scales.force.label("force of the support on the body", "F"))
     for name in table.dtype.names[2:]:
         axes.plot(table["time"], table[name] / scales.force.unit, "o-", markersize=3., label=name)
     beside(axes)
-    return True
 
 
 ALL = (pressure, convergence, force_depth, contact_radius, imprint, energies, stress_strain, reactions)

@@ -10,7 +10,6 @@ import numpy
 
 from .figures import draw_runs, letter, plt, units_of, with_unit
 from ..errors import UserError
-from ..results import Results
 
 
 def turning_points(force):
@@ -27,7 +26,8 @@ def add_run(run, label, units, loops, drift, colour):
     depth, force = history["depth"], history["force"]
     peaks, valleys = turning_points(force)
     if len(peaks) < 2:
-        raise UserError(f"there are no cycles in '{label}': the force turns back less than twice")
+        raise UserError(f"there are no cycles in '{label}': the force turns back less than twice; it "
+                        "takes an indenter and a 'Loading/History' such as 1: force 9 | 2: force 1 | 3: force 9 | 4: force 1")
     loops.plot(depth, force, color=colour, linewidth=1.)
     loops.set(title=label, xlabel=with_unit(r"depth $\delta$", units.length),
               ylabel=with_unit("force $F$", units.force))
@@ -39,8 +39,7 @@ def add_run(run, label, units, loops, drift, colour):
 def plot_cycles(runs, arguments):
     figure, panels = plt.subplots(1, len(runs) + 1, figsize=(4.2 * (len(runs) + 1), 3.8))
     drift = panels[-1]
-    for i, (directory, label) in enumerate(runs):
-        run = Results(directory)
+    for i, (run, label) in enumerate(runs):
         units = units_of(run, arguments)
         add_run(run, label, units, panels[i], drift, f"C{i}")
         drift.plot([], [], color=f"C{i}", label=label)

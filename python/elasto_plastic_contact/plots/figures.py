@@ -9,7 +9,9 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (the choice of Agg comes first)
 
+from ..arguments import picture  # noqa: E402
 from ..errors import FileError, UserError  # noqa: E402
+from ..results import Results  # noqa: E402
 from ..verification.runner import Runner, add_program  # noqa: E402
 
 BLUE, RED = "#2b5c8a", "#b8303a"
@@ -85,7 +87,7 @@ def make_parser(description, default_output=None, epilog=None):
     parser = argparse.ArgumentParser(prog="plot", description=description, epilog=epilog,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     if default_output:
-        parser.add_argument("--output", default=default_output,
+        parser.add_argument("--output", type=picture, default=default_output,
                             help="the picture, .png, .svg or .pdf (default: %(default)s)")
     return parser
 
@@ -94,18 +96,27 @@ def make_parser_of_one_run(description, name):
     """Of the arguments of a diagram that is called so, of one run."""
     parser = make_parser(description)
     parser.add_argument("directory", metavar="DIRECTORY", help="output directory of a run")
-    parser.add_argument("--output", help=f"the picture, .png, .svg or .pdf (default: DIRECTORY/{name}.png)")
+    parser.add_argument("--output", type=picture, help=f"the picture, .png, .svg or .pdf (default: DIRECTORY/{name}.png)")
     return parser
 
 
+def add_runs(parser):
+    parser.add_argument("runs", nargs="+", metavar="DIRECTORY[=LABEL]", help="output directory of a run")
+
+
+def labelled(runs):
+    """The Results and the label of each."""
+    pairs = (run.partition("=") for run in runs)
+    return [(Results(directory), label or directory) for directory, _, label in pairs]
+
+
 def draw_runs(plot, description, default_output, arguments):
-    """Saves the figure that plot([(directory, label), ...], arguments) returns."""
+    """Saves the figure that plot([(Results, label), ...], arguments) returns."""
     parser = make_parser(description, default_output)
     add_units(parser)
-    parser.add_argument("runs", nargs="+", metavar="DIRECTORY[=LABEL]", help="output directory of a run")
+    add_runs(parser)
     chosen = parser.parse_args(arguments)
-    pairs = (run.partition("=") for run in chosen.runs)
-    save(plot([(directory, label or directory) for directory, _, label in pairs], chosen), chosen.output)
+    save(plot(labelled(chosen.runs), chosen), chosen.output)
 
 
 def draw_own_runs(plot, description, default_output, arguments):
@@ -118,11 +129,8 @@ def draw_own_runs(plot, description, default_output, arguments):
 
 def save(figure, path):
     """Into a file whose ending says what it is; the same figure gives the same file."""
-    kind = str(path).rpartition(".")[2]
-    if kind not in ("png", "svg", "pdf"):
-        raise UserError(f"'{path}' cannot be written: its name must end with .png, .svg or .pdf")
     try:
-        figure.savefig(path, metadata={"Date": None} if kind == "svg" else None)
+        figure.savefig(path, metadata={"Date": None} if str(path).endswith(".svg") else None)
     except OSError as error:
         raise FileError(path, error) from None
     except (RuntimeError, ValueError) as error:  # (of texts and sizes)

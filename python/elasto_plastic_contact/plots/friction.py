@@ -10,12 +10,18 @@ with the part of the contact that sticks. A body that sticks everywhere (Frictio
 import numpy
 
 from .figures import add_units, make_parser_of_one_run, plt, save, units_of, with_unit
+from ..errors import NothingToShow
 from ..results import Results
 
 
 def limit_of(run):
     """The friction coefficient; None if the body sticks to the indenter without a limit."""
     entry = "Contact/Friction coefficient"
+    if run.parameters.get("Dimension") == "3":
+        raise NothingToShow(f"the run in '{run.directory}' is of a body in space, this diagram of one in the plane: ParaView "
+                            "shows 'contact_shear', in surface.pvd")
+    if run.parameters.get(entry) != "stick" and run.number(entry) == 0.:
+        raise NothingToShow(f"the run in '{run.directory}' is without friction: it takes a '{entry}' above 0, or stick")
     return None if run.parameters.get(entry) == "stick" else run.number(entry)
 
 
@@ -55,6 +61,7 @@ def main(arguments):
     add_units(parser)
     chosen = parser.parse_args(arguments)
     run = Results(chosen.directory)
+    run.expect("history.csv")
     units, limit = units_of(run, chosen), limit_of(run)
 
     figure, (tractions, forces) = plt.subplots(1, 2, figsize=(9., 3.8))

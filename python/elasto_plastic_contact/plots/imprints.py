@@ -11,9 +11,9 @@ in red. Parts of a body are completed by reflection at x = 0 and y = 0.
 import numpy
 from matplotlib.tri import Triangulation
 
-from .figures import add_units, letter, make_parser, plt, save, units_of, with_unit
+from .figures import add_runs, add_units, labelled, letter, make_parser, plt, save, units_of, with_unit
 from ..arguments import number
-from ..results import Results
+from ..errors import NothingToShow, UserError
 
 
 def completed(values, mirrored):
@@ -60,27 +60,36 @@ def draw_surface(axes, run, step, name, extent):
     return colours
 
 
+def expect_test(run):
+    if run.parameters.get("Indenter/Type") == "none" or len(run.history) < 2:
+        raise NothingToShow(f"the run in '{run.directory}' has nothing to show for imprints: it takes an indenter and several "
+                            "load steps, as by 'Loading/History'")
+
+
 def main(arguments):
     parser = make_parser(__doc__, "imprints.png")
     add_units(parser)
-    parser.add_argument("--step", type=int, default=-1,
+    parser.add_argument("--step", type=int,
                         help="entry of surface.pvd, counted from 0 (default: the last)")
-    parser.add_argument("--extent", type=number(above=0), default=6., help="half the side of the window over the largest depth")
-    parser.add_argument("runs", nargs="+", metavar="DIRECTORY[=LABEL]", help="output directory of a run")
+    parser.add_argument("--extent", type=number(above=0), help="half the side of the window over the largest depth (default: 6)")
+    add_runs(parser)
     chosen = parser.parse_args(arguments)
-    runs = [(Results(directory), label or directory)
-            for directory, _, label in (run.partition("=") for run in chosen.runs)]
+    runs = labelled(chosen.runs)
     in_space = [(run, name) for run, name in runs
                 if run.parameters["Dimension"] == "3" and run.has("surface.pvd")]
+    for option, value in (("--step", chosen.step), ("--extent", chosen.extent)):
+        if value is not None and not in_space:
+            raise UserError(f"{option} is of surfaces from above, and none of the runs is one in space with surface.pvd")
     figure, panels = plt.subplots(1, 1 + len(in_space), figsize=(4.4 * (1 + len(in_space)), 3.8))
     panels = numpy.atleast_1d(panels)
     for run, name in runs:
-        panels[0].plot(run.history["depth"], run.history["force"] / run.indentation["modelled_part"][0], label=name)
+        expect_test(run)
+        panels[0].plot(run.history["depth"], run.history["force"] / run.modelled_part, label=name)
     units = units_of(runs[0][0], chosen)
     panels[0].set(xlabel=with_unit(r"depth $\delta$", units.length), ylabel=with_unit("force $F$", units.force))
     panels[0].legend()
     for axes, (run, name) in zip(panels[1:], in_space):
-        colours = draw_surface(axes, run, chosen.step, name, chosen.extent)
+        colours = draw_surface(axes, run, -1 if chosen.step is None else chosen.step, name, chosen.extent or 6.)
     if in_space:
         figure.colorbar(colours, ax=list(panels[1:]), label=r"height over $\delta$")
     for i, axes in enumerate(panels):

@@ -54,7 +54,25 @@ def shown_entry(run, arguments):
     return entry, forces[entry]
 
 
+# The bodies and indenters that Hertz's solutions are of.
+HERTZ_BODIES = {"sphere": ("an axisymmetric body or one in space", ("sphere", "paraboloid", "spheroconical tip")),
+                "cylinder": ("a body in plane strain", ("sphere", "paraboloid", "cylinder"))}
+
+
+def check_hertz(run, shape):
+    """Refuses the solution of another kind of contact."""
+    body, indenters = HERTZ_BODIES[shape]
+    is_right = not run.is_plane if shape == "sphere" else (
+        run.is_plane and run.parameters.get("Kinematics") == "plane strain")
+    indenter = run.parameters.get("Indenter/Type")
+    if not is_right or indenter not in indenters:
+        raise UserError(f"--hertz {shape} is for {body} and 'Indenter/Type' {', '.join(indenters)}, which is '{indenter}' of "
+                        f"the run in '{run.directory}', with 'Dimension' {run.parameters.get('Dimension')} and 'Kinematics' "
+                        f"{run.parameters.get('Kinematics')}")
+
+
 def hertz_of_run(run, arguments):
+    check_hertz(run, arguments.hertz)
     contrast = 1. - run.number("Material/Poisson's ratio") ** 2
     modulus = run.number("Material/Young's modulus") / contrast
     force = shown_entry(run, arguments)[1] * n_parts(run, arguments)
@@ -66,7 +84,7 @@ def n_parts(run, arguments):
     """How many of the computed part make up the whole body."""
     if arguments.parts is not None:
         return arguments.parts
-    return 1. / run.indentation["modelled_part"][0] if run.has("indentation.csv") else 1.
+    return 1. / run.modelled_part
 
 
 @dataclass

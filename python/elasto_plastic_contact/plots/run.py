@@ -21,8 +21,8 @@ import sys
 from . import curves, equilibrium
 from .figures import add_units, letter, make_parser, new_diagram, plt, save
 from .quantities import check_shown_entry, scales_of
-from ..arguments import number
-from ..errors import UserError
+from ..arguments import number, picture
+from ..errors import NothingToShow, UserError
 from ..results import Results
 
 DIAGRAMS = {curve.__name__: curve for curve in curves.ALL}
@@ -44,28 +44,54 @@ def make_run_parser(others):
     add_units(parser)
     parser.add_argument("--parts", type=number(above=0),
                         help="how many of the computed part make up the whole body, such as 4 for a quarter "
-                             "(default: what indentation.csv says, or 1)")
+                             "(default: what the contact radius of the run says)")
     parser.add_argument("--centre", type=number(), nargs="+",
                         help="horizontal coordinates of the indenter's axis (default: Indenter/Position)")
     parser.add_argument("--step", type=int,
                         help="which entry of surface.pvd, counted from 0 (default: of a load history the one with the "
                              "largest force, else the last)")
-    parser.add_argument("--format", choices=["png", "svg", "pdf"], default="png",
-                        help="of the files (default: %(default)s)")
+    parser.add_argument("--format", choices=["png", "svg", "pdf"], help="of the files (default: png)")
     parser.add_argument("--output-directory", help="where the plots go (default: DIRECTORY)")
-    parser.add_argument("--panels", metavar="FILE",
+    parser.add_argument("--panels", type=picture, metavar="FILE",
                         help="one figure with the panels (a), (b) and so on instead, the diagrams that are named")
     return parser
 
 
+def drawn_names(run, arguments):
+    """Those that are named, or all, without the pressure if there are no fields."""
+    return arguments.names or [name for name in DIAGRAMS if name != "pressure" or run.has("surface.pvd")]
+
+
+def check_options(run, arguments):
+    """Refuses options that nothing of what is drawn depends on."""
+    names = drawn_names(run, arguments)
+    has_pressure = "pressure" in names
+    is_scaled_by_hertz = arguments.hertz and arguments.normalised
+    for option, is_used, needed in (
+            ("hertz", has_pressure or is_scaled_by_hertz, "the diagram pressure and fields of the surface, or --normalised"),
+            ("parts", arguments.hertz, "--hertz"),
+            ("step", has_pressure or is_scaled_by_hertz, "the diagram pressure and fields of the surface"),
+            ("centre", has_pressure or "imprint" in names, "the diagram pressure or imprint"),
+            ("panels", arguments.names, f"the names of the diagrams, some of {', '.join(DIAGRAMS)}"),
+            ("format", not arguments.panels, "files of their own, not --panels, whose name says the format"),
+            ("output_directory", not arguments.panels, "files of their own, not --panels, which names the file"),
+            ("length_unit", not arguments.normalised, "axes with units, not --normalised"),
+            ("force_unit", not arguments.normalised, "axes with units, not --normalised")):
+        if getattr(arguments, option) is not None and not is_used:
+            raise UserError(f"--{option.replace('_', '-')} needs {needed}")
+    if arguments.centre and len(arguments.centre) > (n_directions := int(run.number("Dimension")) - 1):
+        raise UserError(f"--centre has {len(arguments.centre)} coordinates, but must have at most {n_directions}, the number "
+                        "of horizontal directions")
+
+
 def draw_or_complain(name, run, arguments, scales, axes):
-    if not DIAGRAMS[name](run, arguments, scales, axes):
-        raise UserError(f"the run in '{arguments.directory}' has nothing to show for {name}")
+    try:
+        DIAGRAMS[name](run, arguments, scales, axes)
+    except NothingToShow as error:
+        raise UserError(f"the run in '{arguments.directory}' has nothing to show for {name}: {error}") from None
 
 
 def draw_panels(run, arguments, scales):
-    if not arguments.names:
-        raise UserError(f"--panels needs the names of the diagrams, some of {', '.join(DIAGRAMS)}")
     n = len(arguments.names)
     figure, panels = plt.subplots(1, n, figsize=(4.8 * n, 3.6), squeeze=False)
     for i, (name, axes) in enumerate(zip(arguments.names, panels[0])):
@@ -75,21 +101,36 @@ def draw_panels(run, arguments, scales):
 
 
 def path_of(name, arguments):
-    return os.path.join(arguments.output_directory or arguments.directory, f"{name}.{arguments.format}")
+    return os.path.join(arguments.output_directory or arguments.directory, f"{name}.{arguments.format or 'png'}")
 
 
 def draw_each(run, arguments, scales):
-    for name in arguments.names or DIAGRAMS:
+    for name in arguments.names:
         figure, axes = new_diagram()
-        if arguments.names:
-            draw_or_complain(name, run, arguments, scales, axes)
-        elif not DIAGRAMS[name](run, arguments, scales, axes):
-            plt.close(figure)
-            continue
+        draw_or_complain(name, run, arguments, scales, axes)
         save(figure, path_of(name, arguments))
 
 
+def draw_all(run, arguments, scales):
+    """What the run has; if that is nothing, says so."""
+    reasons = {}
+    for name, diagram in DIAGRAMS.items():
+        figure, axes = new_diagram()
+        try:
+            diagram(run, arguments, scales, axes)
+            save(figure, path_of(name, arguments))
+        except NothingToShow as error:
+            plt.close(figure)
+            reasons[name] = str(error)
+    if len(reasons) == len(DIAGRAMS):
+        print(f"plot: the run in '{arguments.directory}' has nothing to show: "
+              + "; ".join(f"{name}: {reason}" for name, reason in reasons.items()), file=sys.stderr)
+
+
 def draw_limit_load(run, arguments):
+    for option in ("hertz", "normalised", "parts", "centre", "length_unit", "force_unit"):
+        if getattr(arguments, option):
+            raise UserError(f"--{option.replace('_', '-')} has no meaning for the fields of a limit load")
     if not run.has("limit_load.pvd"):
         print("plot: of a limit load nothing is drawn without its fields: 'Output/Fields' was 'never'",
               file=sys.stderr)
@@ -107,10 +148,14 @@ def main(arguments, others):
         raise UserError(f"there is no diagram '{unknown[0]}' of a run; there are {', '.join(DIAGRAMS)}. "
                         f"Others, one at a time and as the first word, are {', '.join(others)}")
     run = Results(arguments.directory)
+    if arguments.names or arguments.panels:
+        run.expect("history.csv")
     if arguments.step is not None:
         check_shown_entry(run, arguments.step)
-    if run.has("limit_load.csv") and not arguments.names and not arguments.panels:
+    if run.has("limit_load.csv"):
         draw_limit_load(run, arguments)
         return
+    check_options(run, arguments)
     scales = scales_of(run, arguments)
-    (draw_panels if arguments.panels else draw_each)(run, arguments, scales)
+    draw = draw_panels if arguments.panels else draw_each if arguments.names else draw_all
+    draw(run, arguments, scales)
