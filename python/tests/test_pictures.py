@@ -19,8 +19,9 @@ import numpy
 from elasto_plastic_contact import Results, run
 from elasto_plastic_contact.__main__ import main
 from elasto_plastic_contact.pictures import indenter, skin
+from elasto_plastic_contact.pictures.contact import contact_at
 from elasto_plastic_contact.pictures.joined import Joined
-from elasto_plastic_contact.plots import experiment, figures, friction
+from elasto_plastic_contact.plots import experiment, figures, friction, study
 from elasto_plastic_contact.plots.cycles import turning_points
 
 CORNERS = numpy.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
@@ -168,6 +169,23 @@ class Files(unittest.TestCase):
                       self.message("render", self.cone, sphere))
         self.assertIn("no contact pressure to be seen from above",
                       self.message("render", self.cone, "--panels", "pressure"))
+
+    def test_contact_of_one_node(self):
+        points = numpy.array([[0.3, 0.3, 0.], [0.5, 0.3, 0.], [0.3, 0.7, 0.]])
+        for pressure, radius in (([7., 0., 0.], 0.2), ([7., 7., 0.], 0.1)):
+            view = types.SimpleNamespace(fields=lambda _: {"points": points, "contact_pressure": numpy.array(pressure)})
+            self.assertAlmostEqual(contact_at(view).radius, radius)
+
+    def test_logarithmic_without_positive_values(self):
+        wanted = types.SimpleNamespace(logarithmic=["x", "y"])
+        _, axes = figures.new_diagram()
+        self.addCleanup(figures.plt.close, axes.figure)
+        with contextlib.redirect_stderr(io.StringIO()) as text:
+            study.set_logarithmic(axes, wanted, [{"a": "word", "b": 0.}, {"a": "other", "b": None}], {"x": "a", "y": "b"})
+            self.assertEqual((axes.get_xscale(), axes.get_yscale()), ("linear", "linear"))
+            self.assertEqual(text.getvalue().count("stays linear, as no value is a number above 0"), 2)
+            study.set_logarithmic(axes, wanted, [{"a": 1, "b": 2.}], {"x": "a", "y": "b"})
+        self.assertEqual((axes.get_xscale(), axes.get_yscale()), ("log", "log"))
 
     def test_zoom_on_a_small_contact(self):
         units = ("--length-unit", "mm", "--output", self.folder / "window.svg")

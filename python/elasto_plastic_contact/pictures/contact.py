@@ -9,7 +9,7 @@ import numpy
 
 @dataclass
 class Contact:
-    """Where the pressure is: its centre of gravity and the radius around it."""
+    """Where the pressure is: its centre of gravity and the radius around it, of a single node up to the next one."""
     centre: numpy.ndarray
     radius: float
 
@@ -21,8 +21,11 @@ def contact_at(view):
     if pressure.sum() == 0.:
         return None
     centre = (points * pressure[:, None]).sum(axis=0) / pressure.sum()
-    loaded = points[pressure > 1e-3 * pressure.max()]
-    return Contact(centre, numpy.linalg.norm(loaded - centre, axis=1).max())
+    is_loaded = pressure > 1e-3 * pressure.max()
+    distances = numpy.linalg.norm(points - centre, axis=1)
+    radius = distances[is_loaded].max()
+    is_one_node = radius < 1e-9 * distances.max()
+    return Contact(centre, distances[~is_loaded].min() if is_one_node else radius)
 
 
 def contact_to_look_at(views):

@@ -3,6 +3,8 @@
 """The plot of a study: its numbers over one of its entries (or numbers), one line for each
 combination of the others; and a curve of each run."""
 
+import sys
+
 from .figures import new_diagram, plt, save
 from ..program import as_text
 
@@ -22,6 +24,16 @@ def lines(study, rows):
     return found
 
 
+def set_logarithmic(axes, study, rows, columns):
+    """The axes of the plot that the study wants so, unless nothing could be seen there."""
+    for axis in study.logarithmic:
+        if any(isinstance(row[columns[axis]], (int, float)) and row[columns[axis]] > 0. for row in rows):
+            getattr(axes, f"set_{axis}scale")("log")
+        else:
+            print(f"'plot/logarithmic': the axis of '{columns[axis]}' stays linear, as no value is a number above 0",
+                  file=sys.stderr)
+
+
 def draw(study, rows, path):
     is_numeric = all(isinstance(row[study.x], (int, float)) for row in rows if row[study.x] is not None)
     figure, panels = plt.subplots(1, len(study.y), figsize=(6.4 * len(study.y), 4.), squeeze=False,
@@ -32,8 +44,7 @@ def draw(study, rows, path):
             abscissa = [row[study.x] if is_numeric else as_text(row[study.x]) for row in known]
             axes.plot(abscissa, [row[name] for row in known], "o-", label=label)
         axes.set(xlabel=study.x, ylabel=name)
-        for axis in study.logarithmic:
-            getattr(axes, f"set_{axis}scale")("log")
+        set_logarithmic(axes, study, rows, {"x": study.x, "y": name})
     if len(lines(study, rows)) > 1:
         panels[0, -1].legend(loc="upper left", bbox_to_anchor=(1., 1.))
     save(figure, path)
