@@ -5,6 +5,7 @@
 import math
 import os
 import pathlib
+import random
 import subprocess
 import tempfile
 
@@ -229,3 +230,23 @@ def near_radius(finite, radius):
     """The number of the step whose contact radius, over that of the sphere, is next; none if it is beyond 0.01."""
     i = min(range(len(finite)), key=lambda step: abs(finite[step]["contact_radius"] - radius))
     return i if abs(finite[i]["contact_radius"] - radius) < 0.01 else None
+
+
+def rough_finite_strain(runner):
+    """Heights of 17 x 17 random points: the nodes that slide along them pass their kinks; mirrored heights, the same force."""
+    generator = random.Random(1)
+    rows = [[0.01 * generator.random() for _ in range(17)] for _ in range(17)]
+    body = ("rough_surface_3d.prm", "Strain=logarithmic", "Contact/Geometry=present", "Geometry/Lower corner=0, 0, -0.5",
+            "Geometry/Upper corner=1, 1, 0", "Geometry/Repetitions=8, 8, 4", "Geometry/Initial refinements=0",
+            "Indenter/Type=height matrix", "Indenter/Size=1, 1", "Indenter/Position=0.5, 0.5", "Refinement/Number of cycles=1")
+    materials = {"elastic": ("Material/Law=linear elastic", "Loading/Depth=0.01"),
+                 "perfectly plastic": ("Material/Law=perfectly plastic", "Material/Yield stress=2000", "Loading/Depth=0.03")}
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "heights.txt"
+        for name, entries in materials.items():
+            forces = []
+            for heights in (rows, [row[::-1] for row in rows]):
+                file.write_text("\n".join(" ".join(map(str, row)) for row in heights), encoding="utf-8")
+                steps = runner.history(*body, *entries, f"Indenter/File={file}", "Loading/Number of steps=20")
+                forces.append(steps[-1]["force"])
+            runner.compare(f"{name}, force under mirrored heights", forces[1], forces[0], 1e-8)

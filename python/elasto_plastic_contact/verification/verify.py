@@ -21,7 +21,7 @@ from .runner import E, E_STAR, NU, Runner, add_program
 from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, error_bound,
                           error_bound_ranks, error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, limit_load,
                           limit_load_revolution, limit_load_space, safe_load)
-from .finite_strain import (cone_in_space, finite_cone, finite_strain, finite_strain_ranks,
+from .finite_strain import (cone_in_space, finite_cone, finite_strain, finite_strain_ranks, rough_finite_strain,
                             finite_strain_resume, published_cones, pyramids, symmetric_bodies)
 from .friction import (adhesion, bonded_punch, friction_ranks, friction_resume, friction_symmetries, mindlin_cylinder,
                        mindlin_sphere, sliding_mesh, spence, ssnv128)
@@ -296,7 +296,7 @@ ALL = {
                      error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, equilibrium_hertz, equilibrium_limit, limit_load_runs, zero_stress,
                      zero_force, far_indenter, units, prescribed_from_nothing, contrast, direct_contact, moved_body,
                      nearly_incompressible, job_preview, curved_body,
-                     finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, published_cones,
+                     finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, rough_finite_strain, published_cones,
                      adaptive_steps, checkpoint_memory,
                      ssnv128, bonded_punch, adhesion, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
                      friction_symmetries, friction_ranks, friction_resume,
