@@ -3,7 +3,6 @@
 
 #include <deal.II/base/utilities.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -76,18 +75,23 @@ namespace ElastoPlastic
 
 
     /// Whether numbers like 0,125, one below the other, are what the file
-    /// holds: lines with one comma each, and no other sign that it separates.
+    /// holds: lines with one comma each, nothing but digits behind it, and no
+    /// other sign that it separates.
     bool
     is_column_with_decimal_commas(const HeightFile &file)
     {
-      std::istringstream words(file.text());
-      std::string        line, word;
-      while (std::getline(words, line))
+      std::istringstream lines(file.text());
+      std::string        line;
+      while (std::getline(lines, line))
         {
           line = Utilities::trim(line.substr(0, line.find('#')));
-          if (!line.empty() &&
-              (std::count(line.begin(), line.end(), ',') != 1 ||
-               line.find_first_of(". \t") != std::string::npos))
+          if (line.empty())
+            continue;
+          const std::size_t comma = line.find(',');
+          if (comma == std::string::npos ||
+              line.find_first_of(". \t") != std::string::npos ||
+              line.find_first_not_of("0123456789", comma + 1) !=
+                std::string::npos)
             return false;
         }
       return true;
