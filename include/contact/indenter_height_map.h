@@ -14,7 +14,7 @@
 namespace ElastoPlastic
 {
   /// An indenter given by heights on a regular grid, (bi)linear in between, but
-  /// smooth for nodes that slide along it.
+  /// smooth for nodes that slide along it (all but those of vertical gaps).
   /// Outside the grid it does not reach.
   template <int dim>
   class IndenterHeightMap : public Indenter<dim>

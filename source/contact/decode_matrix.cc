@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/exceptions.h"
@@ -23,6 +24,8 @@ namespace ElastoPlastic
     bool
     has_decimal_commas(const std::string &line)
     {
+      if (line.find('.') != std::string::npos)
+        return false;
       unsigned int n_commas = 0;
       for (std::size_t i = 0; i + 1 < line.size(); ++i)
         if (line[i] == ',')
@@ -107,14 +110,17 @@ namespace ElastoPlastic
     {
       if (n_columns != 3)
         return false;
-      std::set<double> x, y;
+      std::set<double>                    x, y;
+      std::set<std::pair<double, double>> points;
       for (std::size_t i = 0; i < numbers.size(); i += n_columns)
         {
           x.insert(numbers[i]);
           y.insert(numbers[i + 1]);
+          points.emplace(numbers[i], numbers[i + 1]);
         }
       return x.size() > 1 && y.size() > 1 &&
-             x.size() * y.size() * n_columns == numbers.size();
+             points.size() == x.size() * y.size() &&
+             points.size() * n_columns == numbers.size();
     }
   } // namespace
 

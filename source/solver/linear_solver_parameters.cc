@@ -40,8 +40,8 @@ namespace ElastoPlastic
     if (type == Preconditioner::amg && !has_algebraic_multigrid)
       throw InputError("Linear solver/Type",
                        "AMG",
-                       "this program has been built without Trilinos, which "
-                       "algebraic multigrid is a part of. Choose 'multigrid' "
+                       "this program has been built without Trilinos' ML, "
+                       "which is that. Choose 'multigrid' "
                        "or 'direct'.");
   }
 } // namespace ElastoPlastic

@@ -5,8 +5,8 @@
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/rethrow_collectively.h"
 #include "solver/krylov_methods.h"

@@ -208,6 +208,9 @@ namespace ElastoPlastic
   bool
   NewtonIteration::is_rounding()
   {
+    const bool is_small = free_norm <= largest_rounding * force_norm;
+    if (!is_small && step.n_active > 0)
+      return false;
     Vector         rounded = u;
     RelativeErrors error;
     for (double &number : rounded)
@@ -218,7 +221,6 @@ namespace ElastoPlastic
     const double rounding =
       (problem.is_convex() ? rounding_factor : nonlinear_rounding_factor) *
       std::ldexp(work.l2_norm(), -n_lost_bits);
-    const bool is_small        = free_norm <= largest_rounding * force_norm;
     const bool is_rigid_motion = force_norm <= rounding_of_supports * rounding;
     return free_norm <= rounding && (is_small || is_rigid_motion);
   }
