@@ -18,15 +18,20 @@ case ${1:-} in
     ;;
 esac
 
+invocation_folder=$PWD
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 readonly suite=${1:-}
 [ -n "$suite" ] || fail "which suite? scripts/test_system.sh bookworm|trixie|sid [FOLDER]"
 [ "$(id -u)" -eq 0 ] || fail "only root may install a system into a folder"
-root=$(realpath -m "${2:-build/systems/$suite}")
+if [ -n "${2:-}" ]; then
+  root=$(cd "$invocation_folder" && realpath -m "$2")
+else
+  root=$PWD/build/systems/$suite
+fi
 readonly root
-readonly checkout=/root/elasto_plastic_contact
+readonly checkout=/opt/elasto_plastic_contact
 
 # From the mirror of this system, or else from debootstrap's own.
 install_system()

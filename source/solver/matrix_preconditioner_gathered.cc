@@ -7,8 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <new>
+#include <string>
 
 #include "base/rethrow_collectively.h"
+#include "base/shared_rows.h"
 #include "solver/krylov_methods.h"
 #include "solver/matrix_preconditioner.h"
 
@@ -50,8 +54,10 @@ namespace ElastoPlastic
         for (const auto &of_rank :
              Utilities::MPI::gather(communicator, own, first))
           append(solution, of_rank);
-        if (solution.size() > 0)
-          factors.solve(solution);
+        rethrow_collectively(communicator, [&]() {
+          if (solution.size() > 0)
+            run_umfpack([&]() { factors.solve(solution); });
+        });
         solution = Utilities::MPI::broadcast(communicator, solution, first);
         for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
           result.local_element(i) =
@@ -61,18 +67,7 @@ namespace ElastoPlastic
     private:
       static constexpr unsigned int first = 0;
 
-      struct Entry
-      {
-        types::global_dof_index row, column;
-        double                  value;
-
-        template <typename Archive>
-        void
-        serialize(Archive &archive, const unsigned int /* version */)
-        {
-          archive &row &column &value;
-        }
-      };
+      using Entry = SharedRows::Entry;
 
       static void
       append(dealii::Vector<double> &to, const std::vector<double> &numbers)
@@ -98,12 +93,23 @@ namespace ElastoPlastic
             sum.add(entry.row, entry.column, entry.value);
         if (!std::isfinite(sum.frobenius_norm()))
           throw_singular();
+        run_umfpack([&]() { factors.factorize(sum); });
+      }
+
+      /// (The exception keeps the status, of which -1 is lack of memory, to
+      /// itself, but for its text.)
+      static void
+      run_umfpack(const std::function<void()> &call)
+      {
         try
           {
-            factors.factorize(sum);
+            call();
           }
-        catch (const SparseDirectUMFPACK::ExcUMFPACKError &)
+        catch (const SparseDirectUMFPACK::ExcUMFPACKError &error)
           {
+            if (std::string(error.what()).find("error status -1.") !=
+                std::string::npos)
+              throw std::bad_alloc();
             throw_singular();
           }
       }
@@ -119,7 +125,8 @@ namespace ElastoPlastic
   make_algebraic_multigrid(
     const std::vector<MatrixPreconditioner::Vector> & /* near_null_space */)
   {
-    Assert(false, ExcNotImplemented());
+    AssertThrow(has_algebraic_multigrid,
+                ExcMessage("Algebraic multigrid is that of Trilinos."));
     return {};
   }
 
