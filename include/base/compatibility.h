@@ -85,6 +85,25 @@ namespace ElastoPlastic
     else
       return Constraints(relevant);
   }
+
+
+
+  /// Calls @p use with what QProjector takes for the orientation of a face: one
+  /// number, or three.
+  template <typename Cell, typename Use>
+  auto
+  with_face_orientation(const Cell        &cell,
+                        const unsigned int face,
+                        const Use         &use)
+  {
+#if DEAL_II_VERSION_GTE(9, 7, 0)
+    return use(cell->combined_face_orientation(face));
+#else
+    return use(cell->face_orientation(face),
+               cell->face_flip(face),
+               cell->face_rotation(face));
+#endif
+  }
 } // namespace ElastoPlastic
 
 #endif

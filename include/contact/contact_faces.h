@@ -40,12 +40,7 @@ namespace ElastoPlastic
     using Vector = LinearAlgebra::distributed::Vector<double>;
 
     /// Which nodes a vector of kinds tells apart.
-    enum Kind
-    {
-      no_candidate = 0,
-      not_closed   = 1,
-      closed       = 2
-    };
+    static constexpr double no_candidate = 0., not_closed = 1., closed = 2.;
 
     /// Finds the faces on @p boundaries; @p constraints are those of hanging
     /// nodes, and must outlive this object or the next call. Collective.
@@ -79,7 +74,7 @@ namespace ElastoPlastic
 
     /// What each closed node has of the touched part: the integral of its own
     /// shape function over it, and of those of the nodes of a face that are not
-    /// closed the part that is in proportion to its own. @p kinds has the Kind
+    /// closed the part that is in proportion to its own. @p kinds has the kind
     /// of each node, @p levels the level of the others. A face with a node that
     /// is no candidate is touched as a whole. A node none of
     /// whose faces has closed nodes only counts as a whole, too: there is no

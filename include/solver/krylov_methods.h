@@ -54,7 +54,8 @@ namespace ElastoPlastic
                 const Preconditioner                  &preconditioner,
                 const double                           reduction,
                 const unsigned int                     maximum_iterations,
-                const typename Solver::AdditionalData &settings = {})
+                const typename Solver::AdditionalData &settings =
+                  typename Solver::AdditionalData())
   {
     IterationNumberControl control(maximum_iterations,
                                    reduction * rhs.l2_norm());

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "base/compatibility.h"
 #include "evaluation/kelly_estimator.h"
 #include "mechanics/ghosted_copy.h"
 
@@ -70,23 +71,21 @@ namespace ElastoPlastic
   unsigned int
   KellyEstimator<dim>::first_point(const Side &side) const
   {
-    using Points                  = typename QProjector<dim>::DataSetDescriptor;
-    const auto &[cell, f, sf]     = side;
-    const ReferenceCell hypercube = ReferenceCells::get_hypercube<dim>();
-    if (sf == whole_face)
-      return Points::face(hypercube,
-                          f,
-                          cell->face_orientation(f),
-                          cell->face_flip(f),
-                          cell->face_rotation(f),
-                          quadrature.size());
-    return first_subface_point + Points::subface(hypercube,
-                                                 f,
-                                                 sf,
-                                                 cell->face_orientation(f),
-                                                 cell->face_flip(f),
-                                                 cell->face_rotation(f),
-                                                 quadrature.size());
+    using Points = typename QProjector<dim>::DataSetDescriptor;
+    const auto &[cell, face, subface] = side;
+    const ReferenceCell hypercube     = ReferenceCells::get_hypercube<dim>();
+    return with_face_orientation(
+      cell,
+      face,
+      [&, f = face, sf = subface](const auto... orientation) -> unsigned int {
+        if (sf == whole_face)
+          return Points::face(hypercube, f, orientation..., quadrature.size());
+        return first_subface_point + Points::subface(hypercube,
+                                                     f,
+                                                     sf,
+                                                     orientation...,
+                                                     quadrature.size());
+      });
   }
 
 
