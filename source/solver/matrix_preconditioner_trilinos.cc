@@ -3,12 +3,16 @@
 
 #include <deal.II/lac/trilinos_precondition.h>
 
+// (Trilinos 16 calls them deprecated.)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wcpp"
 #include <Amesos.h>
 #include <Amesos_Mumps.h>
 #include <Epetra_LinearProblem.h>
 #include <Epetra_MultiVector.h>
 #include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
+#pragma GCC diagnostic pop
 
 #include <cmath>
 #include <exception>
