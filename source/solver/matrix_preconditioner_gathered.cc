@@ -21,6 +21,8 @@ namespace ElastoPlastic
   namespace
   {
     /// The first rank gathers the matrix and factorises it by UMFPACK.
+    /// (deal.II's SparseDirectMUMPS, from 9.7 on, keeps the status of MUMPS to
+    /// itself: for a matrix of zeros, it returns the right-hand side.)
     class GatheredFactorization : public MatrixPreconditioner
     {
     public:
