@@ -1,0 +1,133 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+
+# Everything but main.cc is a library, so that tests can link any part of it, and a
+# package can have it for several processors.
+
+include(${CMAKE_CURRENT_LIST_DIR}/wide_batches.cmake)
+
+file(GLOB_RECURSE PARTS_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/source/*.cc)
+list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/main.cc)
+if(TRILINOS_SOLVERS)
+  list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/solver/matrix_preconditioner_gathered.cc)
+else()
+  list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/solver/matrix_preconditioner_trilinos.cc)
+endif()
+
+set(_simd_sources ${PARTS_SOURCES})
+list(FILTER _simd_sources INCLUDE REGEX "source/simd/")
+set_source_files_properties(${_simd_sources} PROPERTIES
+  SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+# Set-up code, and much of it: optimise little, in favour of the compile time.
+set_source_files_properties(
+  ${CMAKE_SOURCE_DIR}/source/simd/matrix_free_2d.cc
+  ${CMAKE_SOURCE_DIR}/source/simd/matrix_free_3d.cc
+  ${CMAKE_SOURCE_DIR}/source/simd/shape_info_and_faces.cc
+  PROPERTIES COMPILE_OPTIONS "-O1;-g0")
+
+# Threads are for one file only.
+set_source_files_properties(${CMAKE_SOURCE_DIR}/source/equilibrium/multifrontal_factor.cc PROPERTIES
+  COMPILE_OPTIONS "${OpenMP_CXX_FLAGS}" SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+
+if(ONE_UNIT_PER_MODULE)
+  foreach(_source ${PARTS_SOURCES})
+    get_filename_component(_module ${_source} DIRECTORY)
+    # Four exceptions: classes in several files, each of which instantiates what it
+    # defines; kernels, which take as long as all the rest of their folder; GCC warns of
+    # a lambda over a local type in an included file; and a header of Amesos has names of
+    # deal.II's.
+    if(NOT _source MATCHES "source/(elasto_plastic_contact/|simd/|limit_load_analysis|contact/contact_set|mechanics/(solid_operator|solid_kernel|level_kernel)|mesh/material_ids.cc|solver/matrix_preconditioner_)")
+      set_source_files_properties(${_source} PROPERTIES UNITY_GROUP "${_module}")
+    endif()
+  endforeach()
+endif()
+
+# set_build_options(<target> [<flag of the processor> ...])
+# What the options of this build ask of the compiler and the linker.
+function(set_build_options _target)
+  target_compile_options(${_target} PUBLIC -Wall -Wextra)
+  # (include/base/enum_names.h)
+  if(DEAL_II_WITH_MAGIC_ENUM)
+    target_compile_features(${_target} PUBLIC cxx_std_20)
+  endif()
+  if(TRILINOS_SOLVERS)
+    target_compile_definitions(${_target} PUBLIC WITH_TRILINOS_SOLVERS)
+  endif()
+  if(WARNINGS_AS_ERRORS)
+    target_compile_options(${_target} PUBLIC -Werror)
+  endif()
+  if(ARGN)
+    target_compile_options(${_target} PUBLIC -O3 ${ARGN})
+  endif()
+  if(NOT DEBUG_SYMBOLS)
+    target_compile_options(${_target} PUBLIC -g0)
+  endif()
+  # deal.II's libraries are large: gold, the choice of some packages, takes twice as long.
+  find_program(LLD ld.lld)
+  if(LLD)
+    # (Of the libraries that deal.II brings along, not all name all they need.)
+    target_link_options(${_target} PUBLIC -fuse-ld=lld -Wl,--allow-shlib-undefined)
+  endif()
+  if(SANITIZE)
+    # (deal.II binds references to null pointers that it does not use.)
+    set(_sanitizers -fsanitize=address,undefined -fno-sanitize=null -fno-sanitize-recover=all)
+    target_compile_options(${_target} PUBLIC ${_sanitizers} -O1 -g1)
+    target_link_options(${_target} PUBLIC ${_sanitizers})
+  endif()
+endfunction()
+
+# add_parts_library(<target> <STATIC or SHARED> [<flag of the processor> ...])
+# With batches as wide as this processor's registers, where they work.
+function(add_parts_library _target _type)
+  set(_sources ${PARTS_SOURCES})
+  set(_wide OFF)
+  if(WIDER_THAN_DEAL_II AND CMAKE_BUILD_TYPE MATCHES "Release")
+    try_wide_batches(_wide ${ARGN})
+  endif()
+  if(NOT _wide)
+    list(FILTER _sources EXCLUDE REGEX "source/simd/")
+  endif()
+
+  add_library(${_target} ${_type} ${_sources})
+  target_include_directories(${_target} PUBLIC
+    ${CMAKE_SOURCE_DIR}/include ${CMAKE_BINARY_DIR}/include ${CHOLMOD_INCLUDE_DIR})
+  deal_ii_setup_target(${_target})
+  target_link_libraries(${_target} Boost::program_options PNG::PNG
+    ${CHOLMOD_LIBRARY} ${OpenMP_CXX_LIBRARIES})
+  if(_wide)
+    target_compile_definitions(${_target} PUBLIC WIDER_THAN_DEAL_II)
+  endif()
+  set_build_options(${_target} ${ARGN})
+  # deal.II's headers are large: parse those that every file needs only once.
+  target_precompile_headers(${_target} PRIVATE
+    <deal.II/base/parameter_handler.h>
+    <deal.II/base/symmetric_tensor.h>
+    <deal.II/distributed/tria.h>
+    <deal.II/dofs/dof_handler.h>
+    <deal.II/lac/affine_constraints.h>
+    <deal.II/lac/la_parallel_vector.h>
+    <deal.II/matrix_free/fe_evaluation.h>
+    <deal.II/matrix_free/matrix_free.h>)
+  if(ONE_UNIT_PER_MODULE)
+    set_target_properties(${_target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  endif()
+endfunction()
+
+# One library; or a shared one for any processor and, for each of PACKAGE_PROCESSORS, one
+# more of the same name in a subfolder, of which the dynamic loader takes the best that
+# the processor at hand can run.
+if(NOT PACKAGE_PROCESSORS)
+  add_parts_library(elasto_plastic_contact_parts STATIC ${PROCESSOR_FLAGS})
+else()
+  set(PARTS_FOLDER ${CMAKE_BINARY_DIR}/parts)
+  add_parts_library(elasto_plastic_contact_parts SHARED)
+  set(PARTS_LIBRARIES elasto_plastic_contact_parts)
+  set_target_properties(elasto_plastic_contact_parts PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PARTS_FOLDER})
+  foreach(_processor ${PACKAGE_PROCESSORS})
+    add_parts_library(elasto_plastic_contact_parts_${_processor} SHARED -march=${_processor})
+    list(APPEND PARTS_LIBRARIES elasto_plastic_contact_parts_${_processor})
+    set_target_properties(elasto_plastic_contact_parts_${_processor} PROPERTIES
+      OUTPUT_NAME elasto_plastic_contact_parts
+      LIBRARY_OUTPUT_DIRECTORY ${PARTS_FOLDER}/glibc-hwcaps/${_processor})
+  endforeach()
+endif()
