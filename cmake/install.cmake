@@ -26,11 +26,15 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/python/elasto_plastic_contact DESTINATION 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/parameter_files DESTINATION ${CMAKE_INSTALL_DATADIR}/elasto_plastic_contact
   FILES_MATCHING PATTERN *.prm PATTERN *.msh PATTERN *.geo PATTERN *.pgm PATTERN *.json)
 
+# (in the folders of the checkout, for the links between them)
 set(_pages ${CMAKE_INSTALL_DATADIR}/doc/elasto-plastic-contact)
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/doc/ DESTINATION ${_pages}
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/doc DESTINATION ${_pages}
   FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.svg PATTERN references.bib)
 install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/CITATION.cff
   DESTINATION ${_pages})
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/installed)
+file(CREATE_LINK ../../elasto_plastic_contact/parameter_files ${CMAKE_BINARY_DIR}/installed/parameter_files SYMBOLIC)
+install(FILES ${CMAKE_BINARY_DIR}/installed/parameter_files DESTINATION ${_pages})
 
 foreach(_command elasto_plastic_contact epc)
   install(FILES ${CMAKE_SOURCE_DIR}/scripts/completion/elasto_plastic_contact

@@ -38,9 +38,9 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 
 # Debian's changelog, in which the date is that of SOURCE_DATE_EPOCH, if it is set.
 string(TIMESTAMP _date "%a, %d %b %Y %H:%M:%S +0000" UTC)
-configure_file(${CMAKE_SOURCE_DIR}/cmake/package/changelog.in ${CMAKE_BINARY_DIR}/package/changelog.Debian @ONLY)
-execute_process(COMMAND gzip -9 --force --no-name ${CMAKE_BINARY_DIR}/package/changelog.Debian)
-install(FILES ${CMAKE_SOURCE_DIR}/cmake/package/copyright ${CMAKE_BINARY_DIR}/package/changelog.Debian.gz
+configure_file(${CMAKE_SOURCE_DIR}/cmake/package/changelog.in ${CMAKE_BINARY_DIR}/installed/changelog.Debian @ONLY)
+execute_process(COMMAND gzip -9 --force --no-name ${CMAKE_BINARY_DIR}/installed/changelog.Debian)
+install(FILES ${CMAKE_SOURCE_DIR}/cmake/package/copyright ${CMAKE_BINARY_DIR}/installed/changelog.Debian.gz
   DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/elasto-plastic-contact)
 install(FILES ${CMAKE_SOURCE_DIR}/cmake/package/lintian-overrides
   DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME elasto-plastic-contact)
