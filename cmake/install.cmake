@@ -14,7 +14,7 @@ if(PACKAGE_PROCESSORS)
   set_target_properties(elasto_plastic_contact PROPERTIES INSTALL_RPATH "$ORIGIN/../${_parts}")
 endif()
 # (The system's own libraries are found.)
-if(NOT DEAL_II_PATH MATCHES "^/usr$")
+if(NOT DEAL_II_PATH MATCHES "^/usr/?$")
   set_target_properties(${PARTS_LIBRARIES} elasto_plastic_contact PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)
 endif()
 

@@ -10,7 +10,7 @@ function(try_wide_batches _result)
   string(MAKE_C_IDENTIFIER "WIDE_BATCHES${ARGN}" _name)
   set(_tried "${DEAL_II_PACKAGE_VERSION} ${CMAKE_CXX_COMPILER} ${CMAKE_CXX_COMPILER_VERSION}")
   if(NOT "${${_name}_TRIED}" STREQUAL "${_tried}")
-    message(STATUS "Trying batches for the widest SIMD instructions of ${ARGN}")
+    message(STATUS "Trying batches for the widest SIMD instructions (${CMAKE_SYSTEM_PROCESSOR} ${ARGN})")
     set(_folder ${CMAKE_BINARY_DIR}/wide_batches/${_name})
     file(REMOVE ${_folder}/wide_batches)
     try_compile(_compiles ${_folder} ${PROJECT_SOURCE_DIR}/cmake/wide_batches wide_batches
