@@ -4,14 +4,17 @@
 #include <deal.II/base/mpi.h>
 
 #include <chrono>
+#include <functional>
 #include <iostream>
 #include <thread>
+#include <utility>
 
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
 #include "elasto_plastic_contact.h"
 #include "io/command_line.h"
 #include "io/parameters.h"
+#include "io/ready_cases.h"
 #include "limit_load_analysis.h"
 #include "make_model.h"
 #include "program.h"
@@ -79,14 +82,45 @@ namespace
 
 
 
+  /// What the first rank does for all.
+  void
+  on_first_rank(const std::function<void()> &task)
+  {
+    rethrow_collectively(MPI_COMM_WORLD, [&]() {
+      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        task();
+    });
+  }
+
+
+
+  /// @p name, or where the ready case of this name lies.
+  std::string
+  find_parameter_file(const std::string &name)
+  {
+    std::string file;
+    on_first_rank([&]() {
+      file =
+        ReadyCases(ReadyCases::places_of_this_program()).file_meant_by(name);
+    });
+    return Utilities::MPI::broadcast(MPI_COMM_WORLD, file);
+  }
+
+
+
   /// @throws InputError that names the parameter file.
   void
-  analyze(const CommandLine &command_line, std::ostream &out)
+  analyze(CommandLine command_line, std::ostream &out)
   {
+    const std::string name =
+      std::exchange(command_line.parameter_file,
+                    find_parameter_file(command_line.parameter_file));
     const Parameters parameters = Parameters::read(command_line);
     std::ostream     nowhere(nullptr);
     std::ostream    &report =
       parameters.output.screen == Verbosity::quiet ? nowhere : out;
+    if (command_line.parameter_file != name)
+      report << "Parameter file: " << command_line.parameter_file << std::endl;
     try
       {
         parameters.check();
@@ -117,6 +151,11 @@ namespace
           break;
         case CommandLine::Task::print_parameters:
           Parameters::print_reference(out);
+          break;
+        case CommandLine::Task::list_cases:
+          on_first_rank([&]() {
+            ReadyCases(ReadyCases::places_of_this_program()).print(out);
+          });
           break;
         case CommandLine::Task::validate:
         case CommandLine::Task::run:

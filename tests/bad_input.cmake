@@ -136,7 +136,9 @@ add_message_test(path_no_indenter 2 "entry 'Loading/Path' is '1: 0.1', but there
 add_entry_test(path_axisymmetric "entry 'Loading/Path' is '1: 0.1', but an indenter that moves sideways is not axisymmetric" "Loading/Path=1: 0.1" Dimension=2 Kinematics=axisymmetric)
 
 # Parameter file
-add_message_test(file_missing 2 "'does_not_exist.prm' does not exist or cannot be read" does_not_exist.prm)
+add_message_test(file_missing 2 "^Error: There is no parameter file '[^ ]*/does_not_exist.prm', and no ready case 'does_not_exist.prm' in '[^ ]*/parameter_files'. elasto_plastic_contact --list-cases lists" does_not_exist.prm)
+add_message_test(case_misspelt 2 "no ready case 'indentation/shpere_3d' in '[^ ]*/parameter_files'. Did you mean 'indentation/sphere_3d.prm'. elasto_plastic_contact --list-cases" indentation/shpere_3d)
+add_message_test(case_ambiguous 2 "^Error: The name 'strip_punch' fits several ready cases: 'limit_load/strip_punch.prm', 'verification/strip_punch.prm'. Give one of these" strip_punch)
 add_message_test(file_directory 2 "bad_input' does not exist or cannot be read" ${_files})
 add_file_test(empty "'Boundary conditions/Contact' is empty")
 add_file_test(binary "line 1: This is none of 'set Entry = value'")

@@ -33,6 +33,8 @@ namespace
           return "validate";
         case Task::print_parameters:
           return "print parameters";
+        case Task::list_cases:
+          return "list cases";
         case Task::print_help:
           return "print help";
         case Task::print_version:
@@ -82,6 +84,8 @@ main(int argc, char *argv[])
   print({"--help"});
   print({"--version", "case.prm"});
   print({"--print-parameters"});
+  print({"--list-cases"});
+  print({"--list-cases", "case.prm", "--quiet"});
 
   print({});
   print({"--validate"});

@@ -19,11 +19,13 @@ namespace ElastoPlastic
       run,
       validate,
       print_parameters,
+      list_cases,
       print_help,
       print_version
     };
 
-    Task        task = Task::run;
+    Task task = Task::run;
+    /// As the user names it, see ReadyCases::file_meant_by().
     std::string parameter_file;
     /// The --set options: "Section/Entry" and value, in their order.
     std::vector<std::pair<std::string, std::string>> overrides;

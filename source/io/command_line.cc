@@ -28,6 +28,7 @@ namespace ElastoPlastic
         ("overwrite", "replace the results in the output directory")
         ("validate", "read and check everything, compute nothing")
         ("print-parameters", "print every entry with default, range, unit and meaning")
+        ("list-cases", "print the names of the ready cases, and what they are")
         ("quiet", "print nothing but errors")
         ("version", "print the version")
         ("help", "print this text");
@@ -60,6 +61,8 @@ namespace ElastoPlastic
         return Task::print_version;
       if (given.count("print-parameters"))
         return Task::print_parameters;
+      if (given.count("list-cases"))
+        return Task::list_cases;
       return given.count("validate") ? Task::validate : Task::run;
     }
   } // namespace
@@ -72,7 +75,8 @@ namespace ElastoPlastic
     std::ostringstream text;
     text
       << "Usage: elasto_plastic_contact FILE.prm [options]\n"
-      << "Presses a rigid indenter into an elasto-plastic body.\n\n"
+      << "Presses a rigid indenter into an elasto-plastic body. FILE.prm is a "
+         "file,\nor else the name of a ready case.\n\n"
       << visible_options()
       << "\nExit status: 0 done; 2 wrong usage or input; 3 no convergence; "
          "4 no\nequilibrium exists; 5 input or output failed; 143 ended by the signal "
