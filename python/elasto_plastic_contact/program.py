@@ -13,7 +13,7 @@ from .results import Results
 
 # The checkout that this package lies in; installed elsewhere, its folders do not exist.
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-CASES = ROOT / "parameter_files"
+INSTALLED_CASES = "share/elasto_plastic_contact/parameter_files"
 PROGRAM_VARIABLE = "ELASTO_PLASTIC_CONTACT"
 
 # One thread a rank, also as root, on fewer cores than ranks, and in a container; on one machine, so that Open MPI need
@@ -39,12 +39,26 @@ class RunError(UserError):
         self.status = status
 
 
+def is_checkout():
+    """Whether this package lies in a checkout."""
+    return (ROOT / "parameter_files").is_dir()
+
+
+def checkout():
+    """The checkout that this package lies in, for what is not installed with it."""
+    if not is_checkout():
+        raise UserError(f"this works in a checkout of ElastoPlasticContact only (scripts/command.py), and the package in "
+                        f"'{pathlib.Path(__file__).parent}' has none around it")
+    return ROOT
+
+
 def find_program(program=None):
-    """The path of the program: what is given, or what the variable ELASTO_PLASTIC_CONTACT of the
-    environment says, or the Release build of this checkout, or what the shell would find."""
+    """The path of the program: what is given, or what the variable ELASTO_PLASTIC_CONTACT of the environment says, or the
+    Release build of this checkout, or what is installed with this package, or what the shell would find."""
     given = program or os.environ.get(PROGRAM_VARIABLE)
-    built = ROOT / "build/release/elasto_plastic_contact"
-    found = shutil.which(str(given or (built if built.exists() else "elasto_plastic_contact")))
+    own = next(filter(pathlib.Path.exists, (ROOT / "build/release/elasto_plastic_contact",
+                                            ROOT / "../../bin/elasto_plastic_contact")), "elasto_plastic_contact")
+    found = shutil.which(str(given or own))
     if found is None:
         raise UserError(f"there is no program '{given or 'elasto_plastic_contact'}': build it (scripts/run.sh), or "
                         f"say where it is, by --program, the argument 'program' or the variable {PROGRAM_VARIABLE}")
@@ -60,12 +74,38 @@ def as_text(value):
     return str(value)
 
 
-def find_case(case):
-    """The path of a parameter file, or of a ready case of that name."""
-    for file in (pathlib.Path(case), CASES / case):
+def cases_folder(program=None):
+    """The folder of the ready cases: that of this checkout, or, as for the program itself, what is installed with it."""
+    if is_checkout():
+        return ROOT / "parameter_files"
+    folder = pathlib.Path(find_program(program)).resolve().parent.parent / INSTALLED_CASES
+    if not folder.is_dir():
+        raise UserError(f"there are no ready cases: they would be in {folder}")
+    return folder
+
+
+def with_suffix(name):
+    return name if name.endswith(".prm") else f"{name}.prm"
+
+
+def ready_case(name, program=None):
+    """The path of a ready case: by its name below the folder of all, also without '.prm', or by the last part of it."""
+    folder, wanted = cases_folder(program), with_suffix(str(name))
+    names = sorted(file.relative_to(folder).as_posix() for file in folder.rglob("*.prm"))
+    found = [wanted] if wanted in names else [other for other in names if other.endswith(f"/{wanted}")]
+    if len(found) > 1:
+        raise UserError(f"the name '{name}' fits several ready cases: {', '.join(found)}")
+    if not found:
+        raise UserError(f"there is no parameter file '{name}', and no ready case of this name in {folder}")
+    return folder / found[0]
+
+
+def find_case(case, places=(".",), program=None):
+    """The path of a parameter file in the first of some folders that has it, also without '.prm', or of a ready case."""
+    for file in (pathlib.Path(place, name) for place in places for name in (case, with_suffix(str(case)))):
         if file.is_file():
             return file.absolute()
-    raise UserError(f"there is no parameter file '{case}', neither here nor in {CASES}")
+    return ready_case(case, program)
 
 
 def command_line(program, case, entries, directory, *options, ranks=1, guard=()):
@@ -95,7 +135,7 @@ def check_arguments(case, directory, entries, ranks):
 def run(case, directory, entries=None, *, ranks=1, overwrite=False, resume=False, program=None):
     """Run a parameter file and return its Results.
 
-    case: the file, or the name of a ready case below parameter_files/.
+    case: the file, or the name of a ready case, as 'elasto_plastic_contact --list-cases' prints it.
     directory: where the results go.
     entries: what is changed in the case, by 'Section/Entry'; lists become values separated by commas.
     overwrite: replace results that are there; resume: go on from their last checkpoint.
@@ -105,7 +145,8 @@ def run(case, directory, entries=None, *, ranks=1, overwrite=False, resume=False
     """
     check_arguments(case, directory, entries, ranks)
     options = [option for option, chosen in (("--overwrite", overwrite), ("--resume", resume)) if chosen]
-    command = command_line(find_program(program), find_case(case), entries or {}, directory, *options, ranks=ranks)
+    program = find_program(program)
+    command = command_line(program, find_case(case, program=program), entries or {}, directory, *options, ranks=ranks)
     process = subprocess.run(command, env=os.environ | MPI_ENVIRONMENT, stdout=subprocess.DEVNULL,
                              stderr=subprocess.PIPE, text=True, check=False)
     if process.returncode != 0:

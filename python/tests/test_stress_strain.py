@@ -11,11 +11,11 @@ import numpy
 
 from elasto_plastic_contact import run
 from elasto_plastic_contact.plots.material_test import stress_strain
-from elasto_plastic_contact.program import CASES
+from elasto_plastic_contact.program import cases_folder
 
 class MaterialTests(unittest.TestCase):
     def test_all(self):
-        cases = sorted(CASES.glob("material/*.prm"))
+        cases = sorted(cases_folder().glob("material/*.prm"))
         self.assertGreater(len(cases), 5)
         with tempfile.TemporaryDirectory() as folder:
             for case in cases:

@@ -12,7 +12,7 @@ import math
 import pathlib
 import random
 
-from ..program import CASES
+from ..program import checkout
 
 
 def write_pgm(file, heights):
@@ -60,7 +60,7 @@ def ring(n):
 def main(arguments):
     """Writes the files below the folder given on the command line."""
     parser = argparse.ArgumentParser(prog="height_maps", description=__doc__)
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=CASES)
-    folder = parser.parse_args(arguments).folder
+    parser.add_argument("folder", nargs="?", type=pathlib.Path)
+    folder = parser.parse_args(arguments).folder or checkout() / "parameter_files"
     write_pgm(folder / "rough_surface.pgm", rough_surface(65, 0.8, 2, 12, seed=1978))
     write_pgm(folder / "step42" / "ring.pgm", ring(65))

@@ -15,7 +15,7 @@ import itertools
 import math
 import pathlib
 
-from ..program import CASES
+from ..program import checkout
 
 INNER, OUTER = 100.0, 200.0
 
@@ -103,7 +103,7 @@ def cube_faces(n):
 def main(arguments):
     """Writes the files into the folder given on the command line."""
     parser = argparse.ArgumentParser(prog="sphere_meshes", description=__doc__)
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=CASES / "verification")
-    folder = parser.parse_args(arguments).folder
+    parser.add_argument("folder", nargs="?", type=pathlib.Path)
+    folder = parser.parse_args(arguments).folder or checkout() / "parameter_files/verification"
     Mesh(2, arcs(24), n_layers=12).write(folder / "thick_sphere_2d.msh")
     Mesh(3, list(cube_faces(6)), n_layers=6).write(folder / "thick_sphere_3d.msh")

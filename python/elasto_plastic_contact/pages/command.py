@@ -17,10 +17,8 @@ from .places import differences, fill, names
 from .recipe import RECIPES, Runs
 from ..arguments import number
 from ..errors import UserError
-from ..program import ROOT
+from ..program import checkout
 from ..verification.runner import add_program
-
-PAGES = sorted((ROOT / "doc").glob("*.md"))
 
 
 def main(arguments):
@@ -34,7 +32,7 @@ def main(arguments):
     add_program(parser)
     parser.add_argument("--ranks", type=number(int, least=1), default=1)
     chosen = parser.parse_args(arguments)
-    texts = {page: page.read_text(encoding="utf-8") for page in PAGES}
+    texts = {page: page.read_text(encoding="utf-8") for page in sorted((checkout() / "doc").glob("*.md"))}
     check_names(texts)
     if chosen.list:
         print_list(texts)

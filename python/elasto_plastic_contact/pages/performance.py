@@ -7,7 +7,7 @@ import platform
 import re
 
 from ..errors import UserError
-from ..program import ROOT
+from ..program import checkout
 from ..verification.equilibrium import BOUND
 from ..verification.step42_comparison import CASES, run_both, times_to_accuracy
 from .recipe import Content, count, measured_table, table
@@ -166,7 +166,7 @@ def columns_of_meshes(runs, degree, n_cycles):
 @measured_table(2500)
 def against_step42(runs):
     """Whole runs of this program and of step-42, which scripts/compare_with_step42.sh builds."""
-    step42 = ROOT / "build/step-42/build/step-42"
+    step42 = checkout() / "build/step-42/build/step-42"
     if not step42.exists():
         raise UserError(f"there is no '{step42}': scripts/compare_with_step42.sh builds it")
     pairs = {name: run_both(runs.program, str(step42), name, CASES[name].default_cycles, runs.ranks)

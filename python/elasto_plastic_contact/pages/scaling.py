@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 
 from ..errors import UserError
-from ..program import CASES, MPI_ENVIRONMENT, command_line
+from ..program import MPI_ENVIRONMENT, command_line
 from ..tables import read_table, read_tables
 from .performance import ADAPTIVE, UNIFORM, machine
 from .recipe import Content, count, measured_table, table
@@ -73,7 +73,7 @@ def where_the_time_goes(runs):
 def shares(runs, case, n_cycles):
     """One column: the shares of all SECTIONS in a run, where those of linear solves are not Newton's."""
     with tempfile.TemporaryDirectory() as folder:
-        command = command_line(runs.program, CASES / case, {"Refinement/Number of cycles": n_cycles}, folder,
+        command = command_line(runs.program, runs.case(case), {"Refinement/Number of cycles": n_cycles}, folder,
                                "--overwrite", ranks=runs.ranks)
         log = subprocess.run([part for part in command if part != "--quiet"], check=True, stdout=subprocess.PIPE, text=True,
                              env=os.environ | MPI_ENVIRONMENT).stdout
@@ -114,7 +114,7 @@ def counted_run(runs, ranks, refinements, reduction):
                          "Nonlinear solver/Loosest linear reduction": reduction}
     with tempfile.TemporaryDirectory() as folder:
         counts = pathlib.Path(folder) / "counts.csv"
-        launcher, *rest = command_line(runs.program, CASES / case, entries, pathlib.Path(folder) / "run", ranks=ranks)
+        launcher, *rest = command_line(runs.program, runs.case(case), entries, pathlib.Path(folder) / "run", ranks=ranks)
         subprocess.run([launcher, "-x", f"LD_PRELOAD={built(runs, 'libcount_messages.so')}", "-x", "MESSAGE_COUNTS", *rest],
                        check=True, env=os.environ | MPI_ENVIRONMENT | {"OMPI_MCA_mpi_yield_when_idle": "1",
                                                                        "MESSAGE_COUNTS": str(counts)})

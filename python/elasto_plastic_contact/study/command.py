@@ -59,8 +59,8 @@ def main(arguments):
     parser.add_argument("--no-plot", action="store_true", help="write the table only")
     add_program(parser)
     chosen = parser.parse_args(arguments)
-    study = read_study(chosen.study)
     program = find_program(chosen.program)
+    study = read_study(chosen.study, program)
     directory = chosen.output_directory or pathlib.Path("output") / chosen.study.stem
     with open_folder(directory):
         failures = execute(study, directory, program, functools.partial(print, flush=True))

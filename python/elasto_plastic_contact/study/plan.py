@@ -73,8 +73,8 @@ class Study:
         return f"run_{hashlib.sha256(content.encode()).hexdigest()[:10]}"
 
 
-def read_study(path):
-    """The Study of a file. Raises UserError: what is wrong, at which key, what is allowed."""
+def read_study(path, program=None):
+    """The Study of a file, for a program with its ready cases. Raises UserError: what is wrong, at which key, what is allowed."""
     text = read_text(path, errors="strict")
     try:
         data = json.loads(text, object_pairs_hook=without_repetition)
@@ -86,7 +86,7 @@ def read_study(path):
         raise UserError(f"'{path}': {error}") from None
     try:
         check_texts(data)
-        return make_study(data, pathlib.Path(path).parent)
+        return make_study(data, pathlib.Path(path).parent, program)
     except UserError as error:
         raise UserError(f"'{path}': {error}") from None
 
@@ -109,7 +109,7 @@ def check_texts(data):
         check_texts(part)
 
 
-def make_study(data, folder):
+def make_study(data, folder, program):
     check_keys(data, "the study", ("case", "numbers"), ("set", "vary", "runs", "at once", "ranks", "plot"))
     if ("vary" in data) == ("runs" in data):
         raise UserError("give either 'vary' (all combinations of values) or 'runs' (a list of objects)")
@@ -120,7 +120,7 @@ def make_study(data, folder):
     check_keys(plot, "plot", (), ("x", "y", "logarithmic", "curves"))
     names = [*runs[0], *numbers]
     study = Study(
-        case=find_case(folder / case if (folder / case).is_file() else case),
+        case=find_case(case, (folder, "."), program),
         common=read_entries(data.get("set", {}), "set"), runs=runs, numbers=numbers,
         at_once=read_count(data, "at once"), ranks=read_count(data, "ranks"),
         x=choice(plot.get("x", names[0]), "plot/x", names),

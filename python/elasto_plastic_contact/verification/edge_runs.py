@@ -10,7 +10,7 @@ import tempfile
 import time
 
 from ..fields import read_fields
-from ..program import CASES, MPI_ENVIRONMENT, command_line, find_program
+from ..program import MPI_ENVIRONMENT, command_line, find_program, ready_case
 from ..tables import read_tables
 from .runner import add_program
 
@@ -43,7 +43,7 @@ class EdgeRuns:
         if edge != DEFAULT:
             changes["Contact/Edge"] = edge
         with tempfile.TemporaryDirectory() as folder:
-            command = command_line(self.program, CASES / case, changes, folder, "--overwrite", ranks=ranks)
+            command = command_line(self.program, ready_case(case, self.program), changes, folder, "--overwrite", ranks=ranks)
             begin = time.monotonic()
             subprocess.run(command, check=True, env=os.environ | MPI_ENVIRONMENT | SHARED_CORE | dict(environment),
                            stderr=subprocess.PIPE, text=True)

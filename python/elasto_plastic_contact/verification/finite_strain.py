@@ -9,7 +9,7 @@ import random
 import subprocess
 import tempfile
 
-from ..program import CASES, MPI_ENVIRONMENT, command_line
+from ..program import MPI_ENVIRONMENT, command_line
 from ..tables import read_tables
 from .homogeneous_strain import bar, simple_shear
 from .imprint import largest_difference
@@ -110,8 +110,8 @@ def finite_strain_resume(runner):
     with tempfile.TemporaryDirectory() as folder:
         def run(changes, name, *options):
             directory = pathlib.Path(folder) / name
-            subprocess.run(command_line(runner.program, CASES / CONE, changes, directory, *options, ranks=runner.ranks),
-                           check=True, env=os.environ | MPI_ENVIRONMENT)
+            subprocess.run(command_line(runner.program, runner.case(CONE), changes, directory, *options,
+                                        ranks=runner.ranks), check=True, env=os.environ | MPI_ENVIRONMENT)
             return of_curve(read_tables(directory)["history"])
         whole = run(entries, "whole")
         run(loading, "stopped")

@@ -8,7 +8,7 @@ import pathlib
 import subprocess
 import tempfile
 
-from ..program import CASES, MPI_ENVIRONMENT, command_line
+from ..program import MPI_ENVIRONMENT, command_line
 from ..tables import read_tables
 from .imprint import largest_difference
 from .runner import Runner
@@ -180,7 +180,7 @@ def resume_with(runner, coefficient):
     with tempfile.TemporaryDirectory() as folder:
         def run(changes, name, *options):
             directory = pathlib.Path(folder) / name
-            subprocess.run(command_line(runner.program, CASES / MINDLIN, changes, directory, *options,
+            subprocess.run(command_line(runner.program, runner.case(MINDLIN), changes, directory, *options,
                                         ranks=runner.ranks), check=True, env=os.environ | MPI_ENVIRONMENT)
             return of_curve(read_tables(directory)["history"])
         whole = run(entries, "whole")

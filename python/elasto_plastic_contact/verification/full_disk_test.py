@@ -18,7 +18,7 @@ import tempfile
 from .kill_test import CASE, ENTRIES, differences, end
 from .runner import add_program
 from ..arguments import number
-from ..program import MPI_ENVIRONMENT, command_line, find_program, has_checkpoint
+from ..program import MPI_ENVIRONMENT, command_line, find_program, has_checkpoint, ready_case
 from ..tables import read_table
 
 IO_FAILURE = 5
@@ -35,7 +35,8 @@ def run(program, ranks, directory, option, environment=None):
     variables = {**os.environ, **MPI_ENVIRONMENT, **(environment or {})}
     if not variables.get("OMPI_MCA_sharedfp"):
         variables.pop("OMPI_MCA_sharedfp", None)
-    command = command_line(program, CASE, {**ENTRIES, "Output/Fields": "last cycle"}, directory, option, ranks=ranks)
+    command = command_line(program, ready_case(CASE, program), {**ENTRIES, "Output/Fields": "last cycle"}, directory,
+                           option, ranks=ranks)
     process = subprocess.Popen(command, env=variables, stderr=subprocess.PIPE, text=True)
     try:
         _, errors = process.communicate(timeout=TIMEOUT)

@@ -15,10 +15,10 @@ import time
 
 from .runner import add_program
 from ..arguments import number
-from ..program import CASES, MPI_ENVIRONMENT, command_line, find_program, has_checkpoint
+from ..program import MPI_ENVIRONMENT, command_line, find_program, has_checkpoint, ready_case
 from ..tables import read_table
 
-CASE = CASES / "indentation/sphere_axisymmetric.prm"
+CASE = "indentation/sphere_axisymmetric.prm"
 # Small, with a mesh that follows the contact, so that checkpoints take a good
 # part of the time.
 ENTRIES = {
@@ -44,7 +44,7 @@ MPIRUN_TERMINATED = 1  # of mpirun itself, whatever the program returns
 
 
 def command(program, ranks, directory, option):
-    return command_line(program, CASE, ENTRIES, directory, option, ranks=ranks)
+    return command_line(program, ready_case(CASE, program), ENTRIES, directory, option, ranks=ranks)
 
 
 def descendants(pid):

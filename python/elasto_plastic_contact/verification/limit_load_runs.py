@@ -9,13 +9,13 @@ import subprocess
 import tempfile
 import time
 
-from ..program import CASES, MPI_ENVIRONMENT
+from ..program import MPI_ENVIRONMENT
 from ..tables import read_table
 
 
 def start(runner, folder, n_cycles):
     """The strip punch on so many meshes, with one row on the screen for each."""
-    command = [runner.program, CASES / "limit_load/strip_punch.prm", "--output-directory", folder, "--overwrite"]
+    command = [runner.program, runner.case("limit_load/strip_punch.prm"), "--output-directory", folder, "--overwrite"]
     for entry in (f"Refinement/Number of cycles={n_cycles}", "Output/Screen=summary", "Output/Fields=never"):
         command += ["--set", entry]
     return subprocess.Popen(command, env=os.environ | MPI_ENVIRONMENT, text=True, stdout=subprocess.PIPE,

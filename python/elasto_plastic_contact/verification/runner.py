@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 
 from ..fields import read_fields
-from ..program import CASES, MPI_ENVIRONMENT, PROGRAM_VARIABLE, command_line, find_program
+from ..program import MPI_ENVIRONMENT, PROGRAM_VARIABLE, command_line, find_program, ready_case
 from ..tables import read_tables
 
 # The steel of most cases (MPa) and its modulus under a rigid indenter.
@@ -23,6 +23,10 @@ class Runner:
         self.program = find_program(program)
         self.ranks = ranks
         self.failed = False
+
+    def case(self, name):
+        """The path of a ready case."""
+        return ready_case(name, self.program)
 
     def run(self, case, *entries):
         """Rows of statistics.csv, the last one extended by that of history.csv."""
@@ -50,14 +54,14 @@ class Runner:
         """The folder with the results of a run, for as long as they are needed."""
         with tempfile.TemporaryDirectory() as folder:
             changes = {"Output/Fields": "never"} | dict(entry.split("=", 1) for entry in entries)
-            command = command_line(self.program, CASES / case, changes, folder, "--overwrite", ranks=self.ranks)
+            command = command_line(self.program, self.case(case), changes, folder, "--overwrite", ranks=self.ranks)
             subprocess.run(command, check=True, env=os.environ | MPI_ENVIRONMENT)
             self.check_balances(read_tables(folder))
             yield folder
 
     def preview(self, case, *entries, directory="nowhere"):
         """What --validate says: the texts of its lines by their titles."""
-        command = [self.program, CASES / case, "--validate", "--output-directory", directory]
+        command = [self.program, self.case(case), "--validate", "--output-directory", directory]
         for entry in entries:
             command += ["--set", entry]
         report = subprocess.run(command, check=True, env=os.environ | MPI_ENVIRONMENT, stdout=subprocess.PIPE,

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 from ..arguments import number
 from ..errors import UserError
-from ..program import CASES as READY_CASES, command_line
+from ..program import command_line, ready_case
 from ..tables import read_table
 
 
@@ -145,7 +145,7 @@ def run_step42(program, name, cycles, ranks):
 
 def run_ours(program, name, cycles, ranks):
     with tempfile.TemporaryDirectory() as folder:
-        command = command_line(program, READY_CASES / "step42" / f"sphere_{name}.prm",
+        command = command_line(program, ready_case(f"step42/sphere_{name}.prm", program),
                                {"Refinement/Number of cycles": cycles}, "output")
         _, seconds, megabytes = run_measured(command, ranks, folder)
         rows = read_table(os.path.join(folder, "output", "statistics.csv"))

@@ -11,7 +11,7 @@ import tempfile
 import time
 
 from .runner import add_program
-from ..program import CASES, MPI_ENVIRONMENT, command_line, find_program
+from ..program import MPI_ENVIRONMENT, command_line, find_program, ready_case
 from ..tables import read_table
 
 CONE = {"Geometry/Local refinements": 5, "Geometry/Local radius": 1, "Nonlinear solver/Tolerance": 1e-12}
@@ -39,8 +39,8 @@ TEN_CASES = {
 def run_case(program, runs, directory):
     for number, (case, entries) in enumerate(runs):
         options = ["--resume"] if number > 0 else []
-        subprocess.run(command_line(program, CASES / case, {"Output/Fields": "never", **entries}, directory, *options),
-                       env=os.environ | MPI_ENVIRONMENT, check=True)
+        subprocess.run(command_line(program, ready_case(case, program), {"Output/Fields": "never", **entries},
+                                    directory, *options), env=os.environ | MPI_ENVIRONMENT, check=True)
 
 
 def main(arguments=None):
