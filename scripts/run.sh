@@ -31,21 +31,4 @@ n_ranks=${2:-2}
 install_missing "${build_packages[@]}" "${plot_packages[@]}"
 build Release -DENABLE_TESTING=OFF
 
-# Earlier results stay.
-name=output/$(basename "$case_file" .prm)
-results=$name
-for ((n = 2; ; ++n)); do
-  [ -e "$results" ] || break
-  results=${name}_$n
-done
-on_ranks "$n_ranks" build/release/elasto_plastic_contact "$case_file" --output-directory "$results"
-
-scripts/plot.py "$results"
-# A limit load, or a run without fields, has no deformed body.
-[ ! -e "$results/solution.pvd" ] || scripts/render.py "$results" --output "$results/picture.png"
-
-cat <<END
-
-Results:            $PWD/$results (tables: *.csv; fields for ParaView: *.pvd)
-Plots and pictures: $PWD/$results/*.png
-END
+scripts/command.py run "$case_file" "$n_ranks"

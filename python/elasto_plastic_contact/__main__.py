@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""python3 -m elasto_plastic_contact COMMAND [ARGUMENT ...]: see COMMANDS."""
+"""epc COMMAND [ARGUMENT ...], or python3 -m elasto_plastic_contact: see COMMANDS."""
 
 import argparse
 import importlib
@@ -9,15 +9,21 @@ import subprocess
 import sys
 
 from .errors import FileError, UserError
+from .program import is_checkout
 
 # The module of each command, whose main() takes its arguments, and what it does.
 COMMANDS = {
+    "run": ("run_and_draw", "run a case and draw its results"),
     "plot": ("plots.command", "diagrams of runs"),
     "render": ("pictures.render", "pictures and films of bodies"),
-    "verify": ("verification.verify", "compare with exact and published values"),
     "study": ("study.command", "many runs of one case with different entries"),
     "evaluate": ("evaluate", "hardness and modulus of a measured curve"),
     "schema": ("schema", "the JSON schema of all entries of a parameter file"),
+}
+
+# Those for developers, which need a checkout.
+DEVELOPER_COMMANDS = {
+    "verify": ("verification.verify", "compare with exact and published values"),
     "kill_test": ("verification.kill_test", "kill runs, resume them and compare"),
     "contact_law": ("verification.contact_law", "waves and errors for values of 'Contact/Edge'"),
     "contact_uniqueness": ("verification.contact_uniqueness", "the same history computed in several ways"),
@@ -27,6 +33,8 @@ COMMANDS = {
     "compare_with_step42": ("verification.step42_comparison", "run step-42 on the same cases"),
     "height_maps": ("inputs.height_maps", "make the height maps of the ready cases"),
     "sphere_meshes": ("inputs.sphere_meshes", "make the meshes of the thick sphere"),
+    "update_schema": ("update_schema", "bring the schema and the columns of tables up to date"),
+    "man_pages": ("man_pages", "write the manual pages of the program and of epc"),
 }
 
 # The Debian package of a module that may be missing.
@@ -36,15 +44,16 @@ PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib"}
 def main(arguments=None):
     """Runs a command. Returns its exit status: 2 after a wrong input, 5 if a file could not be read or
     written, that of the program if it has failed, 130 after Ctrl-C."""
+    commands = COMMANDS | (DEVELOPER_COMMANDS if is_checkout() else {})
     parser = argparse.ArgumentParser(
-        prog="elasto_plastic_contact", formatter_class=argparse.RawDescriptionHelpFormatter,
+        prog="epc", formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Commands (each explains itself with --help):\n" +
-        "".join(f"  {name:20} {text}\n" for name, (_, text) in COMMANDS.items()))
-    parser.add_argument("command", choices=COMMANDS, metavar="COMMAND")
+        "".join(f"  {name:20} {text}\n" for name, (_, text) in commands.items()))
+    parser.add_argument("command", choices=commands, metavar="COMMAND")
     parser.add_argument("arguments", nargs=argparse.REMAINDER, metavar="ARGUMENT")
     chosen = parser.parse_args(arguments)
     try:
-        module = importlib.import_module(f".{COMMANDS[chosen.command][0]}", __package__)
+        module = importlib.import_module(f".{commands[chosen.command][0]}", __package__)
         status = module.main(chosen.arguments)
         sys.stdout.flush()
         return status

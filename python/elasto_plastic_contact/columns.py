@@ -8,9 +8,8 @@ import json
 import pathlib
 import re
 
-from .program import ROOT
+from .program import checkout
 
-REFERENCE = ROOT / "doc/tables.md"
 FILE = pathlib.Path(__file__).with_name("columns.json")
 
 # Tables whose columns have the names of boundaries and of probe points.
@@ -21,6 +20,11 @@ def make_columns(reference):
     """The columns of each table of the reference, a page in Markdown."""
     _, *tables = re.split(r"^## (.+)\.csv$", reference, flags=re.MULTILINE)
     return {name: re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE) for name, text in zip(tables[::2], tables[1::2])}
+
+
+def columns_of_reference():
+    """The columns of each table, as the page has them."""
+    return make_columns((checkout() / "doc/tables.md").read_text(encoding="utf-8"))
 
 
 @functools.lru_cache

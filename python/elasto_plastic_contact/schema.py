@@ -4,22 +4,18 @@
 (--print-parameters, which is doc/parameters.md). It describes an object such as
 {"Dimension": 2, "Material/Yield stress": 400}, whose keys are 'Section/Entry'.
 
-    scripts/command.py schema     brings it, and the columns of the tables, up to date with the program
+    epc schema > entries.json
 """
 
 import argparse
 import difflib
 import functools
 import json
-import os
 import pathlib
 import re
-import subprocess
+import sys
 
-from . import columns
 from .errors import UserError
-from .program import MPI_ENVIRONMENT, find_program
-from .verification.runner import add_program
 
 FILE = pathlib.Path(__file__).with_name("parameters.schema.json")
 
@@ -81,21 +77,7 @@ def check_path(path, place):
 
 
 def main(arguments):
-    parser = argparse.ArgumentParser(prog="schema", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    add_program(parser)
-    parser.add_argument("--check", action="store_true", help="change nothing, fail if it is not up to date")
-    chosen = parser.parse_args(arguments)
-    reference = subprocess.run([find_program(chosen.program), "--print-parameters"], env=os.environ | MPI_ENVIRONMENT,
-                               stdout=subprocess.PIPE, text=True, check=True).stdout
-    bring_up_to_date(FILE, make_schema(reference), chosen.check)
-    bring_up_to_date(columns.FILE, columns.make_columns(columns.REFERENCE.read_text(encoding="utf-8")), chosen.check)
+    argparse.ArgumentParser(prog="schema", description=__doc__,
+                            formatter_class=argparse.RawDescriptionHelpFormatter).parse_args(arguments)
+    sys.stdout.write(FILE.read_text(encoding="utf-8"))
     return 0
-
-
-def bring_up_to_date(file, content, only_check):
-    text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
-    if not only_check:
-        file.write_text(text, encoding="utf-8")
-    elif file.read_text(encoding="utf-8") != text:
-        raise UserError(f"{file} is not that of the program. Bring it up to date with the target 'parameters'.")

@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Brings the schema of all entries, and the columns of the tables, up to date with the program and doc/tables.md."""
+
+import argparse
+import json
+import os
+import subprocess
+
+from . import columns, schema
+from .errors import UserError
+from .program import MPI_ENVIRONMENT, find_program
+from .verification.runner import add_program
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(prog="update_schema", description=__doc__)
+    add_program(parser)
+    parser.add_argument("--check", action="store_true", help="change nothing, fail if it is not up to date")
+    chosen = parser.parse_args(arguments)
+    of_tables = columns.columns_of_reference()
+    reference = print_of_program(chosen.program, "--print-parameters")
+    bring_up_to_date(schema.FILE, schema.make_schema(reference), chosen.check)
+    bring_up_to_date(columns.FILE, of_tables, chosen.check)
+    return 0
+
+
+def print_of_program(program, option):
+    return subprocess.run([find_program(program), option], env=os.environ | MPI_ENVIRONMENT,
+                          stdout=subprocess.PIPE, text=True, check=True).stdout
+
+
+def bring_up_to_date(file, content, only_check):
+    text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    if not only_check:
+        file.write_text(text, encoding="utf-8")
+    elif file.read_text(encoding="utf-8") != text:
+        raise UserError(f"{file} is not that of the program. Bring it up to date with the target 'parameters'.")
