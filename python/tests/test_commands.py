@@ -28,6 +28,11 @@ def command(name, *arguments):
                           capture_output=True, text=True, check=False)
 
 
+def run_there(folder, *arguments):
+    return subprocess.run([sys.executable, SCRIPTS / "command.py", "run", *map(str, arguments)], cwd=folder,
+                          capture_output=True, text=True, check=False)
+
+
 class Commands(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -265,6 +270,26 @@ class Commands(unittest.TestCase):
         curve = self.write_curve("curve_for_bar.csv", self.cone.history)
         self.expect_message("has no indenter", "evaluate", curve, "--cone", 70.3, "--run", bar)
         self.assertFalse(picture.exists())
+
+    def test_run(self):
+        """A new folder each time, with tables and pictures; after an error of the program nothing is drawn."""
+        changes = [part for path, value in CONE.items() if path != "Output/Fields" for part in ("--set", f"{path}={value}")]
+        folder = self.folder / "of_run"
+        folder.mkdir()
+        for arguments, name in ((changes, "cone_axisymmetric"), ([*changes, "--set", "Output/Fields=never"], "cone_axisymmetric_2")):
+            process = run_there(folder, "cone_axisymmetric", 1, *arguments)
+            self.assertEqual(process.returncode, 0, process.stderr)
+            self.assertIn(f"/of_run/output/{name} (tables: *.csv", process.stdout)
+            self.assertTrue((folder / "output" / name / "force_depth.png").exists())
+        self.assertTrue((folder / "output/cone_axisymmetric/picture.png").exists())
+        self.assertFalse((folder / "output/cone_axisymmetric_2/picture.png").exists())
+        for arguments, words in ((["nonsense"], "^run: there is no parameter file 'nonsense'"),
+                                 (["cone_axisymmetric", 0], "argument ranks: it is '0', but must be an integer >= 1"),
+                                 (["cone_axisymmetric", 1, "--set", "Loading/Depht=1"], "There is no entry 'Loading/Depht'")):
+            process = run_there(folder, *arguments)
+            self.assertEqual(process.returncode, 2)
+            self.assertRegex(process.stderr, words)
+        self.assertEqual(len(list((folder / "output").iterdir())), 2)
 
     def test_missing_module(self):
         """Without 'site', Python does not find what has been installed."""
