@@ -5,15 +5,17 @@
 # scripts/test_system.sh SUITE [FOLDER]
 #
 # Installs a fresh Debian SUITE (bookworm, trixie, sid) into FOLDER, by default
-# build/systems/SUITE, and runs scripts/run.sh and scripts/test.sh there, on a copy
-# of the last commit. Then ten short cases run there and here, and a table says how
-# the two systems differ. Needs root, debootstrap, 8 GB and, on two cores, an hour; a
-# FOLDER that is there is used again. TEST_BUILDS and TEST_SELECTION are those of
+# build/systems/SUITE, and runs scripts/run.sh and scripts/test.sh there, on a copy of
+# the last commit. Then ten short cases run there and here, and a run that one of the
+# two has begun is finished by the other. At last, the package is made there, and a
+# plain user tries it in a second fresh system, FOLDER.user. Prints a table of what
+# has come out. Needs root, debootstrap, 16 GB and, on two cores, two hours; a FOLDER
+# that is there is used again. TEST_BUILDS and TEST_SELECTION are those of
 # scripts/test.sh.
 
 case ${1:-} in
   -h | --help)
-    sed -n '5,14s/^# \{0,1\}//p' "$0"
+    sed -n '5,16s/^# \{0,1\}//p' "$0"
     exit
     ;;
 esac
@@ -31,40 +33,50 @@ else
   root=$PWD/build/systems/$suite
 fi
 readonly root
+readonly user_root=$root.user
 readonly checkout=/opt/elasto_plastic_contact
+readonly kernel_folders=(proc sys dev dev/shm)
 
+# install_system FOLDER
 # From the mirror of this system, or else from debootstrap's own.
 install_system()
 {
   local mirror
-  mapfile -t mirror < <(grep -rhoE 'https?://[^ ]+/debian/?( |$)' /etc/apt/sources.list /etc/apt/sources.list.d 2>/dev/null | head -n 1)
-  debootstrap --variant=minbase "$suite" "$root" "${mirror[@]}"
-}
-
-mount_kernel_folders()
-{
+  if [ ! -x "$1/usr/bin/apt-get" ] || [ -d "$1/debootstrap" ]; then
+    mapfile -t mirror < <(grep -rhoE 'https?://[^ ]+/debian/?( |$)' /etc/apt/sources.list /etc/apt/sources.list.d 2>/dev/null | head -n 1)
+    debootstrap --variant=minbase "$suite" "$1" "${mirror[@]}"
+  fi
   local folder
-  for folder in proc sys dev dev/shm; do
-    mount --bind "/$folder" "$root/$folder"
+  for folder in "${kernel_folders[@]}"; do
+    mountpoint -q "$1/$folder" || mount --bind "/$folder" "$1/$folder"
   done
+  cp /etc/resolv.conf "$1/etc/"
 }
 
 # shellcheck disable=SC2317 # (called at the end, whatever it is)
 unmount_kernel_folders()
 {
   local folder
-  for folder in dev/shm dev sys proc; do
-    ! mountpoint -q "$root/$folder" || umount "$root/$folder"
+  for folder in {"$root","$user_root"}/{dev/shm,dev,sys,proc}; do
+    ! mountpoint -q "$folder" || umount "$folder"
   done
+}
+
+# in_system FOLDER COMMAND [ARGUMENT ...]
+in_system()
+{
+  local folder=$1
+  shift
+  chroot "$folder" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+    DEBIAN_FRONTEND=noninteractive ${http_proxy+"http_proxy=$http_proxy"} \
+    ${TEST_BUILDS+"TEST_BUILDS=$TEST_BUILDS"} ${TEST_SELECTION+"TEST_SELECTION=$TEST_SELECTION"} \
+    "$@"
 }
 
 # there COMMAND [ARGUMENT ...], in the copy of the last commit
 there()
 {
-  chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
-    ${http_proxy+"http_proxy=$http_proxy"} \
-    ${TEST_BUILDS+"TEST_BUILDS=$TEST_BUILDS"} ${TEST_SELECTION+"TEST_SELECTION=$TEST_SELECTION"} \
-    sh -c "cd $checkout && exec \"\$@\"" sh "$@"
+  in_system "$root" sh -c "cd $checkout && exec \"\$@\"" sh "$@"
 }
 
 version_there()
@@ -73,28 +85,81 @@ version_there()
   there dpkg-query --show --showformat '${Version}' "$1" 2>/dev/null || echo none
 }
 
-install_missing "${build_packages[@]}" debootstrap git python3
-if [ ! -x "$root/usr/bin/apt-get" ] || [ -d "$root/debootstrap" ]; then
-  install_system
-fi
-trap unmount_kernel_folders EXIT
-mount_kernel_folders
-cp /etc/resolv.conf "$root/etc/"
+# Three times in turn, so that times can be compared: the shortest of each case counts.
+run_ten_cases()
+{
+  local n
+  for n in 1 2 3; do
+    scripts/command.py ten_cases >"$results/here.$n"
+    there scripts/command.py ten_cases >"$results/there.$n"
+  done
+}
 
-rm -rf "${root:?}$checkout"
-git clone --quiet . "$root$checkout"
+exchange_checkpoints()
+{
+  local exchanged=$checkout/build/exchanged
+  there scripts/command.py ten_cases --begin "$exchanged/there"
+  scripts/command.py ten_cases --finish "$root$exchanged/there" >"$results/begun_there"
+  scripts/command.py ten_cases --begin "$root$exchanged/here"
+  there scripts/command.py ten_cases --finish "$exchanged/here" >"$results/begun_here"
+}
+
+# Makes the package there and installs it in a system without compilers, where a user
+# who is not root runs a ready case in a folder of hers.
+try_package()
+{
+  there scripts/package.sh &&
+    install_system "$user_root" &&
+    cp "$root$checkout"/build/package/*.deb "$user_root/tmp/" &&
+    in_system "$user_root" apt-get update -q &&
+    in_system "$user_root" sh -c 'apt-get install -q -y --no-install-recommends /tmp/*.deb &&
+      { id user >/dev/null 2>&1 || useradd --create-home user; } && rm -rf /home/user/trial' &&
+    in_system "$user_root" su - user -c 'mkdir trial && cd trial &&
+      elasto_plastic_contact --list-cases &&
+      elasto_plastic_contact indentation/sphere_axisymmetric.prm --output-directory sphere &&
+      epc evaluate sphere && epc plot sphere && ls sphere'
+}
+
+# Lines: case; number here; relative difference there; shortest seconds here, there.
+print_ten_cases()
+{
+  printf '%-28s %22s %12s %8s %8s\n' case number difference 's here' 's there'
+  paste -d ';' "$results"/here.? "$results"/there.? | awk -F ';' '
+    { here = $3; there = $12
+      for (i = 6; i <= 9; i += 3) if ($i < here) here = $i
+      for (i = 15; i <= 18; i += 3) if ($i < there) there = $i
+      printf "%-28s %22.15g %12.1e %8s %8s\n", $1, $2, $11 / $2 - 1, here, there }'
+  local begun whole
+  whole=$(awk -F ';' '/resume/ { print $2 }' "$results/here.1")
+  for begun in there here; do
+    awk -F ';' -v whole="$whole" -v begun="$begun" '
+      { printf "%-28s %22.15g %12.1e\n", "begun " begun ", finished " (begun == "here" ? "there" : "here"), $2, $2 / whole - 1 }' "$results/begun_$begun"
+  done
+}
+
+install_missing "${build_packages[@]}" debootstrap git python3
+git diff --quiet HEAD || fail "there are changes that no commit has: they would be here, but not there"
+trap unmount_kernel_folders EXIT
+install_system "$root"
+[ -e "$root$checkout" ] || git clone --quiet . "$root$checkout"
+git -C "$root$checkout" fetch --quiet "$PWD" HEAD
+git -C "$root$checkout" reset --quiet --hard FETCH_HEAD
+readonly results=build/test_system/$suite
+mkdir -p "$results"
 
 started=$SECONDS
 there scripts/run.sh
 seconds_of_run=$((SECONDS - started))
 started=$SECONDS
-status=0
-there scripts/test.sh -DWARNINGS_AS_ERRORS=ON || status=1
+tests=passed
+there scripts/test.sh -DWARNINGS_AS_ERRORS=ON || tests=failed
 seconds_of_tests=$((SECONDS - started))
 
 build Release
-scripts/command.py ten_cases >build/ten_cases.csv
-there scripts/command.py ten_cases >"build/ten_cases_$suite.csv"
+run_ten_cases
+exchange_checkpoints
+package=works
+try_package || package=fails
 
 cat <<END
 
@@ -104,11 +169,10 @@ Debian $suite, $(date -I)
   Open MPI:     $(version_there openmpi-bin)
   CMake:        $(version_there cmake)
   run.sh:       $seconds_of_run s
-  test.sh:      $seconds_of_tests s
+  test.sh:      $seconds_of_tests s, $tests
 $(there grep -h 'tests passed' -r build --include=ctest.log | sed 's/^/  /')
+  package:      $package, for a user who is not root
 
 END
-printf '%-24s %20s %12s %10s %10s\n' case number difference "s here" "s there"
-paste -d ';' build/ten_cases.csv "build/ten_cases_$suite.csv" | awk -F ';' '
-  { printf "%-24s %20.15g %12.1e %10s %10s\n", $1, $2, $5 / $2 - 1, $3, $6 }'
-exit $status
+print_ten_cases
+[ "$tests $package" = "passed works" ]

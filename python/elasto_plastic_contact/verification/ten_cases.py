@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One number of each of ten short runs, of all kinds there are, to compare systems: each line has the name of the case,
-its number with all digits, and the seconds it took."""
+its number with all digits, and the seconds it took. A run can also be begun on one system and finished on another."""
 
 import argparse
 import os
@@ -36,22 +36,44 @@ TEN_CASES = {
 }
 
 
-def run_case(program, runs, directory):
-    for number, (case, entries) in enumerate(runs):
-        options = ["--resume"] if number > 0 else []
-        subprocess.run(command_line(program, ready_case(case, program), {"Output/Fields": "never", **entries},
-                                    directory, *options), env=os.environ | MPI_ENVIRONMENT, check=True)
+RESUMED = "checkpoint and resume"
+
+
+def run_part(program, name, number, directory):
+    """One of the runs of a case."""
+    case, entries = TEN_CASES[name][0][number]
+    options = ["--resume"] if number > 0 else []
+    subprocess.run(command_line(program, ready_case(case, program), {"Output/Fields": "never", **entries},
+                                directory, *options), env=os.environ | MPI_ENVIRONMENT, check=True)
+
+
+def print_result(name, directory, seconds):
+    _, table, column = TEN_CASES[name]
+    value = read_table(pathlib.Path(directory) / f"{table}.csv")[-1][column]
+    print(f"{name};{value!r};{seconds:.1f}", flush=True)
+
+
+def run_parts(program, name, numbers, directory):
+    start = time.monotonic()
+    for number in numbers:
+        run_part(program, name, number, directory)
+    print_result(name, directory, time.monotonic() - start)
 
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(prog="ten_cases", description=__doc__)
     add_program(parser)
-    program = find_program(parser.parse_args(arguments).program)
-    for name, (runs, table, column) in TEN_CASES.items():
-        with tempfile.TemporaryDirectory() as folder:
-            start = time.monotonic()
-            run_case(program, runs, folder)
-            seconds = time.monotonic() - start
-            value = read_table(pathlib.Path(folder) / f"{table}.csv")[-1][column]
-        print(f"{name};{value!r};{seconds:.1f}", flush=True)
+    half = parser.add_mutually_exclusive_group()
+    half.add_argument("--begin", metavar="FOLDER", help=f"only the first run of '{RESUMED}', into a new folder")
+    half.add_argument("--finish", metavar="FOLDER", help=f"only the second run of '{RESUMED}', with the folder of the first")
+    options = parser.parse_args(arguments)
+    program = find_program(options.program)
+    if options.begin:
+        run_part(program, RESUMED, 0, options.begin)
+    elif options.finish:
+        run_parts(program, RESUMED, [1], options.finish)
+    else:
+        for name, (runs, _, _) in TEN_CASES.items():
+            with tempfile.TemporaryDirectory() as folder:
+                run_parts(program, name, range(len(runs)), folder)
     return 0
