@@ -176,6 +176,8 @@ public:
   void
   check_mixed_form() const
   {
+    verify("  the mixed product is all that its result holds",
+           mixed_product_of_field(0.) == mixed_product_of_field(1e300));
     const Method factorization{
       "factorisation",
       [this]() {
@@ -275,6 +277,19 @@ private:
     return ReducedUnknowns(supports.fixed_entries(zero),
                            coupled,
                            MPI_COMM_WORLD);
+  }
+
+  /// @param before is what the result holds before. @return the dilatations.
+  std::vector<double>
+  mixed_product_of_field(const double before) const
+  {
+    BlockVectorType mixed, product;
+    solid->initialize_mixed_vector(mixed);
+    solid->initialize_mixed_vector(product);
+    mixed.block(0) = field();
+    product        = before;
+    solid->mixed_vmult(product, mixed);
+    return {product.block(1).begin(), product.block(1).end()};
   }
 
   unsigned int

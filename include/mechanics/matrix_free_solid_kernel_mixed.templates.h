@@ -54,7 +54,7 @@ namespace ElastoPlastic
 
 
 
-  // (Nothing is written for lanes without a cell: their volume may be zero.)
+  // (Lanes without a cell have no dilatation; their volume may be zero.)
   template <int degree, typename StrainMeasure>
   ELASTO_PLASTIC_ALWAYS_INLINE inline void
   MatrixFreeSolidKernel<degree, StrainMeasure>::mix(
@@ -81,8 +81,9 @@ namespace ElastoPlastic
         pressure.load(pressures + k * Number::size());
         const Number excess     = std::sqrt((bulk - moderate) * volume[k]);
         const Number difference = excess * volumetric[k] - pressure;
-        for (unsigned int lane = 0; lane < n_cells; ++lane)
-          dilatation[k * Number::size() + lane] = difference[lane];
+        for (unsigned int lane = 0; lane < Number::size(); ++lane)
+          dilatation[k * Number::size() + lane] =
+            lane < n_cells ? difference[lane] : 0.;
         volumetric[k] =
           (moderate * volumetric[k] + excess / volume[k] * pressure) / bulk;
       }
