@@ -82,7 +82,7 @@ namespace ElastoPlastic
                              quick.geometry.n_initial_refinements())
     , triangulation(MPI_COMM_SELF)
     , gap_function(make_mesh_and_place_indenter(quick, triangulation))
-    , contact(quick, triangulation, gap_function)
+    , contact(quick, quick.indenter, triangulation, gap_function)
     , fe(FE_Q<dim>(model.degree), dim)
     , dof_handler(triangulation)
   {

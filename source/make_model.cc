@@ -31,11 +31,11 @@ namespace ElastoPlastic
   make_model(const Parameters &parameters)
   {
     const Geometry<dim> geometry(parameters.geometry);
-    return {geometry,
-            BoundaryConditions<dim>(parameters.boundary_conditions,
-                                    geometry.boundary_names()),
-            BodyForce<dim>(parameters.body_force.components),
-            parameters.discretization.strain_model(),
+    return {{BoundaryConditions<dim>(parameters.boundary_conditions,
+                                     geometry.boundary_names()),
+             BodyForce<dim>(parameters.body_force.components),
+             parameters.discretization.strain_model()},
+            geometry,
             parameters.discretization.degree,
             parameters.material.materials(),
             make_indenter<dim>(parameters.indenter),

@@ -29,7 +29,7 @@ namespace ElastoPlastic
   template <int dim>
   std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters    &parameters,
-                      const Model<dim>                &model,
+                      const LoadedBody<dim>           &body,
                       const SolidOperator<dim>        &solid,
                       const DoFHandler<dim>           &dof_handler,
                       const AffineConstraints<double> &constraints,
@@ -56,8 +56,8 @@ namespace ElastoPlastic
 
     const Method geometric = {
       "geometric multigrid",
-      [&model, &solid, &dof_handler, &constraints]() {
-        return std::make_unique<MultigridPreconditioner<dim>>(model,
+      [&body, &solid, &dof_handler, &constraints]() {
+        return std::make_unique<MultigridPreconditioner<dim>>(body,
                                                               solid,
                                                               dof_handler,
                                                               constraints);
@@ -96,14 +96,14 @@ namespace ElastoPlastic
 
   template std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters &,
-                      const Model<2> &,
+                      const LoadedBody<2> &,
                       const SolidOperator<2> &,
                       const DoFHandler<2> &,
                       const AffineConstraints<double> &,
                       const std::function<void(const std::string &)> &);
   template std::unique_ptr<TangentSolver>
   make_tangent_solver(const LinearSolverParameters &,
-                      const Model<3> &,
+                      const LoadedBody<3> &,
                       const SolidOperator<3> &,
                       const DoFHandler<3> &,
                       const AffineConstraints<double> &,

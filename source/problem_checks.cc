@@ -256,7 +256,10 @@ namespace ElastoPlastic
     const auto   symmetric = directions_of_symmetry(model, triangulation);
     const double part      = part_around(model, {}, triangulation);
 
-    const NominalContact<dim> contact(model, triangulation, gap_function);
+    const NominalContact<dim> contact(model,
+                                      model.indenter,
+                                      triangulation,
+                                      gap_function);
     const auto                radius_at = [&](const double time) {
       const auto load = model.load_program.load(time);
       return load && load->control == Control::depth ?

@@ -54,8 +54,8 @@ namespace ElastoPlastic
               body.gap_function,
               body.triangulation,
               parameters.profile_lines)
-    , small_strain_guard(
-        NominalContact<dim>(body.model, body.triangulation, body.gap_function))
+    , small_strain_guard(NominalContact<dim>(
+        body.model, body.model.indenter, body.triangulation, body.gap_function))
     , pressure_guard(body.model.materials)
   {}
 

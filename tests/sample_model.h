@@ -17,10 +17,8 @@ namespace ElastoPlastic
                const StrainModel             &strain_model =
                  StrainModel(VolumetricTreatment::standard))
   {
-    return {Geometry<dim>(GeometryParameters()),
-            conditions,
-            BodyForce<dim>(),
-            strain_model,
+    return {{conditions, BodyForce<dim>(), strain_model},
+            Geometry<dim>(GeometryParameters()),
             /* degree = */ 1,
             MaterialParameters().materials(),
             PlacedIndenter<dim>(),

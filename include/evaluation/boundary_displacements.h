@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "loads/loaded_body.h"
 #include "mechanics/solid_operator.h"
-#include "model/model.h"
 
 namespace ElastoPlastic
 {
@@ -23,7 +23,7 @@ namespace ElastoPlastic
   public:
     /// Both must outlive this object. Collective.
     BoundaryDisplacements(
-      const Model<dim>                                &model,
+      const LoadedBody<dim>                           &body,
       const parallel::distributed::Triangulation<dim> &triangulation);
 
     /// "top_displacement_x", ..., boundary by boundary.

@@ -10,10 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "contact/gap_function.h"
 #include "evaluation/contact_surface.h"
 #include "evaluation/solve_result.h"
 #include "evaluation/surface_row.h"
-#include "model/model.h"
+#include "loads/loaded_body.h"
 
 namespace ElastoPlastic
 {
@@ -30,10 +31,10 @@ namespace ElastoPlastic
   class Imprint
   {
   public:
-    /// @p profile_lines is the entry Output/Profile lines. @p model and
-    /// @p gap_function must outlive this object. Collective.
+    /// @p profile_lines is the entry Output/Profile lines. @p gap_function
+    /// must outlive this object. Collective.
     /// @throws InputError
-    Imprint(const Model<dim>                                &model,
+    Imprint(const LoadedBody<dim>                           &body,
             const GapFunction<dim>                          &gap_function,
             const parallel::distributed::Triangulation<dim> &triangulation,
             const std::string                               &profile_lines);

@@ -9,8 +9,9 @@
 #include <optional>
 #include <set>
 
+#include "contact/gap_function.h"
 #include "evaluation/indentation_test.h"
-#include "model/model.h"
+#include "loads/loaded_body.h"
 
 namespace ElastoPlastic
 {
@@ -35,7 +36,8 @@ namespace ElastoPlastic
   template <int dim>
   std::optional<IndentationTest>
   make_indentation_test(
-    const Model<dim>                                &model,
+    const LoadedBody<dim>                           &body,
+    const PlacedIndenter<dim>                       &indenter,
     const parallel::distributed::Triangulation<dim> &triangulation,
     const GapFunction<dim>                          &gap_function,
     const EvaluationParameters                      &constants);

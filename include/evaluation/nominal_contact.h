@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "contact/gap_function.h"
-#include "model/model.h"
+#include "loads/loaded_body.h"
 
 namespace ElastoPlastic
 {
@@ -24,7 +24,8 @@ namespace ElastoPlastic
   public:
     /// Collective.
     NominalContact(
-      const Model<dim>                                &model,
+      const LoadedBody<dim>                           &body,
+      const PlacedIndenter<dim>                       &indenter,
       const parallel::distributed::Triangulation<dim> &triangulation,
       const GapFunction<dim>                          &gap_function);
 

@@ -8,21 +8,21 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include "model/model.h"
+#include "loads/loaded_body.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
   /// Computes the nodal forces int traction . phi_i ds and int f . phi_i dx of
-  /// the tractions and body forces f of @p model at @p time, condensed with @p
+  /// the tractions and body forces f of @p body at @p time, condensed with @p
   /// constraints. @p forces has its layout. Collective.
   template <int dim>
   void
   compute_external_forces(LinearAlgebra::distributed::Vector<double> &forces,
                           const DoFHandler<dim>           &dof_handler,
                           const AffineConstraints<double> &constraints,
-                          const Model<dim>                &model,
+                          const LoadedBody<dim>           &body,
                           const double                     time);
 } // namespace ElastoPlastic
 

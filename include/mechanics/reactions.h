@@ -26,7 +26,7 @@ namespace ElastoPlastic
   public:
     /// All arguments must outlive this object. They may change: mesh, unknowns
     /// and supports are those at the time of a call.
-    Reactions(const Model<dim>      &model,
+    Reactions(const LoadedBody<dim> &body,
               const DoFHandler<dim> &dof_handler,
               const Supports<dim>   &supports);
 
@@ -77,7 +77,7 @@ namespace ElastoPlastic
          const VectorType         &loads,
          VectorType               &motion) const;
 
-    const Model<dim>      &model;
+    const LoadedBody<dim> &body;
     const DoFHandler<dim> &dof_handler;
     const Supports<dim>   &supports;
   };

@@ -13,7 +13,7 @@
 #include <memory>
 #include <optional>
 
-#include "model/model.h"
+#include "loads/loaded_body.h"
 
 namespace ElastoPlastic
 {
@@ -36,8 +36,8 @@ namespace ElastoPlastic
   public:
     using Vector = LinearAlgebra::distributed::Vector<double>;
 
-    /// @p model must outlive this object.
-    explicit Supports(const Model<dim> &model);
+    /// @p body must outlive this object.
+    explicit Supports(const LoadedBody<dim> &body);
 
     /// Finds out what is held where, for @p dof_handler, which must outlive
     /// this object or the next call. Prescribed displacements are zero.
@@ -112,7 +112,7 @@ namespace ElastoPlastic
     void
     drop_constrained_values();
 
-    const Model<dim>      &model;
+    const LoadedBody<dim> &body;
     const DoFHandler<dim> *dof_handler = nullptr;
     std::optional<double>  time_of_values;
 

@@ -9,13 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "base/kinematics.h"
 #include "contact/contact_parameters.h"
 #include "contact/gap_function.h"
-#include "loading/body_force.h"
 #include "loading/load_program.h"
+#include "loads/loaded_body.h"
 #include "material/material.h"
-#include "mesh/boundary_conditions.h"
 #include "mesh/geometry.h"
 
 namespace ElastoPlastic
@@ -27,14 +25,11 @@ namespace ElastoPlastic
   /// read once. It does not change: meshes and all that grows during a
   /// computation belong to the analyses, which take it by const reference.
   template <int dim>
-  struct Model
+  struct Model : LoadedBody<dim>
   {
-    Geometry<dim>           geometry;
-    BoundaryConditions<dim> boundary_conditions;
-    BodyForce<dim>          body_force;
+    Geometry<dim> geometry;
 
-    /// What strains are, and the degree p of the elements FE_Q(p)^dim.
-    StrainModel  strain_model;
+    /// The degree p of the elements FE_Q(p)^dim.
     unsigned int degree;
 
     /// By material id; a single one stands for every id.

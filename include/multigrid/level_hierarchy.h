@@ -79,7 +79,7 @@ namespace ElastoPlastic
     /// The coarsest mesh is the finest one of those that have at most
     /// @p n_coarse_cells cells, or the mesh that all others come from. All
     /// arguments must outlive this object.
-    LevelHierarchy(const Model<dim>                &model,
+    LevelHierarchy(const LoadedBody<dim>           &body,
                    const DoFHandler<dim>           &dof_handler,
                    const AffineConstraints<double> &constraints,
                    const unsigned int               n_coarse_cells);
@@ -127,8 +127,8 @@ namespace ElastoPlastic
     void
     update_tangents(const SolidOperator<dim> &solid);
 
-    const Model<dim>  &model;
-    std::vector<Level> levels;
+    const LoadedBody<dim> &body;
+    std::vector<Level>     levels;
 
     typename LevelTransfer<dim>::Operators level_operators;
     typename LevelTransfer<dim>::Transfers two_level_transfers;

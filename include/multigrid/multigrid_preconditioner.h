@@ -25,7 +25,7 @@ namespace ElastoPlastic
   public:
     /// For the tangent that @p solid stores; the other arguments are those of
     /// LevelHierarchy.
-    MultigridPreconditioner(const Model<dim>                &model,
+    MultigridPreconditioner(const LoadedBody<dim>           &body,
                             const SolidOperator<dim>        &solid,
                             const DoFHandler<dim>           &dof_handler,
                             const AffineConstraints<double> &constraints);

@@ -129,6 +129,7 @@ namespace ElastoPlastic
                           parameters.output.directory,
                           evaluation.names(),
                           make_indentation_test(model,
+                                                model.indenter,
                                                 body.triangulation,
                                                 body.gap_function,
                                                 parameters.evaluation),

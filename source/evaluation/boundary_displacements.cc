@@ -16,9 +16,9 @@ namespace ElastoPlastic
 {
   template <int dim>
   BoundaryDisplacements<dim>::BoundaryDisplacements(
-    const Model<dim>                                &model,
+    const LoadedBody<dim>                           &body,
     const parallel::distributed::Triangulation<dim> &triangulation)
-    : kinematics(model.strain_model.kinematics)
+    : kinematics(body.strain_model.kinematics)
   {
     std::map<types::boundary_id, double> areas;
     for (const auto &cell : triangulation.active_cell_iterators())
@@ -27,7 +27,7 @@ namespace ElastoPlastic
           if (face->at_boundary() &&
               extent(face->center(), kinematics) > 1e-10 * face->diameter())
             areas[face->boundary_id()] += face->measure();
-    for (const auto &[name, id] : model.boundary_conditions.names())
+    for (const auto &[name, id] : body.boundary_conditions.names())
       if (Utilities::MPI::max(areas[id], communicator_of(triangulation)) > 0.)
         boundaries[name] = id;
   }

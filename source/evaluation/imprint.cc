@@ -48,19 +48,19 @@ namespace ElastoPlastic
   // An axis beside the body tells nothing: then the contact is a whole.
   template <int dim>
   Imprint<dim>::Imprint(
-    const Model<dim>                                &model,
+    const LoadedBody<dim>                           &body,
     const GapFunction<dim>                          &gap_function,
     const parallel::distributed::Triangulation<dim> &triangulation,
     const std::string                               &profile_lines)
     : gap_function(gap_function)
     , is_plane(dim == 2 &&
-               model.strain_model.kinematics != Kinematics::axisymmetric)
+               body.strain_model.kinematics != Kinematics::axisymmetric)
     , has_own_lines(!profile_lines.empty())
     , part(modelled_part(triangulation,
-                         model.boundary_conditions.ids(
+                         body.boundary_conditions.ids(
                            BoundaryConditionType::contact),
                          gap_function.position(),
-                         model.strain_model.kinematics))
+                         body.strain_model.kinematics))
   {
     if (part == 0.)
       part = 1.;

@@ -94,43 +94,46 @@ namespace ElastoPlastic
   template <int dim>
   std::optional<IndentationTest>
   make_indentation_test(
-    const Model<dim>                                &model,
+    const LoadedBody<dim>                           &body,
+    const PlacedIndenter<dim>                       &indenter,
     const parallel::distributed::Triangulation<dim> &triangulation,
     const GapFunction<dim>                          &gap_function,
     const EvaluationParameters                      &constants)
   {
     const bool is_plane =
-      dim == 2 && model.strain_model.kinematics != Kinematics::axisymmetric;
+      dim == 2 && body.strain_model.kinematics != Kinematics::axisymmetric;
     if (!gap_function.has_indenter() || is_plane)
       return {};
     const auto boundaries =
-      model.boundary_conditions.ids(BoundaryConditionType::contact);
+      body.boundary_conditions.ids(BoundaryConditionType::contact);
     const double part = modelled_part(triangulation,
                                       boundaries,
                                       gap_function.position(),
-                                      model.strain_model.kinematics);
+                                      body.strain_model.kinematics);
     if (part == 0.)
       return {};
     std::shared_ptr<const TipOnSurface> tip;
     if (are_level(triangulation, boundaries))
-      tip = std::make_shared<TipOnLevelSurface>(model.indenter.shape,
-                                                model.indenter.initial_gap,
+      tip = std::make_shared<TipOnLevelSurface>(indenter.shape,
+                                                indenter.initial_gap,
                                                 communicator_of(triangulation));
     else
       tip = std::make_shared<TipOnCurvedSurface<dim>>(
-        model.indenter.shape, gap_function, triangulation, boundaries, part);
+        indenter.shape, gap_function, triangulation, boundaries, part);
     return IndentationTest(tip, part, constants);
   }
 
 
 
   template std::optional<IndentationTest>
-  make_indentation_test(const Model<2> &,
+  make_indentation_test(const LoadedBody<2> &,
+                        const PlacedIndenter<2> &,
                         const parallel::distributed::Triangulation<2> &,
                         const GapFunction<2> &,
                         const EvaluationParameters &);
   template std::optional<IndentationTest>
-  make_indentation_test(const Model<3> &,
+  make_indentation_test(const LoadedBody<3> &,
+                        const PlacedIndenter<3> &,
                         const parallel::distributed::Triangulation<3> &,
                         const GapFunction<3> &,
                         const EvaluationParameters &);

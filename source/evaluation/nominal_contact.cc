@@ -12,29 +12,28 @@ namespace ElastoPlastic
   {
     template <int dim>
     bool
-    is_plane(const Model<dim> &model)
+    is_plane(const StrainModel &strain_model)
     {
-      return dim == 2 &&
-             model.strain_model.kinematics != Kinematics::axisymmetric;
+      return dim == 2 && strain_model.kinematics != Kinematics::axisymmetric;
     }
-
   } // namespace
 
 
 
   template <int dim>
   NominalContact<dim>::NominalContact(
-    const Model<dim>                                &model,
+    const LoadedBody<dim>                           &body,
+    const PlacedIndenter<dim>                       &indenter,
     const parallel::distributed::Triangulation<dim> &triangulation,
     const GapFunction<dim>                          &gap_function)
-    : shape(model.indenter.shape)
-    , initial_gap(model.indenter.initial_gap)
-    , in_plane(is_plane(model))
+    : shape(indenter.shape)
+    , initial_gap(indenter.initial_gap)
+    , in_plane(is_plane<dim>(body.strain_model))
     , part(modelled_part(triangulation,
-                         model.boundary_conditions.ids(
+                         body.boundary_conditions.ids(
                            BoundaryConditionType::contact),
                          gap_function.position(),
-                         model.strain_model.kinematics))
+                         body.strain_model.kinematics))
   {}
 
 

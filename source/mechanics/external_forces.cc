@@ -23,10 +23,10 @@ namespace ElastoPlastic
     {
     public:
       CellForces(const FiniteElement<dim> &fe,
-                 const Model<dim>         &model,
+                 const LoadedBody<dim>    &body,
                  const double              time)
         : fe(fe)
-        , model(model)
+        , body(body)
         , time(time)
         , fe_values(fe, QGauss<dim>(fe.degree + 1), update_flags)
         , fe_face_values(fe, QGauss<dim - 1>(fe.degree + 1), update_flags)
@@ -38,11 +38,11 @@ namespace ElastoPlastic
       {
         forces = 0;
         add_tractions(cell);
-        if (model.body_force.is_present())
+        if (body.body_force.is_present())
           {
             fe_values.reinit(cell);
             add(fe_values, [&](const Point<dim> &x) {
-              return model.body_force.value(x, time);
+              return body.body_force.value(x, time);
             });
           }
         return forces;
@@ -55,7 +55,7 @@ namespace ElastoPlastic
       void
       add_tractions(const ActiveCell<dim> &cell)
       {
-        const auto &tractions = model.boundary_conditions.tractions();
+        const auto &tractions = body.boundary_conditions.tractions();
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary())
             if (const auto traction =
@@ -81,7 +81,7 @@ namespace ElastoPlastic
           {
             const Point<dim>    &x = values.quadrature_point(q);
             const Tensor<1, dim> force =
-              values.JxW(q) * extent(x, model.strain_model.kinematics) *
+              values.JxW(q) * extent(x, body.strain_model.kinematics) *
               density(x);
             for (unsigned int i = 0; i < forces.size(); ++i)
               forces(i) += force[fe.system_to_component_index(i).first] *
@@ -90,7 +90,7 @@ namespace ElastoPlastic
       }
 
       const FiniteElement<dim> &fe;
-      const Model<dim>         &model;
+      const LoadedBody<dim>    &body;
       const double              time;
       FEValues<dim>             fe_values;
       FEFaceValues<dim>         fe_face_values;
@@ -105,14 +105,14 @@ namespace ElastoPlastic
   compute_external_forces(LinearAlgebra::distributed::Vector<double> &forces,
                           const DoFHandler<dim>           &dof_handler,
                           const AffineConstraints<double> &constraints,
-                          const Model<dim>                &model,
+                          const LoadedBody<dim>           &body,
                           const double                     time)
   {
     forces                  = 0;
-    const bool in_all_cells = model.body_force.is_present();
-    if (in_all_cells || !model.boundary_conditions.tractions().empty())
+    const bool in_all_cells = body.body_force.is_present();
+    if (in_all_cells || !body.boundary_conditions.tractions().empty())
       rethrow_collectively(communicator_of(dof_handler), [&]() {
-        CellForces<dim> forces_of(dof_handler.get_fe(), model, time);
+        CellForces<dim> forces_of(dof_handler.get_fe(), body, time);
         std::vector<types::global_dof_index> dof_indices(
           dof_handler.get_fe().n_dofs_per_cell());
         for (const auto &cell : dof_handler.active_cell_iterators())
@@ -133,12 +133,12 @@ namespace ElastoPlastic
   compute_external_forces(LinearAlgebra::distributed::Vector<double> &,
                           const DoFHandler<2> &,
                           const AffineConstraints<double> &,
-                          const Model<2> &,
+                          const LoadedBody<2> &,
                           const double);
   template void
   compute_external_forces(LinearAlgebra::distributed::Vector<double> &,
                           const DoFHandler<3> &,
                           const AffineConstraints<double> &,
-                          const Model<3> &,
+                          const LoadedBody<3> &,
                           const double);
 } // namespace ElastoPlastic

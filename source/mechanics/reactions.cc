@@ -9,10 +9,10 @@
 namespace ElastoPlastic
 {
   template <int dim>
-  Reactions<dim>::Reactions(const Model<dim>      &model,
+  Reactions<dim>::Reactions(const LoadedBody<dim> &body,
                             const DoFHandler<dim> &dof_handler,
                             const Supports<dim>   &supports)
-    : model(model)
+    : body(body)
     , dof_handler(dof_handler)
     , supports(supports)
   {}
@@ -25,9 +25,9 @@ namespace ElastoPlastic
   {
     const std::string  axes = "xyz";
     const unsigned int first_direction =
-      model.strain_model.kinematics == Kinematics::axisymmetric ? 1 : 0;
+      body.strain_model.kinematics == Kinematics::axisymmetric ? 1 : 0;
     std::vector<Component> result;
-    for (const auto &[name, id] : model.boundary_conditions.names())
+    for (const auto &[name, id] : body.boundary_conditions.names())
       {
         const ComponentMask held = supports.held_components(id);
         for (unsigned int d = first_direction; d < dim; ++d)
@@ -125,7 +125,7 @@ namespace ElastoPlastic
   {
     VectorType loads(contact_forces.get_partitioner());
     compute_external_forces(
-      loads, dof_handler, supports.hanging_nodes(), model, time);
+      loads, dof_handler, supports.hanging_nodes(), body, time);
     loads += contact_forces;
     return loads;
   }

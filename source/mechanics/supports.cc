@@ -72,8 +72,8 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  Supports<dim>::Supports(const Model<dim> &model)
-    : model(model)
+  Supports<dim>::Supports(const LoadedBody<dim> &body)
+    : body(body)
   {}
 
 
@@ -131,7 +131,7 @@ namespace ElastoPlastic
     level_rollers.clear();
     skew_rollers.clear();
     for (const auto id :
-         model.boundary_conditions.ids(BoundaryConditionType::roller))
+         body.boundary_conditions.ids(BoundaryConditionType::roller))
       if (const unsigned int axis = common_normal_axis(*dof_handler, id);
           axis < dim)
         level_rollers[id] = axis;
@@ -148,7 +148,7 @@ namespace ElastoPlastic
     Values values;
     rethrow_collectively(communicator_of(*dof_handler), [&]() {
       for (const auto &[id, displacement] :
-           model.boundary_conditions.prescribed_displacements())
+           body.boundary_conditions.prescribed_displacements())
         VectorTools::interpolate_boundary_values(
           MappingQ1<dim>(),
           *dof_handler,
@@ -169,7 +169,7 @@ namespace ElastoPlastic
     const Functions::ZeroFunction<dim> zero(dim);
     fixed_values.clear();
     for (const auto id :
-         model.boundary_conditions.ids(BoundaryConditionType::fixed))
+         body.boundary_conditions.ids(BoundaryConditionType::fixed))
       VectorTools::interpolate_boundary_values(
         MappingQ1<dim>(), *dof_handler, id, zero, fixed_values);
 
@@ -181,7 +181,7 @@ namespace ElastoPlastic
                                                zero,
                                                fixed_at_zero,
                                                mask_of_component<dim>(axis));
-    if (model.strain_model.kinematics == Kinematics::axisymmetric)
+    if (body.strain_model.kinematics == Kinematics::axisymmetric)
       rethrow_collectively(communicator_of(*dof_handler),
                            [&]() { find_axis(); });
 
@@ -316,7 +316,7 @@ namespace ElastoPlastic
   {
     using Type            = BoundaryConditionType;
     const auto is_of_type = [&](const Type type) {
-      return model.boundary_conditions.ids(type).count(boundary) > 0;
+      return body.boundary_conditions.ids(type).count(boundary) > 0;
     };
     if (is_of_type(Type::fixed))
       return ComponentMask(dim, true);
@@ -329,7 +329,7 @@ namespace ElastoPlastic
       }
     if (is_of_type(Type::prescribed_displacement))
       return mask_of_given(
-        model.boundary_conditions.prescribed_displacements().at(boundary));
+        body.boundary_conditions.prescribed_displacements().at(boundary));
     return ComponentMask(dim, false);
   }
 

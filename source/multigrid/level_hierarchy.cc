@@ -91,11 +91,11 @@ namespace ElastoPlastic
 
   template <int dim>
   LevelHierarchy<dim>::LevelHierarchy(
-    const Model<dim>                &model,
+    const LoadedBody<dim>           &body,
     const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &constraints,
     const unsigned int               n_coarse_cells)
-    : model(model)
+    : body(body)
     , level_transfer(two_level_transfers, level_operators)
   {
     const unsigned int degree = dof_handler.get_fe().degree;
@@ -118,9 +118,9 @@ namespace ElastoPlastic
         // must not either.
         level_operators[l] = std::make_unique<LevelOperator<dim>>(
           level_degree < degree ? StrainModel(VolumetricTreatment::b_bar,
-                                              model.strain_model.kinematics,
-                                              model.strain_model.strain) :
-                                  model.strain_model,
+                                              body.strain_model.kinematics,
+                                              body.strain_model.strain) :
+                                  body.strain_model,
           *level.dof_handler,
           *level.constraints);
       }
@@ -142,7 +142,7 @@ namespace ElastoPlastic
   {
     Level level = {mesh,
                    std::make_unique<DoFHandler<dim>>(*mesh),
-                   std::make_unique<Supports<dim>>(model),
+                   std::make_unique<Supports<dim>>(body),
                    nullptr,
                    nullptr};
     level.own_dof_handler->distribute_dofs(FESystem<dim>(FE_Q<dim>(1), dim));
@@ -208,7 +208,7 @@ namespace ElastoPlastic
   {
     const OwnedCells<dim>    cells(*levels.back().mesh);
     std::vector<LevelVector> values(
-      CellTangents<dim>::n_values(model.strain_model.is_finite()));
+      CellTangents<dim>::n_values(body.strain_model.is_finite()));
     for (LevelVector &value : values)
       value.reinit(cells.size());
     solid.for_each_cell_tangent(

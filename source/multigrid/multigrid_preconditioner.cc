@@ -150,12 +150,12 @@ namespace ElastoPlastic
 
   template <int dim>
   MultigridPreconditioner<dim>::MultigridPreconditioner(
-    const Model<dim>                &model,
+    const LoadedBody<dim>           &body,
     const SolidOperator<dim>        &solid,
     const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &constraints)
     : solid(solid)
-    , hierarchy(model, dof_handler, constraints, n_coarse_cells)
+    , hierarchy(body, dof_handler, constraints, n_coarse_cells)
     , coarse_solver(hierarchy)
     , level_matrices(hierarchy.operators())
     , multigrid(level_matrices,
