@@ -7,7 +7,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/wide_batches.cmake)
 
 file(GLOB_RECURSE PARTS_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/source/*.cc)
-list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/main.cc)
+list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/app/main.cc)
 if(TRILINOS_SOLVERS)
   list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/solver/matrix_preconditioner_gathered.cc)
 else()
@@ -26,7 +26,7 @@ set_source_files_properties(
   PROPERTIES COMPILE_OPTIONS "-O1;-g0")
 
 # Threads are for one file only.
-set_source_files_properties(${CMAKE_SOURCE_DIR}/source/equilibrium/multifrontal_factor.cc PROPERTIES
+set_source_files_properties(${CMAKE_SOURCE_DIR}/source/bounds/conic/multifrontal_factor.cc PROPERTIES
   COMPILE_OPTIONS "${OpenMP_CXX_FLAGS}" SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 
 if(ONE_UNIT_PER_MODULE)

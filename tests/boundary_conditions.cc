@@ -9,7 +9,7 @@
 #include <iostream>
 
 #include "base/exceptions.h"
-#include "mesh/boundary_conditions.h"
+#include "loads/boundary_conditions.h"
 
 using namespace ElastoPlastic;
 

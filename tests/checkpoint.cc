@@ -12,8 +12,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/checked_write.h"
-#include "io/checkpoint.h"
+#include "output/checked_write.h"
+#include "restart/checkpoint.h"
 #include "verdict.h"
 
 #include <sys/resource.h>

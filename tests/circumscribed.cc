@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds/body/circumscribed.h"
 #include "box_names.h"
-#include "equilibrium/circumscribed.h"
 #include "mesh/box.h"
 #include "verdict.h"
 

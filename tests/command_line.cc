@@ -3,7 +3,7 @@
 
 // What the command line means, and what is said about wrong usage.
 
-#include "io/command_line.h"
+#include "input/command_line.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

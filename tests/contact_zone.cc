@@ -11,8 +11,8 @@
 
 #include <cmath>
 
+#include "adaptivity/contact_zone.h"
 #include "base/compatibility.h"
-#include "contact/contact_zone.h"
 #include "sample_mesh.h"
 #include "verdict.h"
 

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <limits>
 
-#include "io/checked_write.h"
-#include "io/csv_file.h"
+#include "output/checked_write.h"
+#include "output/csv_file.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "equilibrium/quadratic_field.h"
+#include "bounds/mechanism/quadratic_field.h"
 #include "sample_mesh.h"
 #include "verdict.h"
 

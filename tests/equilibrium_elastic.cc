@@ -14,9 +14,9 @@
 #include <complex>
 #include <limits>
 
-#include "equilibrium/johnson_mercier.h"
-#include "equilibrium/stress_check.h"
-#include "equilibrium/stress_problem.h"
+#include "bounds/stress/johnson_mercier.h"
+#include "bounds/stress/stress_check.h"
+#include "bounds/stress/stress_problem.h"
 #include "interpolated_stress.h"
 #include "verdict.h"
 

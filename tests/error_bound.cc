@@ -13,10 +13,10 @@
 #include <numeric>
 #include <utility>
 
-#include "equilibrium/error_bound.h"
-#include "equilibrium/hencky_material.h"
-#include "equilibrium/stress_problem.h"
-#include "equilibrium/support_check.h"
+#include "bounds/body/hencky_material.h"
+#include "bounds/error/error_bound.h"
+#include "bounds/error/support_check.h"
+#include "bounds/stress/stress_problem.h"
 #include "sample_mesh.h"
 #include "section_body.h"
 #include "verdict.h"

@@ -12,12 +12,12 @@
 #include <cmath>
 #include <limits>
 
-#include "equilibrium/error_bound.h"
-#include "equilibrium/hencky_material.h"
-#include "equilibrium/integration.h"
-#include "equilibrium/johnson_mercier.h"
-#include "equilibrium/stress_check.h"
-#include "equilibrium/stress_problem.h"
+#include "bounds/body/hencky_material.h"
+#include "bounds/error/error_bound.h"
+#include "bounds/mesh/integration.h"
+#include "bounds/stress/johnson_mercier.h"
+#include "bounds/stress/stress_check.h"
+#include "bounds/stress/stress_problem.h"
 #include "sample_mesh.h"
 #include "section_body.h"
 #include "verdict.h"

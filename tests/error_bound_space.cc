@@ -8,10 +8,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "equilibrium/evaluated_bounds.h"
-#include "equilibrium/hencky_material.h"
-#include "equilibrium/stress_problem.h"
-#include "equilibrium/tetrahedron_stress.h"
+#include "bounds/body/evaluated_bounds.h"
+#include "bounds/body/hencky_material.h"
+#include "bounds/stress/stress_problem.h"
+#include "bounds/stress/tetrahedron_stress.h"
 #include "space_block.h"
 
 using namespace SpaceBlock;

@@ -13,8 +13,8 @@
 
 #include <algorithm>
 
-#include "equilibrium/face_gap.h"
-#include "equilibrium/largest_error.h"
+#include "base/largest_error.h"
+#include "bounds/error/face_gap.h"
 #include "space_block.h"
 
 using namespace SpaceBlock;

@@ -18,16 +18,16 @@
 #include <sstream>
 
 #include "base/expression.h"
-#include "contact/height_file.h"
-#include "contact/indenter_library.h"
 #include "damage.h"
-#include "io/checkpoint.h"
-#include "io/csv_file.h"
-#include "io/parameters.h"
+#include "indenter/height_file.h"
+#include "indenter/indenter_library.h"
+#include "input/parameters.h"
 #include "loading/load_program.h"
+#include "loads/boundary_conditions.h"
 #include "material/hardening_input.h"
-#include "mesh/boundary_conditions.h"
 #include "mesh/gmsh_file.h"
+#include "output/csv_file.h"
+#include "restart/checkpoint.h"
 #include "verdict.h"
 
 #include <unistd.h>

@@ -12,10 +12,10 @@
 
 #include <cmath>
 
-#include "contact/indenter_library.h"
 #include "evaluation/indentation_test.h"
 #include "evaluation/modelled_part.h"
 #include "evaluation/tip_on_level_surface.h"
+#include "indenter/indenter_library.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -11,7 +11,7 @@
 
 #include "base/exceptions.h"
 #include "contact/gap_function.h"
-#include "contact/indenter_library.h"
+#include "indenter/indenter_library.h"
 
 using namespace ElastoPlastic;
 

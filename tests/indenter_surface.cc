@@ -12,7 +12,7 @@
 #include <iostream>
 
 #include "contact/gap_function.h"
-#include "contact/indenter_library.h"
+#include "indenter/indenter_library.h"
 
 using namespace ElastoPlastic;
 

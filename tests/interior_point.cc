@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "equilibrium/interior_point.h"
+#include "bounds/conic/interior_point.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -6,8 +6,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include "equilibrium/integration.h"
-#include "equilibrium/johnson_mercier.h"
+#include "bounds/mesh/integration.h"
+#include "bounds/stress/johnson_mercier.h"
 
 /// The interpolation pi_h of J (4.5) in @cite johnson_1978: the values of the
 /// Johnson-Mercier stress of the first degree with the same mean values as a

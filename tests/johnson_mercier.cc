@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "equilibrium/johnson_mercier.h"
-#include "equilibrium/local_algebra.h"
-#include "equilibrium/split_mesh.h"
+#include "bounds/conic/local_algebra.h"
+#include "bounds/mesh/split_mesh.h"
+#include "bounds/stress/johnson_mercier.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

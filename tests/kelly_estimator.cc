@@ -13,8 +13,8 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/numerics/error_estimator.h>
 
-#include "equilibrium/largest_error.h"
-#include "evaluation/kelly_estimator.h"
+#include "adaptivity/kelly_estimator.h"
+#include "base/largest_error.h"
 #include "mechanics/ghosted_copy.h"
 #include "verdict.h"
 

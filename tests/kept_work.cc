@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "program.h"
+#include "app/program.h"
 #include "table.h"
 #include "verdict.h"
 

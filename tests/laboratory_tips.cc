@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/indenter_library.h"
+#include "indenter/indenter_library.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

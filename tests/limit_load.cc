@@ -15,9 +15,9 @@
 #include <limits>
 #include <numeric>
 
-#include "equilibrium/limit_load.h"
-#include "equilibrium/stress_check.h"
-#include "equilibrium/stress_problem.h"
+#include "bounds/limit_load.h"
+#include "bounds/stress/stress_check.h"
+#include "bounds/stress/stress_problem.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -14,9 +14,9 @@
 #include <limits>
 #include <numeric>
 
-#include "equilibrium/limit_load.h"
-#include "equilibrium/stress_check.h"
-#include "equilibrium/stress_problem.h"
+#include "bounds/limit_load.h"
+#include "bounds/stress/stress_check.h"
+#include "bounds/stress/stress_problem.h"
 #include "section_body.h"
 #include "verdict.h"
 

@@ -15,11 +15,11 @@
 #include <limits>
 #include <numeric>
 
+#include "bounds/body/evaluated_bounds.h"
+#include "bounds/space_limit_load.h"
 #include "box_names.h"
 #include "contact/gap_function.h"
-#include "contact/indenter_library.h"
-#include "equilibrium/evaluated_bounds.h"
-#include "equilibrium/space_limit_load.h"
+#include "indenter/indenter_library.h"
 #include "mesh/box.h"
 #include "verdict.h"
 

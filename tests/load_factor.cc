@@ -12,11 +12,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "equilibrium/growing_loads.h"
-#include "equilibrium/limit_load.h"
-#include "equilibrium/load_power.h"
-#include "equilibrium/stress_check.h"
-#include "io/columns.h"
+#include "bounds/body/growing_loads.h"
+#include "bounds/limit_load.h"
+#include "bounds/mechanism/load_power.h"
+#include "bounds/stress/stress_check.h"
+#include "output/columns.h"
 #include "section_body.h"
 #include "verdict.h"
 

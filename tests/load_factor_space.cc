@@ -12,9 +12,9 @@
 #include <cmath>
 #include <limits>
 
+#include "bounds/body/growing_loads.h"
+#include "bounds/space_limit_load.h"
 #include "box_names.h"
-#include "equilibrium/growing_loads.h"
-#include "equilibrium/space_limit_load.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

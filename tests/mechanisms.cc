@@ -14,11 +14,11 @@
 #include <numeric>
 #include <sstream>
 
-#include "equilibrium/inverse_square.h"
-#include "equilibrium/johnson_mercier.h"
-#include "equilibrium/stream_element.h"
-#include "equilibrium/velocity_check.h"
-#include "io/slip_output.h"
+#include "bounds/mechanism/stream_element.h"
+#include "bounds/mechanism/velocity_check.h"
+#include "bounds/slip_output.h"
+#include "bounds/stress/inverse_square.h"
+#include "bounds/stress/johnson_mercier.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "program.h"
+#include "app/program.h"
 
 #include <unistd.h>
 

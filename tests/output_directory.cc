@@ -10,7 +10,7 @@
 #include <sstream>
 #include <vector>
 
-#include "io/output_directory.h"
+#include "restart/output_directory.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -8,7 +8,7 @@
 
 #include <iostream>
 
-#include "io/parameter_reference.h"
+#include "input/parameter_reference.h"
 
 using namespace dealii;
 

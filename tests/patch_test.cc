@@ -11,9 +11,9 @@
 #include <deal.II/fe/fe_system.h>
 
 #include "contact/contact_evaluation.h"
-#include "contact_problem.h"
-#include "make_tangent_solver.h"
+#include "contact_run/contact_problem.h"
 #include "material/material_parameters.h"
+#include "multigrid/make_tangent_solver.h"
 #include "sample_mesh.h"
 #include "sample_model.h"
 #include "solver/semismooth_newton.h"

@@ -12,7 +12,7 @@
 #include <map>
 #include <sstream>
 
-#include "mechanics/reactions.h"
+#include "loads/reactions.h"
 #include "sample_material.h"
 #include "sample_mesh.h"
 #include "sample_model.h"

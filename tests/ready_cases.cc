@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "io/ready_cases.h"
+#include "app/ready_cases.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -4,7 +4,7 @@
 // How many unknowns a mesh may have: as many as the user allows, and never more
 // than indices of 32 bits can number.
 
-#include "mesh/refinement.h"
+#include "adaptivity/refinement.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -13,7 +13,7 @@
 #include <limits>
 #include <set>
 
-#include "program.h"
+#include "app/program.h"
 #include "table.h"
 #include "verdict.h"
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "program.h"
+#include "app/program.h"
 #include "table.h"
 
 namespace

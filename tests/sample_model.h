@@ -5,7 +5,7 @@
 #define tests_sample_model_h
 
 #include "material/material_parameters.h"
-#include "model/model.h"
+#include "problem/model.h"
 
 namespace ElastoPlastic
 {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "equilibrium/plane_body.h"
+#include "bounds/body/plane_body.h"
 
 // Small bodies for tests of the equilibrium method.
 

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/smooth_heights.h"
+#include "indenter/smooth_heights.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

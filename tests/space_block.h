@@ -11,8 +11,8 @@
 #include <functional>
 #include <limits>
 
+#include "bounds/error/error_bound.h"
 #include "box_names.h"
-#include "equilibrium/error_bound.h"
 #include "verdict.h"
 
 // A cube under an indenter, cut into tetrahedra, for what the error bound in

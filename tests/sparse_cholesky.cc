@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <type_traits>
 
-#include "equilibrium/kkt_system.h"
-#include "equilibrium/sparse_cholesky.h"
+#include "bounds/conic/kkt_system.h"
+#include "bounds/conic/sparse_cholesky.h"
 #include "verdict.h"
 
 #include <omp.h>

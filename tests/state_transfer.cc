@@ -12,9 +12,9 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include "base/compatibility.h"
-#include "io/saved_mesh.h"
 #include "mechanics/state_transfer.h"
 #include "mesh/material_ids.h"
+#include "restart/saved_mesh.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

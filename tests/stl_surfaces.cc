@@ -15,8 +15,8 @@
 #include <sstream>
 
 #include "base/exceptions.h"
-#include "contact/decode_stl.h"
-#include "contact/indenter_library.h"
+#include "indenter/decode_stl.h"
+#include "indenter/indenter_library.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -6,8 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
-#include "equilibrium/stress_check.h"
-#include "equilibrium/stress_problem.h"
+#include "bounds/stress/stress_check.h"
+#include "bounds/stress/stress_problem.h"
 #include "section_body.h"
 #include "verdict.h"
 

@@ -13,8 +13,8 @@
 
 #include <sstream>
 
+#include "loads/supports.h"
 #include "mechanics/rigid_body_modes.h"
-#include "mechanics/supports.h"
 #include "mesh/half_ball.h"
 #include "mesh/sector.h"
 #include "sample_mesh.h"

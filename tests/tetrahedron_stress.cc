@@ -9,8 +9,8 @@
 
 #include <cmath>
 
-#include "equilibrium/local_algebra.h"
-#include "equilibrium/tetrahedron_stress.h"
+#include "bounds/conic/local_algebra.h"
+#include "bounds/stress/tetrahedron_stress.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

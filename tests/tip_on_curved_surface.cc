@@ -13,8 +13,8 @@
 #include <cmath>
 #include <functional>
 
-#include "contact/indenter_library.h"
 #include "evaluation/tip_on_curved_surface.h"
+#include "indenter/indenter_library.h"
 #include "mesh/body_size.h"
 #include "verdict.h"
 

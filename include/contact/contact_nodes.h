@@ -19,7 +19,7 @@
 #include "base/kinematics.h"
 #include "contact/coulomb_friction.h"
 #include "contact/edge_law.h"
-#include "contact/indenter.h"
+#include "indenter/indenter.h"
 
 namespace ElastoPlastic
 {

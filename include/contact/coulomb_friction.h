@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "contact/indenter.h"
+#include "indenter/indenter.h"
 
 namespace ElastoPlastic
 {

@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-#include "contact/disc.h"
+#include "mesh/disc.h"
 
 namespace ElastoPlastic
 {

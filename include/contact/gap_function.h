@@ -5,7 +5,7 @@
 #define contact_gap_function_h
 
 #include "contact/footprint.h"
-#include "contact/indenter.h"
+#include "indenter/indenter.h"
 
 namespace ElastoPlastic
 {

@@ -11,8 +11,8 @@
 #include <set>
 
 #include "contact/gap_function.h"
-#include "contact/tip_shape.h"
 #include "evaluation/tip_on_surface.h"
+#include "indenter/tip_shape.h"
 
 namespace ElastoPlastic
 {

@@ -8,8 +8,8 @@
 
 #include <memory>
 
-#include "contact/tip_shape.h"
 #include "evaluation/tip_on_surface.h"
+#include "indenter/tip_shape.h"
 
 namespace ElastoPlastic
 {

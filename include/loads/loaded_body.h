@@ -5,8 +5,8 @@
 #define loads_loaded_body_h
 
 #include "base/kinematics.h"
-#include "loading/body_force.h"
-#include "mesh/boundary_conditions.h"
+#include "loads/body_force.h"
+#include "loads/boundary_conditions.h"
 
 namespace ElastoPlastic
 {

@@ -6,7 +6,7 @@
 
 #include <deal.II/grid/tria.h>
 
-#include "contact/disc.h"
+#include "mesh/disc.h"
 
 namespace ElastoPlastic
 {

@@ -10,8 +10,8 @@
 #include <memory>
 #include <vector>
 
+#include "loads/supports.h"
 #include "mechanics/solid_operator.h"
-#include "mechanics/supports.h"
 #include "multigrid/level_operator.h"
 #include "multigrid/two_level_transfer.h"
 #include "solver/tangent_preconditioner.h"

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef app_validation_h
+#define app_validation_h
+
+#include <iosfwd>
+
+#include "input/command_line.h"
+#include "input/parameters.h"
+#include "problem/model.h"
+
+#include <mpi.h>
+
+namespace ElastoPlastic
+{
+  /// What the option --validate does with a contact problem: checks what can be
+  /// checked before anything is computed, and writes to @p out what the job
+  /// will be. That takes about a second: a large mesh is not made, but one with
+  /// fewer initial refinements is looked at in its place. Collective.
+  /// @throws InputError, EquilibriumError, FileError
+  template <int dim>
+  void
+  validate(const Model<dim>  &model,
+           const CommandLine &command_line,
+           const Parameters  &parameters,
+           const MPI_Comm     communicator,
+           std::ostream      &out);
+
+  /// The same for the search of a limit load.
+  template <int dim>
+  void
+  validate_limit_load(const Model<dim>  &model,
+                      const CommandLine &command_line,
+                      const Parameters  &parameters,
+                      const MPI_Comm     communicator,
+                      std::ostream      &out);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef bounds_conic_block_batch_h
+#define bounds_conic_block_batch_h
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "base/lanes.h"
+#include "bounds/conic/conic_program.h"
+#include "bounds/conic/kkt_vector.h"
+#include "bounds/conic/second_order_cone.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// Some blocks of a ConicProgram of the same shape, in the notation of
+  /// ConicBlock and KktSystem: one in each lane of the processor's SIMD
+  /// instructions. Stresses on triangles of a mesh have only a few shapes.
+  class BlockBatch
+  {
+  public:
+    static constexpr unsigned int max_blocks = n_lanes<Simd<double>>;
+
+    template <typename T>
+    using ByLanes = std::array<T, max_blocks>;
+
+    /// By cones.
+    using Scalings = std::vector<SecondOrderCone::Scaling<double>>;
+
+    /// What the blocks of a batch have in common.
+    struct Shape
+    {
+      struct Cone
+      {
+        unsigned int size;
+        unsigned int first_column; ///< see ConicLayout::Cone
+        unsigned int n_columns;
+
+        bool
+        operator==(const Cone &other) const;
+      };
+
+      unsigned int      n_unknowns;
+      unsigned int      n_equations;
+      unsigned int      n_unseen; ///< directions that no cone sees
+      bool              has_quadratic_cost;
+      std::vector<Cone> cones;
+
+      bool
+      operator==(const Shape &other) const;
+    };
+
+    /// All batches of a @p program.
+    static std::vector<BlockBatch>
+    make(const ConicProgram &program, const ConicLayout &layout);
+
+    /// Asks for the address of the entry of each pair of equations, the larger
+    /// one first, in the matrix that eliminate() adds to.
+    void
+    set_targets(const std::function<double *(const unsigned int,
+                                             const unsigned int)> &target);
+
+    /// Factorises H = P + G^T W^-2 G and adds A H^-1 A^T to the matrix. Blocks
+    /// without quadratic cost may be singular: their H gets a small compliance
+    /// in the directions that no cone sees, and in no others. All diagonals
+    /// grow by the order of rounding errors.
+    /// @return false if rounding has made an H indefinite all the same.
+    bool
+    eliminate(const Scalings &scalings);
+
+    /// What several calls use, one after the other, for x, z, y and their
+    /// products.
+    struct Workspace
+    {
+      AlignedVector<Simd<double>> x, z, y, of_x, of_z, of_y;
+    };
+
+    /// y += A H^-1 (r_x + G^T W^-2 r_z) for the @p residual r.
+    void
+    reduce(Vector<double>  &y,
+           const KktVector &residual,
+           Workspace       &workspace) const;
+
+    /// Solves H x = r_x + G^T W^-2 r_z - A^T y and W^2 z = G x - r_z for the
+    /// @p residual r, and adds x and z to the @p solution. From the residual,
+    /// it subtracts their product and that of y with the matrix of KktSystem.
+    void
+    substitute(KktVector            &solution,
+               KktVector            &residual,
+               const Vector<double> &y,
+               Workspace            &workspace) const;
+
+    /// residual -= (the matrix of KktSystem without W) solution
+    void
+    subtract_product(KktVector       &residual,
+                     const KktVector &solution,
+                     Workspace       &workspace) const;
+
+  private:
+    using Lanes = AlignedVector<Simd<double>>;
+
+    BlockBatch(const ConicProgram                    &program,
+               const ConicLayout                     &layout,
+               const Shape                           &shape,
+               const std::vector<unsigned int>       &blocks,
+               const std::vector<FullMatrix<double>> &unseen);
+
+    void
+    set_cones(const unsigned int lane, const FullMatrix<double> &cone_matrix);
+
+    /// H
+    void
+    assemble();
+
+    void
+    load_right_hand_side(Workspace &workspace, const KktVector &residual) const;
+    void
+    multiply(Workspace &workspace) const;
+    void
+    subtract_products(KktVector &residual, const Workspace &workspace) const;
+
+    /// Calls the @p function for each cone with its shape, its scaling, the
+    /// transpose of its part of G, and its first row among those of a block.
+    template <typename Function>
+    void
+    for_each_cone(const Function &function) const
+    {
+      const Simd<double> *columns = cone_columns.begin();
+      for (unsigned int c = 0, row = 0; c < shape.cones.size(); ++c)
+        {
+          const Shape::Cone &cone = shape.cones[c];
+          function(cone, scalings[c], columns, row);
+          row += cone.size;
+          columns += cone.n_columns * cone.size;
+        }
+    }
+
+    void
+    load_equations(Lanes &lanes, const Vector<double> &values) const;
+    void
+    add(Vector<double>              &values,
+        const Lanes                 &lanes,
+        const ByLanes<unsigned int> &begins,
+        const double                 factor) const;
+    void
+    add_to_equations(Vector<double> &values,
+                     const Lanes    &lanes,
+                     const double    factor) const;
+
+    Shape        shape;
+    unsigned int n_blocks;
+    unsigned int n_rows; ///< of G
+
+    /// Of each block; in lanes without one, those of the first.
+    ByLanes<unsigned int> unknowns, rows, cones;
+
+    /// By equations and blocks.
+    std::vector<ByLanes<unsigned int>> equations;
+
+    /// By entries of the lower half of A H^-1 A^T and blocks.
+    std::vector<ByLanes<double *>> targets;
+
+    Lanes quadratic_cost; ///< P
+    Lanes coupling;       ///< A
+    Lanes cone_columns;   ///< the transposes of the cones' parts of G
+    Lanes unseen;         ///< an orthonormal basis, one direction per row
+    Lanes factor;         ///< see LocalAlgebra::factorize()
+    std::vector<SecondOrderCone::Scaling<Simd<double>>> scalings;
+  };
+} // namespace ElastoPlastic
+
+#endif

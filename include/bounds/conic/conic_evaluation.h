@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef bounds_conic_conic_evaluation_h
+#define bounds_conic_conic_evaluation_h
+
+#include "bounds/conic/kkt_system.h"
+
+namespace ElastoPlastic
+{
+  /// Computes cost, gap and errors of a @p solution from its unknowns.
+  /// @return what is missing to its first three equations, in the order x, z, y
+  /// of their multipliers.
+  KktVector
+  evaluate(const ConicProgram &program,
+           const ConicLayout  &layout,
+           const KktSystem    &system,
+           ConicSolution      &solution);
+
+  /// The scalings of cones whose slacks and multipliers are of the expected
+  /// size: the system that they make is well conditioned.
+  KktSystem::Scalings
+  expected_scalings(const ConicLayout &layout);
+
+  /// Adds the same multiple of its expected size, a ConeScale's @p size, to all
+  /// cones, so that @p values are inside.
+  void
+  move_into_cones(const ConicLayout &layout,
+                  Vector<double>    &values,
+                  const double ConeScale::*size);
+
+  /// v o v in all cones.
+  Vector<double>
+  square(const ConicLayout &layout, const Vector<double> &v);
+
+  /// Removes what rounding errors, and an iteration that they have ended, have
+  /// left of the equations of a @p solution: A x = b and G x + s = h with s in
+  /// the cones, and the first equation. Linear systems with the
+  /// expected scalings do so with the least changes of the unknowns. If x is
+  /// outside the cones then, it goes towards @p interior as far as necessary,
+  /// provided that this iterate, whose equations are restored as well, is
+  /// inside. z may leave the cones.
+  /// @return whether x is in the cones; if not, it is outside by the change.
+  /// @throws ConvergenceError
+  bool
+  make_admissible(const ConicProgram  &program,
+                  const ConicLayout   &layout,
+                  KktSystem           &system,
+                  const ConicSolution &interior,
+                  ConicSolution       &solution);
+} // namespace ElastoPlastic
+
+#endif

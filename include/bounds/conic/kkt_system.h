@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef bounds_conic_kkt_system_h
+#define bounds_conic_kkt_system_h
+
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/sparsity_pattern.h>
+
+#include <memory>
+#include <vector>
+
+#include "bounds/conic/block_batch.h"
+#include "bounds/conic/conic_program.h"
+#include "bounds/conic/kkt_vector.h"
+#include "bounds/conic/sparse_cholesky.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The linear system of an interior point step,
+  ///   P x + A^T y + G^T z   = r_x
+  ///   A x - lambda d        = r_y
+  ///       - d^T y           = r_lambda, if there is a load factor,
+  ///   G x         - W^2 z   = r_z,
+  /// W being the scalings of the cones. The blocks eliminate z and x, one by
+  /// one: with the local matrices H = P + G^T W^-2 G, the sum of all A H^-1 A^T
+  /// remains. It is sparse and positive definite, like the stiffness matrix of
+  /// a displacement method with the unknowns y.
+  class KktSystem
+  {
+  public:
+    using Scalings = BlockBatch::Scalings;
+
+    /// The program must live as long as this object.
+    KktSystem(const ConicProgram &program, const ConicLayout &layout);
+
+    /// The blocks know where their entries are in the matrix of this one.
+    KktSystem(const KktSystem &) = delete;
+    KktSystem &
+    operator=(const KktSystem &) = delete;
+
+    /// Eliminates and factorises. Blocks without quadratic cost may be
+    /// singular: a rigid-plastic body has no compliance, and no yield condition
+    /// bounds the mean stress. BlockBatch::eliminate() gives them some. The
+    /// diagonals of the sum grow by rounding errors if it could not be
+    /// factorised else.
+    /// @return false if rounding has made the matrix indefinite all the same.
+    bool
+    factorize(const Scalings &scalings);
+
+    /// Solves the system, and repeats that with what is left: this removes what
+    /// has been added, and most of the rounding errors.
+    void
+    solve(KktVector &solution, const KktVector &right_hand_side) const;
+
+    /// residual -= (the matrix above without W) solution
+    void
+    subtract_product(KktVector &residual, const KktVector &solution) const;
+
+  private:
+    void
+    set_targets();
+
+    bool
+    factorize_sum();
+
+    void
+    factorize_dense_rows();
+
+    void
+    solve_sparse_and_dense(Vector<double> &y) const;
+
+    void
+    subtract_growth_product(KktVector            &residual,
+                            const Vector<double> &y,
+                            const double          lambda) const;
+
+    /// Takes d into the solution @p y of the sum of all blocks.
+    /// @return lambda, such that -d^T y = @p r_lambda.
+    double
+    add_growth(Vector<double> &y, const double r_lambda) const;
+
+    const ConicProgram           &program;
+    const unsigned int            n_sparse_rows;
+    std::vector<BlockBatch>       batches;
+    mutable BlockBatch::Workspace workspace;
+
+    /// Of the sum of all blocks, only the lower half.
+    SparsityPattern                 sparsity_pattern;
+    SparseMatrix<double>            matrix;
+    std::unique_ptr<SparseCholesky> sparse_factor;
+
+    /// The dense rows of the matrix, solved with the sparse part; and the
+    /// inverse of what is left of their own square.
+    std::vector<Vector<double>> dense_rows;
+    std::vector<Vector<double>> dense_solutions;
+    FullMatrix<double>          dense_inverse;
+
+    /// Solution for the right-hand side d.
+    Vector<double> growth_solution;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef bounds_conic_local_algebra_h
+#define bounds_conic_local_algebra_h
+
+#include <deal.II/base/aligned_vector.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/lanes.h"
+
+/// Products and factors of the small matrices of a ConicBlock. Matrices are
+/// stored by rows, symmetric ones and factors by the rows of their lower half.
+/// A Number is a double, or one double of each of several blocks
+/// (base/simd.h). The functions of FullMatrix and of LAPACK are made for larger
+/// matrices: they take three times as long for one block, and LAPACK's rounding
+/// errors depend on the processor.
+namespace ElastoPlastic::LocalAlgebra
+{
+  using namespace dealii;
+
+  /// So many rows of a matrix are treated together: their sums do not wait for
+  /// each other.
+  constexpr unsigned int n_together = 4;
+
+
+
+  /// Makes a vector of @p n zeros.
+  template <typename Number>
+  void
+  clear(AlignedVector<Number> &vector, const unsigned int n)
+  {
+    vector.resize_fast(n);
+    std::fill(vector.begin(), vector.end(), Number(0.));
+  }
+
+
+
+  /// y += A x for an m x n matrix A
+  template <typename Number>
+  void
+  add_product(Number            *y,
+              const Number      *a,
+              const unsigned int m,
+              const unsigned int n,
+              const Number      *x)
+  {
+    unsigned int i = 0;
+    for (; i + n_together <= m; i += n_together, a += n_together * n)
+      {
+        std::array<Number, n_together> sums;
+        sums.fill(Number(0.));
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int k = 0; k < n_together; ++k)
+            sums[k] += a[k * n + j] * x[j];
+        for (unsigned int k = 0; k < n_together; ++k)
+          y[i + k] += sums[k];
+      }
+    for (; i < m; ++i, a += n)
+      {
+        Number sum = 0.;
+        for (unsigned int j = 0; j < n; ++j)
+          sum += a[j] * x[j];
+        y[i] += sum;
+      }
+  }
+
+
+
+  inline void
+  add_product(double *y, const FullMatrix<double> &a, const double *x)
+  {
+    if (!a.empty())
+      add_product(y, &a(0, 0), a.m(), a.n(), x);
+  }
+
+
+
+  /// y += A^T x for an m x n matrix A
+  template <typename Number>
+  void
+  add_transposed_product(Number            *y,
+                         const Number      *a,
+                         const unsigned int m,
+                         const unsigned int n,
+                         const Number      *x)
+  {
+    unsigned int i = 0;
+    for (; i + n_together <= m; i += n_together, a += n_together * n)
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          Number sum = y[j];
+          for (unsigned int k = 0; k < n_together; ++k)
+            sum += a[k * n + j] * x[i + k];
+          y[j] = sum;
+        }
+    for (; i < m; ++i, a += n)
+      for (unsigned int j = 0; j < n; ++j)
+        y[j] += a[j] * x[i];
+  }
+
+
+
+  inline void
+  add_transposed_product(double                   *y,
+                         const FullMatrix<double> &a,
+                         const double             *x)
+  {
+    if (!a.empty())
+      add_transposed_product(y, &a(0, 0), a.m(), a.n(), x);
+  }
+
+
+
+  /// The number of entries of the lower half of a matrix with @p n rows, and
+  /// where its row @p n begins.
+  constexpr unsigned int
+  lower_size(const unsigned int n)
+  {
+    return n * (n + 1) / 2;
+  }
+
+
+
+  /// H += B B^T for an m x n matrix B and for as many rows and columns of the
+  /// lower half H, from @p first on.
+  template <typename Number>
+  void
+  add_square(Number            *h,
+             const unsigned int first,
+             const Number      *b,
+             const unsigned int m,
+             const unsigned int n)
+  {
+    for (unsigned int i = 0; i < m; i += n_together)
+      for (unsigned int j = 0; j <= i; j += n_together)
+        {
+          // Behind the last row comes the last one again.
+          std::array<const Number *, n_together> rows, columns;
+          for (unsigned int k = 0; k < n_together; ++k)
+            {
+              rows[k]    = b + std::min(i + k, m - 1) * n;
+              columns[k] = b + std::min(j + k, m - 1) * n;
+            }
+          Number sums[n_together][n_together];
+          for (auto &row : sums)
+            for (Number &sum : row)
+              sum = 0.;
+          for (unsigned int l = 0; l < n; ++l)
+            for (unsigned int k = 0; k < n_together; ++k)
+              for (unsigned int c = 0; c < n_together; ++c)
+                sums[k][c] += rows[k][l] * columns[c][l];
+          for (unsigned int k = 0; k < n_together && i + k < m; ++k)
+            {
+              Number *const row = h + lower_size(first + i + k) + first + j;
+              for (unsigned int c = 0; c < n_together && j + c <= i + k; ++c)
+                row[c] += sums[k][c];
+            }
+        }
+  }
+
+
+
+  /// H := L with H = L L^T, but the inverse of each diagonal entry.
+  /// @return false if H is not positive definite.
+  template <typename Number>
+  bool
+  factorize(Number *h, const unsigned int n)
+  {
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        Number &pivot = h[lower_size(j) + j];
+        for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+          if (!(lane_of(pivot, lane) > 0))
+            return false;
+        pivot = 1. / std::sqrt(pivot);
+        for (unsigned int i = j + 1; i < n; ++i)
+          {
+            Number *const row = h + lower_size(i);
+            row[j] *= pivot;
+            const Number factor = row[j];
+            for (unsigned int l = j + 1; l <= i; ++l)
+              row[l] -= factor * h[lower_size(l) + j];
+          }
+      }
+    return true;
+  }
+
+
+
+  /// x := L^-1 x for each of @p n_vectors vectors, one after the other.
+  template <unsigned int n_vectors, typename Number>
+  void
+  solve_lower(const Number *factor, const unsigned int n, Number *x)
+  {
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        const Number *const           row = factor + lower_size(j);
+        std::array<Number, n_vectors> sums;
+        for (unsigned int k = 0; k < n_vectors; ++k)
+          sums[k] = x[k * n + j];
+        for (unsigned int l = 0; l < j; ++l)
+          for (unsigned int k = 0; k < n_vectors; ++k)
+            sums[k] -= row[l] * x[k * n + l];
+        for (unsigned int k = 0; k < n_vectors; ++k)
+          x[k * n + j] = sums[k] * row[j];
+      }
+  }
+
+
+
+  /// B := B L^-T for an m x n matrix B
+  template <typename Number>
+  void
+  solve_rows(const Number      *factor,
+             const unsigned int n,
+             Number            *b,
+             const unsigned int m)
+  {
+    unsigned int i = 0;
+    for (; i + n_together <= m; i += n_together)
+      solve_lower<n_together>(factor, n, b + i * n);
+    for (; i < m; ++i)
+      solve_lower<1>(factor, n, b + i * n);
+  }
+
+
+
+  /// x := H^-1 x
+  template <typename Number>
+  void
+  solve(const Number *factor, const unsigned int n, Number *x)
+  {
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        x[j] *= factor[lower_size(j) + j];
+        for (unsigned int i = j + 1; i < n; ++i)
+          x[i] -= factor[lower_size(i) + j] * x[j];
+      }
+    for (unsigned int i = n; i-- > 0;)
+      {
+        const Number *const row = factor + lower_size(i);
+        x[i] *= row[i];
+        for (unsigned int j = 0; j < i; ++j)
+          x[j] -= row[j] * x[i];
+      }
+  }
+
+
+
+  /// An orthonormal basis of the vectors x with A x = 0, one per row: of the
+  /// singular vectors of A^T A, those whose singular values are rounding
+  /// errors.
+  inline FullMatrix<double>
+  kernel(const FullMatrix<double> &a)
+  {
+    const unsigned int n = a.n();
+    FullMatrix<double> square(n, n);
+    a.Tmmult(square, a);
+    LAPACKFullMatrix<double> decomposition(n, n);
+    decomposition = square;
+    decomposition.compute_svd();
+    unsigned int rank = 0;
+    while (rank < n && decomposition.singular_value(rank) >
+                         1e-12 * decomposition.singular_value(0))
+      ++rank;
+    FullMatrix<double> basis(n - rank, n);
+    for (unsigned int i = rank; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        basis(i - rank, j) = decomposition.get_svd_vt()(i, j);
+    return basis;
+  }
+} // namespace ElastoPlastic::LocalAlgebra
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef bounds_conic_multifrontal_factor_h
+#define bounds_conic_multifrontal_factor_h
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include <suitesparse/cholmod.h>
+
+namespace ElastoPlastic
+{
+  /// Computes the entries of a Cholesky factor whose structure CHOLMOD has
+  /// found, by the multifrontal method @cite liu_1992: columns of one structure
+  /// are eliminated together in a dense matrix, the front, and what that
+  /// changes in later columns is added to the front of the next of them. Its
+  /// products of matrices are larger than those of CHOLMOD's own algorithm, and
+  /// independent parts of the matrix, as well as parts of large fronts, are
+  /// left to different threads (OpenMP). The result does not depend on their
+  /// number.
+  class MultifrontalFactor
+  {
+  public:
+    /// @p factor must be supernodal, with indices of 64 bits (those of 32 end
+    /// at 2^31 entries), still without entries, and live as long as this
+    /// object.
+    explicit MultifrontalFactor(cholmod_factor &factor);
+
+    /// The most bytes that all threads together can need beside the factor.
+    double
+    workspace() const;
+
+    /// Where a matrix stores the entry of two of its unknowns.
+    struct Entry
+    {
+      std::size_t row;
+      std::size_t column;
+    };
+
+    /// Where to put such entries in the array of the factor before it is
+    /// factorised; all others are zero.
+    std::vector<std::size_t>
+    positions(const std::vector<Entry> &entries) const;
+
+    /// Replaces the entries of the matrix in the array of the factor by its
+    /// own. @return false if the matrix is not positive definite.
+    bool
+    factorize();
+
+    MultifrontalFactor(const MultifrontalFactor &) = delete;
+    MultifrontalFactor &
+    operator=(const MultifrontalFactor &) = delete;
+
+  private:
+    /// The columns of the factor that are eliminated together.
+    struct Front
+    {
+      unsigned int n_columns;
+      unsigned int n_rows; ///< with the columns'
+      std::size_t  begin;  ///< of its columns in the array of the factor
+      const SuiteSparse_long *rows; ///< in the order of elimination
+      unsigned int first;           ///< of the fronts below it; they precede it
+      double       work = 0;        ///< with that of the fronts below it
+      /// The fronts whose updates are for this one.
+      std::vector<unsigned int> children;
+
+      unsigned int
+      n_updated() const
+      {
+        return n_rows - n_columns;
+      }
+    };
+
+    /// Entries of the lower half of a matrix, by columns, which begin to be
+    /// zero.
+    using Update = std::unique_ptr<double, void (*)(void *)>;
+
+    /// Some rows of a child's update, from begin to before end, and by how much
+    /// later they come among those of the front.
+    struct Rows
+    {
+      unsigned int begin;
+      unsigned int end;
+      unsigned int shift;
+    };
+
+    /// How many entries of updates are held while fronts are treated, one after
+    /// the other.
+    struct UpdatesHeld
+    {
+      double now  = 0;
+      double most = 0;
+
+      void
+      treat(const std::vector<Front> &fronts, const unsigned int front);
+    };
+
+    static std::vector<Rows>
+    rows_in_common(const Front &child, const Front &front);
+
+    void
+    divide_among_threads();
+
+    void
+    assemble(const unsigned int f);
+    bool
+    eliminate(const Front &front);
+    void
+    update(const unsigned int f);
+    bool
+    treat(const unsigned int f);
+
+    cholmod_factor     &factor;
+    std::vector<Front>  fronts;
+    std::vector<Update> updates; ///< of what is eliminated later, by fronts
+
+    /// The last fronts of independent parts, the largest first; and the fronts
+    /// that come after all of these.
+    std::vector<unsigned int> parts;
+    std::vector<unsigned int> last_fronts;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef bounds_error_bound_analysis_h
+#define bounds_error_bound_analysis_h
+
+#include <functional>
+#include <optional>
+#include <type_traits>
+
+#include "bounds/equilibrium_output.h"
+#include "bounds/error/error_bound.h"
+#include "contact/gap_function.h"
+#include "input/parameters.h"
+#include "loading/load.h"
+#include "loads/boundary_conditions.h"
+#include "output/columns.h"
+#include "problem/model.h"
+
+namespace ElastoPlastic
+{
+  /// A guaranteed bound of the error of a contact problem, in one step from the
+  /// virgin state: the equilibrium method is run on the mesh of the
+  /// displacement method, and the two energies are compared (doc/theory.md,
+  /// "Guaranteed error").
+  ///
+  /// The mesh is distributed; the conic programs are solved by the first rank.
+  template <int dim>
+  class ErrorBoundAnalysis
+  {
+  public:
+    /// All arguments but the first mesh, @p triangulation, must live as long as
+    /// this object. Collective.
+    /// @throws InputError if materials, mesh or boundary conditions are not
+    /// what the equilibrium method can do.
+    ErrorBoundAnalysis(const Model<dim>         &model,
+                       const Parameters         &parameters,
+                       const MPI_Comm            communicator,
+                       const GapFunction<dim>   &gap_function,
+                       const Triangulation<dim> &triangulation);
+
+    /// A solution of the displacement method on one mesh.
+    struct Solution
+    {
+      const DoFHandler<dim> &dof_handler;
+      const VectorType      &displacement;
+      Load                   load;  ///< what has been prescribed, at @p time
+      double                 depth; ///< of the indenter, given or found
+      double                 force; ///< likewise
+      double                 time;
+      unsigned int           cycle;
+    };
+
+    /// Solves the displacement method on the same mesh for another depth.
+    /// Collective. @throws ConvergenceError
+    using DisplacementAt = std::function<VectorType(const double depth)>;
+
+    /// Computes the bound and those of force or depth, and adds a row to
+    /// error_bound.csv. Collective. @return the bound of the norm of the
+    /// difference between the exact stresses and those in equilibrium, sqrt(int
+    /// (sigma - tau) : C^-1 (sigma
+    /// - tau) dx); infinity if none has been found. @throws FileError
+    double
+    evaluate(const Solution &solution, const DisplacementAt &displacement_at);
+
+    /// The parts of the last bound, for each active cell of this rank; the
+    /// squares add up to that of the bound. If the load is the goal of the
+    /// refinement: those of the distance between its bounds.
+    const Vector<float> &
+    indicators() const;
+
+    /// Why there is no bound of the last solution; empty if there is.
+    const std::string &
+    why_missing() const;
+
+    /// Writes the fields that the last bound has been computed from, to
+    /// equilibrium-*.vtu. @throws FileError
+    void
+    write_fields(const unsigned int cycle);
+
+  private:
+    using Body   = std::conditional_t<dim == 2, PlaneBody, SpaceBody>;
+    using Stress = std::conditional_t<dim == 2, StressField, SpaceStressField>;
+    using Displacement =
+      std::conditional_t<dim == 2, QuadraticField, SpaceQuadraticField>;
+    using Fields = std::conditional_t<dim == 2, EquilibriumFields, SpaceFields>;
+
+    /// @throws ConvergenceError
+    ErrorBoundRow
+    find_bound(const Solution &solution);
+
+    Stress
+    equilibrate(const Load &load) const;
+
+    /// Bounds of the force at the given depth, or of the depth under the given
+    /// force: slopes of Pi and J, convex functions of it (doc/theory.md, "Force
+    /// between bounds"). Collective.
+    void
+    bound_load(ErrorBoundRow        &row,
+               const Solution       &solution,
+               const DisplacementAt &displacement_at);
+
+    /// Pi + J of the displacement method at another @p depth and the stresses
+    /// of the last bound; infinite without that displacement. Collective.
+    double
+    energy_gap_at_depth(const double          depth,
+                        const Solution       &solution,
+                        const DisplacementAt &displacement_at);
+
+    /// Pi + J of the displacement of the last bound and stresses in equilibrium
+    /// with another @p force; infinite if there are none. Collective.
+    double
+    energy_gap_under_force(const double force, const Solution &solution);
+
+    /// And its parts, on the first rank, which count for the bounds of the
+    /// load.
+    double
+    energy_gap(const Displacement &displacement,
+               const double        depth,
+               const Stress       &stress);
+
+    /// What @p function returns there, on all ranks. Collective.
+    double
+    on_first_rank(const std::function<double()> &function) const;
+
+    const Model<dim>       &model;
+    const Parameters       &parameters;
+    const MPI_Comm          communicator;
+    const GapFunction<dim> &gap_function;
+    EquilibriumOutput       output;
+
+    std::optional<Table<ErrorBoundRow>> table;
+    Vector<float>                       error_indicators;
+    std::string                         reason_why_missing;
+
+    // On the first rank: the problem on the last mesh, its two solutions, and
+    // the parts of the bound.
+    Body                body;
+    Stress              stress;
+    Displacement        displacement;
+    std::vector<double> errors; ///< by triangles, or tetrahedra
+    std::vector<double> errors_of_load;
+  };
+} // namespace ElastoPlastic
+
+#endif

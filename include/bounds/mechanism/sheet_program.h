@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef bounds_mechanism_sheet_program_h
+#define bounds_mechanism_sheet_program_h
+
+#include "bounds/mechanism/velocity_field.h"
+
+namespace ElastoPlastic
+{
+  /// The mechanism in plane stress that takes least plastic work among all
+  /// continuous piecewise quadratic velocities. The strain rate is linear on a
+  /// triangle: so the work is at most a third of the area times the sum of that
+  /// at the corners, because it is a convex function.
+  ///
+  /// Velocities are up to a factor. The force is what has been minimised; work
+  /// and errors are not yet computed.
+  /// @throws ConvergenceError, UnboundedError if there is no mechanism.
+  VelocityField
+  find_motion_of_sheet(const PlaneBody &body);
+} // namespace ElastoPlastic
+
+#endif

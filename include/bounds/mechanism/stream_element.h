@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef bounds_mechanism_stream_element_h
+#define bounds_mechanism_stream_element_h
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <array>
+#include <vector>
+
+#include "bounds/body/plane_body.h"
+#include "bounds/mechanism/velocity_field.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The velocities on a triangle that have a stream function: they do not
+  /// change the volume, whatever its coefficients.
+  ///
+  /// In plane strain, v = (-d_y psi, d_x psi) with a cubic psi. In a body of
+  /// revolution, psi = r^2 chi + phi and v = (-d_z psi, d_r psi) / r, so that
+  ///   v = r (-d_z chi, d_r chi) + (0, 2 chi) + (-d_z phi, d_r phi) / r,
+  /// with a cubic chi and, away from the axis, a linear phi: alone, r^2 chi
+  /// cannot carry a flow between the axis and an indenter that does not touch
+  /// it (doc/theory.md, "Limit loads").
+  ///
+  /// The local functions are the ten Bernstein::cubics() of psi or chi, and
+  /// the three linear ones of phi. Matrices have a column for each.
+  class StreamElement
+  {
+  public:
+    /// @param has_flux whether there is a phi.
+    StreamElement(const PlaneBody   &body,
+                  const unsigned int triangle,
+                  const bool         has_flux);
+
+    unsigned int
+    n_functions() const;
+
+    /// A strain rate is given by so many components, of Euclidean norm |e|.
+    unsigned int
+    n_rate_components() const;
+
+    /// Strain rates e_a, and weights w_a: the plastic work is at most
+    /// sqrt(2/3) sigma_0 times the sum of all w_a |e_a|. The e_a are the
+    /// coefficients of a polynomial in Bernstein's basis, and, if there is a
+    /// phi, what bounds its distance from e.
+    struct WeightedRates
+    {
+      FullMatrix<double>  rates; ///< components of e_0, e_1, ...
+      std::vector<double> weights;
+    };
+
+    WeightedRates
+    rates() const;
+
+    /// The velocity of each local function, weighted like weighted_velocity().
+    std::vector<Tensor<1, 2>>
+    weighted_velocities(const Bernstein::Barycentric &point) const;
+
+    /// The coefficients of the velocity in a @p direction on side @p k,
+    /// weighted, in Bernstein's basis of the side.
+    FullMatrix<double>
+    velocities_on_side(const unsigned int  k,
+                       const Tensor<1, 2> &direction) const;
+
+    /// The same without (0, 2 chi), which is continuous, less a velocity of the
+    /// side itself, a quadratic polynomial times the square of the weight. Nine
+    /// more columns belong to those of the three sides, from end to end as the
+    /// triangle goes round.
+    FullMatrix<double>
+    slips_on_side(const unsigned int k, const Tensor<1, 2> &direction) const;
+
+    /// The coefficients of the weight itself.
+    std::vector<double>
+    weights_on_side(const unsigned int k) const;
+
+    /// What the local functions with these coefficients are.
+    TriangleVelocity
+    velocity(const Vector<double> &coefficients) const;
+
+  private:
+    /// Of the polynomials on sides.
+    unsigned int
+    side_degree() const;
+
+    /// What turns values of functions (one per column) at equidistant points
+    /// of side @p k, given by @p values(point, t), into their coefficients.
+    template <typename Values>
+    FullMatrix<double>
+    coefficients_on_side(const unsigned int k,
+                         const unsigned int n_columns,
+                         const Values      &values) const;
+
+    Tensor<1, 2>
+    velocity_of(const Bernstein::Jet &jet, const double r) const;
+
+    SymmetricTensor<2, 2>
+    rate_of(const Bernstein::Jet &jet, const double r) const;
+
+    std::vector<double>
+    rate_components(const SymmetricTensor<2, 2> &rate) const;
+
+    void
+    add_flux_rates(WeightedRates &result) const;
+
+    const PlaneBody                  &body;
+    const std::array<Point<2>, 3>     corners;
+    const std::array<Tensor<1, 2>, 3> gradients; ///< of linear functions
+    const bool                        has_flux;
+  };
+} // namespace ElastoPlastic
+
+#endif

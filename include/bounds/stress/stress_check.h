@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef bounds_stress_stress_check_h
+#define bounds_stress_stress_check_h
+
+#include "bounds/body/evaluated_bounds.h"
+#include "bounds/body/plane_body.h"
+#include "bounds/stress/stress_field.h"
+
+namespace ElastoPlastic
+{
+  /// How well a stress field satisfies what it promises, relative to the unit
+  /// of stress of the body: all should be zero but for rounding. Errors of
+  /// weighted stresses are divided by the distance from the axis of a body of
+  /// revolution. On the axis, where these stresses must vanish, all follows
+  /// from that.
+  struct StressErrors
+  {
+    /// What is missing to equilibrium, times the size of the triangle.
+    double divergence = 0;
+    double on_axis    = 0; ///< weighted stress, over the size of the triangle
+    /// The component 33 against the circumferential stress times r.
+    double circumferential = 0;
+    double out_of_plane    = 0; ///< the component 33 of a sheet
+    double traction_jump   = 0; ///< between subtriangles and between triangles
+    double boundary_force =
+      0;                ///< given tractions, and shear under the indenter
+    double tension = 0; ///< under the indenter
+    /// |dev tau| - sqrt(2/3) sigma_0, where the material does not harden
+    double yield_excess = 0;
+    double force_difference =
+      0; ///< of the field's force and int p ds, relative
+
+    double
+    largest() const;
+  };
+
+
+
+  /// Looks at every subtriangle and every side of the mesh, using nothing but
+  /// the stresses themselves.
+  StressErrors
+  check_stress(const PlaneBody &body, const StressField &field);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_run_error_estimate_h
+#define contact_run_error_estimate_h
+
+#include <optional>
+#include <string>
+
+#include "adaptivity/kelly_estimator.h"
+#include "bounds/error_bound_analysis.h"
+#include "contact_run/discrete_body.h"
+#include "input/parameters.h"
+#include "output/log.h"
+
+namespace ElastoPlastic
+{
+  /// How large the error of a solution is, and in which cells: by the estimator
+  /// of Kelly, or, with `Analysis = contact with error bound`, by a bound that
+  /// is guaranteed.
+  template <int dim>
+  class ErrorEstimate
+  {
+  public:
+    /// All arguments must outlive this object. @throws InputError if a bound is
+    /// asked for that the equilibrium method cannot give.
+    ErrorEstimate(const Parameters  &parameters,
+                  DiscreteBody<dim> &body,
+                  Log               &log,
+                  TimerOutput       &timer);
+
+    /// Finds the estimated error of @p result, a solution under @p load, and
+    /// the indicators of the body. For @p displacement_at see
+    /// ErrorBoundAnalysis. Collective.
+    void
+    evaluate(
+      SolveResult                                            &result,
+      const Load                                             &load,
+      const typename ErrorBoundAnalysis<dim>::DisplacementAt &displacement_at);
+
+    /// Finds the indicators of the body, by KellyEstimator. Collective.
+    void
+    find_indicators();
+
+    /// Why there is no bound of the last solution; empty if there is, or if
+    /// none is asked for.
+    std::string
+    why_bound_is_missing() const;
+
+    /// Writes the fields of the equilibrium method, if there are any, with the
+    /// number of the mesh. @throws FileError
+    void
+    write_fields(const unsigned int cycle);
+
+  private:
+    void
+    bound(
+      SolveResult                                            &result,
+      const Load                                             &load,
+      const typename ErrorBoundAnalysis<dim>::DisplacementAt &displacement_at);
+
+    const Parameters                      &parameters;
+    DiscreteBody<dim>                     &body;
+    Log                                   &log;
+    TimerOutput                           &timer;
+    const KellyEstimator<dim>              kelly_estimator;
+    std::optional<ErrorBoundAnalysis<dim>> error_bound;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_run_last_step_h
+#define contact_run_last_step_h
+
+#include "evaluation/mean_force.h"
+#include "evaluation/solve_result.h"
+
+namespace ElastoPlastic
+{
+  /// The equilibrium at the end of the last load step, which the next one
+  /// begins with, how fast things have changed on the way there, and how large
+  /// they have been until now. Vectors are empty in the virgin state.
+  struct LastStep
+  {
+    SolveResult result;
+    VectorType  displacement;
+    /// The nodal forces in equilibrium with the stresses.
+    VectorType forces;
+    VectorType displacement_rate;
+    /// How far the surface has slipped along the indenter.
+    VectorType slip;
+    double     depth_rate = 0;
+    MeanForce  mean_force;
+
+    /// Of the whole history: the largest sum of the magnitudes of all nodal
+    /// forces, which small ones are measured against; and the largest contact
+    /// area.
+    double largest_forces       = 0;
+    double largest_contact_area = 0;
+
+    bool
+    is_virgin() const
+    {
+      return displacement.size() == 0;
+    }
+
+    /// Whether the indenter ever has.
+    bool
+    has_touched() const
+    {
+      return largest_contact_area > 0.;
+    }
+
+    /// The work of the nodal forces on the way from here to @p new_displacement
+    /// and @p new_forces, by the trapezoidal rule. Collective.
+    double
+    work_to(const VectorType &new_displacement,
+            const VectorType &new_forces) const
+    {
+      double work = 0.5 * (new_forces * new_displacement);
+      if (!is_virgin())
+        work += 0.5 * (forces * new_displacement - new_forces * displacement -
+                       forces * displacement);
+      return work;
+    }
+
+    /// Adds to @p next what has been summed up until now.
+    void
+    add_to(SolveResult &next) const
+    {
+      next.plastic_work += result.plastic_work;
+      next.dissipation += result.dissipation;
+      next.external_work += result.external_work;
+      next.frictional_dissipation += result.frictional_dissipation;
+    }
+
+    /// Notes how fast @p next, with @p new_displacement, has been reached.
+    void
+    find_rates(const SolveResult &next, const VectorType &new_displacement)
+    {
+      const double duration = next.time - result.time;
+      depth_rate            = (next.depth - result.depth) / duration;
+      displacement_rate     = new_displacement;
+      if (!is_virgin())
+        displacement_rate -= displacement;
+      displacement_rate /= duration;
+    }
+
+    /// What is not a vector, for checkpoints.
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /* version */)
+    {
+      archive &result &depth_rate &mean_force &largest_forces
+        &largest_contact_area;
+    }
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef indenter_indenter_height_map_h
+#define indenter_indenter_height_map_h
+
+#include <deal.II/base/function_lib.h>
+#include <deal.II/base/table.h>
+
+#include <vector>
+
+#include "indenter/indenter.h"
+
+namespace ElastoPlastic
+{
+  /// An indenter given by heights on a regular grid, (bi)linear in between, but
+  /// smooth for nodes that slide along it (all but those of vertical gaps).
+  /// Outside the grid it does not reach.
+  template <int dim>
+  class IndenterHeightMap : public Indenter<dim>
+  {
+  public:
+    /// @param heights by row and column as in a picture: the first row has the
+    /// largest y, the first column the smallest x. At least two along each
+    /// horizontal direction; in two dimensions a single row.
+    /// @param scale multiplies the heights; a negative one turns them upside
+    /// down. They are then shifted so that the lowest is zero.
+    /// @param size are the distances between the centres of the first and the
+    /// last pixel, one per horizontal direction; the middle of the grid is the
+    /// indenter's position.
+    IndenterHeightMap(const Table<2, double>    &heights,
+                      const double               scale,
+                      const std::vector<double> &size);
+
+    double
+    profile(const Point<dim - 1> &x) const override;
+
+    /// On an edge of pixels, that of one of them.
+    IndenterSurface<dim>
+    surface(const Point<dim - 1> &x) const override;
+
+    /// smooth_surface() through the same heights: a node that slides would be
+    /// caught in a kink, where no side has the direction of its force.
+    IndenterSurface<dim>
+    surface_for(const Point<dim - 1> &origin,
+                const Point<dim - 1> &x,
+                const double          body_size) const override;
+
+    /// The larger distance of pixels.
+    double
+    detail() const override;
+
+    /// 0: a surface has no single tip.
+    double
+    section_area(const double height) const override;
+
+  private:
+    const std::vector<double> size;
+    const Tensor<1, dim - 1>  spacing; ///< of pixels
+    const Functions::InterpolatedUniformGridData<dim - 1> interpolation;
+  };
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef input_parameter_input_h
+#define input_parameter_input_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  using Warn = std::function<void(const std::string &)>;
+
+  /// Reads a parameter file, and those that it includes, into @p prm. @p warn
+  /// is told where a file sets an entry twice.
+  /// @throws InputError with file, line, section, entry, value and what is
+  /// allowed.
+  void
+  read_parameter_file(ParameterHandler  &prm,
+                      const std::string &file,
+                      const Warn        &warn);
+
+  /// Sets the entry @p path, for instance "Geometry/Type".
+  /// @throws InputError if there is no such entry or it cannot have this value,
+  /// or if a parameter file could not say the value: whatever @p prm prints can
+  /// be read again.
+  void
+  set_entry(ParameterHandler  &prm,
+            const std::string &path,
+            const std::string &value);
+
+  /// The values of all entries, by paths like "Geometry/Type".
+  std::map<std::string, std::string>
+  all_entries(const ParameterHandler &prm);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef mesh_disc_h
+#define mesh_disc_h
+
+#include <deal.II/base/point.h>
+
+#include <array>
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// A disc in the horizontal plane; an interval if there is a single
+  /// horizontal direction.
+  template <int dim>
+  struct Disc
+  {
+    Point<dim> centre;
+    double     radius;
+  };
+
+
+
+  /// The part of the radius by which rounding errors of the coordinates may put
+  /// a point on the wrong side of the circle.
+  constexpr double rounding_of_circle = 1e-10;
+
+  /// Where a point is, seen from above.
+  inline Point<2>
+  from_above(const Point<3> &x)
+  {
+    return {x[0], x[1]};
+  }
+
+  /// Whether a triangle lies on the disc, seen from above: exactly, but for
+  /// rounding.
+  bool
+  contains(const Disc<2> &disc, const std::array<Point<3>, 3> &triangle);
+
+  /// Whether a triangle and the interior of the disc have points in common,
+  /// seen from above: exactly, but for rounding. Not if they only touch.
+  bool
+  overlaps(const Disc<2> &disc, const std::array<Point<3>, 3> &triangle);
+
+  /// Whether a point lies on the circle around the disc, but for rounding.
+  bool
+  is_on_edge(const Disc<2> &disc, const Point<3> &x);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef output_statistics_h
+#define output_statistics_h
+
+#include <optional>
+
+#include "output/columns.h"
+
+namespace ElastoPlastic
+{
+  /// What the tables say of a load step that has converged.
+  struct StepResult
+  {
+    /// Of the last solve.
+    const SolveResult &solve;
+    /// In the order of their names.
+    std::vector<double> reactions, probes;
+    /// Empty if it is not written for this step.
+    std::vector<SurfaceRow> surface_profile;
+  };
+
+
+
+  /// The tables statistics.csv (a row per nonlinear solve), history.csv,
+  /// reactions.csv and probes.csv (a row per converged load step),
+  /// surface_profile.csv (a row per point of the contact surface, for some
+  /// steps), mesh_changes.csv (a row per change of the mesh between two load
+  /// steps), and indentation.csv (a row per unloading that can be evaluated).
+  /// Without rows there is no surface_profile.csv and no indentation.csv.
+  class Statistics
+  {
+  public:
+    /// How many rows each table has, and what has been noted of an unloading
+    /// that is not over.
+    struct Progress
+    {
+      unsigned int statistics = 0, history = 0, reactions = 0, probes = 0;
+      unsigned int surface_profile = 0, mesh_changes = 0, indentation = 0;
+
+      IndentationTest::Progress unloading;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int /* version */)
+      {
+        archive &statistics &history &reactions             &probes;
+        archive &surface_profile &mesh_changes &indentation &unloading;
+      }
+    };
+
+    /// What the columns depend on.
+    struct Names
+    {
+      unsigned int             dimension;
+      std::vector<std::string> reactions, probes;
+    };
+
+    /// Creates the files in @p directory, or goes on after the first rows, as
+    /// many as @p progress says, of those that are there. All files are looked
+    /// at before the first one is touched. @throws FileError; InputError if
+    /// rows are missing
+    Statistics(const MPI_Comm                        communicator,
+               const std::string                    &directory,
+               const Names                          &names,
+               const std::optional<IndentationTest> &indentation_test,
+               const Progress                       &progress);
+
+    Progress
+    progress() const;
+
+    /// Waits until all rows are on the disk. @throws FileError
+    void
+    write_to_disk();
+
+    void
+    add_solve(const SolveResult &result);
+
+    void
+    add_step(const StepResult &result);
+
+    /// After the last step.
+    void
+    finish();
+
+    /// @p before and @p after are the equilibria on the old and the new mesh
+    /// under the same load; plastic work and dissipation of @p after are those
+    /// of the way from one to the other.
+    void
+    add_mesh_change(const SolveResult &before, const SolveResult &after);
+
+  private:
+    std::vector<CsvFile *>
+    tables();
+
+    void
+    make_surface_profile(const unsigned int n_rows);
+
+    void
+    make_indentation(const unsigned int n_rows);
+
+    /// Adds the result of @p evaluate, if there is one. @throws InputError
+    void
+    evaluate_unloading(
+      const std::function<std::optional<UnloadingResult>()> &evaluate);
+
+    const MPI_Comm     communicator;
+    const std::string  directory;
+    const unsigned int dimension;
+
+    Table<SolveResult>                    statistics;
+    Table<SolveResult>                    history;
+    CsvFile                               reactions;
+    CsvFile                               probes;
+    std::optional<Table<SurfaceRow>>      surface_profile;
+    Table<MeshChange>                     mesh_changes;
+    std::optional<Table<UnloadingResult>> indentation;
+
+    std::optional<IndentationTest> indentation_test;
+  };
+} // namespace ElastoPlastic
+
+#endif

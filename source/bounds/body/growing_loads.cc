@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/exceptions.h"
+#include "base/largest_error.h"
+#include "bounds/body/from_inside.h"
+#include "bounds/body/growing_loads.h"
+#include "bounds/mesh/split_mesh.h"
+#include "bounds/mesh/tetrahedral_mesh.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// The diameter of the mesh or so: body forces by it are as large as the
+    /// stresses that they cause.
+    template <typename Mesh>
+    double
+    size_of(const Mesh &mesh)
+    {
+      double size = 0;
+      for (const auto &vertex : mesh.vertices)
+        size = std::max(size, vertex.distance(mesh.vertices.front()));
+      return size;
+    }
+
+
+
+    const std::vector<SplitMesh::Side> &
+    sides_of(const SplitMesh &mesh)
+    {
+      return mesh.sides;
+    }
+
+
+
+    const std::vector<TetrahedralMesh::Face> &
+    sides_of(const TetrahedralMesh &mesh)
+    {
+      return mesh.faces;
+    }
+
+
+
+    /// As stresses: the tractions at the corners of all sides, and body forces
+    /// at all vertices.
+    template <int dim, typename Mesh>
+    Vector<double>
+    all_loads(const Mesh                    &mesh,
+              const BoundaryConditions<dim> &conditions,
+              const BodyForce<dim>          &body_force,
+              const double                   time)
+    {
+      std::vector<double> values;
+      for (const auto &side : sides_of(mesh))
+        if (const auto traction = conditions.tractions().find(side.boundary_id);
+            traction != conditions.tractions().end())
+          {
+            Point<dim> centre;
+            for (const unsigned int vertex : side.vertices)
+              centre += mesh.vertices[vertex] / double(side.vertices.size());
+            for (const unsigned int vertex : side.vertices)
+              for (const auto &component : traction->second)
+                values.push_back(
+                  component->value(from_inside(mesh.vertices[vertex], centre),
+                                   time));
+          }
+      const double size = size_of(mesh);
+      for (const Point<dim> &vertex : mesh.vertices)
+        for (unsigned int d = 0; d < dim; ++d)
+          values.push_back(size * body_force.value(vertex, time)[d]);
+      return Vector<double>(values.begin(), values.end());
+    }
+  } // namespace
+
+
+
+  template <int dim, typename Mesh>
+  Loads<dim>
+  growing_loads(const Mesh                    &mesh,
+                const BoundaryConditions<dim> &conditions,
+                const BodyForce<dim>          &body_force)
+  {
+    constexpr double rounding = 1e-10;
+    // (at none of which waves vanish that do at the others)
+    constexpr std::array<double, 4> times_between = {
+      {0.2360679775, 0.5, 0.6180339887, 0.8541019662}};
+
+    const auto at = [&](const double time) {
+      return all_loads(mesh, conditions, body_force, time);
+    };
+    const Vector<double> begin = at(0.), end = at(1.);
+    double size       = std::max(begin.linfty_norm(), end.linfty_norm()),
+           difference = 0; // from what is linear in time
+    for (const double time : times_between)
+      {
+        Vector<double> between = at(time);
+        enlarge(size, between.linfty_norm());
+        between.add(time - 1., begin, -time, end);
+        enlarge(difference, between.linfty_norm());
+      }
+    if (size == 0)
+      throw InputError(
+        "Limit load/Load",
+        "tractions",
+        "there is no traction ('Boundary conditions/Traction') and no body "
+        "force ('Body force') that could grow.");
+    if (difference > rounding * size)
+      throw InputError(
+        "Limit load/Load",
+        "tractions",
+        "tractions and body forces must be linear functions of the time t, "
+        "which is the load factor. For instance: 'Traction = top: 0; -t'.");
+    Vector<double> change = end;
+    change -= begin;
+    if (change.linfty_norm() > rounding * size)
+      return {0., 1., body_force};
+    return {std::nullopt, 0., body_force};
+  }
+
+
+
+  template <int dim, typename Mesh>
+  double
+  time_of_largest_load(const Mesh                    &mesh,
+                       const BoundaryConditions<dim> &conditions,
+                       const BodyForce<dim>          &body_force,
+                       const std::vector<double>     &times)
+  {
+    const auto load_at = [&](const double time) {
+      return all_loads(mesh, conditions, body_force, time).linfty_norm();
+    };
+    return *std::max_element(times.begin(),
+                             times.end(),
+                             [&](const double a, const double b) {
+                               return load_at(a) < load_at(b);
+                             });
+  }
+
+
+
+  template Loads<2>
+  growing_loads(const SplitMesh &,
+                const BoundaryConditions<2> &,
+                const BodyForce<2> &);
+  template Loads<3>
+  growing_loads(const TetrahedralMesh &,
+                const BoundaryConditions<3> &,
+                const BodyForce<3> &);
+  template double
+  time_of_largest_load(const SplitMesh &,
+                       const BoundaryConditions<2> &,
+                       const BodyForce<2> &,
+                       const std::vector<double> &);
+  template double
+  time_of_largest_load(const TetrahedralMesh &,
+                       const BoundaryConditions<3> &,
+                       const BodyForce<3> &,
+                       const std::vector<double> &);
+} // namespace ElastoPlastic

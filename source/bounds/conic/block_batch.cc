@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <tuple>
+
+#include "bounds/conic/block_batch.h"
+#include "bounds/conic/local_algebra.h"
+
+namespace ElastoPlastic
+{
+  using namespace LocalAlgebra;
+
+  namespace
+  {
+    /// The compliance of a block in the directions that no cone sees, relative
+    /// to the largest eigenvalue of its W^-2 across the directions of s and z;
+    /// those along them tend to zero and infinity in the course of the
+    /// iteration. With 1e-4, repeated solving leaves a divergence of 1e-8 of
+    /// the rate of strain.
+    constexpr double kernel_compliance = 1e-7;
+
+    /// What is added to the diagonals of a block, relative to each entry: more
+    /// than the rounding errors of its Cholesky factorisation.
+    constexpr double relative_rounding = 1e-14;
+
+
+
+    void
+    set_lane(AlignedVector<Simd<double>> &lanes,
+             const unsigned int           lane,
+             const FullMatrix<double>    &matrix)
+    {
+      for (unsigned int i = 0, k = 0; i < matrix.m(); ++i)
+        for (unsigned int j = 0; j < matrix.n(); ++j)
+          lane_of(lanes[k++], lane) = matrix(i, j);
+    }
+
+
+
+    BlockBatch::Shape
+    shape_of(const ConicBlock         &block,
+             const ConicLayout        &layout,
+             const unsigned int        b,
+             const FullMatrix<double> &unseen)
+    {
+      BlockBatch::Shape shape = {static_cast<unsigned int>(
+                                   block.linear_cost.size()),
+                                 static_cast<unsigned int>(block.rows.size()),
+                                 static_cast<unsigned int>(unseen.m()),
+                                 !block.quadratic_cost.empty(),
+                                 {}};
+      for (unsigned int c = layout.first_cones[b];
+           c < layout.first_cones[b + 1];
+           ++c)
+        {
+          const ConicLayout::Cone &cone = layout.cones[c];
+          shape.cones.push_back({cone.size,
+                                 cone.first_column,
+                                 cone.end_column - cone.first_column});
+        }
+      return shape;
+    }
+  } // namespace
+
+
+
+  bool
+  BlockBatch::Shape::Cone::operator==(const Cone &other) const
+  {
+    return std::tie(size, first_column, n_columns) ==
+           std::tie(other.size, other.first_column, other.n_columns);
+  }
+
+
+
+  bool
+  BlockBatch::Shape::operator==(const Shape &other) const
+  {
+    return std::tie(n_unknowns,
+                    n_equations,
+                    n_unseen,
+                    has_quadratic_cost,
+                    cones) == std::tie(other.n_unknowns,
+                                       other.n_equations,
+                                       other.n_unseen,
+                                       other.has_quadratic_cost,
+                                       other.cones);
+  }
+
+
+
+  // Blocks stay as near to each other as they are in the program.
+  std::vector<BlockBatch>
+  BlockBatch::make(const ConicProgram &program, const ConicLayout &layout)
+  {
+    struct Group
+    {
+      Shape                           shape;
+      std::vector<unsigned int>       blocks;
+      std::vector<FullMatrix<double>> unseen;
+    };
+    std::vector<Group>      groups;
+    std::vector<BlockBatch> batches;
+    const auto              flush = [&](Group &group) {
+      if (!group.blocks.empty())
+        batches.push_back(
+          BlockBatch(program, layout, group.shape, group.blocks, group.unseen));
+      group.blocks.clear();
+      group.unseen.clear();
+    };
+    for (unsigned int b = 0; b < program.blocks.size(); ++b)
+      {
+        const ConicBlock  &block = program.blocks[b];
+        FullMatrix<double> unseen;
+        if (block.quadratic_cost.empty())
+          unseen = kernel(block.cone_matrix);
+        const Shape shape = shape_of(block, layout, b, unseen);
+        auto group = std::find_if(groups.begin(), groups.end(), [&](auto &g) {
+          return g.shape == shape;
+        });
+        if (group == groups.end())
+          group = groups.insert(group, {shape, {}, {}});
+        group->blocks.push_back(b);
+        group->unseen.push_back(std::move(unseen));
+        if (group->blocks.size() == max_blocks)
+          flush(*group);
+      }
+    std::for_each(groups.begin(), groups.end(), flush);
+    return batches;
+  }
+
+
+
+  BlockBatch::BlockBatch(
+    const ConicProgram                    &program,
+    const ConicLayout                     &layout,
+    const Shape                           &shape,
+    const std::vector<unsigned int>       &blocks,
+    const std::vector<FullMatrix<double>> &unseen_of_blocks)
+    : shape(shape)
+    , n_blocks(blocks.size())
+    , n_rows(program.blocks[blocks[0]].cone_offset.size())
+    , equations(shape.n_equations)
+  {
+    const unsigned int n         = shape.n_unknowns;
+    unsigned int       n_entries = 0;
+    for (const Shape::Cone &cone : shape.cones)
+      {
+        n_entries += cone.size * cone.n_columns;
+        scalings.emplace_back(cone.size);
+      }
+    clear(quadratic_cost, shape.has_quadratic_cost ? n * n : 0);
+    clear(coupling, shape.n_equations * n);
+    clear(cone_columns, n_entries);
+    clear(unseen, shape.n_unseen * n);
+    clear(factor, lower_size(n));
+    for (unsigned int lane = 0; lane < max_blocks; ++lane)
+      {
+        const unsigned int i     = lane < n_blocks ? lane : 0;
+        const ConicBlock  &block = program.blocks[blocks[i]];
+        unknowns[lane]           = layout.unknowns[blocks[i]];
+        rows[lane]               = layout.rows[blocks[i]];
+        cones[lane]              = layout.first_cones[blocks[i]];
+        for (unsigned int k = 0; k < shape.n_equations; ++k)
+          equations[k][lane] = block.rows[k];
+        set_lane(quadratic_cost, lane, block.quadratic_cost);
+        set_lane(coupling, lane, block.coupling);
+        set_lane(unseen, lane, unseen_of_blocks[i]);
+        set_cones(lane, block.cone_matrix);
+      }
+  }
+
+
+
+  void
+  BlockBatch::set_cones(const unsigned int        lane,
+                        const FullMatrix<double> &cone_matrix)
+  {
+    unsigned int first_row = 0, entry = 0;
+    for (const Shape::Cone &cone : shape.cones)
+      {
+        for (unsigned int j = 0; j < cone.n_columns; ++j)
+          for (unsigned int i = 0; i < cone.size; ++i)
+            lane_of(cone_columns[entry++], lane) =
+              cone_matrix(first_row + i, cone.first_column + j);
+        first_row += cone.size;
+      }
+  }
+
+
+
+  void
+  BlockBatch::set_targets(
+    const std::function<double *(const unsigned int, const unsigned int)>
+      &target)
+  {
+    targets.resize(lower_size(shape.n_equations));
+    for (unsigned int i = 0; i < shape.n_equations; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        for (unsigned int lane = 0; lane < n_blocks; ++lane)
+          targets[lower_size(i) + j][lane] =
+            target(std::max(equations[i][lane], equations[j][lane]),
+                   std::min(equations[i][lane], equations[j][lane]));
+  }
+
+
+
+  // By W^-1 G of each cone.
+  void
+  BlockBatch::assemble()
+  {
+    const unsigned int n = shape.n_unknowns;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        factor[lower_size(i) + j] =
+          shape.has_quadratic_cost ? quadratic_cost[i * n + j] : 0.;
+
+    Lanes        scaled;
+    Simd<double> across = 0.;
+    for_each_cone([&](const Shape::Cone &cone,
+                      const auto        &scaling,
+                      const auto        *columns,
+                      const unsigned int) {
+      scaled.resize_fast(cone.n_columns * cone.size);
+      std::copy_n(columns, scaled.size(), scaled.begin());
+      for (unsigned int j = 0; j < cone.n_columns; ++j)
+        scaling.divide({&scaled[j * cone.size], cone.size});
+      add_square(factor.begin(),
+                 cone.first_column,
+                 scaled.begin(),
+                 cone.n_columns,
+                 cone.size);
+      if (cone.size > 1)
+        across = std::max(across, scaling.inverse_square_across());
+    });
+    for (unsigned int i = 0; i < n; ++i)
+      factor[lower_size(i) + i] *= 1. + relative_rounding;
+    for (unsigned int k = 0; k < shape.n_unseen; ++k)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j <= i; ++j)
+          factor[lower_size(i) + j] +=
+            kernel_compliance * across * unseen[k * n + i] * unseen[k * n + j];
+  }
+
+
+
+  bool
+  BlockBatch::eliminate(const Scalings &all_scalings)
+  {
+    for (unsigned int c = 0; c < scalings.size(); ++c)
+      for (unsigned int lane = 0; lane < max_blocks; ++lane)
+        scalings[c].set_lane(lane, all_scalings[cones[lane] + c]);
+    assemble();
+    if (!factorize(factor.begin(), shape.n_unknowns))
+      return false;
+
+    Lanes scaled = coupling, square; // A L^-T and A H^-1 A^T
+    solve_rows(factor.begin(),
+               shape.n_unknowns,
+               scaled.begin(),
+               shape.n_equations);
+    clear(square, lower_size(shape.n_equations));
+    add_square(
+      square.begin(), 0, scaled.begin(), shape.n_equations, shape.n_unknowns);
+    for (unsigned int lane = 0; lane < n_blocks; ++lane)
+      for (unsigned int i = 0; i < square.size(); ++i)
+        *targets[i][lane] += lane_of(square[i], lane);
+    return true;
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+
+#include "bounds/conic/conic_program.h"
+#include "bounds/conic/local_algebra.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    void
+    append_row(FullMatrix<double> &matrix, const Vector<double> &row)
+    {
+      FullMatrix<double> longer(matrix.m() + 1, row.size());
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        for (unsigned int j = 0; j < row.size(); ++j)
+          longer(i, j) = matrix(i, j);
+      for (unsigned int j = 0; j < row.size(); ++j)
+        longer(matrix.m(), j) = row[j];
+      matrix = longer;
+    }
+
+
+
+    /// From the first to behind the last column with entries in some rows.
+    std::pair<unsigned int, unsigned int>
+    columns_of(const FullMatrix<double> &matrix,
+               const unsigned int        first_row,
+               const unsigned int        n_rows)
+    {
+      unsigned int first = matrix.n(), end = 0;
+      for (unsigned int i = first_row; i < first_row + n_rows; ++i)
+        for (unsigned int j = 0; j < matrix.n(); ++j)
+          if (matrix(i, j) != 0)
+            {
+              first = std::min(first, j);
+              end   = std::max(end, j + 1);
+            }
+      return {std::min(first, end), end};
+    }
+  } // namespace
+
+
+
+  ConicBlock::ConicBlock(const unsigned int n)
+    : linear_cost(n)
+    , cone_matrix(0, n)
+    , coupling(0, n)
+  {}
+
+
+
+  void
+  ConicBlock::add_to_equation(const unsigned int    equation,
+                              const Vector<double> &row)
+  {
+    append_row(coupling, row);
+    rows.push_back(equation);
+  }
+
+
+
+  void
+  ConicBlock::add_inequality(const Vector<double> &row)
+  {
+    append_row(cone_matrix, row);
+    cone_offset.grow_or_shrink(cone_offset.size() + 1);
+    cone_sizes.push_back(1);
+    cone_scales.emplace_back();
+  }
+
+
+
+  void
+  ensure_cone(ConicProgram &program)
+  {
+    for (const ConicBlock &block : program.blocks)
+      if (!block.cone_sizes.empty())
+        return;
+    ConicBlock &block = program.blocks.front();
+    block.add_inequality(Vector<double>(block.linear_cost.size()));
+    block.cone_offset[0] = 1.;
+  }
+
+
+
+  ConicLayout::ConicLayout(const ConicProgram &program)
+    : unknowns(1, 0)
+    , rows(1, 0)
+    , first_cones(1, 0)
+  {
+    for (const ConicBlock &block : program.blocks)
+      {
+        unsigned int begin = rows.back();
+        for (const unsigned int size : block.cone_sizes)
+          {
+            const auto [first, end] =
+              columns_of(block.cone_matrix, begin - rows.back(), size);
+            cones.push_back({begin, size, first, end});
+            begin += size;
+          }
+        AssertDimension(block.cone_scales.size(), block.cone_sizes.size());
+        scales.insert(scales.end(),
+                      block.cone_scales.begin(),
+                      block.cone_scales.end());
+        unknowns.push_back(unknowns.back() + block.linear_cost.size());
+        rows.push_back(begin);
+        first_cones.push_back(cones.size());
+      }
+  }
+
+
+
+  Vector<double>
+  quadratic_slope(const ConicProgram   &program,
+                  const ConicLayout    &layout,
+                  const Vector<double> &x)
+  {
+    Vector<double> slope(x.size());
+    for (unsigned int b = 0; b < program.blocks.size(); ++b)
+      LocalAlgebra::add_product(slope.begin() + layout.unknowns[b],
+                                program.blocks[b].quadratic_cost,
+                                x.begin() + layout.unknowns[b]);
+    return slope;
+  }
+} // namespace ElastoPlastic

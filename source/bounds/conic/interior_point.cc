@@ -1,0 +1,394 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/exceptions.h"
+#include "base/termination.h"
+#include "bounds/conic/certificate.h"
+#include "bounds/conic/conic_evaluation.h"
+#include "bounds/conic/interior_point.h"
+#include "bounds/conic/kkt_system.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    constexpr unsigned int max_iterations = 100;
+
+    /// So many iterations without a better iterate are the last.
+    constexpr unsigned int max_idle_iterations = 15;
+
+    /// If rounding errors end the iteration early, its best iterate is returned
+    /// unless the gap is larger than this.
+    constexpr double largest_gap = 1e-2;
+
+    /// How much of the way to the boundary of the cones a step goes.
+    constexpr double largest_part = 0.99;
+
+    /// So well must the equations be satisfied, relative to the largest of
+    /// their terms. The difference is made up in the end.
+    constexpr double equation_tolerance = 1e-6;
+
+    using SecondOrderCone::ConstView;
+    using SecondOrderCone::View;
+
+
+
+    /// So well must the equations of an iterate be satisfied that is to be
+    /// strictly inside the cones, and so many steps may that take.
+    constexpr double       interior_tolerance = 1e-12;
+    constexpr unsigned int max_centerings     = 10;
+
+    /// A growth of the right-hand side is of order 1, or rounding errors.
+    constexpr double smallest_growth = 1e-10;
+
+
+
+    /// The part of s^T z that a cone may keep.
+    double
+    weight(const ConeScale &scale)
+    {
+      return scale.slack * scale.multiplier;
+    }
+
+
+
+    /// The iteration of minimize(), in the notation of ConicSolution; W is the
+    /// scaling.
+    class InteriorPoint
+    {
+    public:
+      InteriorPoint(ConicProgram program, const double tolerance);
+
+      ConicSolution
+      run();
+
+    private:
+      void
+      begin();
+      bool
+      converged() const;
+      double
+      distance_from_solution() const;
+      void
+      look_at_iterate();
+      bool
+      scale();
+      bool
+      step();
+      void
+      advance();
+      void
+      center(const ConicSolution &iterate);
+      void
+      subtract_centre(Vector<double> &values, const double gap) const;
+      void
+      find_direction(const Vector<double> &complementarity, const double part);
+      double
+      largest_step() const;
+
+      ConicProgram        program; ///< without A and G, which the system has
+      const ConicLayout   layout;
+      const unsigned int  n_cones;
+      double              total_weight = 0;
+      const double        tolerance;
+      KktSystem           system;
+      KktSystem::Scalings scalings;
+
+      ConicSolution  current;
+      ConicSolution  best;     ///< of all iterates
+      ConicSolution  interior; ///< far inside the cones, satisfies A x = b
+      double         best_distance = 0;
+      KktVector      residual;
+      KktVector      change;
+      Vector<double> scaled;   ///< lambda = W z = W^-1 s
+      Vector<double> scaled_s; ///< W^-1 ds
+      Vector<double> scaled_z; ///< W dz
+    };
+
+
+
+    InteriorPoint::InteriorPoint(ConicProgram the_program,
+                                 const double tolerance)
+      : program(std::move(the_program))
+      , layout(program)
+      , n_cones(layout.cones.size())
+      , tolerance(tolerance)
+      , system(program, layout)
+    {
+      for (const ConeScale &scale : layout.scales)
+        total_weight += weight(scale);
+      for (ConicBlock &block : program.blocks)
+        {
+          block.cone_matrix.reinit(0, 0);
+          block.coupling.reinit(0, 0);
+        }
+      current.x.reinit(layout.unknowns.back());
+      current.s.reinit(layout.rows.back());
+      current.z.reinit(layout.rows.back());
+      current.y.reinit(program.right_hand_side.size());
+      scaled = scaled_s = scaled_z = current.z;
+    }
+
+
+
+    ConicSolution
+    InteriorPoint::run()
+    {
+      if (program.growth.size() > 0 &&
+          program.growth.linfty_norm() < smallest_growth)
+        throw UnboundedError();
+      begin();
+      while (!converged() && current.n_iterations < max_iterations &&
+             current.n_iterations <= best.n_iterations + max_idle_iterations &&
+             step())
+        {
+          if (termination_requested_here())
+            throw TerminationError("Ended on request (SIGTERM).");
+          ++current.n_iterations;
+          look_at_iterate();
+          check_solvability(program, layout, current, residual);
+        }
+      current            = best;
+      current.is_optimal = converged();
+      if (interior.x.size() == 0 ||
+          current.relative_gap > std::max(tolerance, largest_gap))
+        throw ConvergenceError("The interior point method has not converged.");
+      const ConicSolution last = current;
+      if (!make_admissible(program, layout, system, interior, current))
+        {
+          center(interior);
+          interior = current;
+          current  = last;
+          make_admissible(program, layout, system, interior, current);
+        }
+      return current;
+    }
+
+
+
+    // Without the cones and with the expected scales, this is a linear system,
+    // s being -W^2 z. Its solution is moved into the cones.
+    void
+    InteriorPoint::begin()
+    {
+      scalings = expected_scalings(layout);
+      if (!system.factorize(scalings))
+        throw ConvergenceError(
+          "The interior point method cannot begin: "
+          "rounding errors are too large.");
+      residual = evaluate(program, layout, system, current);
+      system.solve(change, residual);
+      current.x           = change.x;
+      current.y           = change.y;
+      current.z           = change.z;
+      current.load_factor = change.load_factor;
+      current.s           = evaluate(program, layout, system, current).z;
+      move_into_cones(layout, current.s, &ConeScale::slack);
+      move_into_cones(layout, current.z, &ConeScale::multiplier);
+      look_at_iterate();
+    }
+
+
+
+    /// Not more than 1 if the iterate is a solution.
+    double
+    InteriorPoint::distance_from_solution() const
+    {
+      return std::max(current.relative_gap / tolerance,
+                      std::max(current.primal_error, current.dual_error) /
+                        equation_tolerance);
+    }
+
+
+
+    bool
+    InteriorPoint::converged() const
+    {
+      return distance_from_solution() <= 1.;
+    }
+
+
+
+    void
+    InteriorPoint::look_at_iterate()
+    {
+      residual = evaluate(program, layout, system, current);
+      if (current.n_iterations == 0 || distance_from_solution() < best_distance)
+        {
+          best          = current;
+          best_distance = distance_from_solution();
+        }
+      if (interior.x.size() == 0 && current.primal_error <= equation_tolerance)
+        interior = current;
+    }
+
+
+
+    bool
+    InteriorPoint::scale()
+    {
+      scalings.clear();
+      for (unsigned int c = 0; c < n_cones; ++c)
+        {
+          const ConstView s = layout.cone(std::as_const(current.s), c),
+                          z = layout.cone(std::as_const(current.z), c);
+          if (!(SecondOrderCone::determinant(s) > 0 &&
+                SecondOrderCone::determinant(z) > 0))
+            return false;
+          scalings.emplace_back(s, z);
+          const View lambda = layout.cone(scaled, c);
+          std::copy_n(z.begin(), lambda.size(), lambda.begin());
+          scalings[c].multiply(lambda);
+        }
+      return system.factorize(scalings);
+    }
+
+
+
+    /// @return false if rounding errors do not allow another one.
+    bool
+    InteriorPoint::step()
+    {
+      if (!scale())
+        return false;
+
+      // The predictor tells how much smaller the gap can become in one step,
+      Vector<double> complementarity = square(layout, scaled);
+      find_direction(complementarity, 1.);
+      const double centering = std::pow(1. - std::min(1., largest_step()), 3);
+
+      // the corrector adds its second-order terms, and goes to the central
+      // path.
+      for (unsigned int c = 0; c < n_cones; ++c)
+        {
+          const View v = layout.cone(scaled_s, c);
+          SecondOrderCone::multiply(v,
+                                    v,
+                                    layout.cone(std::as_const(scaled_z), c));
+        }
+      subtract_centre(scaled_s, centering * (current.s * current.z));
+      complementarity += scaled_s;
+      find_direction(complementarity, 1. - centering);
+      advance();
+      return true;
+    }
+
+
+
+    /// As far as the cones allow.
+    void
+    InteriorPoint::advance()
+    {
+      const double length = std::min(1., largest_part * largest_step());
+      current.x.add(length, change.x);
+      current.y.add(length, change.y);
+      current.z.add(length, change.z);
+      current.load_factor += length * change.load_factor;
+      for (unsigned int c = 0; c < n_cones; ++c)
+        scalings[c].multiply(layout.cone(scaled_s, c));
+      current.s.add(length, scaled_s);
+    }
+
+
+
+    // An @p iterate on which the rounding errors of its equations are not small
+    // when compared with its slacks goes to the central path, where they are
+    // largest, without making the gap smaller.
+    void
+    InteriorPoint::center(const ConicSolution &iterate)
+    {
+      current  = iterate;
+      residual = evaluate(program, layout, system, current);
+      for (unsigned int k = 0;
+           k < max_centerings && current.primal_error > interior_tolerance &&
+           scale();
+           ++k)
+        {
+          Vector<double> complementarity = square(layout, scaled);
+          subtract_centre(complementarity, current.s * current.z);
+          find_direction(complementarity, 1.);
+          advance();
+          residual = evaluate(program, layout, system, current);
+        }
+    }
+
+
+
+    /// Subtracts what lambda o lambda is on the central path with this @p gap:
+    /// a multiple of the unit of each cone.
+    void
+    InteriorPoint::subtract_centre(Vector<double> &values,
+                                   const double    gap) const
+    {
+      for (unsigned int c = 0; c < n_cones; ++c)
+        layout.cone(values, c)[0] -=
+          gap * weight(layout.scales[c]) / total_weight;
+    }
+
+
+
+    // Newton's direction for a part of the residuals and for
+    //   lambda o (W dz + W^-1 ds) = -complementarity
+    void
+    InteriorPoint::find_direction(const Vector<double> &complementarity,
+                                  const double          part)
+    {
+      // W^-1 ds = -(lambda \ complementarity) - W dz
+      scaled_s.equ(-1., complementarity);
+      KktVector right_hand_side = residual;
+      right_hand_side.x *= part;
+      right_hand_side.y *= part;
+      right_hand_side.z *= part;
+      right_hand_side.load_factor *= part;
+      Vector<double> slack = scaled_s;
+      for (unsigned int c = 0; c < n_cones; ++c)
+        {
+          const View quotient = layout.cone(scaled_s, c);
+          SecondOrderCone::divide(quotient,
+                                  quotient,
+                                  layout.cone(std::as_const(scaled), c));
+          std::copy_n(quotient.begin(),
+                      quotient.size(),
+                      layout.cone(slack, c).begin());
+          scalings[c].multiply(layout.cone(slack, c));
+        }
+      right_hand_side.z -= slack;
+      system.solve(change, right_hand_side);
+
+      scaled_z = change.z;
+      for (unsigned int c = 0; c < n_cones; ++c)
+        scalings[c].multiply(layout.cone(scaled_z, c));
+      scaled_s -= scaled_z;
+    }
+
+
+
+    double
+    InteriorPoint::largest_step() const
+    {
+      double inverse = std::numeric_limits<double>::min();
+      for (unsigned int c = 0; c < n_cones; ++c)
+        inverse =
+          std::max({inverse,
+                    SecondOrderCone::inverse_step(layout.cone(scaled, c),
+                                                  layout.cone(scaled_s, c)),
+                    SecondOrderCone::inverse_step(layout.cone(scaled, c),
+                                                  layout.cone(scaled_z, c))});
+      return 1. / inverse;
+    }
+  } // namespace
+
+
+
+  ConicSolution
+  minimize(ConicProgram program, const double tolerance)
+  {
+    ensure_cone(program);
+    return InteriorPoint(std::move(program), tolerance).run();
+  }
+} // namespace ElastoPlastic

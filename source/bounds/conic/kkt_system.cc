@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "bounds/conic/kkt_system.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// What is added to the diagonal of the sum of all blocks, relative to each
+    /// entry, one after the other until it can be factorised.
+    constexpr std::array<double, 4> sum_roundings = {{0., 1e-14, 1e-12, 1e-10}};
+
+    /// Solves are repeated so often at most, while each halves the residual,
+    /// and until it is that small.
+    constexpr unsigned int max_repetitions   = 12;
+    constexpr double       relative_residual = 1e-11;
+
+    double
+    square(const KktVector &v)
+    {
+      return v.x.norm_sqr() + v.y.norm_sqr() + v.z.norm_sqr() +
+             v.load_factor * v.load_factor;
+    }
+  } // namespace
+
+
+
+  KktSystem::KktSystem(const ConicProgram &program, const ConicLayout &layout)
+    : program(program)
+    , n_sparse_rows(program.right_hand_side.size() - program.n_dense_rows)
+    , batches(BlockBatch::make(program, layout))
+    , dense_rows(program.n_dense_rows, Vector<double>(n_sparse_rows))
+    , dense_solutions(dense_rows)
+    , dense_inverse(program.n_dense_rows, program.n_dense_rows)
+  {
+    DynamicSparsityPattern couplings(n_sparse_rows, n_sparse_rows);
+    for (const ConicBlock &block : program.blocks)
+      for (const unsigned int i : block.rows)
+        for (const unsigned int j : block.rows)
+          if (j <= i && i < n_sparse_rows)
+            couplings.add(i, j);
+    sparsity_pattern.copy_from(couplings);
+    matrix.reinit(sparsity_pattern);
+    sparse_factor = std::make_unique<SparseCholesky>(sparsity_pattern);
+    set_targets();
+  }
+
+
+
+  void
+  KktSystem::set_targets()
+  {
+    for (BlockBatch &batch : batches)
+      batch.set_targets([&](const unsigned int row, const unsigned int column) {
+        if (row < n_sparse_rows)
+          return &matrix(row, column);
+        if (column < n_sparse_rows)
+          return &dense_rows[row - n_sparse_rows][column];
+        return &dense_inverse(row - n_sparse_rows, column - n_sparse_rows);
+      });
+  }
+
+
+
+  bool
+  KktSystem::factorize(const Scalings &scalings)
+  {
+    matrix        = 0.;
+    dense_inverse = 0.;
+    for (Vector<double> &row : dense_rows)
+      row = 0.;
+    for (BlockBatch &batch : batches)
+      if (!batch.eliminate(scalings))
+        return false;
+    if (!factorize_sum())
+      return false;
+    factorize_dense_rows();
+    growth_solution = program.growth;
+    if (program.growth.size() > 0)
+      solve_sparse_and_dense(growth_solution);
+    return true;
+  }
+
+
+
+  // Of their own square, the blocks have added the lower half.
+  void
+  KktSystem::factorize_dense_rows()
+  {
+    for (unsigned int i = 0; i < dense_rows.size(); ++i)
+      {
+        for (unsigned int j = 0; j < i; ++j)
+          dense_inverse(j, i) = dense_inverse(i, j);
+        sparse_factor->vmult(dense_solutions[i], dense_rows[i]);
+      }
+    for (unsigned int i = 0; i < dense_rows.size(); ++i)
+      for (unsigned int j = 0; j < dense_rows.size(); ++j)
+        dense_inverse(j, i) -= dense_rows[j] * dense_solutions[i];
+    if (!dense_rows.empty())
+      dense_inverse.gauss_jordan();
+  }
+
+
+
+  bool
+  KktSystem::factorize_sum()
+  {
+    double added = 0;
+    for (const double rounding : sum_roundings)
+      {
+        for (unsigned int i = 0; i < n_sparse_rows; ++i)
+          matrix.diag_element(i) *= 1. + rounding - added;
+        added = rounding;
+        if (sparse_factor->factorize(matrix))
+          return true;
+      }
+    return false;
+  }
+
+
+
+  void
+  KktSystem::solve(KktVector &solution, const KktVector &right_hand_side) const
+  {
+    KktVector    residual = right_hand_side;
+    const double small =
+      relative_residual * relative_residual * square(right_hand_side);
+    double         last = std::numeric_limits<double>::max();
+    Vector<double> y;
+    solution = KktVector();
+    solution.x.reinit(residual.x.size());
+    solution.y.reinit(residual.y.size());
+    solution.z.reinit(residual.z.size());
+    for (unsigned int k = 0; k <= max_repetitions; ++k)
+      {
+        y = residual.y;
+        y *= -1.;
+        for (const BlockBatch &batch : batches)
+          batch.reduce(y, residual, workspace);
+        solve_sparse_and_dense(y);
+        const double lambda = add_growth(y, residual.load_factor);
+        solution.y += y;
+        solution.load_factor += lambda;
+        subtract_growth_product(residual, y, lambda);
+        for (const BlockBatch &batch : batches)
+          batch.substitute(solution, residual, y, workspace);
+
+        const double remainder = square(residual);
+        if (remainder > 0.25 * last || remainder < small)
+          break;
+        last = remainder;
+      }
+  }
+
+
+
+  void
+  KktSystem::solve_sparse_and_dense(Vector<double> &y) const
+  {
+    Vector<double> sparse(n_sparse_rows), dense(dense_rows.size()),
+      dense_solution(dense_rows.size());
+    std::copy(y.begin(), y.begin() + n_sparse_rows, sparse.begin());
+    Vector<double> solution;
+    sparse_factor->vmult(solution, sparse);
+    for (unsigned int i = 0; i < dense.size(); ++i)
+      dense[i] = y[n_sparse_rows + i] - dense_rows[i] * solution;
+    if (!dense_rows.empty())
+      dense_inverse.vmult(dense_solution, dense);
+    for (unsigned int i = 0; i < dense.size(); ++i)
+      {
+        solution.add(-dense_solution[i], dense_solutions[i]);
+        y[n_sparse_rows + i] = dense_solution[i];
+      }
+    std::copy(solution.begin(), solution.end(), y.begin());
+  }
+
+
+
+  double
+  KktSystem::add_growth(Vector<double> &y, const double r_lambda) const
+  {
+    if (growth_solution.size() == 0)
+      return 0.;
+    const double lambda =
+      (r_lambda + program.growth * y) / (program.growth * growth_solution);
+    y.add(-lambda, growth_solution);
+    return lambda;
+  }
+
+
+
+  void
+  KktSystem::subtract_growth_product(KktVector            &residual,
+                                     const Vector<double> &y,
+                                     const double          lambda) const
+  {
+    if (program.growth.size() > 0)
+      {
+        residual.y.add(lambda, program.growth);
+        residual.load_factor += program.growth * y;
+      }
+  }
+
+
+
+  void
+  KktSystem::subtract_product(KktVector       &residual,
+                              const KktVector &solution) const
+  {
+    subtract_growth_product(residual, solution.y, solution.load_factor);
+    for (const BlockBatch &batch : batches)
+      batch.subtract_product(residual, solution, workspace);
+  }
+} // namespace ElastoPlastic

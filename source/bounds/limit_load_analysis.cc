@@ -1,0 +1,372 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "adaptivity/refinement.h"
+#include "base/exceptions.h"
+#include "base/rethrow_collectively.h"
+#include "base/termination.h"
+#include "base/to_text.h"
+#include "bounds/body/growing_loads.h"
+#include "bounds/bound_checks.h"
+#include "bounds/cell_indicators.h"
+#include "bounds/error/support_check.h"
+#include "bounds/limit_load_analysis.h"
+#include "bounds/limit_load_fields.h"
+#include "bounds/stress/stress_check.h"
+#include "mesh/material_ids.h"
+#include "output/table_reference.h"
+#include "problem/problem_checks.h"
+#include "problem/support_checks.h"
+#include "restart/output_directory.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// In space the iteration stops where the bounds are closer to the best
+    /// ones of their mesh, relative, than this part of the last mesh's
+    /// difference.
+    constexpr double part_of_difference      = 0.01;
+    constexpr double largest_space_tolerance = 1e-3;
+
+
+
+    void
+    warn_if_any(Log &log, const std::string &warning)
+    {
+      if (!warning.empty())
+        log.warn(warning);
+    }
+
+
+
+    /// What is normal to the indenter, in a job that asks for its limit load,
+    /// is normal to the sides that it fits.
+    ContactGeometry
+    contact_geometry(const Model<2> &model, const Parameters &parameters)
+    {
+      const ContactGeometry geometry = model.contact.geometry;
+      if (geometry == ContactGeometry::vertical ||
+          model.strain_model.kinematics == Kinematics::plane_stress)
+        return ContactGeometry::vertical;
+      return parameters.analysis == Analysis::limit_load ?
+               geometry :
+               ContactGeometry::automatic;
+    }
+
+
+
+    PlaneBody
+    make_body(SplitMesh             mesh,
+              const Loads<2>       &loads,
+              const Model<2>       &model,
+              const GapFunction<2> &gap_function,
+              const Parameters     &parameters)
+    {
+      PlaneBody body = make_plane_body(
+        std::move(mesh),
+        model.boundary_conditions,
+        model.materials,
+        model.strain_model.kinematics,
+        [&](const Point<2> &x) { return gap_function.value(x); },
+        loads,
+        parameters.indenter.surface,
+        contact_geometry(model, parameters),
+        gap_function.footprint());
+      require_polynomial_tractions(
+        body, parameters.limit_load.degree_of_stresses(body.is_axisymmetric()));
+      return body;
+    }
+
+
+
+    SpaceBody
+    make_body(TetrahedralMesh       mesh,
+              const Loads<3>       &loads,
+              const Model<3>       &model,
+              const GapFunction<3> &gap_function,
+              const Parameters     &parameters)
+    {
+      return make_space_body(
+        std::move(mesh),
+        model.boundary_conditions,
+        model.materials,
+        [&](const Point<3> &x) { return gap_function.value(x); },
+        loads,
+        parameters.indenter.surface,
+        gap_function.footprint());
+    }
+
+
+
+    LimitLoad
+    bounds_of(const PlaneBody &body, const Parameters &parameters, const double)
+    {
+      return bound_limit_load(
+        body, parameters.limit_load.degree_of_stresses(body.is_axisymmetric()));
+    }
+
+
+
+    // Bounds need not be much closer to the best ones of their mesh than the
+    // mesh allows, for which the last one gives an example.
+    SpaceLimitLoad
+    bounds_of(const SpaceBody &body,
+              const Parameters &,
+              const double last_difference)
+    {
+      return bound_limit_load(body,
+                              std::clamp(part_of_difference * last_difference,
+                                         usual_space_tolerance,
+                                         largest_space_tolerance));
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  LimitLoadAnalysis<dim>::LimitLoadAnalysis(const Model<dim> &model,
+                                            const Parameters &parameters,
+                                            const MPI_Comm    communicator)
+    : model(model)
+    , parameters(parameters)
+    , communicator(communicator)
+    , first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , log(communicator, parameters.output.screen)
+    , output(parameters.output, "limit_load", "velocity")
+    , slip_output(parameters.output)
+    , triangulation(communicator)
+    , gap_function(make_mesh_and_place_indenter(model, triangulation))
+  {
+    if (parameters.limit_load.load == GrowingLoad::tractions)
+      loads = [&model](const auto &mesh) {
+        return growing_loads(mesh, model.boundary_conditions, model.body_force);
+      };
+    else
+      loads = [&model](const auto &) {
+        return Loads<dim>(/* time = */ 0., model.body_force);
+      };
+    check_materials_of_limit_load(model.materials);
+    check_material_ids(triangulation, model.materials.size());
+    for (const std::string &warning : model.geometry.warnings())
+      log.warn(warning);
+    warn_if_any(log,
+                warning_of_unused_materials(triangulation,
+                                            model.materials.size()));
+  }
+
+
+
+  template <int dim>
+  void
+  LimitLoadAnalysis<dim>::run(const bool overwrite)
+  {
+    log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
+    check();
+    note_termination_requests();
+    OutputDirectory directory(communicator, parameters.output.directory);
+    directory.begin_run(overwrite, parameters.effective_input);
+    write_table_reference(communicator, parameters.output);
+    Table<LimitLoadRow> table(communicator,
+                              parameters.output.directory + "/limit_load.csv",
+                              limit_load_columns());
+    table.open();
+    while (true)
+      {
+        find_bounds_or_say_last();
+        write_results(table);
+        directory.accept_results();
+        if (is_last_cycle())
+          break;
+        refine_mesh();
+      }
+    warn_if_any(log,
+                warning_of_constant_loads(row.lower_bound, row.upper_bound));
+    log.remark("Results are in " + parameters.output.directory);
+  }
+
+
+
+  template <int dim>
+  void
+  LimitLoadAnalysis<dim>::check()
+  {
+    check_contact_boundaries(model, triangulation);
+    setup_body();
+    check_supports_of_limit_load(model,
+                                 parameters.limit_load.load,
+                                 gap_function,
+                                 triangulation);
+    warn_if_any(log, warning_of_curved_body(triangulation));
+    if (first_rank && model.indenter.shape)
+      warn_if_any(log, warning_of_partial_reach(body));
+  }
+
+
+
+  template <int dim>
+  types::global_cell_index
+  LimitLoadAnalysis<dim>::n_cells() const
+  {
+    return triangulation.n_global_active_cells();
+  }
+
+
+
+  // For the first rank.
+  template <int dim>
+  void
+  LimitLoadAnalysis<dim>::setup_body()
+  {
+    auto mesh = make_split_mesh(triangulation);
+    rethrow_collectively(communicator, [&]() {
+      if (!first_rank)
+        return;
+      const Loads<dim> mesh_loads = loads(mesh);
+      body =
+        make_body(std::move(mesh), mesh_loads, model, gap_function, parameters);
+      if (model.indenter.shape)
+        check_reach_of_indenter(body);
+      if (!model.indenter.shape && body.load_factor_unit == 0)
+        throw ConvergenceError("No load acts on the body.");
+    });
+  }
+
+
+
+  template <int dim>
+  double
+  LimitLoadAnalysis<dim>::last_difference() const
+  {
+    return cycle == 0 || row.lower_bound == 0. ? 1. : row.relative_difference();
+  }
+
+
+
+  // The work of the first rank, while the others wait for its results.
+  template <int dim>
+  void
+  LimitLoadAnalysis<dim>::find_bounds()
+  {
+    const Timer timer;
+    bool        are_optimal = true;
+    rethrow_collectively(communicator, [&]() {
+      if (!first_rank)
+        return;
+      bounds      = bounds_of(body, parameters, last_difference());
+      are_optimal = bounds.stress.is_optimal && bounds.velocity.is_optimal;
+      const double stress_error = require_admissible(body, bounds.stress);
+      row                       = {cycle,
+                                   static_cast<unsigned int>(body.mesh.cells.size()),
+                                   static_cast<unsigned int>(simplices_of(body.mesh).size()),
+                                   bounds.lower_bound,
+                                   bounds.upper_bound,
+                                   bounds.stress.n_iterations,
+                                   bounds.velocity.n_iterations,
+                                   stress_error,
+                                   bounds.velocity.error,
+                                   timer.wall_time()};
+    });
+    row              = Utilities::MPI::broadcast(communicator, row);
+    error_indicators = cell_indicators(body.mesh, bounds.gaps, triangulation);
+
+    const std::string  simplices = dim == 2 ? "triangles" : "tetrahedra";
+    std::ostringstream message;
+    message.precision(8);
+    message << row.triangles << ' ' << simplices
+            << ": the limit load is between " << row.lower_bound << " and "
+            << row.upper_bound;
+    if (row.lower_bound != 0.)
+      message << " (" << 100. * row.relative_difference() << " %)";
+    message << ", " << row.wall_seconds << " s";
+    log.remark(message.str());
+    log.table_row("cycle cells " + simplices + " lower_bound upper_bound",
+                  std::to_string(row.cycle) + ' ' + std::to_string(row.cells) +
+                    ' ' + std::to_string(row.triangles) + ' ' +
+                    to_text(row.lower_bound) + ' ' + to_text(row.upper_bound));
+    if (!are_optimal)
+      log.warn(
+        "Rounding errors have ended the interior point method early. "
+        "The bounds hold, but this mesh has closer ones.");
+  }
+
+
+
+  // The row is that of the mesh before until there is another one.
+  template <int dim>
+  void
+  LimitLoadAnalysis<dim>::find_bounds_or_say_last()
+  {
+    try
+      {
+        if (termination_requested(communicator))
+          throw TerminationError("Ended on request (SIGTERM).");
+        find_bounds();
+      }
+    catch (const Error &error)
+      {
+        if (cycle == 0)
+          throw;
+        throw_error(error.status,
+                    error.what() +
+                      (" The limit load is between " +
+                       to_text(row.lower_bound)) +
+                      " and " + to_text(row.upper_bound) +
+                      ", as the mesh before has shown.");
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  LimitLoadAnalysis<dim>::write_results(Table<LimitLoadRow> &table)
+  {
+    table.add(row);
+    if (parameters.output.fields == FieldOutputTimes::every_cycle ||
+        (parameters.output.fields == FieldOutputTimes::last_cycle &&
+         is_last_cycle()))
+      rethrow_collectively(communicator, [&]() {
+        if (!first_rank)
+          return;
+        output.write(fields_of(body, bounds), cycle);
+        slip_output.write(body_of_velocity(body, bounds),
+                          bounds.velocity.velocity,
+                          cycle);
+      });
+  }
+
+
+
+  template <int dim>
+  bool
+  LimitLoadAnalysis<dim>::is_last_cycle() const
+  {
+    return cycle + 1 >= parameters.refinement.n_cycles;
+  }
+
+
+
+  template <int dim>
+  void
+  LimitLoadAnalysis<dim>::refine_mesh()
+  {
+    flag_cells(parameters.refinement, error_indicators, triangulation);
+    triangulation.execute_coarsening_and_refinement();
+    check_material_ids(triangulation, model.materials.size());
+    setup_body();
+    ++cycle;
+  }
+
+
+
+  template class LimitLoadAnalysis<2>;
+  template class LimitLoadAnalysis<3>;
+} // namespace ElastoPlastic

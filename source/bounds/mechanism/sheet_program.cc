@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+
+#include "bounds/conic/interior_point.h"
+#include "bounds/conic/yield_conditions.h"
+#include "bounds/mechanism/quadratic_field.h"
+#include "bounds/mechanism/sheet_program.h"
+#include "bounds/mesh/integration.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    constexpr double gap_tolerance = 1e-6;
+
+    /// Stresses at the corners of a triangle: 11, 22, 12.
+    constexpr unsigned int n_stresses = 9;
+
+    constexpr unsigned int invalid = numbers::invalid_unsigned_int;
+
+
+
+    /// The components of the velocity at a node, in two directions at right
+    /// angles: the numbers of their equations, if they are not zero.
+    struct Node
+    {
+      std::array<Tensor<1, 2>, 2> directions = {
+        {Tensor<1, 2>({1., 0.}), Tensor<1, 2>({0., 1.})}};
+      std::array<bool, 2>         fixed     = {};
+      std::array<unsigned int, 2> equations = {{invalid, invalid}};
+
+      /// No velocity in this direction.
+      void
+      fix(const Tensor<1, 2> &direction)
+      {
+        for (unsigned int c = 0; c < 2; ++c)
+          if (std::abs(std::abs(directions[c] * direction) - 1.) < 1e-10)
+            {
+              fixed[c] = true;
+              return;
+            }
+        if (fixed[0] || fixed[1])
+          fixed = {{true, true}};
+        else
+          {
+            directions = {{direction, cross_product_2d(direction)}};
+            fixed      = {{true, false}};
+          }
+      }
+    };
+
+
+
+    /// The dual of the minimisation, which reads: find stresses at the corners
+    /// of the triangles, and forces q >= 0 of the indenter, in equilibrium in
+    /// the sense of the principle of virtual power, with the largest sum of
+    /// all q. Its Lagrange multipliers are the velocities, with the opposite
+    /// sign.
+    class SheetProgram
+    {
+    public:
+      explicit SheetProgram(const PlaneBody &body);
+
+      VelocityField
+      solve() const;
+
+    private:
+      /// No velocity of a side in this direction.
+      void
+      fix(const unsigned int side, const Tensor<1, 2> &direction);
+      void
+      number_equations();
+      void
+      add_tractions();
+      void
+      add_block(const unsigned int triangle);
+
+      /// The nodes that a force of the indenter moves, with factors, downwards.
+      using ContactForce = std::vector<std::pair<unsigned int, double>>;
+
+      /// Those of the triangle's sides, each vertex being counted once.
+      std::vector<ContactForce>
+      contact_forces(const unsigned int triangle);
+      TriangleVelocity
+      velocity_of(const unsigned int               triangle,
+                  const std::vector<Tensor<1, 2>> &velocities) const;
+
+      const PlaneBody  &body;
+      std::vector<Node> nodes;
+      ConicProgram      program;
+      std::vector<bool> vertex_is_pressed;
+    };
+
+
+
+    /// Of a triangle: its corners, then the middles of its sides.
+    std::array<unsigned int, 6>
+    nodes_of(const SplitMesh &mesh, const unsigned int t)
+    {
+      const auto        &vertices = mesh.triangles[t].vertices;
+      const auto        &sides    = mesh.triangles[t].sides;
+      const unsigned int n        = mesh.vertices.size();
+      return {{vertices[0],
+               vertices[1],
+               vertices[2],
+               n + sides[0],
+               n + sides[1],
+               n + sides[2]}};
+    }
+
+
+
+    SheetProgram::SheetProgram(const PlaneBody &body)
+      : body(body)
+      , nodes(body.mesh.vertices.size() + body.mesh.sides.size())
+      , vertex_is_pressed(body.mesh.vertices.size(), false)
+    {
+      number_equations();
+      add_tractions();
+      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+        add_block(t);
+    }
+
+
+
+    void
+    SheetProgram::fix(const unsigned int s, const Tensor<1, 2> &direction)
+    {
+      for (const unsigned int vertex : body.mesh.sides[s].vertices)
+        nodes[vertex].fix(direction);
+      nodes[body.mesh.vertices.size() + s].fix(direction);
+    }
+
+
+
+    void
+    SheetProgram::number_equations()
+    {
+      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+        {
+          for (const auto &component : body.conditions[s].components)
+            if (component.type == SideConditionType::displacement)
+              fix(s, component.direction);
+          if (body.conditions[s].is_reached &&
+              body.indenter_surface == SurfaceFinish::rough)
+            fix(s, Point<2>::unit_vector(0));
+        }
+
+      unsigned int n_equations = 0;
+      for (Node &node : nodes)
+        for (unsigned int c = 0; c < 2; ++c)
+          if (!node.fixed[c])
+            node.equations[c] = n_equations++;
+      program.right_hand_side.reinit(n_equations);
+      if (body.load_factor_unit > 0)
+        program.growth.reinit(n_equations);
+    }
+
+
+
+    // The power of the given tractions, for each of the three quadratic
+    // functions of a side.
+    void
+    SheetProgram::add_tractions()
+    {
+      const double unit        = body.stress_unit * body.length_unit;
+      const double growth_unit = body.load_factor_unit / unit;
+      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+        for (const auto &component : body.conditions[s].components)
+          {
+            if (component.type != SideConditionType::traction)
+              continue;
+            const SplitMesh::Side &side   = body.mesh.sides[s];
+            const unsigned int     middle = body.mesh.vertices.size() + s;
+            const auto             add    = [&](Vector<double>    &loads,
+                                 const unsigned int n,
+                                 const double       force) {
+              for (unsigned int c = 0; c < 2; ++c)
+                if (!nodes[n].fixed[c])
+                  loads[nodes[n].equations[c]] +=
+                    force * (component.direction * nodes[n].directions[c]);
+            };
+            const auto add_all =
+              [&](Vector<double> &loads, const double t, const double force) {
+                add(loads, side.vertices[0], (1. - t) * (1. - 2. * t) * force);
+                add(loads, side.vertices[1], t * (2. * t - 1.) * force);
+                add(loads, middle, 4. * t * (1. - t) * force);
+              };
+            integrate_on_side(
+              body.mesh.vertices[side.vertices[0]],
+              body.mesh.vertices[side.vertices[1]],
+              [&](const double t, const Point<2> &x, const double weight) {
+                const double length = weight * body.mesh.length(side);
+                add_all(program.right_hand_side,
+                        t,
+                        length * component.value(x) / unit);
+                if (body.load_factor_unit > 0)
+                  add_all(program.growth,
+                          t,
+                          length * growth_unit * component.growth(x));
+              });
+          }
+    }
+
+
+
+    // A quadratic function is 1 or more on a side if its three coefficients in
+    // Bernstein's basis are: the values at the ends, a and b, and 2 m - (a + b)
+    // / 2 with that in the middle, m. To each belongs a force.
+    std::vector<SheetProgram::ContactForce>
+    SheetProgram::contact_forces(const unsigned int t)
+    {
+      std::vector<ContactForce> forces;
+      for (const unsigned int s : body.mesh.triangles[t].sides)
+        {
+          if (!body.conditions[s].is_reached)
+            continue;
+          const auto        &vertices = body.mesh.sides[s].vertices;
+          const unsigned int middle   = body.mesh.vertices.size() + s;
+          forces.push_back(
+            {{middle, 2.}, {vertices[0], -0.5}, {vertices[1], -0.5}});
+          for (const unsigned int vertex : vertices)
+            if (!vertex_is_pressed[vertex])
+              {
+                vertex_is_pressed[vertex] = true;
+                forces.push_back({{vertex, 1.}});
+              }
+        }
+      return forces;
+    }
+
+
+
+    void
+    SheetProgram::add_block(const unsigned int t)
+    {
+      const auto         forces = contact_forces(t);
+      const unsigned int n      = n_stresses + forces.size();
+      FullMatrix<double> stresses(3 * n_stress_components, n);
+      for (unsigned int corner = 0; corner < 3; ++corner)
+        for (unsigned int c = 0; c < 3; ++c)
+          stresses(n_stress_components * corner + c, 3 * corner + c) = 1.;
+
+      ConicBlock &block = program.blocks.emplace_back(n);
+      add_yield_conditions(block,
+                           stresses,
+                           body.materials[t].yield_radius / body.stress_unit);
+      for (unsigned int f = 0; f < forces.size(); ++f)
+        {
+          block.linear_cost[n_stresses + f] = body.indenter_velocity[1];
+          Vector<double> row(n);
+          row[n_stresses + f] = -1.;
+          block.add_inequality(row);
+        }
+
+      const auto   corners = body.mesh.corners(body.mesh.triangles[t]);
+      const double weight  = area(corners) / (3. * body.length_unit);
+      std::array<std::array<Tensor<1, 2>, 6>, 3> gradients;
+      for (unsigned int corner = 0; corner < 3; ++corner)
+        gradients[corner] = shape_gradients(corners, corner);
+
+      unsigned int i = 0;
+      for (const unsigned int node : nodes_of(body.mesh, t))
+        {
+          for (unsigned int c = 0; c < 2; ++c)
+            if (!nodes[node].fixed[c])
+              {
+                const Tensor<1, 2> &d = nodes[node].directions[c];
+                Vector<double>      power(n);
+                for (unsigned int corner = 0; corner < 3; ++corner)
+                  {
+                    const Tensor<1, 2> g  = weight * gradients[corner][i];
+                    power[3 * corner]     = d[0] * g[0];
+                    power[3 * corner + 1] = d[1] * g[1];
+                    power[3 * corner + 2] = d[0] * g[1] + d[1] * g[0];
+                  }
+                for (unsigned int f = 0; f < forces.size(); ++f)
+                  for (const auto &[pressed, factor] : forces[f])
+                    if (pressed == node)
+                      power[n_stresses + f] += factor * d[1];
+                block.add_to_equation(nodes[node].equations[c], power);
+              }
+          ++i;
+        }
+    }
+
+
+
+    VelocityField
+    SheetProgram::solve() const
+    {
+      const ConicSolution solution = minimize(program, gap_tolerance);
+
+      std::vector<Tensor<1, 2>> velocities(nodes.size());
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        for (unsigned int c = 0; c < 2; ++c)
+          if (!nodes[i].fixed[c])
+            velocities[i] -=
+              solution.y[nodes[i].equations[c]] * nodes[i].directions[c];
+
+      VelocityField field;
+      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+        field.velocity.push_back(velocity_of(t, velocities));
+      field.bound        = -solution.cost * (body.load_factor_unit > 0 ?
+                                               body.load_factor_unit :
+                                               body.stress_unit * body.length_unit);
+      field.n_iterations = solution.n_iterations;
+      field.is_optimal   = solution.is_optimal;
+      return field;
+    }
+
+
+
+    TriangleVelocity
+    SheetProgram::velocity_of(const unsigned int               t,
+                              const std::vector<Tensor<1, 2>> &velocities) const
+    {
+      const auto at_nodes = nodes_of(body.mesh, t);
+      return interpolate_cubic([&](const Bernstein::Barycentric &point) {
+        Tensor<1, 2> value;
+        for (unsigned int i = 0; i < 3; ++i)
+          value +=
+            point[i] * (2. * point[i] - 1.) * velocities[at_nodes[i]] +
+            4. * point[i] * point[(i + 1) % 3] * velocities[at_nodes[3 + i]];
+        return value;
+      });
+    }
+  } // namespace
+
+
+
+  VelocityField
+  find_motion_of_sheet(const PlaneBody &body)
+  {
+    return SheetProgram(body).solve();
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <utility>
+
+#include "bounds/conic/interior_point.h"
+#include "bounds/conic/power_block.h"
+#include "bounds/mechanism/flux_unknowns.h"
+#include "bounds/mechanism/space_velocity.h"
+#include "bounds/stress/tetrahedron_stress.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// In the units of the body, as the dual of a PowerBlock's.
+    class SpaceVelocityProgram
+    {
+    public:
+      explicit SpaceVelocityProgram(const SpaceBody &body);
+
+      /// Can be called once.
+      SpaceVelocityField
+      solve(const double tolerance);
+
+    private:
+      void
+      add_work(const unsigned int tetrahedron);
+      void
+      add_slip(const unsigned int face, const unsigned int corner);
+      void
+      add_indenter(const unsigned int face, const unsigned int corner);
+      void
+      add_loads(const unsigned int face);
+
+      /// The three velocities of a neighbour of a face that do not vanish at
+      /// one of its corners, and their unknowns.
+      struct Trace
+      {
+        std::array<Tensor<1, 3>, 3> velocities;
+        std::array<unsigned int, 3> unknowns;
+      };
+
+      Trace
+      trace_at(const unsigned int face,
+               const unsigned int neighbor,
+               const unsigned int corner) const;
+
+      const SpaceBody   &body;
+      const FluxUnknowns unknowns;
+      ConicProgram       program;
+    };
+
+
+
+    SpaceVelocityProgram::SpaceVelocityProgram(const SpaceBody &body)
+      : body(body)
+      , unknowns(body)
+    {
+      program.right_hand_side.reinit(unknowns.size());
+      if (body.load_factor_unit > 0)
+        program.growth.reinit(unknowns.size());
+      for (unsigned int t = 0; t < body.mesh.tetrahedra.size(); ++t)
+        add_work(t);
+      for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
+        {
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              if (slip_takes_work(body, f))
+                add_slip(f, i);
+              if (body.conditions[f].is_reached)
+                add_indenter(f, i);
+            }
+          if (!body.mesh.faces[f].is_inside())
+            add_loads(f);
+        }
+    }
+
+
+
+    // Of stresses, the deviator is limited and does the work; the mean stress
+    // is not, and asks for velocities that change no volume.
+    void
+    SpaceVelocityProgram::add_work(const unsigned int t)
+    {
+      static const FullMatrix<double> deviator =
+        TetrahedronStress::deviator_matrix();
+      const unsigned int n = deviator.m();
+
+      ConicBlock &block = program.blocks.emplace_back(n + 1);
+      block.cone_matrix.reinit(n + 1, n + 1);
+      block.cone_offset.reinit(n + 1);
+      block.cone_offset[0] = body.materials[t].yield_radius / body.stress_unit;
+      for (unsigned int i = 0; i < n; ++i)
+        block.cone_matrix(1 + i, i) = -1.;
+      block.cone_sizes = {n + 1};
+      block.cone_scales.resize(1);
+
+      const FluxElement element(body, t);
+      const double      weight =
+        volume(element.corners) / (body.length_unit * body.length_unit);
+      Vector<double> powers(n + 1);
+      unknowns.for_each(t, [&](const auto k, const auto v, const auto unknown) {
+        const SymmetricTensor<2, 3> rate = element.rate(k, v);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            powers[i] = 0;
+            for (unsigned int c = 0; c < deviator.n(); ++c)
+              powers[i] += weight * deviator(i, c) * rate.access_raw_entry(c);
+          }
+        powers[n] = weight * trace(rate);
+        block.add_to_equation(unknown, powers);
+      });
+    }
+
+
+
+    SpaceVelocityProgram::Trace
+    SpaceVelocityProgram::trace_at(const unsigned int f,
+                                   const unsigned int neighbor,
+                                   const unsigned int corner) const
+    {
+      const unsigned int t = body.mesh.faces[f].neighbors[neighbor];
+      const FluxElement  element(body, t);
+      unsigned int       v = 0;
+      while (body.mesh.tetrahedra[t].vertices[v] !=
+             body.mesh.faces[f].vertices[corner])
+        ++v;
+      Trace result;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const unsigned int k = corner_of_face(v, i);
+          result.velocities[i] = element.velocity(k, v);
+          result.unknowns[i]   = unknowns.at(t, k, v);
+        }
+      return result;
+    }
+
+
+
+    void
+    SpaceVelocityProgram::add_slip(const unsigned int f,
+                                   const unsigned int corner)
+    {
+      const auto directions = tangents(body.mesh.corners(body.mesh.faces[f]));
+      const unsigned int n_neighbors = body.mesh.faces[f].is_inside() ? 2 : 1;
+      FullMatrix<double> slips(2, 3 * n_neighbors);
+      std::vector<unsigned int> equations;
+      for (unsigned int n = 0; n < n_neighbors; ++n)
+        {
+          const Trace at_corner = trace_at(f, n, corner);
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              equations.push_back(at_corner.unknowns[i]);
+              for (unsigned int d = 0; d < 2; ++d)
+                slips(d, 3 * n + i) = (n == 0 ? 1. : -1.) *
+                                      (at_corner.velocities[i] * directions[d]);
+            }
+        }
+      PowerBlock block(slips.n());
+      block.add_norm(slips,
+                     0,
+                     2,
+                     body.area_of_corner(f),
+                     body.shear_strength(f) / body.stress_unit);
+      program.blocks.push_back(block.make(equations));
+    }
+
+
+
+    void
+    SpaceVelocityProgram::add_indenter(const unsigned int f,
+                                       const unsigned int corner)
+    {
+      const Trace        at_corner = trace_at(f, 0, corner);
+      FullMatrix<double> vertical(1, 3);
+      for (unsigned int i = 0; i < 3; ++i)
+        vertical(0, i) = at_corner.velocities[i][2];
+      PowerBlock block(3);
+      block.add_condition(vertical,
+                          0,
+                          body.area_of_corner(f),
+                          body.indenter_velocity[2]);
+      program.blocks.push_back(
+        block.make(std::vector<unsigned int>(at_corner.unknowns.begin(),
+                                             at_corner.unknowns.end())));
+    }
+
+
+
+    // Velocities and loads are linear on the face. Where the body is held, they
+    // do no work.
+    void
+    SpaceVelocityProgram::add_loads(const unsigned int f)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const Trace at_corner = trace_at(f, 0, i);
+          for (unsigned int c = 0; c < 3; ++c)
+            for (unsigned int k = 0; k < 3; ++k)
+              {
+                const auto        &component = body.conditions[f].components[c];
+                const unsigned int unknown   = at_corner.unknowns[k];
+                if (component.type == SideConditionType::displacement ||
+                    unknown == numbers::invalid_unsigned_int)
+                  continue;
+                const double along =
+                  body.area_of_corner(f) / body.stress_unit *
+                  (at_corner.velocities[k] * component.direction);
+                for (unsigned int j = 0; j < 3; ++j)
+                  {
+                    const double part = (i == j ? 0.5 : 0.25) * along;
+                    program.right_hand_side[unknown] +=
+                      part * body.load(f, c, j);
+                    if (body.load_factor_unit > 0)
+                      program.growth[unknown] +=
+                        part * body.load_factor_unit * body.growth(f, c, j);
+                  }
+              }
+        }
+    }
+
+
+
+    SpaceVelocityField
+    SpaceVelocityProgram::solve(const double tolerance)
+    {
+      const ConicSolution solution = minimize(std::move(program), tolerance);
+      SpaceVelocityField  field;
+      field.bound = -solution.cost *
+                    (body.load_factor_unit > 0 ?
+                       body.load_factor_unit :
+                       body.stress_unit * body.length_unit * body.length_unit);
+      field.n_iterations = solution.n_iterations;
+      field.is_optimal   = solution.is_optimal;
+
+      Vector<double> fluxes = solution.y;
+      fluxes *= -1.;
+      unknowns.remove_divergence(fluxes);
+      for (unsigned int t = 0; t < body.mesh.tetrahedra.size(); ++t)
+        {
+          const FluxElement element(body, t);
+          CornerVelocities &velocity = field.velocity.emplace_back();
+          unknowns.for_each(t, [&](const auto k, const auto v, const auto i) {
+            velocity[v] += fluxes[i] * element.velocity(k, v);
+          });
+        }
+      return field;
+    }
+  } // namespace
+
+
+
+  SpaceVelocityField
+  find_motion_in_space(const SpaceBody &body, const double tolerance)
+  {
+    return SpaceVelocityProgram(body).solve(tolerance);
+  }
+} // namespace ElastoPlastic

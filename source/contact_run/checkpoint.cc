@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <boost/archive/text_iarchive.hpp>
+#include <boost/archive/text_oarchive.hpp>
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <sstream>
+
+#include "base/termination.h"
+#include "contact_run/elasto_plastic_contact.h"
+#include "loading/same_past.h"
+
+namespace ElastoPlastic
+{
+  template <int dim>
+  template <typename Archive>
+  void
+  ElastoPlasticContact<dim>::serialize_progress(Archive              &archive,
+                                                Statistics::Progress &progress)
+  {
+    archive &time_steps &load_program &output &cycle &last_step &evaluation
+      &progress;
+  }
+
+
+
+  // What the next load step begins with: the mesh, with the states of the
+  // material points and the fields in its cells, and where the history is.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::save_checkpoint(Statistics &statistics)
+  {
+    TimerOutput::Scope scope(timer, "Checkpoint");
+    statistics.write_to_disk();
+
+    std::ostringstream            state;
+    boost::archive::text_oarchive archive(state);
+    Statistics::Progress          progress = statistics.progress();
+    serialize_progress(archive, progress);
+
+    checkpoint.save(state.str(), [&](const std::string &mesh_file) {
+      body.save(last_step, mesh_file);
+    });
+    time_since_checkpoint.restart();
+  }
+
+
+
+  // The clock of the first rank decides.
+  template <int dim>
+  bool
+  ElastoPlasticContact<dim>::checkpoint_is_due() const
+  {
+    return Utilities::MPI::broadcast(
+      communicator,
+      time_since_checkpoint.wall_time() >=
+        60. * parameters.output.minutes_between_checkpoints);
+  }
+
+
+
+  // Without the mesh and what it carries.
+  template <int dim>
+  Checkpoint::Contents
+  ElastoPlasticContact<dim>::read_checkpoint(Statistics::Progress &progress)
+  {
+    Checkpoint::Contents          contents = checkpoint.load();
+    std::istringstream            state(contents.state);
+    boost::archive::text_iarchive archive(state);
+    serialize_progress(archive, progress);
+    check_same_past(contents.loading(),
+                    parameters.loading,
+                    last_step.result.time);
+    return contents;
+  }
+
+
+
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::check_checkpoint()
+  {
+    Statistics::Progress progress;
+    read_checkpoint(progress);
+  }
+
+
+
+  template <int dim>
+  Statistics::Progress
+  ElastoPlasticContact<dim>::load_checkpoint()
+  {
+    TimerOutput::Scope scope(timer, "Checkpoint");
+
+    Statistics::Progress       progress;
+    const Checkpoint::Contents contents = read_checkpoint(progress);
+    if (last_step.result.step == time_steps.number())
+      time_steps.end_step_at(last_step.result.time);
+
+    coarsen_to_coarse_mesh(body.triangulation);
+    SavedMesh<dim> saved(communicator, contents.mesh_file);
+    saved.refine(body.triangulation);
+    body.reinit(time_steps.next_time(), load_at_end_of_step());
+    body.take_back(saved, last_step);
+    take_back_step();
+    evaluation.do_not_repeat(last_step.result);
+    log.remark(
+      "Resumed at t = " + Patterns::Tools::to_string(last_step.result.time) +
+      ", after step " + std::to_string(last_step.result.step) + ".");
+    return progress;
+  }
+
+
+
+  // Called after every Newton step.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::stop_if_requested() const
+  {
+    if (step_is_under_way && termination_requested(communicator))
+      throw TerminationError(
+        "Ended on request (SIGTERM) in load step " +
+        std::to_string(time_steps.number()) +
+        (time_steps.number() > 1 ?
+           "." :
+           ", which was the first. There is nothing to resume."));
+  }
+
+
+
+  template class ElastoPlasticContact<2>;
+  template class ElastoPlasticContact<3>;
+} // namespace ElastoPlastic

@@ -1,0 +1,399 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/exceptions.h"
+#include "contact_run/contact_problem.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// Forces that change the volume are so large in nearly incompressible
+    /// bodies that what has been left of them by a mere hundredth would exceed
+    /// those that change the shape, and the contact would follow them.
+    constexpr double loosest_reduction_if_incompressible = 1e-4;
+
+    /// So many iterations in which nodes have opened or closed are many.
+    constexpr unsigned int patience = 5;
+  } // namespace
+
+
+
+  template <int dim>
+  ContactProblem<dim>::ContactProblem(SolidOperator<dim>  &solid,
+                                      const Supports<dim> &supports,
+                                      const Vector        &external_forces,
+                                      ContactSet<dim>     &contact,
+                                      TangentSolver       &tangent_solver,
+                                      const double         largest_displacement,
+                                      const double         largest_forces,
+                                      TimerOutput         &timer)
+    : solid(solid)
+    , supports(supports)
+    , external_forces(external_forces)
+    , contact(contact)
+    , tangent_solver(tangent_solver)
+    , largest_displacement(largest_displacement)
+    , scale_of_forces(
+        std::max(external_forces.l2_norm(),
+                 largest_forces / std::sqrt(external_forces.size())))
+    , timer(timer)
+  {}
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::collect_unknowns(const Vector &u, const Vector &residual)
+  {
+    std::vector<unsigned int> constrained =
+      supports.fixed_entries(external_forces);
+    std::vector<unsigned int> coupled;
+    if (contact.is_force_driven())
+      coupled = contact.closed_entries();
+    else
+      for (const unsigned int i : contact.closed_entries())
+        constrained.push_back(i);
+    for (const unsigned int i : contact.stuck_entries())
+      constrained.push_back(i);
+    unknowns = ReducedUnknowns(constrained,
+                               coupled,
+                               external_forces.get_mpi_communicator(),
+                               contact.shared_forces(u, residual));
+    if (contact.has_sloped_bounds())
+      unknowns.set_sloped_bounds(contact.sloped_bounds(u, residual));
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::initialize_vector(Vector &vector) const
+  {
+    solid.initialize_vector(vector);
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactProblem<dim>::has_energy() const
+  {
+    return solid.has_energy() && !contact.dissipates();
+  }
+
+
+
+  template <int dim>
+  std::string
+  ContactProblem<dim>::obstacle_to_convexity() const
+  {
+    return contact.has_friction()      ? "friction" :
+           contact.has_curved_bounds() ? "finite strains" :
+           solid.has_energy()          ? "" :
+                                "a material with recovering back stresses";
+  }
+
+
+
+  template <int dim>
+  Energy
+  ContactProblem<dim>::energy(const Vector &u) const
+  {
+    TimerOutput::Scope scope(timer, "Newton: energy");
+    return total_energy(solid.energy(u), u);
+  }
+
+
+
+  template <int dim>
+  Energy
+  ContactProblem<dim>::total_energy(const double stored, const Vector &u) const
+  {
+    const double external_work  = external_forces * u;
+    const double indenters_work = contact.force() * contact.depth_at(u);
+    return {stored - external_work - indenters_work,
+            std::abs(stored) + std::abs(external_work) +
+              std::abs(indenters_work)};
+  }
+
+
+
+  template <int dim>
+  Energy
+  ContactProblem<dim>::compute_residual(Vector &residual, const Vector &u)
+  {
+    TimerOutput::Scope scope(timer, "Newton: residual");
+    const double       stored = solid.internal_forces(residual, u);
+    residual.sadd(-1., 1., external_forces);
+    contact.find_entering(u);
+    collect_unknowns(u, residual);
+    return total_energy(stored, u);
+  }
+
+
+
+  template <int dim>
+  double
+  ContactProblem<dim>::force_scale() const
+  {
+    return scale_of_forces;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::linearize(const Vector &u)
+  {
+    TimerOutput::Scope scope(timer, "Newton: linearize");
+    solid.linearize(u);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::step_taken(const Vector &from, const Vector &to)
+  {
+    TimerOutput::Scope scope(timer, "Newton: linearize");
+    solid.predict_flow(from, to);
+    if (contact.is_force_driven() &&
+        contact.depth_at(to) > largest_displacement)
+      throw ConvergenceError(
+        "The indenter sinks without end: its depth exceeds the size of the "
+        "body by far. Is 'Loading/Force' in the same system of units as the moduli in "
+        "'Material', and below the limit load?");
+    if (to.linfty_norm() > largest_displacement)
+      throw ConvergenceError(
+        "The body gives way without end. Are the loads in the same system of "
+        "units as the moduli in 'Material', and below what the body can bear?");
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::apply_tangent(Vector       &result,
+                                     const Vector &increment) const
+  {
+    solid.vmult(result, increment);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  ContactProblem<dim>::solve_tangent(Vector       &increment,
+                                     const Vector &rhs,
+                                     const double  reduction)
+  {
+    increment       = 0;
+    downward_motion = 0;
+    if (rhs.l2_norm() == 0.)
+      return 0;
+
+    {
+      TimerOutput::Scope scope(timer, "Newton: prepare linear solver");
+      tangent_solver.prepare(unknowns);
+    }
+    TimerOutput::Scope scope(timer, "Newton: solve linear system");
+    const unsigned int n_iterations =
+      tangent_solver.solve(increment,
+                           rhs,
+                           solid.is_nearly_incompressible() ?
+                             std::min(reduction,
+                                      loosest_reduction_if_incompressible) :
+                             reduction);
+    downward_motion =
+      unknowns.has_coupling() ? -unknowns.leading_value(increment) : 0.;
+    unknowns.expand(increment);
+    distribute(increment);
+    return n_iterations;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactProblem<dim>::slope_along(const Vector &residual,
+                                   const Vector &increment) const
+  {
+    return -(residual * increment) - contact.force() * downward_motion;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::apply_inverse_diagonal(Vector &forces) const
+  {
+    Vector diagonal;
+    initialize_vector(diagonal);
+    solid.diagonal(diagonal);
+    unknowns.contract_diagonal(diagonal);
+    for (unsigned int i = 0; i < forces.locally_owned_size(); ++i)
+      if (diagonal.local_element(i) > 0)
+        forces.local_element(i) /= diagonal.local_element(i);
+    unknowns.expand(forces);
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactProblem<dim>::update_active_set(const Vector &u,
+                                         const Vector &residual)
+  {
+    ActiveSetChange change = contact.update(u, residual, friction_pace);
+    change.statuses |= change_law(u, residual, change);
+    collect_unknowns(u, residual);
+    return bool(change);
+  }
+
+
+
+  // The set of a contact that ends at nodes settles in fewer steps where its
+  // edge jumps, and is near that of the solution.
+  template <int dim>
+  bool
+  ContactProblem<dim>::change_law(const Vector          &u,
+                                  const Vector          &residual,
+                                  const ActiveSetChange &change)
+  {
+    n_changes = change.statuses ? n_changes + 1 : 0;
+    if (!law_has_rested)
+      {
+        law_has_rested = contact.ends_within_faces() &&
+                         (change.edge_jumps || n_changes == patience);
+        if (!law_has_rested)
+          return false;
+        n_changes = 0;
+        contact.rest_law();
+        return true;
+      }
+    if (!contact.law_is_resting() || (0 < n_changes && n_changes < patience))
+      return false;
+    contact.wake_law();
+    if (n_changes == 0)
+      contact.update_statuses(u, residual);
+    else
+      contact.find_entering(u);
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactProblem<dim>::slow_down()
+  {
+    return contact.dissipates() &&
+           std::exchange(friction_pace, FrictionPace::worst_first) ==
+             FrictionPace::all;
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactProblem<dim>::is_itself() const
+  {
+    return !contact.law_is_resting();
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactProblem<dim>::update_feasible_active_set(const Vector &u,
+                                                  const Vector &residual)
+  {
+    contact.wake_law();
+    const bool changed = contact.update_feasible(u, residual);
+    collect_unknowns(u, residual);
+    return changed;
+  }
+
+
+
+  template <int dim>
+  std::uint64_t
+  ContactProblem<dim>::active_set_fingerprint() const
+  {
+    return contact.fingerprint();
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  ContactProblem<dim>::n_active() const
+  {
+    return contact.n_active();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::move_constrained(Vector &u) const
+  {
+    supports.move_fixed(u);
+    contact.move_active(u);
+    distribute(u);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::return_to_bounds(Vector &u) const
+  {
+    if (!contact.has_curved_bounds() && !contact.ends_within_faces())
+      return;
+    contact.return_to_bounds(u);
+    distribute(u);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::project(Vector &u) const
+  {
+    contact.project(u);
+    distribute(u);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::reduce(Vector &residual) const
+  {
+    unknowns.contract(residual);
+    if (unknowns.has_coupling())
+      unknowns.set_leading_value(residual,
+                                 unknowns.leading_value(residual) -
+                                   contact.force());
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::distribute(Vector &u) const
+  {
+    supports.constraints().distribute(u);
+  }
+
+
+
+  template class ContactProblem<2>;
+  template class ContactProblem<3>;
+} // namespace ElastoPlastic

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/fe/fe_q.h>
+
+#include <algorithm>
+
+#include "base/compatibility.h"
+#include "contact_run/discrete_body.h"
+#include "loads/external_forces.h"
+#include "mechanics/ghosted_copy.h"
+#include "mechanics/state_transfer.h"
+#include "mesh/body_size.h"
+#include "multigrid/make_tangent_solver.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    double
+    largest_shear_modulus(const std::vector<Material<double>> &materials)
+    {
+      double modulus = 0;
+      for (const Material<double> &material : materials)
+        modulus = std::max(modulus, material.shear_modulus);
+      return modulus;
+    }
+  } // namespace
+
+
+
+  // In the order in which the problem is described: first the body, then what
+  // holds it, then what presses on it.
+  template <int dim>
+  DiscreteBody<dim>::DiscreteBody(const Model<dim>             &model,
+                                  const LinearSolverParameters &linear_solver,
+                                  const MPI_Comm                communicator,
+                                  Log                          &log,
+                                  TimerOutput                  &timer)
+    : model(model)
+    , triangulation(communicator)
+    , gap_function(make_mesh_and_place_indenter(model, triangulation))
+    , fe(FE_Q<dim>(model.degree), dim)
+    , dof_handler(triangulation)
+    , supports(model)
+    , solid(model.degree, model.strain_model, model.materials)
+    , contact(make_contact_bounds(model, gap_function, triangulation),
+              model.strain_model.kinematics,
+              model.contact.edge,
+              CoulombFriction<dim>(model.contact.friction_coefficient(),
+                                   largest_shear_modulus(model.materials)))
+    , linear_solver(linear_solver)
+    , log(log)
+    , timer(timer)
+  {}
+
+
+
+  template <int dim>
+  void
+  DiscreteBody<dim>::reinit(const double time, const Load &load)
+  {
+    tangent_solver.reset();
+    reinit_unknowns(time);
+    reinit_contact(time, load);
+  }
+
+
+
+  // First unknowns, supports and the body.
+  template <int dim>
+  void
+  DiscreteBody<dim>::reinit_unknowns(const double time)
+  {
+    TimerOutput::Scope scope(timer, "Setup");
+
+    dof_handler.distribute_dofs(fe);
+    supports.reinit(dof_handler, time);
+    solid.reinit(dof_handler, supports.constraints());
+    solid.initialize_vector(displacement);
+  }
+
+
+
+  // Then external forces, contact candidates and the linear solver.
+  template <int dim>
+  void
+  DiscreteBody<dim>::reinit_contact(const double time, const Load &load)
+  {
+    TimerOutput::Scope scope(timer, "Setup");
+
+    solid.initialize_vector(residual);
+    contact.reinit(dof_handler,
+                   supports.constraints(),
+                   contact_boundaries(),
+                   supports.fixed_dofs(),
+                   residual);
+    apply_load(time, load);
+
+    tangent_solver = make_tangent_solver(linear_solver,
+                                         model,
+                                         solid,
+                                         dof_handler,
+                                         supports.constraints(),
+                                         [this](const std::string &warning) {
+                                           log.warn(warning);
+                                         });
+    error_indicators.reinit(triangulation.n_active_cells());
+  }
+
+
+
+  // What is no longer needed makes room for what comes: the levels of the old
+  // mesh, and the values in transfer as soon as there are unknowns for them.
+  // Virgin material has no states to transfer.
+  template <int dim>
+  void
+  DiscreteBody<dim>::refine(const double time,
+                            const Load  &load,
+                            LastStep    &last_step)
+  {
+    tangent_solver.reset();
+    const bool                is_virgin = last_step.is_virgin();
+    std::vector<VectorType *> fields    = {&displacement};
+    if (!is_virgin)
+      for (VectorType *field : {&last_step.displacement_rate, &last_step.slip})
+        fields.push_back(field);
+
+    const GhostedCopies<dim> old_fields(fields, dof_handler);
+    DistributedSolutionTransfer<dim, VectorType> transfer(dof_handler);
+    transfer.prepare_for_coarsening_and_refinement(old_fields.pointers());
+    const CellStates   states = is_virgin ? CellStates() : solid.states();
+    StateTransfer<dim> state_transfer(triangulation,
+                                      fe.degree,
+                                      model.materials.size());
+    if (!is_virgin)
+      state_transfer.prepare(states);
+    {
+      TimerOutput::Scope scope(timer, "Refine mesh");
+      triangulation.execute_coarsening_and_refinement();
+    }
+
+    reinit_unknowns(time);
+    for (VectorType *field : fields)
+      solid.initialize_vector(*field);
+    transfer.interpolate(fields);
+    for (VectorType *field : fields)
+      supports.constraints().distribute(*field);
+    if (!is_virgin)
+      solid.set_states(state_transfer.take());
+    reinit_contact(time, load);
+  }
+
+
+
+  template <int dim>
+  void
+  DiscreteBody<dim>::apply_load(const double time, const Load &load)
+  {
+    supports.set_time(time);
+    external_forces = external_forces_at(time);
+    move_indenter(time);
+    contact.set_load(load);
+  }
+
+
+
+  template <int dim>
+  void
+  DiscreteBody<dim>::move_indenter(const double time)
+  {
+    if (model.load_program.path().is_at_rest())
+      return;
+    gap_function.move_to(sideways_position(time));
+    contact.follow_indenter();
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim - 1>
+  DiscreteBody<dim>::sideways_position(const double time) const
+  {
+    const Tensor<1, 2> motion = model.load_program.path().displacement(time);
+    Tensor<1, dim - 1> result;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      result[d] = motion[d];
+    return result;
+  }
+
+
+
+  template <int dim>
+  VectorType
+  DiscreteBody<dim>::external_forces_at(const double time) const
+  {
+    VectorType forces;
+    solid.initialize_vector(forces);
+    compute_external_forces(
+      forces, dof_handler, supports.constraints(), model, time);
+    return forces;
+  }
+
+
+
+  template <int dim>
+  VectorType
+  DiscreteBody<dim>::forces_of_stresses() const
+  {
+    VectorType forces = external_forces;
+    forces -= residual;
+    return forces;
+  }
+
+
+
+  template <int dim>
+  VectorType
+  DiscreteBody<dim>::total_slip(const LastStep &last_step) const
+  {
+    VectorType slip = contact_evaluation().slip();
+    if (!last_step.is_virgin())
+      slip += last_step.slip;
+    return slip;
+  }
+
+
+
+  template <int dim>
+  ContactProblem<dim>
+  DiscreteBody<dim>::problem_with(ContactSet<dim> &contact,
+                                  const double     largest_forces)
+  {
+    return {solid,
+            supports,
+            external_forces,
+            contact,
+            *tangent_solver,
+            1e4 * body_size(triangulation),
+            largest_forces,
+            timer};
+  }
+
+
+
+  template <int dim>
+  std::set<types::boundary_id>
+  DiscreteBody<dim>::contact_boundaries() const
+  {
+    return model.boundary_conditions.ids(BoundaryConditionType::contact);
+  }
+
+
+
+  template <int dim>
+  ContactEvaluation<dim>
+  DiscreteBody<dim>::contact_evaluation() const
+  {
+    return {contact, displacement, residual};
+  }
+
+
+
+  template <int dim>
+  ContactSurface<dim>
+  DiscreteBody<dim>::contact_surface() const
+  {
+    return ContactSurface<dim>(dof_handler,
+                               contact_boundaries(),
+                               surface_fields(dof_handler,
+                                              supports.constraints(),
+                                              contact,
+                                              displacement,
+                                              residual));
+  }
+
+
+
+  template <int dim>
+  ContactZone<dim>
+  DiscreteBody<dim>::contact_zone() const
+  {
+    return ContactZone<dim>(dof_handler,
+                            supports.hanging_nodes(),
+                            supports.fixed_dofs(),
+                            contact_boundaries(),
+                            contact,
+                            displacement,
+                            residual);
+  }
+
+
+
+  template struct DiscreteBody<2>;
+  template struct DiscreteBody<3>;
+} // namespace ElastoPlastic

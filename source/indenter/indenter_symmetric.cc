@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+#include <limits>
+
+#include "indenter/indenter_symmetric.h"
+
+namespace ElastoPlastic
+{
+  template <int dim>
+  IndenterSymmetric<dim>::IndenterSymmetric(const Symmetry symmetry,
+                                            const Section &section)
+    : symmetry(symmetry)
+    , section(section)
+  {}
+
+
+
+  template <int dim>
+  double
+  IndenterSymmetric<dim>::profile(const Point<dim - 1> &x) const
+  {
+    return section.at(across(x).norm()).height;
+  }
+
+
+
+  // Of a function f(r): f'' along e = x/r, and in a body of revolution f'/r
+  // along the circle.
+  template <int dim>
+  IndenterSurface<dim>
+  IndenterSymmetric<dim>::surface(const Point<dim - 1> &x) const
+  {
+    const Tensor<1, dim - 1> distance = across(x);
+    const double             r        = distance.norm();
+    const SectionPoint       point    = section.at(r);
+    Tensor<1, dim - 1>       e;
+    e[0]                      = 1.;
+    double               hoop = point.curvature;
+    IndenterSurface<dim> result{point.height, {}, {}};
+    if (r > 0.)
+      {
+        e            = distance / r;
+        hoop         = point.slope / r;
+        result.slope = point.slope * e;
+      }
+    if (symmetry == Symmetry::translation)
+      hoop = 0.;
+    const auto along = symmetrize(outer_product(e, e));
+    result.curvature = point.curvature * along +
+                       hoop * (unit_symmetric_tensor<dim - 1>() - along);
+    return result;
+  }
+
+
+
+  template <int dim>
+  IndenterSurface<dim>
+  IndenterSymmetric<dim>::surface_for(const Point<dim - 1> &origin,
+                                      const Point<dim - 1> &x,
+                                      const double          body_size) const
+  {
+    const SectionPoint tip = section.at(0.);
+    if (tip.slope > 0. &&
+        across(origin).norm() <= this->rounding_of_coordinates * body_size)
+      return {tip.height, {}, {}};
+    return surface(x);
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim - 1>
+  IndenterSymmetric<dim>::across(const Point<dim - 1> &x) const
+  {
+    Tensor<1, dim - 1> result = x;
+    if (dim == 3 && symmetry == Symmetry::translation)
+      result[dim - 2] = 0.;
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  IndenterSymmetric<dim>::is_convex() const
+  {
+    return section.is_convex;
+  }
+
+
+
+  template <int dim>
+  std::optional<double>
+  IndenterSymmetric<dim>::disc_radius() const
+  {
+    return is_strip() ? std::nullopt : std::make_optional(section.edge);
+  }
+
+
+
+  template <int dim>
+  std::optional<std::array<double, dim - 1>>
+  IndenterSymmetric<dim>::half_widths() const
+  {
+    if (!is_strip())
+      return {};
+    std::array<double, dim - 1> result;
+    result.fill(std::numeric_limits<double>::infinity());
+    result[0] = section.edge;
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  IndenterSymmetric<dim>::is_strip() const
+  {
+    return dim == 3 && symmetry == Symmetry::translation &&
+           !std::isinf(section.edge);
+  }
+
+
+
+  template <int dim>
+  double
+  IndenterSymmetric<dim>::depth_factor() const
+  {
+    return section.depth_factor;
+  }
+
+
+
+  template <int dim>
+  double
+  IndenterSymmetric<dim>::section_area(const double height) const
+  {
+    if (dim == 3 && symmetry == Symmetry::translation)
+      return 0.;
+    const double radius = section.radius(height);
+    return numbers::PI * radius * radius;
+  }
+
+
+
+  template class IndenterSymmetric<2>;
+  template class IndenterSymmetric<3>;
+} // namespace ElastoPlastic

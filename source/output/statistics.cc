@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "output/statistics.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    std::vector<std::string>
+    step_columns(const std::vector<std::string> &names)
+    {
+      std::vector<std::string> columns = {"step", "time"};
+      columns.insert(columns.end(), names.begin(), names.end());
+      return columns;
+    }
+
+
+
+    std::vector<double>
+    step_row(const SolveResult &result, const std::vector<double> &values)
+    {
+      std::vector<double> row = {static_cast<double>(result.step), result.time};
+      row.insert(row.end(), values.begin(), values.end());
+      return row;
+    }
+
+
+
+    IndentationPoint
+    indentation_point(const SolveResult &r)
+    {
+      return {r.step,
+              r.time,
+              r.depth,
+              r.force,
+              r.contact_area,
+              r.contact_radius,
+              r.pile_up};
+    }
+  } // namespace
+
+
+
+  Statistics::Statistics(const MPI_Comm                        communicator,
+                         const std::string                    &directory,
+                         const Names                          &names,
+                         const std::optional<IndentationTest> &indentation_test,
+                         const Progress                       &progress)
+    : communicator(communicator)
+    , directory(directory)
+    , dimension(names.dimension)
+    , statistics(communicator,
+                 directory + "/statistics.csv",
+                 statistics_columns(),
+                 progress.statistics)
+    , history(communicator,
+              directory + "/history.csv",
+              history_columns(),
+              progress.history)
+    , reactions(communicator,
+                directory + "/reactions.csv",
+                step_columns(names.reactions),
+                progress.reactions)
+    , probes(communicator,
+             directory + "/probes.csv",
+             step_columns(names.probes),
+             progress.probes)
+    , mesh_changes(communicator,
+                   directory + "/mesh_changes.csv",
+                   mesh_change_columns(),
+                   progress.mesh_changes)
+    , indentation_test(indentation_test)
+  {
+    if (progress.surface_profile > 0)
+      make_surface_profile(progress.surface_profile);
+    if (this->indentation_test)
+      {
+        this->indentation_test->resume(progress.unloading);
+        if (progress.indentation > 0)
+          make_indentation(progress.indentation);
+      }
+    for (CsvFile *table : tables())
+      table->open();
+  }
+
+
+
+  std::vector<CsvFile *>
+  Statistics::tables()
+  {
+    std::vector<CsvFile *> result = {
+      &statistics, &history, &reactions, &probes, &mesh_changes};
+    if (surface_profile)
+      result.push_back(&*surface_profile);
+    if (indentation)
+      result.push_back(&*indentation);
+    return result;
+  }
+
+
+
+  Statistics::Progress
+  Statistics::progress() const
+  {
+    return {statistics.n_rows(),
+            history.n_rows(),
+            reactions.n_rows(),
+            probes.n_rows(),
+            surface_profile ? surface_profile->n_rows() : 0,
+            mesh_changes.n_rows(),
+            indentation ? indentation->n_rows() : 0,
+            indentation_test ? indentation_test->progress() :
+                               IndentationTest::Progress()};
+  }
+
+
+
+  void
+  Statistics::write_to_disk()
+  {
+    for (const CsvFile *table : tables())
+      table->write_to_disk();
+  }
+
+
+
+  void
+  Statistics::add_solve(const SolveResult &result)
+  {
+    statistics.add(result);
+  }
+
+
+
+  void
+  Statistics::add_step(const StepResult &result)
+  {
+    history.add(result.solve);
+    reactions.add_rows({step_row(result.solve, result.reactions)});
+    probes.add_rows({step_row(result.solve, result.probes)});
+    if (!result.surface_profile.empty())
+      {
+        if (!surface_profile)
+          {
+            make_surface_profile(0);
+            surface_profile->open();
+          }
+        surface_profile->add_all(result.surface_profile);
+      }
+    evaluate_unloading(
+      [&]() { return indentation_test->add(indentation_point(result.solve)); });
+  }
+
+
+
+  void
+  Statistics::finish()
+  {
+    evaluate_unloading([&]() { return indentation_test->finish(); });
+  }
+
+
+
+  void
+  Statistics::make_surface_profile(const unsigned int n_rows)
+  {
+    surface_profile.emplace(communicator,
+                            directory + "/surface_profile.csv",
+                            surface_profile_columns(dimension),
+                            n_rows);
+  }
+
+
+
+  void
+  Statistics::make_indentation(const unsigned int n_rows)
+  {
+    indentation.emplace(communicator,
+                        directory + "/indentation.csv",
+                        indentation_columns(),
+                        n_rows);
+  }
+
+
+
+  void
+  Statistics::evaluate_unloading(
+    const std::function<std::optional<UnloadingResult>()> &evaluate)
+  {
+    if (!indentation_test)
+      return;
+    const std::optional<UnloadingResult> result = evaluate();
+    if (!result)
+      return;
+    if (!indentation)
+      {
+        make_indentation(0);
+        indentation->open();
+      }
+    indentation->add(*result);
+  }
+
+
+
+  void
+  Statistics::add_mesh_change(const SolveResult &before,
+                              const SolveResult &after)
+  {
+    mesh_changes.add({before, after});
+    if (indentation_test)
+      indentation_test->change_mesh(indentation_point(before),
+                                    indentation_point(after));
+  }
+} // namespace ElastoPlastic

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "problem/load_history.h"
+
+namespace ElastoPlastic
+{
+  template <int dim>
+  bool
+  has_other_loads(const Model<dim> &model)
+  {
+    return !model.boundary_conditions.prescribed_displacements().empty() ||
+           !model.boundary_conditions.tractions().empty() ||
+           model.body_force.is_present();
+  }
+
+
+
+  template <int dim>
+  TimeSteps
+  make_time_steps(const Model<dim> &model, const Parameters &parameters)
+  {
+    const LoadingParameters  &loading = parameters.loading;
+    const std::vector<double> ends    = model.load_program.segment_ends();
+    const TimeSteps           fixed(ends,
+                          loading.n_steps,
+                          loading.is_single_step() ? 0 : loading.max_cuts);
+    if (loading.step_control == StepControl::fixed)
+      return fixed;
+    std::vector<double> stops = parameters.output.field_times;
+    if (!model.load_program.is_piecewise_linear() || has_other_loads(model))
+      stops.insert(stops.end(),
+                   fixed.uncut_ends().begin(),
+                   fixed.uncut_ends().end());
+    return TimeSteps(ends, loading.n_steps, loading.max_cuts, stops);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  remarks_on_holds(const Model<dim> &model)
+  {
+    std::vector<std::string> remarks;
+    if (model.load_program.path().is_at_rest() && !has_other_loads(model))
+      for (const auto &[begin, end] : model.load_program.holds())
+        remarks.push_back("'Loading/History' holds the load from t = " +
+                          Patterns::Tools::to_string(begin) + " to " +
+                          Patterns::Tools::to_string(end) +
+                          ": nothing happens meanwhile, because no material "
+                          "depends on rates. The steps repeat the same "
+                          "equilibrium.");
+    return remarks;
+  }
+
+
+
+  template bool
+  has_other_loads(const Model<2> &);
+  template bool
+  has_other_loads(const Model<3> &);
+
+  template TimeSteps
+  make_time_steps(const Model<2> &, const Parameters &);
+  template TimeSteps
+  make_time_steps(const Model<3> &, const Parameters &);
+
+  template std::vector<std::string>
+  remarks_on_holds(const Model<2> &);
+  template std::vector<std::string>
+  remarks_on_holds(const Model<3> &);
+} // namespace ElastoPlastic
