@@ -32,11 +32,18 @@ set_source_files_properties(${CMAKE_SOURCE_DIR}/source/bounds/conic/multifrontal
 if(ONE_UNIT_PER_MODULE)
   foreach(_source ${PARTS_SOURCES})
     get_filename_component(_module ${_source} DIRECTORY)
+    # Small rooms share a unit.
+    foreach(_rooms "app|contact_run|problem" "input|output|restart" "adaptivity|evaluation" "loads|mechanics"
+        "bounds/(conic|mesh|body)" "bounds/(mechanism|error)")
+      if(_module MATCHES "/source/(${_rooms})$")
+        string(MAKE_C_IDENTIFIER "${_rooms}" _module)
+      endif()
+    endforeach()
     # Four exceptions: classes in several files, each of which instantiates what it
     # defines; kernels, which take as long as all the rest of their folder; GCC warns of
     # a lambda over a local type in an included file; and a header of Amesos has names of
     # deal.II's.
-    if(NOT _source MATCHES "source/(elasto_plastic_contact/|simd/|limit_load_analysis|contact/contact_set|mechanics/(solid_operator|solid_kernel|level_kernel)|mesh/material_ids.cc|solver/matrix_preconditioner_)")
+    if(NOT _source MATCHES "source/(contact_run/(history|load_step|adaptation|checkpoint)|simd/|bounds/limit_load_analysis|contact/contact_set|mechanics/(solid_operator|solid_kernel|level_kernel)|mesh/material_ids.cc|solver/matrix_preconditioner_)")
       set_source_files_properties(${_source} PROPERTIES UNITY_GROUP "${_module}")
     endif()
   endforeach()

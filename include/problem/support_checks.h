@@ -11,6 +11,7 @@
 #include "input/limit_load_parameters.h"
 #include "loads/supports.h"
 #include "problem/model.h"
+#include "solver/tangent_operator.h"
 
 // Whether the supports hold the body, looked at before there are results and
 // earlier ones are gone.
