@@ -17,13 +17,15 @@ INSTALLED_CASES = "share/elasto_plastic_contact/parameter_files"
 PROGRAM_VARIABLE = "ELASTO_PLASTIC_CONTACT"
 
 # One thread a rank, also as root, on fewer cores than ranks, and in a container; on one machine, so that Open MPI need
-# not look for networks at each start. (Version 5 has another name for what version 4 calls oversubscribe.)
+# not look for networks at each start. (Version 5 has another name for what version 4 calls oversubscribe, which version
+# 6 calls deprecated.)
 MPI_ENVIRONMENT = {
     "OMP_NUM_THREADS": "1",
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
     "OMPI_MCA_rmaps_base_oversubscribe": "1",
     "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe",
+    "PMIX_MCA_mca_base_suppress_deprecated_warning": "1",
     "OMPI_MCA_ess_singleton_isolated": "1",
     "OMPI_MCA_sharedfp": "^sm",
     "OMPI_MCA_pml": os.environ.get("OMPI_MCA_pml", "ob1"),
