@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Evaluate the unloadings of a measured curve of force over depth by the method of Oliver and
 Pharr and, to compare, those of a run, in the same way. Prints the columns of indentation.csv
-(doc/tables.md) for each unloading, in the units of the curve. Depths are counted from zero_point, the depth at
+(doc/lookup/tables.md) for each unloading, in the units of the curve. Depths are counted from zero_point, the depth at
 the first contact.
 
     scripts/evaluate.py measured.csv --cone 70.3 --beta 1.034

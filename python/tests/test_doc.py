@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the documentation shows does run: all blocks of doc/python.md, one after the other, and the
-study of doc/user_guide.md."""
+"""What the documentation shows does run: all blocks of doc/recipes/python.md, one after the other, and the
+study of doc/recipes/studies.md."""
 
 import contextlib
 import os
@@ -24,17 +24,17 @@ def blocks(page, language):
 
 class Documentation(unittest.TestCase):
     def test_python(self):
-        names, found = {}, list(blocks("python.md", "python"))
+        names, found = {}, list(blocks("recipes/python.md", "python"))
         self.assertGreater(len(found), 8)
-        self.assertEqual((DOC / "python.md").read_text(encoding="utf-8").count("```"), 2 * len(found))
+        self.assertEqual((DOC / "recipes/python.md").read_text(encoding="utf-8").count("```"), 2 * len(found))
         with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
             for line, block in found:
                 # (empty lines before it, so that an error names the line of the page)
-                exec(compile("\n" * line + block, DOC / "python.md", "exec"), names)  # pylint: disable=exec-used
+                exec(compile("\n" * line + block, DOC / "recipes/python.md", "exec"), names)  # pylint: disable=exec-used
             self.assertTrue(os.path.isfile("force_depth.png"))
 
     def test_study(self):
-        (_, block), = blocks("user_guide.md", "json")
+        (_, block), = blocks("recipes/studies.md", "json")
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "study.json"
             path.write_text(block, encoding="utf-8")
