@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the documentation shows does run: all blocks of doc/recipes/python.md, one after the other, and the
-study of doc/recipes/studies.md."""
+study of doc/recipes/studies.md; the change of doc/develop/example_hardening_law.md fits the files it changes."""
 
 import contextlib
 import os
 import pathlib
 import re
+import shutil
+import subprocess
 import tempfile
 import unittest
 
@@ -39,6 +41,14 @@ class Documentation(unittest.TestCase):
             path = pathlib.Path(folder) / "study.json"
             path.write_text(block, encoding="utf-8")
             self.assertGreater(len(read_study(path).runs), 3)
+
+    @unittest.skipUnless(shutil.which("git"), "needs git")
+    def test_change(self):
+        change = "".join(block for _, block in blocks("develop/example_hardening_law.md", "diff"))
+        self.assertEqual(change.count("diff --git"), 10)
+        result = subprocess.run(["git", "apply", "--check", "-"], input=change, cwd=DOC.parent,
+                                stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(result.returncode, 0, result.stderr)
 
 
 if __name__ == "__main__":
