@@ -21,8 +21,10 @@ LONGEST = 250  # lines, of a page that is read from its beginning
 GENERATED = ("lookup/parameters.md", "lookup/tables.md")  # by the program
 LISTS = (*GENERATED, "CHANGELOG.md")  # in which one looks something up
 RESULTS = ("recipes/", "trust/", "start/tutorial")  # whose tables are computed (develop/contributing.md)
-BY_HAND = ("trust/cost", "trust/iterations", "trust/small_strains")  # closed forms; what other revisions and machines took
-CITING = {"include": "*.h", "source": "*.cc", "tests": "*.cc", "python": "*.py", "parameter_files": "*.prm", "scripts": "*"}
+# (closed forms; what other revisions and machines took)
+BY_HAND = ("trust/cost", "trust/iterations", "trust/small_strains")
+CITING = {"include": "*.h", "source": "*.cc", "tests": "*.cc", "python": "*.py", "parameter_files": "*.prm",
+          "scripts": "*"}
 PALETTE = 3  # the colour type of PNG, byte 25 of a file
 
 

@@ -15,6 +15,7 @@ import unittest
 from elasto_plastic_contact.study.plan import read_study
 
 DOC = pathlib.Path(__file__).resolve().parents[2] / "doc"
+PYTHON = "recipes/python.md"
 
 
 def blocks(page, language):
@@ -26,13 +27,13 @@ def blocks(page, language):
 
 class Documentation(unittest.TestCase):
     def test_python(self):
-        names, found = {}, list(blocks("recipes/python.md", "python"))
+        names, found = {}, list(blocks(PYTHON, "python"))
         self.assertGreater(len(found), 8)
-        self.assertEqual((DOC / "recipes/python.md").read_text(encoding="utf-8").count("```"), 2 * len(found))
+        self.assertEqual((DOC / PYTHON).read_text(encoding="utf-8").count("```"), 2 * len(found))
         with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
             for line, block in found:
                 # (empty lines before it, so that an error names the line of the page)
-                exec(compile("\n" * line + block, DOC / "recipes/python.md", "exec"), names)  # pylint: disable=exec-used
+                exec(compile("\n" * line + block, DOC / PYTHON, "exec"), names)  # pylint: disable=exec-used
             self.assertTrue(os.path.isfile("force_depth.png"))
 
     def test_study(self):
