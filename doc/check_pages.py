@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Check the pages: each is one that a reader bears, and is in the list of doc/README.md; links lead to
-files and headings that exist, so do the names of cases and what the source cites; no picture is left over,
-and none has lost its colours to a palette; tables of results are computed.
+files and headings that exist, so do keys of references, the names of cases and entries, and what the source cites; no
+picture is left over, and none has lost its colours to a palette; tables of results are computed.
 
     doc/check_pages.py
 """
@@ -54,6 +54,13 @@ def check_links(page, text):
             yield f"there is no heading '#{anchor}' in {target.name}"
 
 
+def check_keys(text):
+    """Of references: each leads somewhere."""
+    defined = re.findall(r"^\[(\w+)\]:", text, re.MULTILINE)
+    for key in sorted(set(re.findall(r"\[([a-z_]+_\d{4})\](?![:(])", text)) - set(defined)):
+        yield f"there is no line '[{key}]: ...' (theory/references.md has those of all)"
+
+
 def check_length(page, text):
     if page not in (ROOT / "README.md", DOOR) and name_of(page) not in LISTS and text.count("\n") > LONGEST:
         yield f"{text.count(chr(10))} lines, more than {LONGEST}: is it the answer to one question?"
@@ -63,6 +70,16 @@ def check_cases(text):
     for case in re.findall(r"parameter_files/[\w/]+\.prm", text):
         if not (ROOT / case).exists():
             yield f"there is no case '{case}'"
+
+
+def check_entries(text):
+    """What is set on a command line is an entry, over line ends, too."""
+    known = re.findall(r"^### (.+)$", (DOC / GENERATED[0]).read_text(encoding="utf-8"), re.MULTILINE)
+    text = re.sub(r"\s+", " ", text)
+    for names in re.findall(r"--set (?:\"([^\"=]+)=|'([^=]+)=|([A-Z][\w/]+)=)", text):
+        name = "".join(names)
+        if name not in (*known, "Section/Entry"):
+            yield f"there is no entry '{name}'"
 
 
 def check_tables(page, text):
@@ -115,7 +132,8 @@ def main():
     errors = [*check_pictures(), *check_door(), *check_citations()]
     for page in PAGES:
         text = page.read_text(encoding="utf-8")
-        found = (*check_links(page, text), *check_length(page, text), *check_cases(text), *check_tables(page, text))
+        found = (*check_links(page, text), *check_keys(text), *check_length(page, text), *check_cases(text),
+                 *check_entries(text), *check_tables(page, text))
         errors += [f"{name_of(page)}: {error}" for error in found]
     sys.exit("\n".join(errors) or 0)
 
