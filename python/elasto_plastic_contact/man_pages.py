@@ -43,9 +43,11 @@ def head(name, program, what):
 def page_of_program(program):
     """The sections of --help, and all entries."""
     text, reference = (print_of_program(program, option) for option in ("--help", "--print-parameters"))
-    usage, what, *_ = text.splitlines()
+    usage, *what = text.partition("\n\n")[0].splitlines()
+    # (The name of a page has one line.)
+    first_sentence = " ".join(what).partition(". ")[0].rstrip(".")
     introduction = re.split("^#+ ", reference, flags=re.MULTILINE)[1].partition("\n")[2]
-    parts = [head("elasto_plastic_contact", program, what[0].lower() + what[1:].rstrip(".")),
+    parts = [head("elasto_plastic_contact", program, first_sentence[0].lower() + first_sentence[1:]),
              f".SH SYNOPSIS\n{escape(usage.removeprefix('Usage: '))}\n.SH OPTIONS\n",
              *(tagged(option, " ".join(meaning.split())) for option, meaning in OPTION.findall(text)),
              f".SH EXIT STATUS\n{escape(' '.join(text.partition('Exit status: ')[2].split()))}\n",
