@@ -30,6 +30,11 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/parameter_files DESTINATION ${CMAKE_INSTAL
 set(_pages ${CMAKE_INSTALL_DATADIR}/doc/elasto-plastic-contact)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/doc DESTINATION ${_pages}
   FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.svg PATTERN references.bib)
+# (which pages for developers explain)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/include ${CMAKE_SOURCE_DIR}/source DESTINATION ${_pages}
+  FILES_MATCHING PATTERN *.h PATTERN *.cc PATTERN *.in)
+install(FILES ${CMAKE_SOURCE_DIR}/python/elasto_plastic_contact/parameters.schema.json
+  DESTINATION ${_pages}/python/elasto_plastic_contact)
 install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/CITATION.cff
   DESTINATION ${_pages})
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/installed)
