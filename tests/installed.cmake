@@ -4,13 +4,13 @@
 # cmake -DBUILD=<folder> -DTARGET=<what has to be built> -DPREFIX=<folder> -P installed.cmake
 #
 # Installs the program into an empty folder and uses it from another one: ready cases,
-# epc, manual pages, completion.
+# epc, manual pages, completion, the links of the pages.
 
 set(_work ${PREFIX}.work)
-file(REMOVE_RECURSE ${PREFIX} ${_work})
-file(MAKE_DIRECTORY ${_work})
-# (as it may be unpacked by hand)
-set(ENV{PATH} "${PREFIX}/bin:$ENV{PATH}")
+set(_links ${PREFIX}.links)
+file(REMOVE_RECURSE ${PREFIX} ${_work} ${_links})
+file(MAKE_DIRECTORY ${_work} ${_links})
+set(_path $ENV{PATH})
 set(ENV{ELASTO_PLASTIC_CONTACT} "")
 set(ENV{PYTHONPATH} "")
 
@@ -42,21 +42,40 @@ endfunction()
 expect("" ${CMAKE_COMMAND} --build ${BUILD} --target ${TARGET})
 expect("" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX})
 
-expect("indentation/sphere_axisymmetric.prm +[A-Z]" elasto_plastic_contact --list-cases)
+foreach(_program elasto_plastic_contact epc)
+  file(CREATE_LINK ${PREFIX}/bin/${_program} ${_links}/${_program} SYMBOLIC)
+endforeach()
+
+# (as it may be unpacked by hand, or linked to)
+foreach(_folder ${PREFIX}/bin ${_links})
+  set(ENV{PATH} "${_folder}:${_path}")
+  expect("indentation/sphere_axisymmetric.prm +[A-Z]" elasto_plastic_contact --list-cases)
+  expect("COMMAND.*evaluate +hardness" epc --help)
+  expect("\"Material/Yield stress\"" epc schema)
+
+  expect_proposals("Material/Yield\\\\ stress=" _elasto_plastic_contact elasto_plastic_contact --set Material/Y)
+  expect_proposals("--output-directory" _elasto_plastic_contact elasto_plastic_contact --out)
+  expect_proposals("indentation/cone_axisymmetric.prm" _elasto_plastic_contact elasto_plastic_contact indentation/cone_a)
+  expect_proposals("^sphere_axisymmetric\n$" _elasto_plastic_contact elasto_plastic_contact sphere_axisymm)
+  expect_proposals("^\n$" _elasto_plastic_contact elasto_plastic_contact strip_pun)
+  expect_proposals("evaluate" _epc epc ev)
+  expect_proposals("^--help\n$" _epc epc --h)
+  expect_proposals("--prog" _epc epc run --p)
+endforeach()
 expect("" elasto_plastic_contact indentation/sphere_axisymmetric.prm --output-directory run
   --set "Loading/Number of steps=2" --set "Geometry/Local refinements=2")
-expect("COMMAND.*evaluate +hardness" epc --help)
-expect("\"Material/Yield stress\"" epc schema)
-
-expect_proposals("Material/Yield\\\\ stress=" _elasto_plastic_contact elasto_plastic_contact --set Material/Y)
-expect_proposals("--output-directory" _elasto_plastic_contact elasto_plastic_contact --out)
-expect_proposals("indentation/cone_axisymmetric.prm" _elasto_plastic_contact elasto_plastic_contact indentation/cone_a)
-expect_proposals("evaluate" _epc epc ev)
-expect_proposals("--prog" _epc epc run --p)
+expect("" /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/installed_links.py ${PREFIX}/share/doc/elasto-plastic-contact)
 
 execute_process(COMMAND /usr/bin/python3 -c "import matplotlib" RESULT_VARIABLE _has_no_matplotlib OUTPUT_QUIET ERROR_QUIET)
 if(NOT _has_no_matplotlib)
   expect("force_depth.png" epc plot run)
+  # expect_name(<page> <pattern>): of the line of NAME
+  function(expect_name _page _pattern)
+    expect("${_pattern}" bash -c "zcat '${PREFIX}/share/man/man1/${_page}.1.gz' | grep -A 1 '^.SH NAME'")
+  endfunction()
+  expect_name(elasto_plastic_contact " presses a rigid indenter into an elasto[^ ]*plastic body\n$")
+  expect_name(epc " run, draw and evaluate what elasto_plastic_contact computes\n$")
+  expect("usage: epc run " epc run --help)
   find_program(MAN man)
   foreach(_page elasto_plastic_contact epc)
     if(MAN)
