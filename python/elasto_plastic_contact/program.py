@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Finds and starts the program."""
 
+import difflib
 import os
 import pathlib
 import shutil
@@ -62,8 +63,9 @@ def find_program(program=None):
                                             ROOT / "../../bin/elasto_plastic_contact")), "elasto_plastic_contact")
     found = shutil.which(str(given or own))
     if found is None:
-        raise UserError(f"there is no program '{given or 'elasto_plastic_contact'}': build it (scripts/run.sh), or "
-                        f"say where it is, by --program, the argument 'program' or the variable {PROGRAM_VARIABLE}")
+        build = "build it (scripts/run.sh), or " if is_checkout() else ""
+        raise UserError(f"there is no program '{given or 'elasto_plastic_contact'}': {build}say where it is, by --program, the "
+                        f"argument 'program' or the variable {PROGRAM_VARIABLE}")
     return os.path.abspath(found)
 
 
@@ -82,7 +84,8 @@ def cases_folder(program=None):
         return ROOT / "parameter_files"
     folder = pathlib.Path(find_program(program)).resolve().parent.parent / INSTALLED_CASES
     if not folder.is_dir():
-        raise UserError(f"there are no ready cases: they would be in {folder}")
+        raise UserError(f"there are no ready cases: they would be in '{folder}', but there is no such folder. Install "
+                        "the program together with them, or give the file with its folder")
     return folder
 
 
@@ -96,9 +99,12 @@ def ready_case(name, program=None):
     names = sorted(file.relative_to(folder).as_posix() for file in folder.rglob("*.prm"))
     found = [wanted] if wanted in names else [other for other in names if other.endswith(f"/{wanted}")]
     if len(found) > 1:
-        raise UserError(f"the name '{name}' fits several ready cases: {', '.join(found)}")
+        raise UserError(f"the name '{name}' fits several ready cases: {', '.join(map(repr, found))}. Give one of these")
     if not found:
-        raise UserError(f"there is no parameter file '{name}', and no ready case of this name in {folder}")
+        close = difflib.get_close_matches(wanted, [*names, *(other.rpartition("/")[2] for other in names)], n=1, cutoff=0.8)
+        hint = f" Did you mean '{close[0]}'?" if close else ""
+        raise UserError(f"there is no parameter file '{name}', and no ready case '{name}' in '{folder}'.{hint} "
+                        "elasto_plastic_contact --list-cases lists the ready cases")
     return folder / found[0]
 
 

@@ -23,10 +23,12 @@ class InCheckout(unittest.TestCase):
             self.assertEqual(find_case(name), case)
         self.assertEqual(find_case(case.with_suffix("")), case)
         self.assertEqual(ready_case("sphere_3d"), checkout() / "parameter_files/sphere_3d.prm")
-        with self.assertRaisesRegex(UserError, "'strip_punch' fits several ready cases: limit_load/strip_punch.prm, veri"):
+        with self.assertRaisesRegex(UserError, "'strip_punch' fits several ready cases: 'limit_load/strip_punch.prm', 'veri"):
             ready_case("strip_punch")
-        with self.assertRaisesRegex(UserError, "no parameter file '../README', and no ready case of this name in /"):
+        with self.assertRaisesRegex(UserError, "no parameter file '../README', and no ready case '../README' in '/.* --list-cases lists"):
             find_case("../README")
+        with self.assertRaisesRegex(UserError, "no ready case 'indentation/kone_axi.* Did you mean 'indentation/cone_axi"):
+            find_case("indentation/kone_axisymmetric")
 
     def test_first_lines(self):
         for file in cases_folder().rglob("*.prm"):
@@ -82,7 +84,7 @@ class Installed(unittest.TestCase):
     def test_no_cases(self):
         shutil.rmtree(self.prefix / INSTALLED_CASES)
         found = self.python("from elasto_plastic_contact.program import find_case; find_case('voce')")
-        self.assertRegex(found.stderr, f"there are no ready cases: they would be in {self.prefix}/share/")
+        self.assertRegex(found.stderr, f"there are no ready cases: they would be in '{self.prefix}/share/")
 
     def test_list(self):
         lines = self.start("--list-cases").stdout.splitlines()
