@@ -65,7 +65,7 @@ def main(arguments=None):
             raise
         status = UserError.status
         problem = (f"{error} in {sys.executable}. The Debian package {package} installs it for /usr/bin/python3, which "
-                   "runs the commands of scripts/ unless another Python is named before them.")
+                   "runs these commands unless another Python is named before them.")
     except subprocess.CalledProcessError as error:
         status = error.returncode
         problem = (error.stderr or "").strip() or f"the program has ended with exit status {status}"

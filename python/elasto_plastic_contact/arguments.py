@@ -1,11 +1,25 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Types of arguments for argparse that refuse what makes no sense, and say what does."""
+"""The parser of a command of epc, and types of arguments that refuse what makes no sense, and say what does."""
 
 import argparse
 import math
+import sys
 
 PICTURES = (".png", ".svg", ".pdf")
+
+
+class CommandParser(argparse.ArgumentParser):
+    """Of the arguments of 'epc NAME'. A message begins with the name alone, as all messages of the command."""
+
+    def __init__(self, name, description, epilog=None):
+        super().__init__(prog=f"epc {name}", description=description, epilog=epilog,
+                         formatter_class=argparse.RawDescriptionHelpFormatter)
+        self.name = name
+
+    def error(self, message):
+        self.print_usage(sys.stderr)
+        self.exit(2, f"{self.name}: error: {message}\n")
 
 
 def number(convert=float, above=None, least=None, below=None, most=None):

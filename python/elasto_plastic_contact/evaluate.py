@@ -5,19 +5,18 @@ Pharr and, to compare, those of a run, in the same way. Prints the columns of in
 (doc/lookup/tables.md) for each unloading, in the units of the curve. Depths are counted from zero_point, the depth at
 the first contact.
 
-    scripts/evaluate.py measured.csv --cone 70.3 --beta 1.034
-    scripts/evaluate.py measured.csv --run output/cone_axisymmetric --output both.png
+    epc evaluate measured.csv --cone 70.3 --beta 1.034
+    epc evaluate measured.csv --run output/cone_axisymmetric --output both.png
 
 The curve is a table (CSV) with a header; its columns are called depth and force, or --columns.
 Either ',' separates them and '.' is the decimal point, or ';' separates them and ',' is the decimal comma.
 """
 
-import argparse
 import dataclasses
 
 import numpy
 
-from .arguments import number, picture
+from .arguments import CommandParser, number, picture
 from .errors import UserError
 from .oliver_pharr import CONSTANTS, HIGHEST_SHARE, LOWEST_SHARE, Tip, Unloading, evaluate, jumps_of_meshes
 from .results import Results
@@ -30,8 +29,7 @@ def zero_point(text):
 
 
 def parse_arguments(arguments):
-    parser = argparse.ArgumentParser(prog="evaluate", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = CommandParser("evaluate", __doc__)
     parser.add_argument("curve", help="the measured curve (CSV)")
     tip = parser.add_mutually_exclusive_group()
     tip.add_argument("--cone", type=number(above=0, below=90), metavar="ANGLE", help="the tip is a cone: angle between axis and flank in "

@@ -41,7 +41,7 @@ class Results:
             raise UserError(f"there is no {name} in '{self.directory}': {ORIGINS[name]}")
         if self.has("limit_load.csv"):
             raise UserError(f"there is no {name} in '{self.directory}': these are the results of a limit load. "
-                            f"Draw them by 'scripts/plot.py {self.directory}'")
+                            f"Draw them by 'epc plot {self.directory}'")
 
     @functools.lru_cache(maxsize=None)
     def table(self, name):

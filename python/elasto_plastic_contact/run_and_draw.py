@@ -6,13 +6,12 @@
     epc run my_case.prm 4 --set 'Loading/Depth=0.02'
 """
 
-import argparse
 import itertools
 import os
 import pathlib
 import subprocess
 
-from .arguments import number
+from .arguments import CommandParser, number
 from .pictures import render
 from .plots import command as plot
 from .program import MPI_ENVIRONMENT, find_case, find_program
@@ -29,8 +28,7 @@ def new_folder(name):
 
 
 def main(arguments):
-    parser = argparse.ArgumentParser(prog="run", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = CommandParser("run", __doc__)
     parser.add_argument("case", nargs="?", default=DEFAULT_CASE,
                         help="a parameter file, or the name of a ready case (default: %(default)s)")
     parser.add_argument("ranks", nargs="?", type=number(int, least=1), default=2,

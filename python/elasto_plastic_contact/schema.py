@@ -7,7 +7,6 @@
     epc schema > entries.json
 """
 
-import argparse
 import difflib
 import functools
 import json
@@ -15,6 +14,7 @@ import pathlib
 import re
 import sys
 
+from .arguments import CommandParser
 from .errors import UserError
 
 FILE = pathlib.Path(__file__).with_name("parameters.schema.json")
@@ -77,7 +77,6 @@ def check_path(path, place):
 
 
 def main(arguments):
-    argparse.ArgumentParser(prog="schema", description=__doc__,
-                            formatter_class=argparse.RawDescriptionHelpFormatter).parse_args(arguments)
+    CommandParser("schema", __doc__).parse_args(arguments)
     sys.stdout.write(FILE.read_text(encoding="utf-8"))
     return 0

@@ -298,7 +298,7 @@ class Commands(unittest.TestCase):
         self.assertEqual(process.returncode, 2)
         # (the whole message in the output of a test that fails would tell CTest to skip it)
         self.assertRegex(process.stderr.partition(" in ")[2], f"^{sys.executable}. The Debian package python3-.* "
-                         "for /usr/bin/python3, which runs the commands of scripts/ unless")
+                         "for /usr/bin/python3, which runs these commands unless")
 
     def test_unknown(self):
         for option in ("parts", "shapes", "elements", "space-elements"):

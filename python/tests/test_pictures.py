@@ -206,7 +206,7 @@ class Files(unittest.TestCase):
         self.assertEqual(self.draw("plot", limit, "--format", "pdf", "--output-directory", self.folder),
                          [self.folder / "equilibrium.pdf"])
         for arguments in (("plot", "energies"), ("render",)):
-            self.assertIn(f"of a limit load. Draw them by 'scripts/plot.py {limit}'", self.message(*arguments, limit))
+            self.assertIn(f"of a limit load. Draw them by 'epc plot {limit}'", self.message(*arguments, limit))
         for name in ("cost", "bounds", "friction"):
             self.assertIn("of a limit load. Draw them by", self.message("plot", name, limit))
         self.assertIn("--normalised has no meaning for the fields of a limit load",

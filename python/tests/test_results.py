@@ -143,7 +143,7 @@ class Messages(unittest.TestCase):
             (pathlib.Path(folder) / "limit_load.csv").write_text("cycle,cells\n0,100\n")
             self.assertEqual(Results(folder).table("limit_load")["cells"], 100)
             with self.assertRaisesRegex(UserError, "no history.csv in .*: these are the results of a limit load. "
-                                                   "Draw them by 'scripts/plot.py /"):
+                                                   "Draw them by 'epc plot /"):
                 Results(folder).history.size
 
     def test_values(self):

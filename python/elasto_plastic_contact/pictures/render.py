@@ -4,8 +4,8 @@
 dimensions, the contact pressure seen from above: one picture, the steps of a history or several
 runs side by side, or one picture for each step.
 
-    scripts/render.py output/cone_axisymmetric --steps 5 20 39 --zoom 25 --output history.pdf
-    scripts/render.py output/coarse output/fine --panels pressure --output pressures.png
+    epc render output/cone_axisymmetric --steps 5 20 39 --zoom 25 --output history.pdf
+    epc render output/coarse output/fine --panels pressure --output pressures.png
 """
 
 import argparse
@@ -14,7 +14,7 @@ import os
 from .contact import contact_at, contact_to_look_at
 from .panels import BodyPanel, PressurePanel, is_flat
 from .sheet import draw_sheet
-from ..arguments import number, picture
+from ..arguments import CommandParser, number, picture
 from ..errors import UserError
 from .view import View
 from ..fields import check_step, times
@@ -32,8 +32,7 @@ def scale(text):
 
 
 def parse_arguments(arguments):
-    parser = argparse.ArgumentParser(prog="render", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = CommandParser("render", __doc__)
     parser.add_argument("directories", nargs="+", metavar="directory",
                         help="output directory of a run; of several, side by side with the same colours and window")
     parser.add_argument("--panels", nargs="+", choices=PANELS, default=PANELS,

@@ -3,7 +3,7 @@
 """Plot how far the error bounds of one or several runs have come (Analysis = contact with
 error bound): the bound over the unknowns, and force or depth of both methods.
 
-    scripts/plot.py bounds output/by_bound="by the bound" output/by_kelly="by Kelly" --output bounds.png
+    epc plot bounds output/by_bound="by the bound" output/by_kelly="by Kelly" --output bounds.png
 """
 
 from .figures import draw_runs, letter, plt, units_of, with_unit

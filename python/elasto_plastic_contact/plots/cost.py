@@ -3,7 +3,7 @@
 """Plot what the meshes of one or several runs have cost: wall time, Newton steps
 and linear iterations in a Newton step (their mean), over the unknowns.
 
-    scripts/plot.py cost output/uniform="uniform" output/adaptive="adaptive" --output cost.png
+    epc plot cost output/uniform="uniform" output/adaptive="adaptive" --output cost.png
 """
 
 from .figures import add_runs, labelled, make_parser, plt, save

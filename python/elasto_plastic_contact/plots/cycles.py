@@ -3,7 +3,7 @@
 """Plot cycles of the force, of one or several runs: force over depth, and how far the indenter sinks
 from cycle to cycle, at the largest force and at the smallest one.
 
-    scripts/plot.py cycles output/isotropic="isotropic hardening" output/kinematic="kinematic" --output cycles.svg
+    epc plot cycles output/isotropic="isotropic hardening" output/kinematic="kinematic" --output cycles.svg
 """
 
 import numpy

@@ -5,7 +5,7 @@ ratio of the stresses, plastic work of the mechanism of collapse with the lines 
 those on which it slips, multipliers u_h of equilibrium) or of equilibrium.pvd (yield ratio, displacement u_h, parts of the error bound), thirds of
 triangles as they are.
 
-    scripts/plot.py equilibrium output/limit_load_strip_punch --window 3 --output prandtl.png
+    epc plot equilibrium output/limit_load_strip_punch --window 3 --output prandtl.png
 """
 
 import os

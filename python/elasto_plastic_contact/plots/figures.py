@@ -2,14 +2,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What all diagrams have in common: style, arguments, units, files."""
 
-import argparse
 from dataclasses import dataclass
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (the choice of Agg comes first)
 
-from ..arguments import picture  # noqa: E402
+from ..arguments import CommandParser, picture  # noqa: E402
 from ..errors import FileError, UserError  # noqa: E402
 from ..results import Results  # noqa: E402
 from ..verification.runner import Runner, add_program  # noqa: E402
@@ -84,8 +83,7 @@ def letter(axes, i):
 
 def make_parser(description, default_output=None, epilog=None):
     """Of the arguments; with --output if there is a default."""
-    parser = argparse.ArgumentParser(prog="plot", description=description, epilog=epilog,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = CommandParser("plot", description, epilog)
     if default_output:
         parser.add_argument("--output", type=picture, default=default_output,
                             help="the picture, .png, .svg or .pdf (default: %(default)s)")

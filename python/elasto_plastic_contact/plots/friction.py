@@ -4,7 +4,7 @@
 its limit, the friction coefficient times the pressure; and the horizontal over the vertical force through time,
 with the part of the contact that sticks. A body that sticks everywhere (Friction coefficient = stick) has no limit.
 
-    scripts/plot.py friction output/mindlin_cylinder --output friction.svg
+    epc plot friction output/mindlin_cylinder --output friction.svg
 """
 
 import numpy

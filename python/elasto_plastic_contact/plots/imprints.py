@@ -4,7 +4,7 @@
 the deformed surface from above: height over the largest depth, zero in white, the edge of the contact
 in red. Parts of a body are completed by reflection at x = 0 and y = 0.
 
-    scripts/plot.py imprints output/vickers_finite_strain=Vickers output/berkovich_finite_strain=Berkovich \\
+    epc plot imprints output/vickers_finite_strain=Vickers output/berkovich_finite_strain=Berkovich \\
         --step 0 --output imprints.png
 """
 

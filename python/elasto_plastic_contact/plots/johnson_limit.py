@@ -3,7 +3,7 @@
 """Run and plot Johnson's limit mu -> 0: the depth that the displacement method finds for
 hardening mu, and that of the equilibrium method for perfect plasticity.
 
-    scripts/plot.py johnson_limit --program build/release/elasto_plastic_contact --output johnson_limit.png
+    epc plot johnson_limit --output johnson_limit.png
 
 Takes a minute.
 """

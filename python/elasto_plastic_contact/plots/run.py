@@ -10,9 +10,9 @@ depth (force_depth.png, contact_radius.png) and the energies over time
 (stress_strain.png); of a limit load in the plane, the fields on its last mesh
 (equilibrium.png).
 
-    scripts/plot.py output/sphere_axisymmetric
-    scripts/plot.py force_depth energies output/sphere_axisymmetric --format svg --length-unit mm --force-unit N
-    scripts/plot.py force_depth contact_radius output/sphere_axisymmetric --normalised --panels figure.pdf
+    epc plot output/sphere_axisymmetric
+    epc plot force_depth energies output/sphere_axisymmetric --format svg --length-unit mm --force-unit N
+    epc plot force_depth contact_radius output/sphere_axisymmetric --normalised --panels figure.pdf
 """
 
 import os

@@ -3,7 +3,7 @@
 """Run and plot a sphere with small and with finite strains: how far force and pile-up differ,
 over the contact radius, for two yield stresses.
 
-    scripts/plot.py sphere_strains --program build/release/elasto_plastic_contact --output sphere_strains.svg
+    epc plot sphere_strains --output sphere_strains.svg
 
 Takes a minute.
 """

@@ -4,7 +4,7 @@
 into elastic, hardening and perfectly plastic bodies, uniform meshes. Runs the program; takes
 a few minutes.
 
-    scripts/plot.py stress_convergence --output stress_convergence.png
+    epc plot stress_convergence --output stress_convergence.png
 """
 
 import math

@@ -5,10 +5,9 @@ a time, and collect numbers from their tables: study.csv and study.png. Each run
 of its own. A study that has been interrupted goes on where it was: what is finished is not
 run again. doc/recipes/studies.md describes the file.
 
-    scripts/study.py study.json --output-directory output/study
+    epc study study.json --output-directory output/study
 """
 
-import argparse
 import csv
 import fcntl
 import functools
@@ -17,6 +16,7 @@ import sys
 
 from .execution import collect, curves_of_runs, execute, missing
 from .plan import read_study
+from ..arguments import CommandParser
 from ..errors import FileError, UserError
 from ..files import new_file
 from ..program import as_text, find_program
@@ -51,8 +51,7 @@ def write_table(rows, path):
 
 
 def main(arguments):
-    parser = argparse.ArgumentParser(prog="study", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = CommandParser("study", __doc__)
     parser.add_argument("study", type=pathlib.Path, help="the file (JSON)")
     parser.add_argument("--output-directory", type=pathlib.Path,
                         help="where the results go (default: output/ and the name of the file)")

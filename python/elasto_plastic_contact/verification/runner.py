@@ -101,5 +101,5 @@ class Runner:
 
 def add_program(parser):
     """The argument --program."""
-    parser.add_argument("--program", help="(default: that of the variable "
-                        f"{PROGRAM_VARIABLE} or build/release/elasto_plastic_contact)")
+    parser.add_argument("--program", help="elasto_plastic_contact (default: what the variable "
+                        f"{PROGRAM_VARIABLE} says, or the Release build of a checkout, or what is installed with this command)")
