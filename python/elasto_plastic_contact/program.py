@@ -64,8 +64,8 @@ def find_program(program=None):
     found = shutil.which(str(given or own))
     if found is None:
         build = "build it (scripts/run.sh), or " if is_checkout() else ""
-        raise UserError(f"there is no program '{given or 'elasto_plastic_contact'}': {build}say where it is, by --program, the "
-                        f"argument 'program' or the variable {PROGRAM_VARIABLE}")
+        raise UserError(f"there is no program '{given or 'elasto_plastic_contact'}': {build}say where it is, "
+                        f"by --program, the argument 'program' or the variable {PROGRAM_VARIABLE}")
     return os.path.abspath(found)
 
 
@@ -101,7 +101,8 @@ def ready_case(name, program=None):
     if len(found) > 1:
         raise UserError(f"the name '{name}' fits several ready cases: {', '.join(map(repr, found))}. Give one of these")
     if not found:
-        close = difflib.get_close_matches(wanted, [*names, *(other.rpartition("/")[2] for other in names)], n=1, cutoff=0.8)
+        last_parts = [other.rpartition("/")[2] for other in names]
+        close = difflib.get_close_matches(wanted, [*names, *last_parts], n=1, cutoff=0.8)
         hint = f" Did you mean '{close[0]}'?" if close else ""
         raise UserError(f"there is no parameter file '{name}', and no ready case '{name}' in '{folder}'.{hint} "
                         "elasto_plastic_contact --list-cases lists the ready cases")

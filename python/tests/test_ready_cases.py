@@ -25,7 +25,7 @@ class InCheckout(unittest.TestCase):
         self.assertEqual(ready_case("sphere_3d"), checkout() / "parameter_files/sphere_3d.prm")
         with self.assertRaisesRegex(UserError, "'strip_punch' fits several ready cases: 'limit_load/strip_punch.prm', 'veri"):
             ready_case("strip_punch")
-        with self.assertRaisesRegex(UserError, "no parameter file '../README', and no ready case '../README' in '/.* --list-cases lists"):
+        with self.assertRaisesRegex(UserError, "no parameter file '../README', and no ready case '../README' in '/.* --list-cases"):
             find_case("../README")
         with self.assertRaisesRegex(UserError, "no ready case 'indentation/kone_axi.* Did you mean 'indentation/cone_axi"):
             find_case("indentation/kone_axisymmetric")

@@ -102,4 +102,5 @@ class Runner:
 def add_program(parser):
     """The argument --program."""
     parser.add_argument("--program", help="elasto_plastic_contact (default: what the variable "
-                        f"{PROGRAM_VARIABLE} says, or the Release build of a checkout, or what is installed with this command)")
+                        f"{PROGRAM_VARIABLE} says, or the Release build of a checkout, "
+                        "or what is installed with this command)")
