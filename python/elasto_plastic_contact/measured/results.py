@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables of results, one row an indent: loading curvature, unloading slope, share of plastic work and the like."""
+
+from dataclasses import dataclass
+
+import numpy
+
+from .blocks import blocks, find_format
+from .headings import columns_of, result_columns
+
+FORMAT = "results, one row an indent"
+
+
+@dataclass(frozen=True)
+class ResultsTable:
+    """headings: of all columns; values: a row for each indent."""
+    headings: tuple
+    values: numpy.ndarray
+
+
+def knows(lines):
+    """A heading that names three results or more, and no depth and force of a curve."""
+    for line in [line for line in lines if line.strip()][:5]:
+        form = find_format([line for line in lines if line.strip()])
+        headings = form.headings(line) if form else []
+        if len(result_columns(headings)) >= 3 and not (columns_of(headings, "time") and columns_of(headings, "force")):
+            return True
+    return False
+
+
+def read(path, lines, _):
+    form = find_format([line for line in lines if line.strip()])
+    rows = ((number, form.cells(line), form.headings(line)) for number, line in enumerate(lines, 1) if line.strip())
+    block = max(blocks(rows, form.decimal_comma, path), key=lambda block: len(block.rows))
+    return ResultsTable(tuple(block.headings), numpy.array(block.rows))
