@@ -127,7 +127,9 @@ class Commands(unittest.TestCase):
         process = command("evaluate", curve, "--cone", 70.3, *units, "--beta", 1.034)
         modulus = float(next(csv.DictReader(process.stdout.splitlines()))["tip_reduced_modulus"])
         self.assertAlmostEqual(float(computed["tip_reduced_modulus"]) / modulus, 1.034, places=4)
-        self.expect_message("no column 'depth'; it has P, h", "evaluate", curve, "--sphere", 1)
+        self.expect_message(r"does not say the unit of depth \(column 'h'\) nor of force \(column 'P'\): give it, such as by --unit",
+                            "evaluate", curve, "--sphere", 1)
+        self.expect_message("no column 'x'; it has P, h", "evaluate", curve, "--sphere", 1, "--columns", "x", "P")
         for option, value, allowed in (
                 ("--cone", 90, "> 0 and < 90"), ("--sphere", 0, "> 0"), ("--beta", 0, "> 0"), ("--beta", "inf", "> 0"),
                 ("--epsilon", 5, "> 0 and <= 1"), ("--noise", "nan", ">= 0 and < 0.5"), ("--area", "nan", "a number")):
@@ -138,7 +140,7 @@ class Commands(unittest.TestCase):
                             "--indenter", 0, 0.3)
         self.expect_message("no value of 'P' above 0", "evaluate", curve, "--columns", "h", "P", "--factors", 1, -1,
                             "--cone", 70)
-        self.expect_message("no tip: give it by --cone, ", "evaluate", curve)
+        self.expect_message("no tip: give it by --cone, ", "evaluate", curve, *units)
 
     def test_tip_of_run(self):
         for entries, area in (({"Indenter/Type": "cone", "Indenter/Semi-apex angle": "45"}, math.pi / 4),
