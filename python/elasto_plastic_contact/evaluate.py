@@ -64,8 +64,7 @@ def units_of_run(run, arguments):
         unit = given or run.parameters.get(f"Output/{entry} unit", "")
         if factor(kind, unit) is None:
             raise UserError(f"the run in '{run.directory}' has the unit of {kind} '{unit}', which is none of "
-                            f"{', '.join(FACTORS[kind])}: give it "
-                            f"by --{kind}-unit, as the curve has units of its own")
+                            f"{', '.join(FACTORS[kind])}: give it by --{kind}-unit, as the curve has units of its own")
         found.append(factor(kind, tidy(unit)))
     return found
 
@@ -127,8 +126,7 @@ def compliance(indenter, run):
         raise UserError(f"--indenter is {modulus:g} {ratio:g}, but must be a modulus > 0 and a ratio from -1 to 0.5")
     if run is None:
         raise UserError("--indenter adds the compliance of the measurement's indenter to that of a run, and there is "
-                        "no "
-                        "run: give it by --run, or leave out --indenter; E_r of the measurement includes it already")
+                        "no run: give it by --run, or leave out --indenter; E_r of the measurement includes it already")
     return (1. - ratio ** 2) / modulus
 
 
@@ -153,8 +151,7 @@ def measured_curve(arguments, run):
     zero = find_zero_point(depth, force, arguments.zero_point, arguments.noise)
     if not depth.max() > zero:
         raise UserError(f"'{path}' has no depth beyond its zero point, {zero:g}: turn the sign of the depths by "
-                        "--factors, or give another "
-                        "--zero-point")
+                        "--factors, or give another --zero-point")
     return (depth - zero, force), zero
 
 
@@ -168,13 +165,11 @@ def check_results(name, unloadings):
     for unloading in unloadings:
         if not unloading.contact_depth > 0.:
             raise UserError(f"the {name} curve has a contact depth of {unloading.contact_depth:.6g}, but it must be "
-                            "above 0: "
-                            "the depth at its largest force is too small for the slope of its unloading. Is the depth "
-                            "counted from the first contact?")
+                            "above 0: the depth at its largest force is too small for the slope of its unloading. Is "
+                            "the depth counted from the first contact?")
         if not unloading.tip_area > 0.:
-            raise UserError(f"the {name} curve has a contact depth of {unloading.contact_depth:.6g}, where the "
-                            "section of "
-                            f"the tip is {unloading.tip_area:.6g}: are the tip and the curve in the same units?")
+            raise UserError(f"the {name} curve has a contact depth of {unloading.contact_depth:.6g}, where the section "
+                            f"of the tip is {unloading.tip_area:.6g}: are the tip and the curve in the same units?")
         if not numpy.isfinite(dataclasses.astuple(unloading)).all():
             raise UserError(f"the {name} curve has numbers too large or too small to be evaluated: choose other units")
 
@@ -185,8 +180,7 @@ def why_no_unloading(name, force, to_unload, to_refine):
     shares = f"{100. * HIGHEST_SHARE:g} and {100. * LOWEST_SHARE:g} %"
     if lowest > HIGHEST_SHARE * largest:
         return (f"{name} has no unloading: its force does not fall below {100. * HIGHEST_SHARE:g} % of its largest "
-                "value, "
-                f"{largest:.6g}, but three points between {shares} of that are needed; {to_unload}")
+                f"value, {largest:.6g}, but three points between {shares} of that are needed; {to_unload}")
     return f"{name} has no unloading with three points between {shares} of its largest force; {to_refine}"
 
 

@@ -48,16 +48,15 @@ def add_reading(parser):
     group.add_argument("--columns", nargs="+", metavar="COLUMNS", help="depth=2,force=3,time=1,stiffness=4: numbers, "
                                                                        "from 1, or names of "
                        "the columns, if they are not known by their names; or two names, of depth and force, of a "
-                       "table in "
-                       "units that are not named")
+                       "table in units that are not named")
     group.add_argument("--unit", action="append", default=[], metavar="QUANTITY=UNIT", help="the unit of depth, "
                                                                                             "force, time or stiffness "
                        "where the file does not say it, such as depth=nm; repeatable")
     group.add_argument("--factors", type=number(), nargs=2, metavar=("DEPTH", "FORCE"),
                        help="to multiply a table without units by, such as 1e-6 1e-3 from nm and mN to mm and N "
                             "(default: 1 1)")
-    group.add_argument("--indents", type=listed(number(int, least=1)), metavar="1,2", help="only these indents, in "
-                                                                                           "the order of the files")
+    group.add_argument("--indents", type=listed(number(int, least=1)), metavar="1,2", help="only these indents, in the "
+                                                                                           "order of the files")
     group.add_argument("--noise", type=CONSTANTS["noise"], default=0.01, help="how much depth and force may rise "
                                                                               "during an "
                        "unloading, relative to their largest values (default: %(default)s)")
@@ -79,8 +78,8 @@ def add_tip(parser):
     tip.add_argument("--sphere", type=number(above=0), metavar="RADIUS", help="its radius")
     tip.add_argument("--area", type=number(), nargs="+", metavar="C", help="the section is C0 h^2 + C1 h + C2 h^(1/2) "
                                                                            "+ C3 h^(1/4) + ...")
-    tip.add_argument("--area-file", metavar="FILE", help="coefficients, one a line, such as 'C0 = 24.5', or a table "
-                                                         "of depth and area")
+    tip.add_argument("--area-file", metavar="FILE", help="coefficients, one a line, such as 'C0 = 24.5', or a table of "
+                                                         "depth and area")
     group.add_argument("--tip-unit", type=unit_of("length"), metavar="UNIT", help="of lengths of the tip (default: "
                                                                                   "that of the depth in the "
                        "file)")
@@ -112,8 +111,7 @@ def add_evaluation(parser):
     group.add_argument("--indenter", type=number(), nargs=2, metavar=("E", "NU"), help="Young's modulus and Poisson's "
                                                                                        "ratio of the "
                        "measurement's indenter, in GPa (default: diamond, 1141 0.07); with --run in units of the run: "
-                       "the E_r of the "
-                       "run gets its compliance")
+                       "the E_r of the run gets its compliance")
     group.add_argument("--poisson", type=number(above=-1, most=0.5), metavar="NU", help="Poisson's ratio of the "
                                                                                         "specimen, for its Young's "
                                                                                         "modulus")
@@ -161,8 +159,7 @@ def own_units_only(arguments):
     for name in OTHERS:
         if getattr(arguments, name) is not None:
             raise UserError(f"--{name.replace('_', '-')} is for curves whose units are known, and without --run: let "
-                            "the file say its units, or "
-                            "--unit depth=nm --unit force=mN")
+                            "the file say its units, or --unit depth=nm --unit force=mN")
     if isinstance(arguments.zero_point, Length):
         raise UserError("--zero-point has a unit, and the curve is evaluated in the units of the run, or without any: "
                         "leave it out")

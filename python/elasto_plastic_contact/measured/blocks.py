@@ -121,13 +121,11 @@ def check_gap(above, current, following, decimal_comma, path):
         number, cells, _ = above[0]
         wrong = [cell for cell in cells if not is_number(cell, decimal_comma)]
         if any(is_number(cell, decimal_comma) for cell in cells) and wrong and wrong[0].strip():
-            raise UserError(f"'{path}' has a text in place of a number in line {number}: '{wrong[0].strip()}'. Mend "
-                            "or remove that "
-                            "line")
+            raise UserError(f"'{path}' has a text in place of a number in line {number}: '{wrong[0].strip()}'. Mend or "
+                            "remove that line")
     if not above and width != current.width:
         raise UserError(f"'{path}' has {width} values in line {next_line}, and {current.width} in the lines before. "
-                        "Mend or "
-                        "remove that line")
+                        "Mend or remove that line")
 
 
 def set_headings(block, above, previous):

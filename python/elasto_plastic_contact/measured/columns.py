@@ -20,9 +20,8 @@ def given_columns(text):
     for pair in text.split(","):
         quantity, equals, column = pair.partition("=")
         if quantity.strip() not in KINDS or not equals or not column.strip():
-            raise UserError(f"--columns is '{text}', but must be like depth=2,force=3, of {', '.join(KINDS)}, with "
-                            "the number of "
-                            "the column, from 1, or its name")
+            raise UserError(f"--columns is '{text}', but must be like depth=2,force=3, of {', '.join(KINDS)}, with the "
+                            "number of the column, from 1, or its name")
         chosen[quantity.strip()] = column.strip()
     return chosen
 
@@ -32,16 +31,14 @@ def place(block, column, path):
     if column.isdigit():
         if not 1 <= int(column) <= block.width:
             raise UserError(f"'{path}' has {block.width} columns in line {block.first_line}, and none with the number "
-                            f"{column}: "
-                            "choose another one by --columns")
+                            f"{column}: choose another one by --columns")
         return int(column) - 1
     headings = block.headings or []
     for number, heading in enumerate(headings):
         if key(column) in (key(heading), key(split_name(heading)[0])):
             return number
     raise UserError(f"'{path}' has no column '{column}'; it has "
-                    f"{', '.join(filter(None, headings)) or 'no names of columns'}. "
-                    "Choose by --columns")
+                    f"{', '.join(filter(None, headings)) or 'no names of columns'}. Choose by --columns")
 
 
 def layouts(block, chosen, path):
@@ -52,27 +49,26 @@ def layouts(block, chosen, path):
     headings = block.headings or []
     found = {quantity: columns_of(headings, quantity) for quantity in KINDS}
     found |= {quantity: [place(block, column, path)] for quantity, column in chosen.items()}
-    n_indents = len(found["depth"])
-    if not n_indents or not found["force"]:
+    if not found["depth"] or not found["force"]:
         return None
+    check_width(block, path)
+    n_indents = min(len(found["depth"]), len(found["force"]))
     for quantity, columns in found.items():
-        if len(columns) not in (0, n_indents) and (quantity in ("depth", "force") or len(columns) > 1):
+        if len(columns) not in (0, 1, n_indents):
             names = ", ".join(f"'{headings[column]}' ({column + 1})" for column in columns)
             raise UserError(f"'{path}' has several columns for {quantity} in line {block.heading_line}: {names}. "
-                            "Choose by "
-                            f"--columns {quantity}={columns[0] + 1}")
+                            f"Choose by --columns {quantity}={columns[0] + 1}")
     return [{quantity: columns[min(i, len(columns) - 1)] for quantity, columns in found.items() if columns}
             for i in range(n_indents)]
 
 
 def check_width(block, path):
-    if block.headings is not None and len(block.headings) > block.width + 1 or (
-            block.headings is not None and len(block.headings) < block.width and
-            any(numpy.isfinite(row[len(block.headings)]) for row in block.rows)):
+    """Refuses more columns than values, and values of columns without a heading."""
+    n_columns = len(block.headings)
+    if n_columns > block.width or n_columns < block.width and any(numpy.isfinite(row[n_columns]) for row in block.rows):
         raise UserError(f"'{path}' has {len(block.headings)} columns by its heading in line {block.heading_line}, but "
-                        f"{block.width} values in line {block.first_line}: decimal commas between commas? Save it "
-                        "with ';' or tabs "
-                        "between columns")
+                        f"{block.width} values in line {block.first_line}: decimal commas between commas? Save it with "
+                        "';' or tabs between columns")
 
 
 def curve_of_block(block, layout, name):
@@ -93,7 +89,6 @@ def curves_of_blocks(blocks, path, chosen, notes=Notes()):
         layout = layouts(block, chosen, path)
         if layout is None:
             continue
-        check_width(block, path)
         for columns in layout:
             curve = curve_of_block(block, columns, block.title)
             if block.after_blank and found and continues(found[-1], curve):
@@ -138,9 +133,8 @@ def tidied(curve, path):
     if curve.time is not None:
         complete &= numpy.isfinite(curve.time)
     if complete.sum() < 3:
-        raise UserError(f"'{path}' has {complete.sum()} complete rows of depth and force in the indent "
-                        f"'{curve.name}': that is no "
-                        "curve. Are these the right columns? Choose by --columns")
+        raise UserError(f"'{path}' has {complete.sum()} complete rows of depth and force in the indent '{curve.name}': "
+                        "that is no curve. Are these the right columns? Choose by --columns")
     if not complete.all():
         curve = replace(curve, **{quantity: getattr(curve, quantity)[complete] for quantity in curve.quantities()})
         curve = curve.with_remark(f"{(~complete).sum()} rows without a depth, force or time are left out")

@@ -21,8 +21,8 @@ def drift_in_hold(curve, segments):
              and abs(curve.force[segment.begin]) < LOW_FORCE * curve.force[peak]]
     if not holds:
         raise UserError(f"the indent '{curve.name}' has no hold below {100. * LOW_FORCE:g} % of its largest force "
-                        "after the unloading, in "
-                        "which its drift would be seen: give the rate by --drift '0.05 nm/s', or leave it out")
+                        "after the unloading, in which its drift would be seen: give the rate by --drift '0.05 nm/s', "
+                        "or leave it out")
     hold = holds[-1]
     half = slice((hold.begin + hold.end) // 2, hold.end + 1)
     rate = float(numpy.polyfit(curve.time[half], curve.depth[half], 1)[0])
@@ -34,8 +34,7 @@ def without_drift(curve, chosen, segments):
     """chosen: a rate, 'hold' or 'instrument'. Raises UserError."""
     if curve.time is None:
         raise UserError(f"the indent '{curve.name}' has no time, and its drift is a rate: choose the column by "
-                        "--columns time=3, or leave out "
-                        "--drift")
+                        "--columns time=3, or leave out --drift")
     if chosen == "hold":
         rate, source = drift_in_hold(curve, segments)
     elif chosen == "instrument":
@@ -75,15 +74,13 @@ def from_zero_point(curve, chosen, noise):
         return curve, remark_on_zero_point(curve, found)
     if chosen == "fit" and found is None:
         raise UserError(f"the indent '{curve.name}' has too few points of a loading to fit its zero point, "
-                        f"{FEWEST_POINTS} are needed: give "
-                        "the depth at the first contact by --zero-point '5 nm'")
+                        f"{FEWEST_POINTS} are needed: give the depth at the first contact by --zero-point '5 nm'")
     zero, source = chosen, "--zero-point"
     if chosen == "fit":
         zero, source = found, "where the loading, continued, has no force"
     if not curve.depth.max() > zero:
         raise UserError(f"the indent '{curve.name}' has no depth beyond its zero point, {1e3 * zero:.4g} nm: its "
-                        "largest one is "
-                        f"{1e3 * curve.depth.max():.4g} nm. Give another --zero-point")
+                        f"largest one is {1e3 * curve.depth.max():.4g} nm. Give another --zero-point")
     return replace(curve, depth=curve.depth - zero), f"zero point: {1e3 * zero:.4g} nm, {source}"
 
 

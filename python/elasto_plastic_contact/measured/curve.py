@@ -59,9 +59,8 @@ def in_own_units(curve, path, given):
         stands, chosen = curve.units.get(quantity, ""), given.get(quantity, "")
         if stands and chosen and stands != chosen:
             raise UserError(f"'{path}' says that its unit of {quantity} is {stands} (column "
-                            f"'{curve.columns.get(quantity)}'), and "
-                            f"--unit {quantity}={chosen} says otherwise: leave that out, or choose another column by "
-                            "--columns")
+                            f"'{curve.columns.get(quantity)}'), and --unit {quantity}={chosen} says otherwise: leave "
+                            "that out, or choose another column by --columns")
         units[quantity] = stands or chosen
     unknown = [quantity for quantity, unit in units.items() if not unit]
     if unknown == ["time"]:  # (it matters for rates only)

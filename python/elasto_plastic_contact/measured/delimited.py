@@ -20,8 +20,8 @@ def read(path, lines, chosen):
     if not blocks:
         number, line = next((number, line) for number, line in enumerate(lines, 1) if line.strip())
         raise UserError(f"'{path}' holds no rows of numbers; line {number} is '{line.strip()[:60]}'. A curve has a "
-                        "column for depth "
-                        "and one for force, separated by tabs, ';', ',' or blanks, and at least five rows")
+                        "column for depth and one for force, separated by tabs, ';', ',' or blanks, and at least five "
+                        "rows")
     return curves_of_blocks(blocks, path, chosen)
 
 

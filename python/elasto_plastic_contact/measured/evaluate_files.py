@@ -74,8 +74,7 @@ def choose_tip(arguments, unit, curves, cycles):
         return Tip.sphere(arguments.sphere * length), f"a sphere of radius {arguments.sphere:g} {tip_unit}"
     if arguments.area is not None:
         return polynomial(arguments.area, length), (f"area function {', '.join(f'{c:g}' for c in arguments.area)} of "
-                                                    "h^2, h, "
-                                                    f"h^(1/2) and so on, h in {tip_unit}")
+                                                    f"h^2, h, h^(1/2) and so on, h in {tip_unit}")
     if arguments.area_file is not None:
         tip, sentence = read_area(arguments.area_file, length)
         return tip, f"area function: {sentence}, lengths in {tip_unit}"
@@ -83,8 +82,7 @@ def choose_tip(arguments, unit, curves, cycles):
     if found is not None:
         return found[0], f"area function of the instrument: {found[1]}"
     return None, ("not known, so that there is no hardness and no modulus: give it by --berkovich, --vickers, --cone, "
-                  "--sphere, "
-                  "--area or --area-file")
+                  "--sphere, --area or --area-file")
 
 
 def corrected(curve, arguments, unit):
@@ -109,8 +107,7 @@ def not_subtracted(curve, arguments):
         yield f"drift: the file says {1e3 * curve.notes.drift_rate:.4g} nm/s; not subtracted (--drift instrument would)"
     if curve.notes.frame_compliance is not None and arguments.frame_compliance is None:
         yield (f"frame: the file says {1e3 * curve.notes.frame_compliance:.4g} nm/mN; not subtracted "
-               "(--frame-compliance instrument "
-               "would, if the instrument has not done so)")
+               "(--frame-compliance instrument would, if the instrument has not done so)")
 
 
 def evaluate_files(arguments, chosen, given):

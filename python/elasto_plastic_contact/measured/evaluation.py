@@ -86,13 +86,13 @@ def evaluate_cycle(curve, cycle, constants):
     found["contact_depth"] = contact[0]
     if not (numpy.isfinite(contact).all() and contact[3] > 0.):
         return numbers(found), (f"its contact depth is {contact[0]:.4g} µm, where the section of the tip is "
-                                f"{contact[1]:.4g} µm²: is the tip "
-                                "the right one, and the depth counted from the first contact?")
+                                f"{contact[1]:.4g} µm²: is the tip the right one, and the depth counted from the first "
+                                "contact?")
     found |= dict(zip(("tip_area", "tip_hardness", "tip_reduced_modulus"), contact[1:]))
     moduli = constants.moduli(contact[3])
     return numbers(found | moduli), "" if moduli else ("its reduced modulus is above what the indenter alone would "
-                                                       "give: is the compliance of "
-                                                       "the frame subtracted twice, or --indenter wrong?")
+                                                       "give: is the compliance of the frame subtracted twice, or "
+                                                       "--indenter wrong?")
 
 
 def numbers(values):

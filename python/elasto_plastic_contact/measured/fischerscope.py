@@ -43,8 +43,7 @@ def read(path, lines, chosen):
             curves.append(checked(curve, announced))
     if not curves:
         raise UserError(f"'{path}' is a file of FischerScope with results, but without curves (columns F, h, t): "
-                        "export it with the "
-                        "single values of each measurement")
+                        "export it with the single values of each measurement")
     return curves
 
 
@@ -53,8 +52,7 @@ def checked(curve, announced):
     largest = curve.force.max()
     if announced and abs(largest / announced - 1.) > TOLERANCE:
         return curve.with_remark("F, h, t are taken for mN, µm and s, as FischerScope writes, but the largest F is "
-                                 f"{largest:g}, and "
-                                 f"the head says {announced:g} mN")
+                                 f"{largest:g}, and the head says {announced:g} mN")
     return curve.with_remark("F, h, t are in mN, µm and s, as FischerScope writes them"
                              + (f" (the largest F is that of the head, {announced:g} mN)" if announced else ""))
 

@@ -31,8 +31,7 @@ def read(path, data, chosen):
                            key=lambda name: (len(name), name))
             if not tests:
                 raise UserError(f"'{path}' is an HDF5 file without groups test_1, test_2, ... with 'data' in them; it "
-                                "has "
-                                f"{', '.join(file) or 'nothing'}. Convert it to a text")
+                                f"has {', '.join(file) or 'nothing'}. Convert it to a text")
             converter = words(file.attrs.get("uri", "")).rpartition("/")[2]
             return [tidied(curve_of(file[name]["data"], name, converter, chosen, path), path) for name in tests]
     except OSError as error:

@@ -20,10 +20,7 @@ def read(path, lines, _):
     channels = [line.strip() for line in lines if line.startswith("\t") and not line.startswith("\t\t")]
     if text_blocks(lines, path):
         raise UserError(f"'{path}' is a method of NanoSuite with rows of numbers, which is not known: export the "
-                        "samples alone, as "
-                        "a text or .xls")
+                        "samples alone, as a text or .xls")
     raise UserError(f"'{path}' is the method '{name}' of NanoSuite, with its channels ({', '.join(channels[:3])} and "
-                    "so on), formulas "
-                    "and segments: how to measure, without a curve. Export the samples that were measured with it, as "
-                    "a "
-                    "text or .xls (File > Export, sheets of the tests), and evaluate that file")
+                    "so on), formulas and segments: how to measure, without a curve. Export the samples that were "
+                    "measured with it, as a text or .xls (File > Export, sheets of the tests), and evaluate that file")

@@ -164,7 +164,8 @@ def print_results(results, path):
     for heading, column in zip(results.headings, results.values.T):
         if numpy.isfinite(column).all() and column.mean() != 0.:
             deviation = column.std(ddof=1) if numpy.ptp(column) > 0. else 0.
-            rows.append([heading, f"{column.mean():.5g}", f"{deviation:.3g}", f"{100. * deviation / abs(column.mean()):.2g} %"])
+            share = 100. * deviation / abs(column.mean())
+            rows.append([heading, f"{column.mean():.5g}", f"{deviation:.3g}", f"{share:.2g} %"])
     print_rows(["", "mean", "deviation", "relative"], rows)
 
 

@@ -24,13 +24,13 @@ def sheets(path, data):
         import xlrd  # (of these files only)
         try:
             book = xlrd.open_workbook(file_contents=data, on_demand=True, logfile=io.StringIO())
-        except xlrd.XLRDError as error:
+        except Exception as error:  # pylint: disable=broad-except (of damaged files, it raises anything)
             raise UserError(f"'{path}' is damaged, or no .xls: {error}") from None
         return [(sheet.name, [sheet.row_values(i) for i in range(sheet.nrows)]) for sheet in book.sheets()]
     import openpyxl
     try:
         book = openpyxl.load_workbook(io.BytesIO(data), read_only=True, data_only=True)
-    except Exception as error:  # pylint: disable=broad-except (of damaged archives and XML, it raises anything)
+    except Exception as error:  # pylint: disable=broad-except (of damaged files, it raises anything)
         raise UserError(f"'{path}' is damaged, or no .xlsx: {error}") from None
     return [(sheet.title, [list(row) for row in sheet.iter_rows(values_only=True)]) for sheet in book.worksheets]
 

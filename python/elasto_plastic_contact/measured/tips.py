@@ -35,15 +35,14 @@ def read_area(path, length):
     if coefficients:
         if sorted(coefficients) != list(range(len(coefficients))):
             raise UserError(f"'{path}' has the coefficients {', '.join(f'C{i}' for i in sorted(coefficients))}, but "
-                            "they must be C0, C1 and so "
-                            "on without a gap")
+                            "they must be C0, C1 and so on without a gap")
         values = [coefficients[i] for i in sorted(coefficients)]
         return polynomial(values, length), f"coefficients {', '.join(f'{value:g}' for value in values)} of '{path}'"
     rows = [numbers for line in lines if (numbers := row_of(line)) is not None]
     if len(rows) < 3:
-        raise UserError(f"'{path}' holds no area function: that is coefficients, one a line, such as 'C0 = 24.5', or "
-                        "a table of depth and area "
-                        f"with three rows at least; its first line is '{(lines or [''])[0].strip()[:60]}'")
+        raise UserError(f"'{path}' holds no area function: that is coefficients, one a line, such as 'C0 = 24.5', or a "
+                        "table of depth and area with three rows at least; its first line is "
+                        f"'{(lines or [''])[0].strip()[:60]}'")
     depth, area = numpy.array(rows).T * [[length], [length ** 2]]
     if (numpy.diff(depth) <= 0.).any() or (area < 0.).any():
         raise UserError(f"'{path}' is a table of depth and area, but its depths do not grow, or an area is negative")

@@ -83,7 +83,6 @@ def given_units(pairs):
                             "depth=nm")
         if factor(KINDS[quantity], unit) is None:
             raise UserError(f"--unit is '{pair}', but units of {quantity} are "
-                            f"{', '.join(list(FACTORS[KINDS[quantity]])[:12])} "
-                            "and the like")
+                            f"{', '.join(list(FACTORS[KINDS[quantity]])[:12])} and the like")
         units[quantity] = tidy(unit)
     return units
