@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Hysitron and Bruker: TriboScan's texts (.txt), and HighLoad's files (.hld), whose head holds the calibration."""
 
+import itertools
 import re
 
 from ..errors import UserError
@@ -41,8 +42,9 @@ def read(path, lines, chosen):
 def notes_of(lines):
     """From 'key: value unit' of the head."""
     entries = dict(line.split(": ", 1) for line in lines if ": " in line)
-    coefficients = [area_coefficient(entries.get(f"Tip C{i}", "")) for i in range(6)]
-    return Notes(area_function=tuple(coefficients) if coefficients[0] else None,
+    coefficients = (area_coefficient(entries.get(f"Tip C{i}", "")) for i in range(9))
+    known = tuple(itertools.takewhile(lambda coefficient: coefficient is not None, coefficients))
+    return Notes(area_function=known if any(known) else None,
                  usable_depth=with_unit(entries.get("Tip Usable Depth"), "length"),
                  frame_compliance=with_unit(entries.get("Machine Comp"), "compliance"),
                  drift_rate=with_unit(entries.get("Drift Rate"), "rate"),

@@ -1,0 +1,352 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What follows of measured curves: segments, corrections, tips, a known material, scatter, JSON, pictures, messages."""
+
+import argparse
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+from elasto_plastic_contact import UserError, run
+from elasto_plastic_contact.measured import MeasuredCurve, read_curve
+from elasto_plastic_contact.measured.arguments import zero_point
+from elasto_plastic_contact.measured.corrections import drift_in_hold
+from elasto_plastic_contact.measured.curve import Notes
+from elasto_plastic_contact.measured.evaluation import Constants, evaluate_indent, statistics
+from elasto_plastic_contact.measured.segments import find_segments
+from elasto_plastic_contact.measured.tips import read_area, tip_of_instrument
+from elasto_plastic_contact.oliver_pharr import Tip
+
+SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts/evaluate.py"
+
+# A material and a tip: modulus and hardness in GPa, the sharp Berkovich pyramid as 24.5 h^2.
+REDUCED, HARDNESS, SHARP, EXPONENT = 70., 8., 24.5, 1.5
+
+
+def cycle(force, begin=0.):
+    """Depths in µm and forces in mN of a load from 'begin' (a force) to a force and of its unloading to 10 % of it, of
+    the material above."""
+    contact_depth = math.sqrt(force / HARDNESS / SHARP)
+    stiffness = 2. * REDUCED * math.sqrt(force / HARDNESS / math.pi)
+    depth = contact_depth + 0.75 * force / stiffness
+    final = depth - EXPONENT * force / stiffness
+    up, down = numpy.linspace(begin, force, 200), numpy.linspace(force, 0.1 * force, 200)
+    return (depth * numpy.sqrt(up / force), up), (final + (depth - final) * (down / force) ** (1. / EXPONENT), down)
+
+
+def indent(forces=(10.,), hold=0., drift=0., **others):
+    """Cycles up to these forces in 10 s each, with holds at the largest force and, at the end, at the lowest one, in which
+    the depth grows by the drift, in µm/s."""
+    depths, loads, begin = [], [], 0.
+    for force in forces:
+        (depth, up), (back, down) = cycle(force, begin)
+        n_held = int(hold * 20)
+        depths += [depth, numpy.full(n_held, depth[-1]), back]
+        loads += [up, numpy.full(n_held, force), down]
+        begin = 0.1 * force
+    depths.append(numpy.full(int(hold * 20), depths[-1][-1]))
+    loads.append(numpy.full(int(hold * 20), loads[-1][-1]))
+    depth, force = numpy.concatenate(depths), numpy.concatenate(loads)
+    time = 0.05 * numpy.arange(len(depth))
+    return MeasuredCurve("1", depth + drift * time, force, time, **others)
+
+
+def evaluated(curve, **constants):
+    segments, cycles = find_segments(curve)
+    return evaluate_indent(curve, segments, cycles, Constants(**{"tip": Tip.polynomial([SHARP]), "epsilon": 0.75} | constants))
+
+
+class Evaluation(unittest.TestCase):
+    def test_segments(self):
+        for forces in ((10.,), (10., 20., 40.)):
+            segments, cycles = find_segments(indent(forces))
+            self.assertEqual([segment.kind for segment in segments], ["load", "unload"] * len(forces))
+            self.assertEqual([cycle.hold for cycle in cycles], [None] * len(forces))
+        curve = indent((10., 20.), hold=5.)
+        segments, cycles = find_segments(curve)
+        self.assertEqual([segment.kind for segment in segments], ["load", "hold", "unload", "load", "hold", "unload", "hold"])
+        for cycle_found in cycles:
+            held = curve.time[cycle_found.hold.end] - curve.time[cycle_found.hold.begin]
+            self.assertAlmostEqual(held, 5., delta=0.3)
+        noisy = indent((10.,), hold=5.)
+        noise = numpy.random.default_rng(1).normal(size=(2, len(noisy.depth)))
+        noisy = MeasuredCurve("1", noisy.depth + 1e-4 * noise[0], noisy.force + 0.01 * noise[1], noisy.time)
+        segments, _ = find_segments(noisy)
+        self.assertEqual([segment.kind for segment in segments], ["load", "hold", "unload", "hold"])
+
+    def test_hold_on_the_way(self):
+        force = numpy.concatenate([numpy.linspace(0., 10., 200), numpy.linspace(10., 1., 200), numpy.full(300, 1.),
+                                   numpy.linspace(1., 0., 30)])
+        curve = MeasuredCurve("1", numpy.sqrt(force), force, 0.05 * numpy.arange(len(force)))
+        segments, cycles = find_segments(curve)
+        self.assertEqual([segment.kind for segment in segments], ["load", "unload", "hold", "unload"])
+        self.assertEqual(len(cycles), 1)
+
+    def test_known_material(self):
+        found, = evaluated(indent(hold=5.), indenter=(1141., 0.07), poissons_ratio=0.2).unloadings
+        self.assertAlmostEqual(found["tip_hardness"] / HARDNESS, 1., places=4)
+        self.assertAlmostEqual(found["tip_reduced_modulus"] / REDUCED, 1., places=4)
+        plane = 1. / (1. / REDUCED - (1. - 0.07 ** 2) / 1141.)
+        self.assertAlmostEqual(found["plane_strain_modulus"] / plane, 1., places=4)
+        self.assertAlmostEqual(found["youngs_modulus"] / plane, 0.96, places=4)
+        self.assertAlmostEqual(found["exponent"], EXPONENT, places=4)
+        self.assertAlmostEqual(found["loading_curvature"] / (10. / found["max_depth"] ** 2), 1., places=6)
+        self.assertAlmostEqual(found["loading_exponent"], 2., places=6)
+        self.assertAlmostEqual(found["total_work"] / (10. * found["max_depth"] / 3.), 1., delta=1e-3)
+        elastic = 10. * (found["max_depth"] - found["final_depth"]) / (EXPONENT + 1.)
+        self.assertAlmostEqual((found["total_work"] - found["plastic_work"]) / elastic, 1., delta=1e-3)
+        self.assertAlmostEqual(found["creep_depth"], 0.)
+
+    def test_cycles(self):
+        """Works of later cycles are those of one load, as their reloads follow the unloadings."""
+        for found in evaluated(indent((10., 20., 40.))).unloadings:
+            self.assertAlmostEqual(found["tip_hardness"] / HARDNESS, 1., places=3)
+            self.assertAlmostEqual(found["tip_reduced_modulus"] / REDUCED, 1., places=3)
+
+    def test_creep(self):
+        found, = evaluated(indent(hold=10., drift=2e-3)).unloadings
+        self.assertAlmostEqual(found["creep_rate"], 2., places=3)
+        self.assertAlmostEqual(found["creep_depth"], 20., delta=0.5)
+
+    def test_drift_in_hold(self):
+        curve = indent(hold=10., drift=2e-4)
+        rate, source = drift_in_hold(curve, find_segments(curve)[0])
+        self.assertAlmostEqual(rate, 2e-4)
+        self.assertIn("hold at 1 mN", source)
+
+    def test_continuous_stiffness(self):
+        (depth, force), _ = cycle(10.)
+        depth, force = depth[1:], force[1:]
+        stiffness = 2. * REDUCED * numpy.sqrt(force / HARDNESS / math.pi)
+        curve = MeasuredCurve("1", depth, force, None, stiffness)
+        found = evaluated(curve).continuous
+        numpy.testing.assert_allclose(found["tip_hardness"], HARDNESS, rtol=1e-6)
+        numpy.testing.assert_allclose(found["tip_reduced_modulus"], REDUCED, rtol=1e-6)
+
+    def test_tip_of_instrument(self):
+        curve = indent(notes=Notes(hardness=HARDNESS))
+        tip, sentence = tip_of_instrument([curve], [find_segments(curve)[1]], 0.75)
+        self.assertAlmostEqual(tip.area(1.), SHARP, places=2)
+        self.assertIn("of 1 indent", sentence)
+        tip, _ = tip_of_instrument([indent(notes=Notes(area_function=(24., 2.)))], [[]], 0.75)
+        self.assertAlmostEqual(tip.area(2.), 100.)
+        self.assertIsNone(tip_of_instrument([indent()], [[]], 0.75))
+
+    def test_statistics(self):
+        found = statistics([{"stiffness": 1.}, {"stiffness": 3.}, {"exponent": 2.}])
+        self.assertEqual(found["stiffness"], {"mean": 2., "deviation": math.sqrt(2.), "number": 2})
+        self.assertEqual(found["exponent"], {"mean": 2., "deviation": None, "number": 1})
+
+    def test_zero_point_with_unit(self):
+        self.assertEqual(zero_point("5 nm").value, 0.005)
+        self.assertEqual((zero_point("fit"), zero_point("5")), ("fit", 5.))
+        with self.assertRaisesRegex(argparse.ArgumentTypeError, "it is 'five', but must be a number"):
+            zero_point("five")
+
+
+class Command(unittest.TestCase):
+    """Files are in nm, mN and s."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.file = cls.write("indent.txt", indent((10., 20.), hold=5.))
+
+    @classmethod
+    def write(cls, name, curve, head=""):
+        path = cls.folder / name
+        rows = "".join(f"{t:.6f}\t{1e3 * h:.6f}\t{f:.6f}\n" for t, h, f in zip(curve.time, curve.depth, curve.force))
+        path.write_text(f"{head}Time (s)\tDepth (nm)\tLoad (mN)\n{rows}")
+        return path
+
+    def command(self, *arguments, status=0):
+        process = subprocess.run([sys.executable, SCRIPT, *map(str, arguments)], capture_output=True, text=True, check=False)
+        self.assertEqual(process.returncode, status, process.stderr)
+        self.assertNotIn("Traceback", process.stderr)
+        return process
+
+    def expect_message(self, pattern, *arguments):
+        lines = self.command(*arguments, status=2).stderr.splitlines()
+        self.assertRegex(lines[-1], f"^evaluate: .*{pattern}")
+
+    def found(self, *arguments):
+        path = self.folder / "found.json"
+        self.command(*arguments, "--json", path)
+        return json.loads(path.read_text(encoding="utf-8"))
+
+    def test_table_json_and_picture(self):
+        picture = self.folder / "picture.png"
+        process = self.command(self.file, self.file, "--berkovich", "--output", picture, "--poisson", 0.2)
+        self.assertRegex(process.stdout, "tip: Berkovich, sharp: 3 faces at 65.27° to the axis")
+        self.assertRegex(process.stdout, r"(?m)^ +indent +unloading +F_max +h_max .* H +E_r +E\* +E ")
+        self.assertRegex(process.stdout, r"mean ± standard deviation\n")
+        self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
+        found = self.found(self.file, "--area", SHARP)
+        self.assertAlmostEqual(found["indents"][0]["unloadings"][1]["tip_hardness"] / HARDNESS, 1., places=3)
+        self.assertEqual([segment["kind"] for segment in found["indents"][0]["segments"]][:3], ["load", "hold", "unload"])
+        self.assertAlmostEqual(found["statistics"]["all"]["tip_reduced_modulus"]["mean"] / REDUCED, 1., places=3)
+        self.assertEqual(found["constants"]["indenter"], [1141., 0.07])
+        self.assertIn("(diamond)", " ".join(found["remarks"]))
+
+    def test_tips(self):
+        section = {}
+        for name, options in (("pyramid", ["--pyramid", 3, 65.27]), ("berkovich", ["--berkovich"]), ("vickers", ["--vickers"]),
+                              ("cube corner", ["--cube-corner"]), ("cone", ["--cone", 70.3]), ("sphere", ["--sphere", 5000])):
+            unloading = self.found(self.file, *options, "--epsilon", 0.75)["indents"][0]["unloadings"][0]
+            section[name] = unloading["tip_area"] / unloading["contact_depth"] ** 2
+        self.assertAlmostEqual(section["pyramid"], section["berkovich"])
+        for name, value in (("berkovich", 24.494), ("vickers", 24.504), ("cube corner", 2.598), ("cone", 24.5)):
+            self.assertAlmostEqual(section[name], value, delta=0.01)
+        self.assertGreater(section["sphere"], 100.)
+
+    def test_area_files(self):
+        coefficients, table = self.folder / "tip.txt", self.folder / "tip.csv"
+        coefficients.write_text(f"# calibrated\nC0 = {SHARP}\nC1 = 0\n")
+        heights = numpy.linspace(0., 1000., 200)
+        table.write_text("depth,area\n" + "".join(f"{h},{SHARP * h ** 2}\n" for h in heights))
+        for path in (coefficients, table):
+            found = self.found(self.file, "--area-file", path)
+            self.assertAlmostEqual(found["indents"][0]["unloadings"][0]["tip_hardness"] / HARDNESS, 1., places=3)
+        self.assertAlmostEqual(read_area(table, 1e-3)[0].area(0.5), SHARP * 0.25, places=6)
+        for text, words in (("C0 = 24.5\nC2 = 1\n", "coefficients C0, C2, but they must be C0, C1 and so on"),
+                            ("nothing\n", "holds no area function: .*; its first line is 'nothing'"),
+                            ("1 1\n3 2\n2 3\n", "depths do not grow")):
+            coefficients.write_text(text)
+            self.expect_message(words, self.file, "--area-file", coefficients)
+
+    def test_corrections(self):
+        true = self.found(self.file, "--area", SHARP)["indents"][0]["unloadings"][1]
+        curve = indent((10., 20.), hold=5., drift=1e-4)
+        path = self.write("changed.txt", MeasuredCurve("1", curve.depth + 2e-3 * curve.force + 0.06, curve.force, curve.time))
+        process = self.command(path, "--area", SHARP)
+        self.assertRegex(process.stdout, "zero point: 0, as in the file; the loading, continued, begins at 6[0-9.]+ nm, [0-9.]+ % of the "
+                         "depth: far from 0, take it by --zero-point fit")
+        for drift, zero, words in (("hold", "fit", "drift: 0.1 nm/s, by the second half of the hold at 2 mN, .*: 2.* nm at the largest"),
+                                   ("0.1 nm/s", "60 nm", "drift: 0.1 nm/s, by --drift: ")):
+            options = ("--area", SHARP, "--drift", drift, "--zero-point", zero, "--frame-compliance", "2 nm/mN")
+            found = self.found(path, *options)["indents"][0]
+            self.assertRegex(" ".join(found["remarks"]), words)
+            self.assertRegex(" ".join(found["remarks"]), "frame: 2 nm/mN, by --frame-compliance: 40 nm at the largest force")
+            for name, value in true.items():
+                if name not in ("creep_depth", "creep_rate"):
+                    self.assertAlmostEqual(found["unloadings"][1][name] / value, 1., delta=5e-3, msg=name)
+
+    def test_corrections_of_the_instrument(self):
+        head = ("File Version: Hysitron HighLoad\nMachine Comp: 0.0001 nm/µN\nTip C0: 24.5 nm^2/nm^2\nDrift Rate: 0.02 nm/s\n"
+                "Test Data Points: 1000\n")
+        curve = indent((10., 20.), hold=5.)
+        path = self.write("test.hld", curve, head.replace("1000", str(len(curve.depth))))
+        found = self.found(path)["indents"][0]
+        self.assertAlmostEqual(found["unloadings"][0]["tip_hardness"] / HARDNESS, 1., places=3)
+        self.assertRegex(" ".join(found["remarks"]), "the file says 0.02 nm/s; not subtracted .*says 0.1 nm/mN; not subtracted")
+        found = self.found(path, "--drift", "instrument", "--frame-compliance", "instrument")["indents"][0]
+        self.assertRegex(" ".join(found["remarks"]), "drift: 0.02 nm/s, by the file: .*frame: 0.1 nm/mN, by the file: 2 nm at")
+
+    def test_results(self):
+        path = self.folder / "results.csv"
+        path.write_text("C (GPa),dP/dh (N/m),Wp/Wt,hm (um)\n" + "".join(f"{c},5e6,0.9,10\n" for c in (26, 27, 28, 29, 30)))
+        process = self.command(path, "--json", self.folder / "means.json")
+        self.assertRegex(process.stdout, r"C \(GPa\) +28 +1.58 +5.6 %")
+        self.assertEqual(json.loads((self.folder / "means.json").read_text())["mean"], [28., 5e6, 0.9, 10.])
+        self.expect_message("holds results, one row an indent, and no curve to draw", path, "--output", self.folder / "no.png")
+        self.expect_message("holds results, one row an indent, and no curve: give it alone", self.file, path)
+
+    def test_without_what_it_takes(self):
+        process = self.command(self.file)
+        self.assertRegex(process.stdout, "tip: not known, so that there is no hardness and no modulus: give it by --berkovich")
+        self.assertRegex(process.stdout, r"F_max +h_max +S +C +W_t +W_p/W_t")
+        curve = indent((10.,))
+        rising = MeasuredCurve("1", curve.depth[:200], curve.force[:200], curve.time[:200])
+        process = self.command(self.write("rising.txt", rising), "--berkovich")
+        self.assertRegex(process.stdout, "no unloading was found; it takes a fall of the force")
+        process = self.command(self.file, "--berkovich", "--fit", 0.94, 0.95)
+        self.assertRegex(process.stdout, "unloading 1: fewer than three points between 95 and 94 % of its force")
+        process = self.command(self.file, "--area", -24.5)
+        self.assertRegex(process.stdout, "unloading 1: its contact depth is .* where the section of the tip is -")
+        process = self.command(self.file, "--area", 0.01)
+        self.assertRegex(process.stdout, "unloading 1: its reduced modulus is above what the indenter alone would give")
+
+    def test_messages(self):
+        for words, *options in (
+                ("--unit is 'depth', but must begin with .*'=', such as depth=nm|units of depth are", "--unit", "depth"),
+                ("--columns is 'depth:1', but must be like depth=2,force=3, or two names", "--columns", "depth:1"),
+                ("--columns is 'deep=1', but must be like depth=2,force=3, of time", "--columns", "deep=1"),
+                ("--fit is 0.9 0.5, but the first share must be below the second", "--fit", 0.9, 0.5),
+                ("--indents has 3, but there are 1 of them, numbered from 1", "--indents", 3),
+                ("argument --drift: it is 'fast', but must be a number with a unit, such as '0.3 nm/s', or hold or instrument",
+                 "--drift", "fast"),
+                ("argument --frame-compliance: it is '2', but must be a number with a unit, such as '0.3 nm/mN', or instrument",
+                 "--frame-compliance", 2),
+                ("argument --tip-unit: there is no unit of length 'mN'; there are pm", "--tip-unit", "mN"),
+                ("does not say the drift rate of the instrument: give it by --drift '0.05 nm/s'", "--drift", "instrument"),
+                ("does not say the frame compliance of the instrument: give", "--frame-compliance", "instrument"),
+                ("no depth beyond its zero point, 9000 nm: its largest one is ", "--zero-point", "9 µm"),
+                ("--length-unit is that of a run, and there is none", "--length-unit", "mm")):
+            with self.subTest(words):
+                lines = self.command(self.file, *options, status=2).stderr.splitlines()
+                self.assertRegex(lines[-1], words)
+        without_hold = self.write("no_hold.txt", indent())
+        self.expect_message("has no hold below 35 % of its largest force after the unloading", without_hold, "--drift", "hold")
+        curve = indent()
+        unloading = MeasuredCurve("1", curve.depth[200:], curve.force[200:], curve.time[200:])
+        self.expect_message("has too few points of a loading to fit its zero point", self.write("unloading.txt", unloading),
+                            "--zero-point", "fit")
+        no_time = self.folder / "no_time.txt"
+        no_time.write_text("Depth (nm)\tLoad (mN)\n" + "".join(f"{h}\t{f}\n" for h, f in zip(curve.depth, curve.force)))
+        self.expect_message("has no time, and its drift is a rate", no_time, "--drift", "0.1 nm/s")
+
+    def test_units_that_are_not_named(self):
+        """As a table of this program: in its own units, and without what takes others."""
+        table = self.folder / "own.csv"
+        curve = indent()
+        table.write_text("depth,force\n" + "".join(f"{h},{f}\n" for h, f in zip(curve.depth, curve.force)))
+        process = self.command(table, "--berkovich")
+        self.assertRegex(process.stdout, "^curve,zero_point,max_depth,")
+        process = self.command(table, "--berkovich", "--unit", "depth=um", "--unit", "force=mN")
+        self.assertRegex(process.stdout, "a table of numbers, 1 indent")
+        for options in (("--json", "x.json"), ("--drift", "1 nm/s"), ("--poisson", 0.2)):
+            self.expect_message(f"{options[0]} is for curves whose units are known, and without --run", table, "--berkovich", *options)
+        self.expect_message("--zero-point has a unit, and the curve is evaluated", table, "--berkovich", "--zero-point", "5 nm")
+
+    def test_beside_a_run(self):
+        """A curve in nm and mN of what a run has computed gives the numbers of the run."""
+        cone = run("indentation/cone_axisymmetric.prm", self.folder / "cone", {
+            "Geometry/Local refinements": 5, "Geometry/Local radius": 4, "Refinement/Elements over contact radius": 0,
+            "Loading/History": "1: depth 0.02 | 2: force 0", "Loading/Number of steps": 20, "Output/Fields": "never"})
+        history = cone.history
+        head = "Depth (nm)\tLoad (mN)\n"
+        rows = "".join(f"{1e6 * row['depth']}\t{1e3 * row['force']}\n" for row in history)
+        path = self.folder / "instrument.txt"
+        path.write_text(head + rows)
+        units = ("--length-unit", "mm", "--force-unit", "N")
+        lines = self.command(path, "--run", self.folder / "cone", *units).stdout.splitlines()
+        self.assertEqual([line.partition(",")[0] for line in lines], ["curve", "measured", "computed"])
+        measured, computed = ([float(value) for value in line.split(",")[1:]] for line in lines[1:])
+        numpy.testing.assert_allclose(measured, computed, rtol=1e-4)
+        self.expect_message("has the unit of length 'foot', which is none of pm, .*: give it by --length-unit", path, "--run",
+                            self.folder / "cone", "--length-unit", "foot")
+        path.write_text(f"{head}{rows}\n{head}{rows}")
+        self.expect_message("holds 2 indents, and one is compared with the run: choose it, such as by --indents 1", path, "--run",
+                            self.folder / "cone", *units)
+        self.expect_message("2 files are given, but one curve is compared with a run", path, path, "--run", self.folder / "cone")
+        results = self.folder / "results_for_run.csv"
+        results.write_text("C (GPa),Wp/Wt,hm (um)\n" + "1,2,3\n" * 6)
+        self.expect_message("holds results, one row an indent, and no curve to compare", results, "--run", self.folder / "cone")
+
+
+class NeutralForm(unittest.TestCase):
+    def test_error_is_of_users(self):
+        with self.assertRaises(UserError):
+            read_curve("not_there.txt")
+
+
+if __name__ == "__main__":
+    unittest.main()
