@@ -33,6 +33,7 @@ from .measured.tips import PYRAMIDS
 from .measured.units import FACTORS, factor, given_units, tidy
 from .oliver_pharr import HIGHEST_SHARE, LOWEST_SHARE, Tip, Unloading, evaluate, jumps_of_meshes
 from .results import Results
+from .rounded_pyramid import section
 from .tables import read_table
 from .zero_point import find_zero_point
 
@@ -93,11 +94,14 @@ def tip_of_run(run):
         return Tip.polynomial(run.numbers("Indenter/Area coefficients"))
     if shape == "paraboloid":
         return Tip.polynomial([0., 2. * numpy.pi * run.number("Indenter/Radius")])
-    if shape == "pyramid" and run.number("Indenter/Rounding radius") == 0.:
-        return Tip.pyramid(run.number("Indenter/Number of faces"), run.number("Indenter/Face angle"),
-                           run.number("Indenter/Truncation"))
+    if shape == "pyramid":
+        faces = run.number("Indenter/Number of faces"), run.number("Indenter/Face angle")
+        rounding = run.number("Indenter/Rounding radius")
+        if rounding > 0.:
+            return Tip(lambda height: section(height, *faces, rounding), 0.75)
+        return Tip.pyramid(*faces, run.number("Indenter/Truncation"))
     raise UserError(f"the indenter of the run in '{run.directory}', '{shape}', is none of cone, sphere, paraboloid, "
-                    "sharp or truncated pyramid and area function: give the tip by --cone, --sphere or --area")
+                    "pyramid and area function: give the tip by --cone, --sphere or --area")
 
 
 def choose_tip(arguments, run):

@@ -12,7 +12,7 @@ LONGER = 4.
 # How much the force may change during a hold, relative to the rise or fall beside it: to find it, and to find its ends.
 BAND, FINE_BAND = 0.01, 0.001
 
-# The fewest points of a hold on the way.
+# The fewest points of a hold.
 FEWEST_POINTS = 5
 
 
@@ -97,10 +97,11 @@ def hold_at(point, before, after):
     band = min(flank.band for flank in flanks)
     first, last = extent(flanks[0].force, point, band, before.begin if before else point, after.end if after else point)
     usual = sum(flank.usual_time(band) for flank in flanks)
-    if last == first or flanks[0].time[last] - flanks[0].time[first] <= LONGER * usual:
+    if last - first < FEWEST_POINTS or flanks[0].time[last] - flanks[0].time[first] <= LONGER * usual:
         return point, point
     held = flanks[0].force[first:last + 1]
-    rows = numpy.flatnonzero(numpy.abs(held - numpy.median(held)) <= min(flank.fine_band for flank in flanks))
+    level = numpy.sort(held)[len(held) // 2]
+    rows = numpy.flatnonzero(numpy.abs(held - level) <= min(flank.fine_band for flank in flanks))
     return first + int(rows[0]), first + int(rows[-1])
 
 
