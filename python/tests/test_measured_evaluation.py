@@ -5,6 +5,7 @@
 import argparse
 import json
 import math
+import os
 import pathlib
 import subprocess
 import sys
@@ -79,6 +80,13 @@ class Evaluation(unittest.TestCase):
         noisy = MeasuredCurve("1", noisy.depth + 1e-4 * noise[0], noisy.force + 0.01 * noise[1], noisy.time)
         segments, _ = find_segments(noisy)
         self.assertEqual([segment.kind for segment in segments], ["load", "hold", "unload", "hold"])
+
+    def test_load_that_begins_slowly(self):
+        time = numpy.linspace(0., 1., 500)
+        for exponent in (1., 2., 3.):
+            force = 10. * numpy.append(time ** exponent, (1. - time[1:]) ** exponent)
+            segments, _ = find_segments(MeasuredCurve("1", numpy.append(time, 1. - 0.1 * time[1:]), force))
+            self.assertEqual([segment.kind for segment in segments], ["load", "unload"])
 
     def test_hold_on_the_way(self):
         force = numpy.concatenate([numpy.linspace(0., 10., 200), numpy.linspace(10., 1., 200), numpy.full(300, 1.),
@@ -268,7 +276,7 @@ class Command(unittest.TestCase):
         process = self.command(self.write("rising.txt", rising), "--berkovich")
         self.assertRegex(process.stdout, "no unloading was found; it takes a fall of the force")
         process = self.command(self.file, "--berkovich", "--fit", 0.94, 0.95)
-        self.assertRegex(process.stdout, "unloading 1: fewer than three points between 95 and 94 % of its force")
+        self.assertRegex(process.stdout, "unloading 1: fewer than three points that fall between 95 and 94 % of its force")
         process = self.command(self.file, "--area", -24.5)
         self.assertRegex(process.stdout, "unloading 1: its contact depth is .* where the section of the tip is -")
         process = self.command(self.file, "--area", 0.01)
@@ -302,6 +310,21 @@ class Command(unittest.TestCase):
         no_time = self.folder / "no_time.txt"
         no_time.write_text("Depth (nm)\tLoad (mN)\n" + "".join(f"{h}\t{f}\n" for h, f in zip(curve.depth, curve.force)))
         self.expect_message("has no time, and its drift is a rate", no_time, "--drift", "0.1 nm/s")
+
+    def test_missing_library(self):
+        """Of a kind of file that is not read otherwise."""
+        folder = self.folder / "without"
+        folder.mkdir()
+        for name, start, package in (("xlrd", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "python3-xlrd"),
+                                     ("openpyxl", b"PK\x03\x04 xl/", "python3-openpyxl"),
+                                     ("h5py", b"\x89HDF\r\n\x1a\n", "python3-h5py")):
+            (folder / f"{name}.py").write_text(f"raise ModuleNotFoundError(\"No module named '{name}'\", name='{name}')\n")
+            path = self.folder / f"needs_{name}"
+            path.write_bytes(start)
+            process = subprocess.run([sys.executable, SCRIPT, path], capture_output=True, text=True, check=False,
+                                     env=os.environ | {"PYTHONPATH": str(folder)})
+            self.assertEqual(process.returncode, 2)
+            self.assertRegex(process.stderr, f"^evaluate: .*{name}.* The Debian package {package} installs it")
 
     def test_units_that_are_not_named(self):
         """As a table of this program: in its own units, and without what takes others."""

@@ -61,7 +61,8 @@ def evaluate_indent(curve, segments, cycles, constants):
     """An Indent. What takes a tip that is not known, or a hold that is not there, is missing in its dictionaries."""
     unloadings, remarks = [], []
     for number, cycle in enumerate(cycles, 1):
-        found, remark = evaluate_cycle(curve, cycle, constants)
+        with numpy.errstate(all="ignore"):  # (what is not finite is said)
+            found, remark = evaluate_cycle(curve, cycle, constants)
         unloadings.append(found)
         remarks += [f"unloading {number}: {remark}"] if remark else []
     return Indent(curve, segments, unloadings, continuous(curve, constants), tuple(remarks))
@@ -73,11 +74,11 @@ def evaluate_cycle(curve, cycle, constants):
     found = {"max_force": part[0, 1], "max_depth": part[0, 0]}
     found |= of_loading(curve, cycle)
     found |= creep(curve, cycle.hold)
-    fit = fit_unloading(part, constants.shares)
-    if fit is None:
+    fit = fit_unloading(part, constants.shares) if part[0, 1] > 0. else None
+    if fit is None or not (numpy.isfinite(fit).all() and fit[0] > 0.):
         low, high = (100. * share for share in constants.shares)
-        return numbers(found), (f"fewer than three points between {high:g} and {low:g} % of its force, so that it has "
-                                "no slope")
+        return numbers(found), (f"fewer than three points that fall between {high:g} and {low:g} % of its force, so that "
+                                "it has no slope")
     found |= dict(zip(("stiffness", "exponent", "final_depth"), fit))
     found |= works(curve, cycle, fit)
     if constants.tip is None:

@@ -60,5 +60,5 @@ def with_unit(text, kind):
 
 def area_coefficient(text):
     """One such as '-329697 nm^2/nm^0.5', of a power of the depth, in µm; None if it is none."""
-    found = re.match(r"(\S+) nm\^2/nm(?:\^([\d.]+))?", text.strip())
+    found = re.match(r"(\S+) nm\^2/nm(?:\^([012](?:\.\d+)?))?$", text.strip())
     return float(found[1]) * 1e-3 ** (2. - float(found[2] or 1.)) if found and is_number(found[1], False) else None

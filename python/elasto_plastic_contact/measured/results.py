@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy
 
-from .blocks import blocks, find_format
+from ..errors import UserError
+from .blocks import FEWEST_ROWS, blocks, find_format
 from .headings import columns_of, result_columns
 
 FORMAT = "results, one row an indent"
@@ -32,5 +33,11 @@ def knows(lines):
 def read(path, lines, _):
     form = find_format([line for line in lines if line.strip()])
     rows = ((number, form.cells(line), form.headings(line)) for number, line in enumerate(lines, 1) if line.strip())
-    block = max(blocks(rows, form.decimal_comma, path), key=lambda block: len(block.rows))
+    found = blocks(rows, form.decimal_comma, path)
+    if not found:
+        raise UserError(f"'{path}' names results of indents, and has less than {FEWEST_ROWS} rows of numbers below")
+    block = max(found, key=lambda block: len(block.rows))
+    if block.headings is None or len(block.headings) != block.width:
+        raise UserError(f"'{path}' has {block.width} values in line {block.first_line}, and {len(block.headings or [])} names of "
+                        "columns above them")
     return ResultsTable(tuple(block.headings), numpy.array(block.rows))

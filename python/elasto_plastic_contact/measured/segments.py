@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy
 
-# A hold lasts that many times as long as the loads and unloads beside it need for the same change of the force.
+# A hold lasts that many times as long as the load and the unload beside it need for the next change of the force of the
+# same size. (Loads at a constant rate of the depth begin slowly, without a hold.)
 LONGER = 4.
 
 # How much the force may change during a hold, relative to the rise or fall beside it: to find it, and to find its ends.
@@ -69,10 +70,6 @@ class Flank:
         self.band, self.fine_band = (max(share * self.height, 4. * noise) for share in (BAND, FINE_BAND))
         self.kind = "load" if force[end] > force[begin] else "unload"
 
-    def usual_time(self, band):
-        """That the flank needs for a change of the force by this band."""
-        return (self.time[self.end] - self.time[self.begin]) * band / self.height if self.height > 0. else 0.
-
     def holds_inside(self, begin, end):
         """Pairs of points between which the force stays, on the way."""
         force, time = self.force[begin:end + 1], self.time[begin:end + 1]
@@ -95,11 +92,14 @@ def hold_at(point, before, after):
     """The hold around a turning point between two Flanks, as first and last point; the point itself without one."""
     flanks = [flank for flank in (before, after) if flank is not None]
     band = min(flank.band for flank in flanks)
-    first, last = extent(flanks[0].force, point, band, before.begin if before else point, after.end if after else point)
-    usual = sum(flank.usual_time(band) for flank in flanks)
-    if last - first < FEWEST_POINTS or flanks[0].time[last] - flanks[0].time[first] <= LONGER * usual:
+    time, force = flanks[0].time, flanks[0].force
+    limits = before.begin if before else point, after.end if after else point
+    first, last = extent(force, point, band, *limits)
+    wider_first, wider_last = extent(force, point, 2. * band, *limits)
+    beside = time[first] - time[max(wider_first - 1, limits[0])] + time[min(wider_last + 1, limits[1])] - time[last]
+    if last - first < FEWEST_POINTS or time[last] - time[first] <= LONGER * beside:
         return point, point
-    held = flanks[0].force[first:last + 1]
+    held = force[first:last + 1]
     level = numpy.sort(held)[len(held) // 2]
     rows = numpy.flatnonzero(numpy.abs(held - level) <= min(flank.fine_band for flank in flanks))
     return first + int(rows[0]), first + int(rows[-1])

@@ -18,21 +18,30 @@ def knows(data):
     return data.startswith(OLD) or (data.startswith(NEW) and b"xl/" in data)
 
 
+def old_sheets(data):
+    import xlrd  # (of these files only)
+
+    book = xlrd.open_workbook(file_contents=data, on_demand=True, logfile=io.StringIO())
+    return [(sheet.name, [sheet.row_values(i) for i in range(sheet.nrows)]) for sheet in book.sheets()]
+
+
+def new_sheets(data):
+    import openpyxl  # (of these files only)
+
+    book = openpyxl.load_workbook(io.BytesIO(data), read_only=True, data_only=True)
+    return [(sheet.title, [list(row) for row in sheet.iter_rows(values_only=True)]) for sheet in book.worksheets]
+
+
 def sheets(path, data):
     """Names of sheets, and their rows of cells."""
-    if data.startswith(OLD):
-        import xlrd  # (of these files only)
-        try:
-            book = xlrd.open_workbook(file_contents=data, on_demand=True, logfile=io.StringIO())
-        except Exception as error:  # pylint: disable=broad-except (of damaged files, it raises anything)
-            raise UserError(f"'{path}' is damaged, or no .xls: {error}") from None
-        return [(sheet.name, [sheet.row_values(i) for i in range(sheet.nrows)]) for sheet in book.sheets()]
-    import openpyxl
+    is_old = data.startswith(OLD)
     try:
-        book = openpyxl.load_workbook(io.BytesIO(data), read_only=True, data_only=True)
-    except Exception as error:  # pylint: disable=broad-except (of damaged files, it raises anything)
-        raise UserError(f"'{path}' is damaged, or no .xlsx: {error}") from None
-    return [(sheet.title, [list(row) for row in sheet.iter_rows(values_only=True)]) for sheet in book.worksheets]
+        return old_sheets(data) if is_old else new_sheets(data)
+    except ImportError:
+        raise
+    except Exception as error:  # pylint: disable=broad-except (of damaged files, the libraries raise anything)
+        what = str(error) or type(error).__name__
+        raise UserError(f"'{path}' is damaged, or no {'.xls' if is_old else '.xlsx'}: {what}") from None
 
 
 def text_of(cell):
@@ -46,6 +55,8 @@ def read(path, data, chosen):
     """The curves of all sheets that have depth and force. Raises UserError."""
     found, tried = [], []
     for name, rows in sheets(path, data):
+        if "Tagged" in name:  # (NanoSuite repeats some rows of a test there)
+            continue
         texts = ([text_of(cell) for cell in row] for row in rows)
         on_sheet = blocks(((number, cells, cells) for number, cells in enumerate(texts, 1)), False, f"{path}, sheet "
                                                                                                     f"{name}")

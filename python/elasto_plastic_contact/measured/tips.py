@@ -74,8 +74,9 @@ def tip_of_instrument(curves, cycles, epsilon):
         if curve.notes.hardness and of_curve:
             unload = of_curve[-1].unload
             part = numpy.column_stack([curve.depth, curve.force])[unload.begin:unload.end + 1]
-            fit = fit_unloading(part)
-            if fit is not None:
+            with numpy.errstate(all="ignore"):
+                fit = fit_unloading(part)
+            if fit is not None and numpy.isfinite(fit).all():
                 contact_depth = part[0, 0] - epsilon * part[0, 1] / fit[0]
                 shifts.append((part[0, 1] / curve.notes.hardness / SHARP) ** 0.5 - contact_depth)
     if not shifts:
