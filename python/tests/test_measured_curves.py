@@ -122,6 +122,9 @@ class Readers(unittest.TestCase):
         self.assertEqual(curve.remarks, ())
         curve, = self.check(read_curve(self.write(text.replace("= 142", "= 200"))))
         self.assertEqual(curve.remarks, ("the file announces 200 points, and holds 142",))
+        joined = text.replace("Time (s)\n", "Time (s)\tForce Voltage(V)").replace("\n", "\t0.1\n").replace("= 142\t0.1", "= 142")
+        curve, = self.check(read_curve(self.write(joined)))
+        self.assertEqual(curve.remarks, ())
         head = ("File Version: Hysitron HighLoad FBControls 6.1 Release\nMachine Comp: 0.5 nm/µN\nTip Usable Depth: 1500 nm\n"
                 "Tip C0: 24.5 nm^2/nm^2\nTip C1: 2000 nm^2/nm\nTip C2: 0 nm^2/nm^0.5\nTip C3: 0 nm^2/nm^0.25\n"
                 "Tip C4: 0 nm^2/nm^0.125\nTip C5: 0 nm^2/nm^0.0625\nDrift Rate: 0.25 nm/s\n"
@@ -135,6 +138,14 @@ class Readers(unittest.TestCase):
         self.assertAlmostEqual(curve.notes.drift_rate, 0.25e-3)
         self.refused("without 'Test Data Points': it holds no curve", head.partition("Test Data")[0])
         self.refused("announces 142 points in line [0-9]+, and holds none", head)
+
+    def test_dynamic_test_of_hysitron(self):
+        stiffness = 1. + 0.01 * self.depth
+        text = ("nanoDMA Text Export Version 1.00\n\n Test Time (s)\t Indent Disp. (nm)\t Indent Act. Load (µN)\t Indent Load (µN)\t "
+                "Storage Stiff. (µN/nm)\t Contact Depth (nm)\t\n")
+        rows = rows_of((self.time, self.depth, self.time, 1e3 * self.force, stiffness, self.time)).replace("\n", "\t\n")
+        curve, = self.check(read_curve(self.write(text + rows, encoding="latin-1")))
+        numpy.testing.assert_allclose(curve.stiffness, stiffness, atol=1e-5)
 
     def test_fischerscope(self):
         first = "FS1.hap\tName of the application\nF = ESP n 10.000mN/20s\n1\tNumber of block\n"

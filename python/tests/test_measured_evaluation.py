@@ -264,6 +264,14 @@ class Command(unittest.TestCase):
         process = self.command(path, "--json", self.folder / "means.json")
         self.assertRegex(process.stdout, r"C \(GPa\) +28 +1.58 +5.6 %")
         self.assertEqual(json.loads((self.folder / "means.json").read_text())["mean"], [28., 5e6, 0.9, 10.])
+        batch = self.folder / "batch.txt"
+        batch.write_text("Number of Data Points = 6\n        \nFile\thc(nm)\tPmax(µN)\tS(µN/nm)\thmax(nm)\tEr(GPa)\tH(GPa)\n"
+                         + "".join(f"Steel 000{i} LC.hys\t160.4\t5997.6\t78.9\t217.3\t7{i}.0\t6.3\n" for i in range(6)))
+        self.assertRegex(self.command(batch).stdout, r"Er\(GPa\) +72.5 +1.87 +2.6 %")
+        batch.write_text("C (GPa),hm (um),Wp/Wt\n1,2,3\n")
+        self.expect_message("names results of indents, and has less than 5 rows|holds no rows of numbers", batch)
+        batch.write_text("C (GPa),hm (um),Wp/Wt\n" + "1,2,3,4\n" * 6)
+        self.expect_message("has 4 values in line 2, and 3 names of columns above them", batch)
         self.expect_message("holds results, one row an indent, and no curve to draw", path, "--output", self.folder / "no.png")
         self.expect_message("holds results, one row an indent, and no curve: give it alone", self.file, path)
 

@@ -28,7 +28,8 @@ def read(path, lines, chosen):
     if n_points is None:
         raise UserError(f"'{path}' is a file of Hysitron without 'Test Data Points': it holds no curve. Export the "
                         "test again")
-    blocks = text_blocks([""] * first + lines[first:], path)
+    numbers = [part for line in lines[first:] for part in heading_and_numbers(line)]
+    blocks = text_blocks([""] * first + numbers, path)
     if not blocks:
         raise UserError(f"'{path}' announces {n_points} points in line {first + 1}, and holds none. Export the test "
                         "again")
@@ -37,6 +38,12 @@ def read(path, lines, chosen):
     if n_rows == n_points:
         return curves
     return [curve.with_remark(f"the file announces {n_points} points, and holds {n_rows}") for curve in curves]
+
+
+def heading_and_numbers(line):
+    """Two lines of a heading that is not ended before the first row, as in '... Force Voltage(V)0.065324 2.459056'."""
+    found = re.match(r"(\D.*\))(-?\d+\.\d+\t.*)", line)
+    return found.groups() if found and "Time" in line else (line,)
 
 
 def notes_of(lines):
