@@ -8,8 +8,7 @@ import unittest
 
 import numpy
 
-from elasto_plastic_contact import UserError
-from elasto_plastic_contact.measured import read_curve
+from elasto_plastic_contact import UserError, read_curve
 
 
 def indent():

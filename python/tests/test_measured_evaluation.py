@@ -283,6 +283,7 @@ class Command(unittest.TestCase):
         rising = MeasuredCurve("1", curve.depth[:200], curve.force[:200], curve.time[:200])
         process = self.command(self.write("rising.txt", rising), "--berkovich")
         self.assertRegex(process.stdout, "no unloading was found; it takes a fall of the force")
+        self.assertRegex(process.stdout, r"(?m)^indent +F_max +h_max +C +n$\n.*\n +1 +10 +0.3108 +103.5 +2$")
         process = self.command(self.file, "--berkovich", "--fit", 0.94, 0.95)
         self.assertRegex(process.stdout, "unloading 1: fewer than three points that fall between 95 and 94 % of its force")
         process = self.command(self.file, "--area", -24.5)

@@ -48,10 +48,12 @@ class Constants:
 
 @dataclass(frozen=True)
 class Indent:
-    """unloadings: a dictionary by QUANTITIES of each cycle; continuous: arrays by the same names, empty without a
-    measured stiffness; remarks: sentences."""
+    """loading: up to the largest force, also of a curve that is not unloaded; unloadings: of each cycle; both are
+    dictionaries by QUANTITIES. continuous: arrays by the same names, empty without a measured stiffness; remarks:
+    sentences."""
     curve: object
     segments: list
+    loading: dict
     unloadings: list
     continuous: dict = field(default_factory=dict)
     remarks: tuple = ()
@@ -65,14 +67,16 @@ def evaluate_indent(curve, segments, cycles, constants):
             found, remark = evaluate_cycle(curve, cycle, constants)
         unloadings.append(found)
         remarks += [f"unloading {number}: {remark}"] if remark else []
-    return Indent(curve, segments, unloadings, continuous(curve, constants), tuple(remarks))
+    last = int(curve.force.argmax())
+    loading = {"max_force": curve.force[last], "max_depth": curve.depth[last]} | of_loading(curve, last)
+    return Indent(curve, segments, numbers(loading), unloadings, continuous(curve, constants), tuple(remarks))
 
 
 def evaluate_cycle(curve, cycle, constants):
     """A dictionary by QUANTITIES, and a sentence if something is missing."""
     part = numpy.column_stack([curve.depth, curve.force])[cycle.unload.begin:cycle.unload.end + 1]
     found = {"max_force": part[0, 1], "max_depth": part[0, 0]}
-    found |= of_loading(curve, cycle)
+    found |= of_loading(curve, cycle.load.end)
     found |= creep(curve, cycle.hold)
     fit = fit_unloading(part, constants.shares) if part[0, 1] > 0. else None
     if fit is None or not (numpy.isfinite(fit).all() and fit[0] > 0.):
@@ -101,9 +105,10 @@ def numbers(values):
     return {name: float(values[name]) for name in QUANTITIES if name in values}
 
 
-def of_loading(curve, cycle):
-    """C of force = C h^2, and the exponent that would fit best, of the points at forces higher than before."""
-    depth, force = curve.depth[:cycle.load.end + 1], curve.force[:cycle.load.end + 1]
+def of_loading(curve, last):
+    """C of force = C h^2, and the exponent that would fit best, of the points at forces higher than before, up to the
+    last one."""
+    depth, force = curve.depth[:last + 1], curve.force[:last + 1]
     before = numpy.maximum.accumulate(numpy.append(-numpy.inf, force))[:-1]
     rows = (force > before) & (force >= LOWEST_LOADING * force.max()) & (depth > 0.)
     if rows.sum() < 3:

@@ -68,10 +68,18 @@ def print_table(indents):
             for indent in indents for number, found in enumerate(indent.unloadings, 1)]
     if not rows:
         print("no unloading was found; it takes a fall of the force after the load (if that is there, change --noise)")
+        print_loadings(indents)
         return
     print_rows(head, [units, *rows])
     if len(rows) > 1:
         print_statistics(indents, present)
+
+
+def print_loadings(indents):
+    present = [name for name in QUANTITIES if any(name in indent.loading for indent in indents)]
+    head, units = head_of(present, ["indent"])
+    print_rows(head, [units, *([indent.curve.name, *(f"{indent.loading[name]:.4g}" if name in indent.loading else "-"
+                                                     for name in present)] for indent in indents)])
 
 
 def print_statistics(indents, present):
@@ -138,7 +146,7 @@ def as_json(evaluation):
 def indent_as_json(indent):
     return {"name": indent.curve.name, "remarks": list(indent.remarks), "instrument": indent.curve.notes.others,
             "segments": [segment_as_json(indent.curve, segment) for segment in indent.segments],
-            "unloadings": indent.unloadings,
+            "loading": indent.loading, "unloadings": indent.unloadings,
             "continuous": {name: [value if numpy.isfinite(value) else None for value in values.tolist()]
                            for name, values in indent.continuous.items()}}
 

@@ -38,11 +38,13 @@ def draw_curves(axes, indents):
             if "stiffness" in found:
                 begin = found["max_depth"] - found["max_force"] / found["stiffness"]
                 axes.plot([begin, found["max_depth"]], [0., found["max_force"]], "--", linewidth=0.8, color=RED)
-    axes.plot([], [], "--", color=RED, linewidth=0.8, label="initial slope of unloading")
+    if any("stiffness" in found for indent in indents for found in indent.unloadings):
+        axes.plot([], [], "--", color=RED, linewidth=0.8, label="initial slope of unloading")
     if any(segment.kind == "hold" and segment.begin > 0 for indent in indents for segment in indent.segments):
         axes.plot([], [], color="black", linewidth=2.5, alpha=0.5, label="hold")
     axes.set(xlabel="depth in µm", ylabel="force in mN", ylim=(0., None))
-    axes.legend(loc="upper left")
+    if axes.get_legend_handles_labels()[1]:
+        axes.legend(loc="upper left")
 
 
 def draw_over_depth(axes, indents, name, label, color):
