@@ -92,6 +92,8 @@ class Readers(unittest.TestCase):
         self.assertIn("the unit of time is not known", curve.remarks[-1])
         two = "Time (s)\tDepth (nm)\tDepth (nm)\tLoad (mN)\n" + rows_of((self.time, self.time, self.depth, self.force))
         self.check(read_curve(self.write(two), {"depth": 3}))
+        commas = "Time, s\tDepth, nm\tDepth 2, nm\tLoad, mN\n" + rows_of((self.time, self.depth, self.time, self.force))
+        self.check(read_curve(self.write(commas), {"depth": "Depth, nm"}))
 
     def test_several_indents(self):
         one = "Depth (nm)\tLoad (mN)\tTime (s)\n" + rows_of((self.depth, self.force, self.time))

@@ -15,14 +15,19 @@ HOW_TO_SAY = "Say which columns they are, by their numbers or names: --columns d
 
 
 def given_columns(text):
-    """A dictionary, quantity to number (from 1) or name of the column, of 'depth=2,force=3'. Raises UserError."""
+    """Number (from 1) or name of the column by quantity, of 'depth=2,force=3'. Raises UserError."""
+    return checked_columns(pair.partition("=")[::2] for pair in text.split(","))
+
+
+def checked_columns(pairs):
+    """A dictionary of pairs of quantity and column. Raises UserError."""
     chosen = {}
-    for pair in text.split(","):
-        quantity, equals, column = pair.partition("=")
-        if quantity.strip() not in KINDS or not equals or not column.strip():
-            raise UserError(f"--columns is '{text}', but must be like depth=2,force=3, of {', '.join(KINDS)}, with the "
-                            "number of the column, from 1, or its name")
-        chosen[quantity.strip()] = column.strip()
+    for quantity, column in pairs:
+        quantity, column = quantity.strip(), str(column).strip()
+        if quantity not in KINDS or not column:
+            raise UserError(f"--columns is '{quantity}={column}', but must be like depth=2,force=3, of {', '.join(KINDS)}, with "
+                            "the number of the column, from 1, or its name")
+        chosen[quantity] = column
     return chosen
 
 

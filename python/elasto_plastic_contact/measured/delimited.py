@@ -4,7 +4,7 @@
 
 from ..errors import UserError
 from .blocks import text_blocks
-from .columns import HOW_TO_SAY, curves_of_blocks
+from .columns import curves_of_blocks
 
 FORMAT = "a table of numbers"
 
@@ -23,6 +23,3 @@ def read(path, lines, chosen):
                         "column for depth and one for force, separated by tabs, ';', ',' or blanks, and at least five "
                         "rows")
     return curves_of_blocks(blocks, path, chosen)
-
-
-__all__ = ["FORMAT", "HOW_TO_SAY", "knows", "read"]

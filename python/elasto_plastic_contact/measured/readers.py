@@ -6,7 +6,7 @@ import os
 
 from ..errors import UserError
 from . import delimited, fischerscope, hdf5, hysitron, nanosuite, results, spreadsheet
-from .columns import given_columns
+from .columns import checked_columns
 from .curve import in_own_units
 from .texts import decode, lines_of, read_bytes
 from .units import given_units
@@ -44,7 +44,7 @@ def read_curve(path, columns=None, units=None):
     Raises UserError if the file is not understood, with what stands there and how to say it.
     """
     path = os.fspath(path)
-    chosen = given_columns(",".join(f"{quantity}={column}" for quantity, column in columns.items())) if columns else {}
+    chosen = checked_columns((columns or {}).items())
     given = given_units(f"{quantity}={unit}" for quantity, unit in (units or {}).items())
     found = read_raw(path, chosen)[1]
     if isinstance(found, results.ResultsTable):
