@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Readers of measured curves: one made-up indent in the formats of instruments, and a message for what is not understood."""
+"""Readers of measured curves: a made-up indent in the formats of instruments, and messages."""
 
 import pathlib
 import tempfile
@@ -13,7 +13,8 @@ from elasto_plastic_contact import UserError, read_curve
 
 def indent():
     """Time in s, depth in nm and force in mN: load to 10 mN and 300 nm, hold, unload."""
-    time = numpy.append(numpy.linspace(0., 10., 81), numpy.append(numpy.linspace(10.2, 14.8, 20), numpy.linspace(15., 20., 41)))
+    time = numpy.append(numpy.linspace(0., 10., 81),
+                        numpy.append(numpy.linspace(10.2, 14.8, 20), numpy.linspace(15., 20., 41)))
     depth = numpy.interp(time, [0., 10., 15.], [0., 300., 306.])
     force = 10. * (numpy.minimum(depth, 300.) / 300.) ** 2
     unload = time > 15.
@@ -23,7 +24,8 @@ def indent():
 
 
 def rows_of(columns, separator="\t", decimal="."):
-    return "".join(separator.join(f"{value:.6f}".replace(".", decimal) for value in row) + "\n" for row in zip(*columns))
+    return "".join(separator.join(f"{value:.6f}".replace(".", decimal) for value in row) + "\n"
+                   for row in zip(*columns))
 
 
 class Readers(unittest.TestCase):
@@ -55,7 +57,8 @@ class Readers(unittest.TestCase):
         self.assertIn(name, str(caught.exception))
 
     def test_separators(self):
-        for separator, decimal in (("\t", "."), (";", "."), (",", "."), (" ", "."), ("\t", ","), (";", ","), (" ", ","), ("   ", ".")):
+        for separator, decimal in (("\t", "."), (";", "."), (",", "."), (" ", "."), ("\t", ","), (";", ","), (" ", ","),
+                                   ("   ", ".")):
             head = separator.join(["Time_s", "Depth_nm", "Load_mN"])
             text = f"Sample 7\n\n{head}\n{rows_of(self.columns, separator, decimal)}"
             self.check(read_curve(self.write(text)))
@@ -63,16 +66,19 @@ class Readers(unittest.TestCase):
     def test_headings(self):
         for head in ("Time (s)\tDepth (nm)\tLoad (mN)", "Time [s]\tDisplacement Into Surface [nm]\tLoad On Sample [mN]",
                      "t/s\th/nm\tF/mN", "time in s\tdepth in nm\tforce in mN", "TIME\tDEPTH\tLOAD\ns\tnm\tmN",
-                     "Time\tPd\tFn\n(s)\t(nm)\t(mN)", '"Time, s"\t"Depth, nm"\t"Force, mN"', "Zeit [s]\tEindringtiefe [nm]\tKraft [mN]"):
+                     "Time\tPd\tFn\n(s)\t(nm)\t(mN)", '"Time, s"\t"Depth, nm"\t"Force, mN"',
+                     "Zeit [s]\tEindringtiefe [nm]\tKraft [mN]"):
             curve, = self.check(read_curve(self.write(f"{head}\n{rows_of(self.columns)}")))
             self.assertEqual(curve.units, {"time": "s", "depth": "µm", "force": "mN"})
         blanks = "Time (s)  Depth (nm)  Load (mN)\n" + rows_of(self.columns, "  ")
         self.check(read_curve(self.write(blanks)))
         voltages = "Depth (nm)\tLoad (µN)\tTime (s)\tDepth (V)\tLoad (V)\n"
-        self.check(read_curve(self.write(voltages + rows_of((self.depth, 1e3 * self.force, self.time, self.time, self.time)))))
+        self.check(read_curve(self.write(voltages + rows_of((self.depth, 1e3 * self.force, self.time, self.time,
+                                                             self.time)))))
 
     def test_encodings(self):
-        text = "Time (s)\tDepth (µm)\tLoad (µN)\n" + rows_of((self.time, 1e-3 * self.depth, 1e3 * self.force)).replace("\n", "\r\n")
+        rows = rows_of((self.time, 1e-3 * self.depth, 1e3 * self.force))
+        text = f"Time (s)\tDepth (µm)\tLoad (µN)\n{rows}".replace("\n", "\r\n")
         for encoding in ("utf-8", "utf-8-sig", "latin-1", "utf-16", "utf-16-le", "utf-16-be"):
             self.check(read_curve(self.write(text, encoding=encoding)))
         self.check(read_curve(self.write(text.replace("\r\n", "\r"))))
@@ -83,7 +89,8 @@ class Readers(unittest.TestCase):
     def test_columns_and_units(self):
         for text in (rows_of(self.columns), "a\tb\tc\n" + rows_of(self.columns)):
             path = self.write(text)
-            self.check(read_curve(path, {"time": 1, "depth": 2, "force": 3}, {"time": "s", "depth": "nm", "force": "mN"}))
+            self.check(read_curve(path, {"time": 1, "depth": 2, "force": 3},
+                                  {"time": "s", "depth": "nm", "force": "mN"}))
         self.check(read_curve(path, {"depth": "B", "force": "c"}, {"depth": "nm", "force": "mN"}))
         without = "Time\tDepth\tLoad\n" + rows_of(self.columns)
         self.check(read_curve(self.write(without), units={"time": "s", "depth": "nm", "force": "mN"}))
@@ -123,7 +130,8 @@ class Readers(unittest.TestCase):
         self.assertEqual(curve.remarks, ())
         curve, = self.check(read_curve(self.write(text.replace("= 142", "= 200"))))
         self.assertEqual(curve.remarks, ("the file announces 200 points, and holds 142",))
-        joined = text.replace("Time (s)\n", "Time (s)\tForce Voltage(V)").replace("\n", "\t0.1\n").replace("= 142\t0.1", "= 142")
+        joined = text.replace("Time (s)\n", "Time (s)\tForce Voltage(V)").replace("\n", "\t0.1\n")
+        joined = joined.replace("= 142\t0.1", "= 142")
         curve, = self.check(read_curve(self.write(joined)))
         self.assertEqual(curve.remarks, ())
         head = ("File Version: Hysitron HighLoad FBControls 6.1 Release\nMachine Comp: 0.5 nm/µN\nTip Usable Depth: 1500 nm\n"
@@ -151,13 +159,14 @@ class Readers(unittest.TestCase):
     def test_fischerscope(self):
         first = "FS1.hap\tName of the application\nF = ESP n 10.000mN/20s\n1\tNumber of block\n"
         one = ("FS1.hap   26.05.2020  15:17:54\nIndenter shape correction: Hardness\nHIT\t[N/mm²]\t   8553.6\n"
-               "EIT/(1-vs^2)\t[GPa]\t     83.7\nF\th\tt\n" + rows_of((self.force, 1e-3 * self.depth, self.time), decimal=","))
+               "EIT/(1-vs^2)\t[GPa]\t     83.7\nF\th\tt\n" + rows_of((self.force, 1e-3 * self.depth, self.time),
+                                                                     decimal=","))
         curves = read_curve(self.write(first + one + "\n" + one, encoding="latin-1"))
         self.check(curves, 2)
         self.assertEqual([curve.name for curve in curves], ["1", "2"])
         self.assertAlmostEqual(curves[0].notes.hardness, 8.5536)
         self.assertEqual(curves[0].notes.plane_strain_modulus, 83.7)
-        self.assertIn("are in mN, µm and s, as FischerScope writes them .the largest F is that of the head".replace(".", "("),
+        self.assertIn("are in mN, µm and s, as FischerScope writes them (the largest F is that of the head",
                       curves[0].remarks[0])
         curves = read_curve(self.write(first.replace("10.000", "500.0") + one))
         self.assertIn("the largest F is 10, and the head says 500 mN", curves[0].remarks[0])
@@ -166,8 +175,8 @@ class Readers(unittest.TestCase):
     def test_nanosuite(self):
         method = ("Method Name : C:\\Methods\\XP\\G-Series CSM.msm\nOwner : User\nChannels\n\tModulus\n\t\tUnits : GPa\n"
                   "\tContact Area\n\t\tUnits : nm^2\n\tTime\n\t\tUnits : s\n")
-        self.refused("is the method 'G-Series CSM.msm' of NanoSuite, with its channels .Modulus, Contact Area, Time and so on.*without "
-                     "a curve. Export the samples", method)
+        self.refused("is the method 'G-Series CSM.msm' of NanoSuite, with its channels .Modulus, Contact Area, Time and so "
+                     "on.*without a curve. Export the samples", method)
         self.refused("is a method of NanoSuite with rows of numbers", method + rows_of(self.columns))
         stiffness = numpy.where(self.depth > 0., 4. * self.depth, numpy.nan)
         rows = [[label, f"{h:.6f}", f"{p:.6f}", f"{t:.6f}", "" if numpy.isnan(s) else f"{s:.3f}"]
@@ -209,6 +218,21 @@ class Readers(unittest.TestCase):
         except ImportError:
             self.skipTest("python3-xlrd is not installed")
         self.refused("is damaged, or no .xls", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(600), name="damaged.xls")
+        try:
+            import xlwt
+        except ImportError:
+            self.skipTest("python3-xlwt, which writes such a file, is not installed")
+        book = xlwt.Workbook()
+        book.add_sheet("Results").write(0, 0, "Modulus")
+        for name in ("Test 1", "Test 1 Tagged"):
+            sheet = book.add_sheet(name)
+            table = [["Segment", "Displacement Into Surface", "Load On Sample", "Time On Sample"], ["", "nm", "mN", "s"],
+                     *[["", *map(float, row)] for row in zip(self.depth, self.force, self.time)], ["END", "", "", ""]]
+            for i, row in enumerate(table):
+                for j, value in enumerate(row):
+                    sheet.write(i, j, value)
+        book.save(str(self.folder / "tests.xls"))
+        self.check(read_curve(self.folder / "tests.xls"))
 
     def test_hdf5(self):
         try:
@@ -227,7 +251,8 @@ class Readers(unittest.TestCase):
         self.assertIn("nm of depth", curves[0].remarks[-1])
         with h5py.File(self.folder / "units.hdf5", "w") as file:
             data = file.create_group("test_1/data")
-            for column, values, unit in (("depth", 1e-9 * self.depth, "m"), ("load", 1e-3 * self.force, "N"), ("time", self.time, "s")):
+            for column, values, unit in (("depth", 1e-9 * self.depth, "m"), ("load", 1e-3 * self.force, "N"),
+                                         ("time", self.time, "s")):
                 data[column] = values
                 data[column].attrs["unit"] = unit
         self.check(read_curve(self.folder / "units.hdf5"))
@@ -250,24 +275,30 @@ class Readers(unittest.TestCase):
         self.refused("does not say what its columns are; line 1 holds 0, 0, 0. Say .*--columns depth=1,force=2", rows)
         self.refused("has no column that is known as depth and force; line 1 names a, b, c. Say", "a\tb\tc\n" + rows)
         self.refused("has no column that is known as depth; line 1 names time, x, load. Say", "time\tx\tload\n" + rows)
-        self.refused("does not say the unit of depth .column 'Depth'. nor of force .column 'Load'.: give it, such as by --unit depth=nm "
-                     "--unit force=mN", "Time (s)\tDepth\tLoad\n" + rows)
-        self.refused("says that its unit of depth is nm .*, and --unit depth=µm says otherwise", head + rows, units={"depth": "um"})
-        self.refused("has several columns for depth in line 1: 'Depth \\(nm\\)' \\(2\\), 'Depth \\(nm\\)' \\(3\\). Choose by --columns depth=2",
+        self.refused("does not say the unit of depth .column 'Depth'. nor of force .column 'Load'.: give it, such as "
+                     "by --unit depth=nm --unit force=mN", "Time (s)\tDepth\tLoad\n" + rows)
+        self.refused("says that its unit of depth is nm .*, and --unit depth=µm says otherwise", head + rows,
+                     units={"depth": "um"})
+        self.refused("has several columns for depth in line 1: 'Depth \\(nm\\)' \\(2\\), 'Depth \\(nm\\)' \\(3\\). Choose "
+                     "by --columns depth=2",
                      "Time (s)\tDepth (nm)\tDepth (nm)\tLoad (mN)\n" + rows_of((self.time, *self.columns)))
         self.refused("no column 'x'; it has Time .s., Depth", head + rows, {"depth": "x", "force": 3})
         self.refused("has 3 columns in line 2, and none with the number 7", head + rows, {"depth": 7, "force": 3})
         self.refused("has 3 columns by its heading in line 1, but 6 values in line 2: decimal commas between commas",
                      head.replace("\t", ",") + rows_of(self.columns, ",", ","))
         lines = (head + rows).splitlines(keepends=True)
-        self.refused("has a text in place of a number in line 51: '1.2.3'", "".join([*lines[:50], "3.0\t1.2.3\t4.0\n", *lines[50:]]))
-        self.refused("has 2 values in line 51, and 3 in the lines before", "".join([*lines[:50], "3.0\t4.0\n", *lines[50:]]))
+        self.refused("has a text in place of a number in line 51: '1.2.3'",
+                     "".join([*lines[:50], "3.0\t1.2.3\t4.0\n", *lines[50:]]))
+        self.refused("has 2 values in line 51, and 3 in the lines before",
+                     "".join([*lines[:50], "3.0\t4.0\n", *lines[50:]]))
         self.refused("has 0 complete rows of depth and force in the indent '1'", head + "1\t\t2\n" * 20)
-        self.refused("holds results, one row an indent, and no curve", "C (GPa),hm (um),Wp/Wt\n" + "1,2,3\n" * 6, name="results.csv")
+        self.refused("holds results, one row an indent, and no curve", "C (GPa),hm (um),Wp/Wt\n" + "1,2,3\n" * 6,
+                     name="results.csv")
         path = self.write(head + rows)
         for options, message in (({"columns": {"deep": 1}}, "--columns is 'deep=1', but must be like depth=2,force=3"),
                                  ({"units": {"depth": "mN"}}, "--unit is 'depth=mN', but units of depth are pm, Å, nm"),
-                                 ({"units": {"deep": "nm"}}, "--unit is 'deep=nm', but must begin with one of time, depth")):
+                                 ({"units": {"deep": "nm"}},
+                                  "--unit is 'deep=nm', but must begin with one of time, depth")):
             with self.assertRaisesRegex(UserError, message):
                 read_curve(path, **options)
 
