@@ -8,13 +8,15 @@ import re
 from dataclasses import dataclass, field
 
 from ..errors import UserError
-from .headings import KINDS, rank
+from .headings import rank
 from .texts import is_number, to_number
-from .units import is_unit
+from .units import KINDS, is_unit
 
-# What may separate columns, what is preferred first, and the fewest rows of a curve.
+# What may separate columns, what is preferred first; the fewest rows of a curve; about how many lines are looked at to find
+# the separator.
 SEPARATORS = ("\t", ";", ",", " ")
 FEWEST_ROWS = 5
+SAMPLE = 2000
 
 
 @dataclass
@@ -70,6 +72,7 @@ def numbers(cells, decimal_comma):
 
 def find_format(lines):
     """That by which most lines are rows of numbers; None if there are too few."""
+    lines = lines[::max(len(lines) // SAMPLE, 1)]
     best, most = None, FEWEST_ROWS - 1
     for separator in SEPARATORS:
         for decimal_comma in (False, True):

@@ -25,8 +25,8 @@ def checked_columns(pairs):
     for quantity, column in pairs:
         quantity, column = quantity.strip(), str(column).strip()
         if quantity not in KINDS or not column:
-            raise UserError(f"--columns is '{quantity}={column}', but must be like depth=2,force=3, of {', '.join(KINDS)}, with "
-                            "the number of the column, from 1, or its name")
+            raise UserError(f"--columns is '{quantity}={column}', but must be like depth=2,force=3, of "
+                            f"{', '.join(KINDS)}, with the number of the column, from 1, or its name")
         chosen[quantity] = column
     return chosen
 

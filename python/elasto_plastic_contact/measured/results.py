@@ -21,13 +21,12 @@ class ResultsTable:
 
 
 def knows(lines):
-    """A heading that names three results or more, and no depth and force of a curve."""
-    for line in [line for line in lines if line.strip()][:5]:
-        form = find_format([line for line in lines if line.strip()])
-        headings = form.headings(line) if form else []
-        if len(result_columns(headings)) >= 3 and not (columns_of(headings, "time") and columns_of(headings, "force")):
-            return True
-    return False
+    """A heading that names three results or more, and no time and force of a curve."""
+    lines = [line for line in lines if line.strip()]
+    form = find_format(lines)
+    headings = [form.headings(line) for line in lines[:5]] if form else []
+    return any(len(result_columns(names)) >= 3 and not (columns_of(names, "time") and columns_of(names, "force"))
+               for names in headings)
 
 
 def read(path, lines, _):
@@ -38,6 +37,6 @@ def read(path, lines, _):
         raise UserError(f"'{path}' names results of indents, and has less than {FEWEST_ROWS} rows of numbers below")
     block = max(found, key=lambda block: len(block.rows))
     if block.headings is None or len(block.headings) != block.width:
-        raise UserError(f"'{path}' has {block.width} values in line {block.first_line}, and {len(block.headings or [])} names of "
-                        "columns above them")
+        raise UserError(f"'{path}' has {block.width} values in line {block.first_line}, and "
+                        f"{len(block.headings or [])} names of columns above them")
     return ResultsTable(tuple(block.headings), numpy.array(block.rows))
