@@ -3,6 +3,7 @@
 """The command evaluate for files of instruments: tables, JSON, pictures, corrections, a run beside them, messages."""
 
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -144,6 +145,17 @@ class Command(unittest.TestCase):
         self.expect_message("names results of indents, and has less than 5 rows|holds no rows of numbers", batch)
         batch.write_text("C (GPa),hm (um),Wp/Wt\n" + "1,2,3,4\n" * 6)
         self.expect_message("has 4 values in line 2, and 3 names of columns above them", batch)
+        force, stiffness = 10., 2. * REDUCED * math.sqrt(10. / HARDNESS / math.pi)
+        depth = math.sqrt(force / HARDNESS / SHARP) + 0.75 * force / stiffness
+        for column, value in (("Pm (mN)", force), ("C (GPa)", force / depth ** 2)):
+            batch.write_text(f"{column},dP/dh (N/m),hm (um),Wp/Wt\n" + f"{value},{1e3 * stiffness},{depth},0.9\n" * 5)
+            found = self.found(batch, "--area", SHARP)["statistics"]
+            self.assertAlmostEqual(found["tip_hardness"]["mean"], HARDNESS)
+            self.assertAlmostEqual(found["tip_reduced_modulus"]["mean"], REDUCED)
+        self.assertRegex(self.command(batch, "--area", SHARP).stdout, r"(?m)^ *E_r +70 ± 0 +GPa$")
+        batch.write_text("C (GPa),Wp/Wt,hm (um)\n" + "1,2,3\n" * 6)
+        self.expect_message("no hardness to be found: that takes columns of dP/dh, h_m, and P_m or C, .*it has C .GPa., Wp",
+                            batch, "--berkovich")
         self.expect_message("holds results, one row an indent, and no curve to draw", path, "--output",
                             self.folder / "no.png")
         self.expect_message("holds results, one row an indent, and no curve: give it alone", self.file, path)

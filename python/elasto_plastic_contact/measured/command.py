@@ -5,7 +5,8 @@
 from ..errors import UserError
 from .columns import given_columns
 from .evaluate_files import evaluate_files
-from .report import as_json, print_evaluation, print_results, results_as_json, write_json
+from .evaluate_results import evaluate_results
+from .report import as_json, print_evaluation, print_means, print_results, results_as_json, write_json
 from .results import ResultsTable
 from .units import given_units
 
@@ -31,12 +32,17 @@ def evaluate_and_show(arguments):
 
 
 def show_results(results, arguments):
-    """A table of results has means, and no curve to draw."""
-    print_results(results, arguments.curve[0])
-    if arguments.json:
-        write_json(results_as_json(results), arguments.json)
-        print(arguments.json)
+    """Of a table of results: means, and, with a tip, what follows of slope, largest depth and force."""
+    path, = arguments.curve
     if arguments.output:
-        raise UserError(f"'{arguments.curve[0]}' holds results, one row an indent, and no curve to draw: leave out "
-                        "--output")
+        raise UserError(f"'{path}' holds results, one row an indent, and no curve to draw: leave out --output")
+    print_results(results, path)
+    evaluated = evaluate_results(results, arguments, path)
+    if evaluated:
+        rows, sentences = evaluated
+        print("", *sentences, sep="\n")
+        print_means(rows)
+    if arguments.json:
+        write_json(results_as_json(results, evaluated[0] if evaluated else []), arguments.json)
+        print(arguments.json)
     return 0

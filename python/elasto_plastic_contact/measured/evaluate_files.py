@@ -57,8 +57,8 @@ def choose_indents(curves, chosen):
     return [curves[number - 1] for number in chosen]
 
 
-def choose_tip(arguments, unit, curves, cycles):
-    """The Tip, None if none is known, and a sentence."""
+def given_tip(arguments, unit):
+    """The Tip that was asked for, and a sentence; None if there is none. unit: of its lengths, unless told."""
     if arguments.pyramid is not None:
         n_faces, angle = arguments.pyramid
         return Tip.pyramid(n_faces, angle), f"a sharp pyramid with {n_faces:g} faces at {angle:g}° to the axis"
@@ -78,6 +78,14 @@ def choose_tip(arguments, unit, curves, cycles):
     if arguments.area_file is not None:
         tip, sentence = read_area(arguments.area_file, length)
         return tip, f"area function: {sentence}, lengths in {tip_unit}"
+    return None
+
+
+def choose_tip(arguments, unit, curves, cycles):
+    """The Tip, None if none is known, and a sentence."""
+    given = given_tip(arguments, unit)
+    if given is not None:
+        return given
     found = tip_of_instrument(curves, cycles, 0.75 if arguments.epsilon is None else arguments.epsilon)
     if found is not None:
         return found[0], f"area function of the instrument: {found[1]}"
@@ -117,14 +125,18 @@ def evaluate_files(arguments, chosen, given):
         return curves
     parts = [corrected(curve, arguments, unit) for curve in curves]
     tip, sentence = choose_tip(arguments, unit, [part[0] for part in parts], [part[2] for part in parts])
-    constants = Constants(tip, arguments.beta, arguments.epsilon, tuple(arguments.fit or (LOWEST_SHARE, HIGHEST_SHARE)),
-                          tuple(arguments.indenter or DIAMOND), arguments.poisson)
+    constants = constants_of(tip, arguments)
     indents = []
     for curve, segments, cycles, sentences in parts:
         indent = evaluate_indent(curve, segments, cycles, constants)
         indents.append(replace(indent, remarks=(*sentences, *indent.remarks, *too_deep(indent))))
     sentences = [*formats, f"tip: {sentence}", sentence_on(constants, arguments)]
     return Evaluation(list(arguments.curve), constants, sentences, indents)
+
+
+def constants_of(tip, arguments):
+    return Constants(tip, arguments.beta, arguments.epsilon, tuple(arguments.fit or (LOWEST_SHARE, HIGHEST_SHARE)),
+                     tuple(arguments.indenter or DIAMOND), arguments.poisson)
 
 
 def too_deep(indent):

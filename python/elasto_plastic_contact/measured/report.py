@@ -95,6 +95,12 @@ def print_statistics(indents, present):
     print_rows(head, [units, *rows])
 
 
+def print_means(rows):
+    """Mean ± standard deviation of the quantities of all rows, in a line each."""
+    print_rows(["", "mean ± deviation", ""], [[QUANTITIES[name][0], mean_and_deviation(found), QUANTITIES[name][1]]
+                                            for name, found in statistics(rows).items()])
+
+
 def by_number(indents):
     """The first unloadings of all indents, the second ones and so on."""
     return [[indent.unloadings[number] for indent in indents if number < len(indent.unloadings)]
@@ -147,8 +153,7 @@ def indent_as_json(indent):
     return {"name": indent.curve.name, "remarks": list(indent.remarks), "instrument": indent.curve.notes.others,
             "segments": [segment_as_json(indent.curve, segment) for segment in indent.segments],
             "loading": indent.loading, "unloadings": indent.unloadings,
-            "continuous": {name: [value if numpy.isfinite(value) else None for value in values.tolist()]
-                           for name, values in indent.continuous.items()}}
+            "continuous": {name: plain(values) for name, values in indent.continuous.items()}}
 
 
 def segment_as_json(curve, segment):
@@ -177,6 +182,13 @@ def print_results(results, path):
     print_rows(["", "mean", "deviation", "relative"], rows)
 
 
-def results_as_json(results):
-    return {"headings": list(results.headings), "rows": results.values.tolist(),
-            "mean": results.values.mean(axis=0).tolist(), "deviation": results.values.std(axis=0, ddof=1).tolist()}
+def results_as_json(results, evaluated):
+    """evaluated: dictionaries by QUANTITIES, a row each; empty if nothing was."""
+    return {"headings": list(results.headings), "rows": [plain(row) for row in results.values],
+            "mean": plain(results.values.mean(axis=0)), "deviation": plain(results.values.std(axis=0, ddof=1)),
+            "evaluated": evaluated, "statistics": statistics(evaluated)}
+
+
+def plain(values):
+    """A list of numbers, None where there is none."""
+    return [float(value) if numpy.isfinite(value) else None for value in values]

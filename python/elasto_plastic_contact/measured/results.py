@@ -9,8 +9,13 @@ import numpy
 from ..errors import UserError
 from .blocks import FEWEST_ROWS, blocks, find_format
 from .headings import columns_of, result_columns
+from .units import factor, split_name
 
 FORMAT = "results, one row an indent"
+
+# What the known columns are measured in; None of numbers without a unit.
+KINDS = {"loading_curvature": "stress", "stiffness": "stiffness", "plastic_share": None, "max_depth": "length",
+         "max_force": "force", "hardness": "stress", "modulus": "stress"}
 
 
 @dataclass(frozen=True)
@@ -18,6 +23,21 @@ class ResultsTable:
     """headings: of all columns; values: a row for each indent."""
     headings: tuple
     values: numpy.ndarray
+
+    def known(self):
+        """The columns that are known, by the names of evaluation.QUANTITIES, in the units of units.py; those without a
+        unit of their kind are left out."""
+        found = {}
+        for name, column in result_columns(self.headings).items():
+            scale = 1. if KINDS[name] is None else factor(KINDS[name], split_name(self.headings[column])[1])
+            if scale is not None:
+                found[name] = scale * self.values[:, column]
+        return found
+
+    def depth_unit(self):
+        """That of the largest depth, µm if there is none."""
+        column = result_columns(self.headings).get("max_depth")
+        return "µm" if column is None else split_name(self.headings[column])[1] or "µm"
 
 
 def knows(lines):
