@@ -109,6 +109,8 @@ class Readers(unittest.TestCase):
         self.check(read_curve(self.write(one + "\n" + rows_of((self.depth, self.force, self.time)))), 2)
         self.check(read_curve(self.write("Depth (nm)\tLoad (mN)\tDepth (nm)\tLoad (mN)\n"
                                          + rows_of((self.depth, self.force, self.depth, self.force)))), 2)
+        curves = self.check(read_curve(self.write(one + rows_of((self.depth, self.force, self.time)))), 2)
+        self.assertEqual(curves[1].remarks, ("another indent begins where the time begins again",))
         lines = one.splitlines(keepends=True)
         self.check(read_curve(self.write("".join([*lines[:90], "\n", *lines[90:]]))))
 

@@ -7,9 +7,13 @@ from dataclasses import replace
 import numpy
 
 from ..errors import UserError
+from .blocks import FEWEST_ROWS
 from .curve import MeasuredCurve, Notes
 from .headings import columns_of, key, unit_of
 from .units import KINDS, split_name
+
+# The time begins again if it falls below that share of the largest one so far.
+RESTART = 0.1
 
 HOW_TO_SAY = "Say which columns they are, by their numbers or names: --columns depth=1,force=2,time=3"
 
@@ -102,6 +106,7 @@ def curves_of_blocks(blocks, path, chosen, notes=Notes()):
                 found.append(curve)
     if not found:
         raise UserError(why_no_curve(blocks, path))
+    found = [part for curve in found for part in split_where_time_restarts(curve)]
     named = [replace(curve, name=own_name(curve.name, i, found), notes=notes) for i, curve in enumerate(found)]
     return [tidied(curve, path) for curve in named]
 
@@ -119,6 +124,21 @@ def why_no_curve(blocks, path):
 def continues(before, after):
     """Whether the time goes on, so that empty lines between rows do not begin another indent."""
     return before.time is not None and after.time is not None and after.time[0] >= before.time[-1]
+
+
+def split_where_time_restarts(curve):
+    """Of indents one below the other, without anything between them."""
+    if curve.time is None:
+        return [curve]
+    latest = numpy.fmax.accumulate(curve.time)
+    begins = numpy.flatnonzero(curve.time[1:] - curve.time[0] < RESTART * (latest[:-1] - curve.time[0])) + 1
+    begins = [int(begin) for begin in begins if curve.time[begin] < curve.time[begin - 1]]
+    parts = [slice(begin, end) for begin, end in zip([0, *begins], [*begins, len(curve.time)])]
+    if len(parts) == 1 or min(part.stop - part.start for part in parts) < FEWEST_ROWS:
+        return [curve]
+    split = [replace(curve, **{quantity: getattr(curve, quantity)[part] for quantity in curve.quantities()})
+             for part in parts]
+    return [part.with_remark("another indent begins where the time begins again") for part in split]
 
 
 def joined(before, after):

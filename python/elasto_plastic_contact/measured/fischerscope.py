@@ -34,12 +34,11 @@ def read(path, lines, chosen):
     announced = next((to_number(found[1].replace(",", "."), False) for line in lines[:starts[0] if starts else 50]
                       if (found := LARGEST_FORCE.match(line))), None)
     curves = []
-    for number, (start, end) in enumerate(zip(starts, [*starts[1:], len(lines)]), 1):
+    for start, end in zip(starts, [*starts[1:], len(lines)]):
         blocks = text_blocks([""] * start + lines[start:end], path)
-        if blocks:
-            found, = curves_of_blocks(blocks[-1:], path, chosen)
+        for found in curves_of_blocks(blocks[-1:], path, chosen) if blocks else []:
             units = {quantity: unit or UNITS.get(quantity, "") for quantity, unit in found.units.items()}
-            curve = replace(found, name=str(number), units=units, notes=notes_of(lines[start:end]))
+            curve = replace(found, name=str(len(curves) + 1), units=units, notes=notes_of(lines[start:end]))
             curves.append(checked(curve, announced))
     if not curves:
         raise UserError(f"'{path}' is a file of FischerScope with results, but without curves (columns F, h, t): "
