@@ -19,7 +19,7 @@ esac
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-install_missing "${build_packages[@]}"
+install_missing "${build_packages[@]}" "${plot_packages[@]}" "${package_packages[@]}"
 set_up . build/package -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DENABLE_TESTING=OFF \
   -DNATIVE_OPTIMIZATION=OFF "-DPACKAGE_PROCESSORS=x86-64-v3;x86-64-v4" "$@"
 cmake --build build/package --parallel "$n_processors"

@@ -8,7 +8,7 @@
 # Debug build, and runs all tests of both. Options are handed on to cmake, for
 # example -DWARNINGS_AS_ERRORS=ON. The environment may restrict this:
 # TEST_BUILDS="Release" to some build types, TEST_SELECTION=regex to some tests.
-# TEST_BUILDS="Sanitize" runs the tests of Debug under sanitizers (doc/testing.md).
+# TEST_BUILDS="Sanitize" runs the tests of Debug under sanitizers (doc/develop/long_tests.md).
 
 case ${1:-} in
   -h | --help)

@@ -98,6 +98,7 @@ run_ten_cases()
 exchange_checkpoints()
 {
   local exchanged=$checkout/build/exchanged
+  rm -rf "${root:?}$exchanged"
   there scripts/command.py ten_cases --begin "$exchanged/there"
   scripts/command.py ten_cases --finish "$root$exchanged/there" >"$results/begun_there"
   scripts/command.py ten_cases --begin "$root$exchanged/here"
@@ -110,9 +111,10 @@ try_package()
 {
   there scripts/package.sh &&
     install_system "$user_root" &&
+    rm -f "$user_root"/tmp/*.deb &&
     cp "$root$checkout"/build/package/*.deb "$user_root/tmp/" &&
     in_system "$user_root" apt-get update -q &&
-    in_system "$user_root" sh -c 'apt-get install -q -y --no-install-recommends /tmp/*.deb &&
+    in_system "$user_root" sh -c 'apt-get install -q -y --no-install-recommends --reinstall /tmp/*.deb &&
       { id user >/dev/null 2>&1 || useradd --create-home user; } && rm -rf /home/user/trial' &&
     in_system "$user_root" su - user -c 'mkdir trial && cd trial &&
       elasto_plastic_contact --list-cases &&

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The page doc/tables.md, which is the expected output of this test: what the
-// columns of the tables mean is said where they are defined.
+// The page doc/lookup/tables.md, which is the expected output of this test:
+// what the columns of the tables mean is said where they are defined.
 
 #include "output/table_reference.h"
 #include "verdict.h"

@@ -9,7 +9,7 @@
 // beside what the machine can do at most: bytes that it moves (STREAM triad)
 // and operations of its SIMD units. Writes a table of numbers separated by
 // commas; `scripts/verify.py --tables cost_of_products` makes that of
-// doc/performance.md of it. All ranks work at the same time.
+// doc/develop/speed.md of it. All ranks work at the same time.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>

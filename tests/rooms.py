@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-# From bottom to top (README.md, "Layout").
+# From bottom to top (doc/develop, "Layout").
 ROOMS = """
 base simd mesh material indenter loading contact solver mechanics loads multigrid adaptivity evaluation
 output input restart problem

@@ -19,12 +19,10 @@
 #include "solver/tangent_solver.h"
 #include "verdict.h"
 
-// A body to test multigrid with.
-
 using namespace ElastoPlastic;
 
-/// A block that stands on a fixed face; its elastic tangent. It has been
-/// turned round by half a turn, so that the Jacobians of its cells have
+/// A block to test multigrid with, on a fixed face; its elastic tangent. It has
+/// been turned round by half a turn, so that the Jacobians of its cells have
 /// negative entries.
 template <int dim>
 class Block
@@ -279,15 +277,15 @@ private:
                            MPI_COMM_WORLD);
   }
 
-  /// @param before is what the result holds before. @return the dilatations.
+  /// The dilatations, in a result that holds @p before before.
   std::vector<double>
   mixed_product_of_field(const double before) const
   {
-    BlockVectorType mixed, product;
+    BlockVectorType mixed;
     solid->initialize_mixed_vector(mixed);
-    solid->initialize_mixed_vector(product);
-    mixed.block(0) = field();
-    product        = before;
+    BlockVectorType product = mixed;
+    mixed.block(0)          = field();
+    product                 = before;
     solid->mixed_vmult(product, mixed);
     return {product.block(1).begin(), product.block(1).end()};
   }

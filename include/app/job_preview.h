@@ -84,7 +84,7 @@ namespace ElastoPlastic
       double processor_seconds; ///< of all ranks
     };
 
-    /// By what has been measured per unknown (doc/performance.md, "What
+    /// By what has been measured per unknown (doc/trust, "What
     /// --validate expects").
     Cost
     expected_cost() const;

@@ -18,7 +18,8 @@ namespace ElastoPlastic
   {
   public:
     /// Where the program that runs looks for them: where they are installed
-    /// with it, then in the checkout that it has been built from.
+    /// with it, then in the checkout that it has been built from (unless it
+    /// has been built for a package).
     static std::vector<std::filesystem::path>
     places_of_this_program();
 
@@ -27,7 +28,8 @@ namespace ElastoPlastic
 
     /// The parameter file that @p name stands for: this file, or this file with
     /// ".prm" at its end, as seen from the current folder, or else a ready
-    /// case. Whether it is a file that can be read is not looked at.
+    /// case, or else the folder of that name. Whether it can be read is not
+    /// looked at.
     /// @throws InputError if there is no such file, or several such cases.
     std::string
     file_meant_by(const std::string &name) const;

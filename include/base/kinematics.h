@@ -32,7 +32,7 @@ namespace ElastoPlastic
 
 
 
-  /// How the volumetric strain enters the stress (doc/theory.md, "Locking").
+  /// How the volumetric strain enters the stress (doc/theory, "Locking").
   enum class VolumetricTreatment
   {
     standard, ///< tr(strain) point by point: Q1 then locks in plastic flow

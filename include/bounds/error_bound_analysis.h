@@ -21,7 +21,7 @@ namespace ElastoPlastic
 {
   /// A guaranteed bound of the error of a contact problem, in one step from the
   /// virgin state: the equilibrium method is run on the mesh of the
-  /// displacement method, and the two energies are compared (doc/theory.md,
+  /// displacement method, and the two energies are compared (doc/theory,
   /// "Guaranteed error").
   ///
   /// The mesh is distributed; the conic programs are solved by the first rank.
@@ -93,7 +93,7 @@ namespace ElastoPlastic
     equilibrate(const Load &load) const;
 
     /// Bounds of the force at the given depth, or of the depth under the given
-    /// force: slopes of Pi and J, convex functions of it (doc/theory.md, "Force
+    /// force: slopes of Pi and J, convex functions of it (doc/theory, "Force
     /// between bounds"). Collective.
     void
     bound_load(ErrorBoundRow        &row,

@@ -39,7 +39,7 @@ namespace ElastoPlastic
   /// The largest force that an indenter can exert on a body of perfectly
   /// plastic materials, or the largest factor of its other loads, between two
   /// rigorous bounds: that of stresses in exact equilibrium, which are safe,
-  /// and that of a mechanism of collapse (doc/theory.md, "Limit loads"). The
+  /// and that of a mechanism of collapse (doc/theory, "Limit loads"). The
   /// mesh is refined where the two fields disagree.
   ///
   /// The mesh is distributed; the conic programs are solved by the first rank.

@@ -17,7 +17,7 @@ namespace ElastoPlastic
   /// A traction is a force over the area on which it acts. Where a contact ends
   /// within faces, nodes that bear a force before the indenter reaches them
   /// hand it to their inner neighbours, and the last ones that it has reached
-  /// bear on the touched part of their faces (doc/theory.md, "The edge of the
+  /// bear on the touched part of their faces (doc/theory, "The edge of the
   /// contact"). Where the bounds follow the deformation, areas are those of the
   /// present place.
   template <int dim>

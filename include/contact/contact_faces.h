@@ -21,7 +21,7 @@ namespace ElastoPlastic
   using namespace dealii;
 
   /// The faces of the contact surface, and the part of them that the indenter
-  /// touches: the edge of the contact need not go through nodes (doc/theory.md,
+  /// touches: the edge of the contact need not go through nodes (doc/theory,
   /// "The edge of the contact").
   ///
   /// Between nodes a level is interpolated that vanishes at the edge. It is

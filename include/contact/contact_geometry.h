@@ -14,7 +14,7 @@
 namespace ElastoPlastic
 {
   /// Where a node meets the indenter, and in which direction it is pushed
-  /// (doc/theory.md, "The geometry of the contact").
+  /// (doc/theory, "The geometry of the contact").
   enum class ContactGeometry
   {
     automatic, ///< present with finite strains; else normal or vertical,

@@ -80,7 +80,7 @@ namespace ElastoPlastic
   /// Coulomb's law for the slip of a load step: its force on the indenter is
   /// at most the coefficient mu times the normal one, and so large in the
   /// direction of the slip where there is some; not regularised
-  /// (doc/theory.md, "Friction").
+  /// (doc/theory, "Friction").
   template <int dim>
   class CoulombFriction
   {

@@ -46,7 +46,7 @@ namespace ElastoPlastic
 
   /// The edge of a contact that ends within faces: a closed convex set of
   /// displacements, given by the mesh and the gap function alone
-  /// (doc/theory.md, "The edge of the contact").
+  /// (doc/theory, "The edge of the contact").
   ///
   /// A node b that is not a local minimum of the gap function g has inner
   /// neighbours j, where g is lower, and a rise R_b: what g rises by from them

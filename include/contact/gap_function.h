@@ -9,7 +9,7 @@
 
 namespace ElastoPlastic
 {
-  /// The gap function g of doc/theory.md, "Johnson's formulation": an indenter
+  /// The gap function g of doc/theory, "Johnson's formulation": an indenter
   /// that stands above the body. The last coordinate points up.
   template <int dim>
   class GapFunction

@@ -26,7 +26,7 @@
 namespace ElastoPlastic
 {
   /// The contact problem of an elasto-plastic body and a rigid indenter
-  /// (doc/theory.md): find the displacement u that minimises the energy
+  /// (doc/theory): find the displacement u that minimises the energy
   ///
   ///   Pi(u) = int_Omega W(strain(u)) dx - int_Gamma_t traction . u ds
   ///

@@ -21,7 +21,7 @@ namespace ElastoPlastic
   class BoundaryDisplacements
   {
   public:
-    /// Both must outlive this object. Collective.
+    /// Collective.
     BoundaryDisplacements(
       const LoadedBody<dim>                           &body,
       const parallel::distributed::Triangulation<dim> &triangulation);

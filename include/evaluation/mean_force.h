@@ -11,7 +11,7 @@ namespace ElastoPlastic
   /// The force of the indenter as the derivative of its work with respect to
   /// the depth, from one entry of nodes into the contact to the next: a force
   /// on a mesh waves with a period of one entry, and over a period waves
-  /// cancel (doc/theory.md, "Waves").
+  /// cancel (doc/theory, "The edge of the contact").
   class MeanForce
   {
   public:

@@ -23,7 +23,7 @@ namespace ElastoPlastic
 
 
   /// Tells when contact pressures are beyond what the yield stress of the body
-  /// can bear (doc/user_guide.md, "Pressures that cannot be").
+  /// can bear (doc/trust, "Pressures that cannot be").
   class PressureGuard
   {
   public:

@@ -12,8 +12,8 @@
 
 namespace ElastoPlastic
 {
-  /// Tells when a run leaves the theory of small strains (doc/user_guide.md,
-  /// "Validity of small strains"): by the largest equivalent plastic strain, by
+  /// Tells when a run leaves the theory of small strains (doc/trust,
+  /// "Small strains or not"): by the largest equivalent plastic strain, by
   /// the slope of the indenter at the edge of the contact, which is that of the
   /// surface there, or, if it is flat, by its depth over the contact radius. In
   /// plane problems, where a depth depends on the size of the body, there is no

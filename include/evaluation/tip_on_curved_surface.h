@@ -19,7 +19,7 @@ namespace ElastoPlastic
   using namespace dealii;
 
   /// A tip on a surface that is not level, and is that of the mesh as it is
-  /// when it is asked for (doc/theory.md, "Evaluating an indentation test"). In
+  /// when it is asked for (doc/theory, "Evaluating an indentation test"). In
   /// three dimensions, or of an axisymmetric body.
   template <int dim>
   class TipOnCurvedSurface : public TipOnSurface

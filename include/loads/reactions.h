@@ -17,7 +17,7 @@ namespace ElastoPlastic
   /// zero at all other nodes, in each direction that the boundary holds. An
   /// unknown that several boundaries hold is shared equally between them, so
   /// that the forces of all boundaries add up to what the body needs for its
-  /// equilibrium (doc/theory.md, "Reactions").
+  /// equilibrium (doc/theory, "Reactions").
   ///
   /// In an axisymmetric body there is the axial direction only, of whole rings.
   template <int dim>

@@ -19,7 +19,7 @@ namespace ElastoPlastic
   /// The deviatoric part of a tangent, de -> a de - (m (l : de) + l (m : de))/2
   /// with a = 2 G theta, where m and l are the normal of the yield surface and
   /// the flow direction, both times sqrt(2 G theta_bar); for the consistent
-  /// tangent they are the same (doc/theory.md, "Material"). Back stresses that
+  /// tangent they are the same (doc/theory, "Material"). Back stresses that
   /// recover make the tangent unsymmetric: de -> a de - l (m : de). Since both
   /// tensors are deviatoric, their in-plane parts (dim = 2) say all about them.
   template <int dim, typename Number>

@@ -10,7 +10,7 @@ namespace ElastoPlastic
 {
   /// One backward Euler step of J2 plasticity in plane stress, at one point.
   /// The strain across the sheet follows from the multiplier without iteration,
-  /// and the multiplier from one scalar equation (doc/theory.md, "Plane
+  /// and the multiplier from one scalar equation (doc/theory, "Plane
   /// stress"), as in the projected return mapping @cite simo_taylor_1986. With
   /// this strain, the return mapping for bodies in space (RadialReturn) leads
   /// to the same state, and to no stress across the sheet.

@@ -69,7 +69,7 @@ namespace ElastoPlastic
     }
 
     /// The incremental potential whose derivative with respect to the strain
-    /// is deviatoric_stress() (doc/theory.md, "Material"). With recovery there
+    /// is deviatoric_stress() (doc/theory, "Material"). With recovery there
     /// is none, and this is of no use.
     Number
     energy() const
@@ -161,7 +161,7 @@ namespace ElastoPlastic
     }
 
     /// The dissipation, the part of the plastic work that is not stored: what
-    /// hardening has not stored. Not negative (doc/theory.md, "Load
+    /// hardening has not stored. Not negative (doc/theory, "Load
     /// histories").
     Number
     dissipation() const

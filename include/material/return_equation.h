@@ -12,7 +12,7 @@ namespace ElastoPlastic
 {
   /// The scalar equation that a backward Euler step of a nonlinear law leads
   /// to, at one point: find the plastic multiplier x > 0 for which the relative
-  /// stress lies on the yield surface (doc/theory.md, "Material"),
+  /// stress lies on the yield surface (doc/theory, "Material"),
   ///
   ///   |z(x)| - x (2 G + sum_k theta_k c_k)
   ///     - sqrt(2/3) sigma_Y(alpha_n + sqrt(2/3) x) = 0,

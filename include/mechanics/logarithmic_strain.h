@@ -21,7 +21,7 @@ namespace ElastoPlastic
   /// + grad u, and what follows from it @cite miehe_apel_lambrecht_2002: a
   /// material law made for small strains gives the stress T conjugate to E,
   /// and T the nominal (first Piola-Kirchhoff) stress P = T : dE/dF and its
-  /// derivative (doc/theory.md, "Finite strain"). Number is double, or a batch
+  /// derivative (doc/theory, "Finite strain"). Number is double, or a batch
   /// of them.
   ///
   /// In the principal frame of C = F^T F = sum_a (1 + c_a) N_a N_a^T, with the

@@ -20,7 +20,7 @@ namespace ElastoPlastic
   /// The tangents of the problem: at all quadrature points of all cell batches,
   /// rounded to single precision, directions more than that. A batch in which
   /// nothing flows has one shear modulus. The flow directions are those of the
-  /// prediction (doc/theory.md, "Newton's method for plasticity"). If the
+  /// prediction (doc/theory, "Newton's method for plasticity"). If the
   /// strains are finite, the products take what SolidKernel::linearize() makes
   /// of all tangents, the nominal ones.
   template <int dim>

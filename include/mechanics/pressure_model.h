@@ -13,7 +13,7 @@
 namespace ElastoPlastic
 {
   /// Solves with a model of the Schur complement S = 1 + D A^-1 D^T of the
-  /// mixed form (doc/theory.md, "Nearly incompressible bodies"). With the bulk
+  /// mixed form (doc/theory, "Nearly incompressible bodies"). With the bulk
   /// modulus K, that of A, K_A, and e = 1 - K_A / K,
   ///   S^-1 = 1 - e + e (e + F)^-1 e,   F = D A_G^-1 D^T,
   /// where A_G is A without the bulk modulus wherever K > K_A.

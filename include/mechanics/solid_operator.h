@@ -123,7 +123,7 @@ namespace ElastoPlastic
     void
     initialize_vector(VectorType &vector) const override;
 
-    /// int W(strain(u)) dx, the incremental energy (doc/theory.md, "Material").
+    /// int W(strain(u)) dx, the incremental energy (doc/theory, "Material").
     /// If there is none: the elastic energy and the plastic work of the step,
     /// to look at.
     double
@@ -141,7 +141,7 @@ namespace ElastoPlastic
 
     /// Computes and stores a tangent at u, for vmult(), diagonal() and
     /// add_matrix(): the consistent one, but with the predicted flow directions
-    /// (doc/theory.md, "Newton's method for plasticity") where those exist.
+    /// (doc/theory, "Newton's method for plasticity") where those exist.
     void
     linearize(const VectorType &u);
 

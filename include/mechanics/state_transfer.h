@@ -20,7 +20,7 @@ namespace ElastoPlastic
   /// polynomial next to theirs in the mean square. Both leave the integral over
   /// a cell alone as long as it is a parallelogram in plane or in space, and
   /// tensors without trace; but the stresses may leave the yield surface
-  /// (doc/theory.md, "Meshes that follow the contact").
+  /// (doc/theory, "Meshes that follow the contact").
   ///
   /// Where a cell is of another material than the one that it comes from, its
   /// points are virgin: it has no past as what it is.

@@ -12,7 +12,7 @@ namespace ElastoPlastic
 {
   /// A column of a table whose rows are made of records. The lists of columns
   /// (columns.h) make the header and the rows of a file and its table in
-  /// doc/tables.md.
+  /// doc/lookup/tables.md.
   template <typename Record>
   struct Column
   {

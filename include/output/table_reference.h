@@ -13,7 +13,7 @@
 namespace ElastoPlastic
 {
   /// Writes what the columns of all tables are, and in which @p units, as a
-  /// page (Markdown): doc/tables.md, if they have no names.
+  /// page (Markdown): doc/lookup/tables.md, if they have no names.
   void
   print_table_reference(std::ostream &out, const Units &units);
 

@@ -18,7 +18,7 @@
 
 namespace ElastoPlastic
 {
-  /// The problem that is solved (doc/theory.md, "Johnson's formulation"): body,
+  /// The problem that is solved (doc/theory, "Johnson's formulation"): body,
   /// material, supports, indenter and load, each in the type that the
   /// mathematics knows. Everything that a parameter file says about them, in
   /// words, expressions and files, has been read when a Model is there, and is

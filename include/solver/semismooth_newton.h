@@ -33,7 +33,7 @@ namespace ElastoPlastic
   /// energy on the affine set where the active nodes touch. When the active
   /// set cycles, a feasible descent method takes over that cannot cycle:
   /// projected smoothing, then a truncated Newton step
-  /// @cite graeser_sander_2019. See doc/theory.md, "One Newton loop".
+  /// @cite graeser_sander_2019. See doc/theory, "One Newton loop".
   class SemismoothNewton
   {
   public:

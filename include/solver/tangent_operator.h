@@ -37,7 +37,7 @@ namespace ElastoPlastic
   /// A stored tangent, as the linear solvers want to see it: all unknowns are
   /// free, but for eliminated ones (hanging nodes, skew rollers).
   ///
-  /// A nearly incompressible body has a mixed form (doc/theory.md, "Nearly
+  /// A nearly incompressible body has a mixed form (doc/theory, "Nearly
   /// incompressible bodies"). Its tangent is T = A + D^T D, where A has
   /// moderate bulk moduli, and D u are volumetric strains times the root of the
   /// rest and of the volume. With the pressures q = D u beside the

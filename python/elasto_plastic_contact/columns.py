@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The columns of the tables that a run can write, as far as they can be known before it: made from
-the program's own reference, doc/tables.md."""
+the program's own reference, doc/lookup/tables.md."""
 
 import functools
 import json
@@ -24,7 +24,7 @@ def make_columns(reference):
 
 def columns_of_reference():
     """The columns of each table, as the page has them."""
-    return make_columns((checkout() / "doc/tables.md").read_text(encoding="utf-8"))
+    return make_columns((checkout() / "doc/lookup/tables.md").read_text(encoding="utf-8"))
 
 
 @functools.lru_cache

@@ -12,7 +12,7 @@ micromechanics, and tables with any separator. Results are in mN, µm, GPa and n
 
 With --run, a curve beside that of a run, evaluated in the same way and in the units of the run; so are tables with
 columns depth and force and no units, and those with --factors: these print the columns of indentation.csv
-(doc/tables.md) for each unloading, in the units of the curve. Depths are counted from zero_point, the depth at the
+(doc/lookup/tables.md) for each unloading, in the units of the curve. Depths are counted from zero_point, the depth at the
 first contact.
 
     epc evaluate measured.csv --cone 70.3 --beta 1.034

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Hardness and modulus from the unloading of a curve of force over depth, by the method of
-Oliver and Pharr (1992), as the program evaluates its own (doc/theory.md, Evaluating an
+Oliver and Pharr (1992), as the program evaluates its own (doc/theory, Evaluating an
 indentation test). For measured curves and for histories alike. Needs NumPy."""
 
 import argparse
@@ -54,7 +54,7 @@ class Tip:
 
 @dataclass(frozen=True)
 class Unloading:
-    """The columns of indentation.csv of the same names (doc/tables.md); the last four follow from
+    """The columns of indentation.csv of the same names (doc/lookup/tables.md); the last four follow from
     the section of the tip."""
     max_depth: float
     max_force: float

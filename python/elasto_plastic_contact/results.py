@@ -56,7 +56,7 @@ class Results:
 
     @property
     def history(self):
-        """One row per load step; doc/tables.md lists the columns of all tables."""
+        """One row per load step; doc/lookup/tables.md lists the columns of all tables."""
         return self.table("history")
 
     @property

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The JSON schema of all entries of a parameter file, made from the program's own reference
-(--print-parameters, which is doc/parameters.md). It describes an object such as
+(--print-parameters, which is doc/lookup/parameters.md). It describes an object such as
 {"Dimension": 2, "Material/Yield stress": 400}, whose keys are 'Section/Entry'.
 
     epc schema > entries.json
@@ -72,7 +72,7 @@ def check_path(path, place):
     if path not in entries():
         close = difflib.get_close_matches(path, entries(), n=3, cutoff=0.4)
         hint = (f"Did you mean {' or '.join(map(repr, close))}?" if close else
-                "doc/parameters.md lists them as 'Section/Entry'")
+                "doc/lookup/parameters.md lists them as 'Section/Entry'")
         raise UserError(f"{place}: there is no entry '{path}'. {hint}")
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Brings the schema of all entries, and the columns of the tables, up to date with the program and doc/tables.md."""
+"""Brings the schema of all entries, and the columns of the tables, up to date with the program and doc/lookup/tables.md."""
 
 import argparse
 import json

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The model of the pressures' Schur complement (doc/theory.md, "Nearly incompressible bodies") on endless lattices of
+"""The model of the pressures' Schur complement (doc/theory, "Nearly incompressible bodies") on endless lattices of
 bilinear squares or trilinear cubes with edges of 1: the Fourier symbols of F and of R P R^T, at all wave lengths. Only
 the two constants are the program's: what it makes of them, tests/mixed_form checks."""
 
@@ -40,7 +40,7 @@ def quotients(dim, n_waves):
 
 
 class PressureModelTest(unittest.TestCase):
-    """The factors that theory.md and the source promise."""
+    """The factors that the theory and the source promise."""
 
     def test_is_the_schur_complement_up_to_a_factor(self):
         for dim, n_waves in ((2, 40), (3, 16)):

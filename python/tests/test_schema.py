@@ -9,7 +9,7 @@ from elasto_plastic_contact import UserError
 from elasto_plastic_contact.columns import columns_of_reference, known_columns
 from elasto_plastic_contact.schema import check_path, entries, make_schema, value_schema
 
-REFERENCE = pathlib.Path(__file__).resolve().parents[2] / "doc/parameters.md"
+REFERENCE = pathlib.Path(__file__).resolve().parents[2] / "doc/lookup/parameters.md"
 
 
 class Schema(unittest.TestCase):

@@ -32,7 +32,7 @@ class SmoothCurves(unittest.TestCase):
             self.assertAlmostEqual(curve(depth), 3 * depth - 5 * depth**1.5 + 7, places=12)
 
     def test_published_curves_are_smooth(self):
-        """Fits of the force of a sphere, over the last two thirds (doc/gallery.md), within 0.05 %."""
+        """Fits of the force of a sphere, over the last two thirds (doc/trust/elements.md), within 0.05 %."""
         late = DEPTHS[40:]
         for force in (lambda d: d**1.263, lambda d: d**1.5, lambda d: d * math.log(1e5 * d)):
             self.assertLess(waves(late, [force(d) for d in late], SHAPES["sphere"].force), 5e-4)

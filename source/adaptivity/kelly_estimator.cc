@@ -45,7 +45,7 @@ namespace ElastoPlastic
       }
 
     const FiniteElement<dim> &scalar_fe = fe.base_element(0);
-    const ReferenceCell       hypercube = ReferenceCells::get_hypercube<dim>();
+    const auto                hypercube = ReferenceCells::get_hypercube<dim>();
     const auto tabulate = [&](const std::vector<Point<dim>> &points) {
       for (const Point<dim> &point : points)
         {
@@ -73,7 +73,7 @@ namespace ElastoPlastic
   {
     using Points = typename QProjector<dim>::DataSetDescriptor;
     const auto &[cell, face, subface] = side;
-    const ReferenceCell hypercube     = ReferenceCells::get_hypercube<dim>();
+    const auto hypercube              = ReferenceCells::get_hypercube<dim>();
     return with_face_orientation(
       cell,
       face,

@@ -38,12 +38,21 @@ namespace ElastoPlastic
 
 
 
-    /// Nothing at all, rather than something that cannot be opened.
+    /// Something, if only a folder or what cannot be opened.
     bool
-    is_missing(const fs::path &path)
+    exists(const fs::path &path)
     {
       std::error_code error;
-      return fs::status(path, error).type() == fs::file_type::not_found;
+      return fs::status(path, error).type() != fs::file_type::not_found;
+    }
+
+
+
+    bool
+    is_folder(const fs::path &path)
+    {
+      std::error_code error;
+      return fs::is_directory(path, error);
     }
 
 
@@ -51,11 +60,7 @@ namespace ElastoPlastic
     fs::path
     first_folder_of(const std::vector<fs::path> &places)
     {
-      const auto found =
-        std::find_if(places.begin(), places.end(), [](const fs::path &place) {
-          std::error_code error;
-          return fs::is_directory(place, error);
-        });
+      const auto found = std::find_if(places.begin(), places.end(), is_folder);
       return found == places.end() ? fs::path() : *found;
     }
 
@@ -93,10 +98,16 @@ namespace ElastoPlastic
   std::vector<fs::path>
   ReadyCases::places_of_this_program()
   {
-    const fs::path program = fs::read_symlink("/proc/self/exe");
-    return {program.parent_path().parent_path() /
-              "share/elasto_plastic_contact/parameter_files",
-            ELASTO_PLASTIC_CONTACT_CASES};
+    std::vector<fs::path> places;
+    std::error_code       error;
+    const fs::path        program = fs::read_symlink("/proc/self/exe", error);
+    if (!error)
+      places.push_back(program.parent_path().parent_path() /
+                       "share/elasto_plastic_contact/parameter_files");
+    const fs::path of_checkout = ELASTO_PLASTIC_CONTACT_CASES;
+    if (!of_checkout.empty())
+      places.push_back(of_checkout);
+    return places;
   }
 
 
@@ -112,7 +123,7 @@ namespace ElastoPlastic
   ReadyCases::file_meant_by(const std::string &name) const
   {
     for (const std::string &file : {name, with_suffix(name)})
-      if (!is_missing(file))
+      if (exists(file) && !is_folder(file))
         return file;
 
     const auto cases = candidates(name);
@@ -121,6 +132,8 @@ namespace ElastoPlastic
     if (cases.size() > 1)
       throw InputError("The name '" + name + "' fits several ready cases: " +
                        quoted(cases, ", ") + ". Give one of these.");
+    if (exists(name))
+      return name;
     const std::string no_file = "There is no parameter file '" +
                                 (fs::current_path() / name).string() + "'";
     throw InputError(folder.empty() ?

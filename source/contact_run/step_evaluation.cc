@@ -127,7 +127,7 @@ namespace ElastoPlastic
 
 
 
-  // Force and contact hardly depend on such elements (doc/user_guide.md,
+  // Force and contact hardly depend on such elements (doc/recipes,
   // "Finite strains"), so that the run goes on.
   template <int dim>
   void
@@ -148,7 +148,7 @@ namespace ElastoPlastic
              Patterns::Tools::to_string(worst.scaled_jacobian) +
              ". From here on, stresses and strains of the elements around are "
              "meaningless; force and contact area hardly depend on them. See "
-             "'Finite strains' in doc/user_guide.md.");
+             "doc/recipes/finite_strain.md.");
   }
 
 
@@ -300,8 +300,8 @@ namespace ElastoPlastic
          << ", more than a large body with this yield stress can bear ("
          << pressure_guard.limit(strain)
          << " at most). In a thin layer on something rigid that may be; else "
-            "the mesh is too coarse for this contact, or locks. See 'Pressures "
-            "that cannot be' in doc/user_guide.md. This is not said again.";
+            "the mesh is too coarse for this contact, or locks. See "
+            "doc/trust/pressures.md. This is not said again.";
     log.warn(text.str());
   }
 

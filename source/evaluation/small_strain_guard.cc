@@ -61,7 +61,7 @@ namespace ElastoPlastic
     return "Step " + std::to_string(result.step) +
            " leaves the theory of small strains: " + text +
            ". What follows is approximate, most of all at the edge of the "
-           "contact; see 'Validity of small strains' in doc/user_guide.md. "
+           "contact; see doc/trust/small_strains.md. "
            "This is not said again.";
   }
 

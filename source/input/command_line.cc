@@ -26,7 +26,7 @@ namespace ElastoPlastic
          "where the results go, instead of 'Output/Directory'")
         ("resume", "go on from the last checkpoint in the output directory")
         ("overwrite", "replace the results in the output directory")
-        ("validate", "read and check everything, compute nothing")
+        ("validate", "check the input, say what the job will be")
         ("print-parameters", "print every entry with default, range, unit and meaning")
         ("list-cases", "print the names of the ready cases, and what they are")
         ("quiet", "print nothing but errors")

@@ -40,7 +40,7 @@ namespace ElastoPlastic
 
   // At equal time, the bounds of bodies of revolution are closer by a factor of
   // two with quadratic stresses; those in the plane are not before they are
-  // within 0.3 % (doc/performance.md).
+  // within 0.3 % (doc/trust/cost_of_bounds.md).
   unsigned int
   LimitLoadParameters::degree_of_stresses(const bool is_axisymmetric) const
   {

@@ -189,7 +189,7 @@ namespace ElastoPlastic
 
 
 
-  // Each of the two alone is much worse than none (doc/theory.md, "The geometry
+  // Each of the two alone is much worse than none (doc/theory, "The geometry
   // of the contact").
   void
   Parameters::check_contact_geometry() const

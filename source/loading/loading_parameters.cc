@@ -29,7 +29,10 @@ namespace ElastoPlastic
     prm.add_parameter("Force",
                       force,
                       "F >= 0: the force that presses the indenter down, for "
-                      "'Control = force'. In 2D per unit of thickness. " +
+                      "'Control = force'; that on the modelled part, where it "
+                      "is a half or a quarter. Per unit of thickness in plane "
+                      "strain and plane stress, the whole force in an "
+                      "axisymmetric body. " +
                         ramp + "50*if(t < 1, t, 2 - t). Unit: force.",
                       Patterns::Anything());
     prm.add_parameter(

@@ -142,7 +142,9 @@ namespace ElastoPlastic
     std::map<Vertices, unsigned int> n_cells_at_face;
     for (const auto &cell : cells)
       {
-        if (!known_cells.insert(sorted(cell.vertices)).second)
+        if (!known_cells
+               .insert(sorted({cell.vertices.begin(), cell.vertices.end()}))
+               .second)
           contents.reject("two cells have the same nodes, one of them at " +
                           in_words(vertices[cell.vertices[0]]) +
                           ". In Gmsh, put each surface (2D) or volume (3D) "

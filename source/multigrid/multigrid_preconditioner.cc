@@ -29,7 +29,7 @@ namespace ElastoPlastic
     /// An estimate of the largest eigenvalue holds for other tangents, too, as
     /// long as no entry of the diagonal's inverse has changed by more than this
     /// part: it changes by some per cent from one Newton step to the next
-    /// (doc/performance.md, "Where the time goes"). The fifth by which deal.II
+    /// (doc/develop, "Where the time goes"). The fifth by which deal.II
     /// raises estimates is enough for that and for their own error.
     constexpr float tolerated_change = 0.1f;
 
@@ -39,7 +39,7 @@ namespace ElastoPlastic
     /// Where a tangent resists shears much less than changes of volume, waves
     /// as short as a few cells have small eigenvalues, too. Measured: like
     /// this, steps on adaptive meshes hardly depend on how much of the body
-    /// flows, in 5 % more time than with a fixed range (doc/performance.md,
+    /// flows, in 5 % more time than with a fixed range (doc/trust,
     /// "Iterations").
     /// (Of something that is not a number, std::min() takes the bound.)
     double

@@ -77,7 +77,7 @@ namespace ElastoPlastic
 
 
 
-  // As -w_b = u_b + sum_c t_bc (-w_c) (doc/theory.md, "The edge of the
+  // As -w_b = u_b + sum_c t_bc (-w_c) (doc/theory, "The edge of the
   // contact"), the outermost ones first. These have no row: the recursion ends.
   template <int dim>
   typename TangentMatrix<dim>::Moves

@@ -19,7 +19,7 @@ namespace ElastoPlastic
   ///   Pi(v, V) + J(tau) = int W(eps(v)) + W*(tau) - tau : eps(v) dx
   ///                       + int p (g - V - v_2) ds.
   /// With the exact stresses sigma, 1/2 |sigma - tau|^2 in the norm of
-  /// the elastic energy is less or equal (doc/theory.md, "Guaranteed error").
+  /// the elastic energy is less or equal (doc/theory, "Guaranteed error").
   struct ErrorBound
   {
     /// The integrals over triangles, or tetrahedra.

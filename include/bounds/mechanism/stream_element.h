@@ -24,7 +24,7 @@ namespace ElastoPlastic
   ///   v = r (-d_z chi, d_r chi) + (0, 2 chi) + (-d_z phi, d_r phi) / r,
   /// with a cubic chi and, away from the axis, a linear phi: alone, r^2 chi
   /// cannot carry a flow between the axis and an indenter that does not touch
-  /// it (doc/theory.md, "Limit loads").
+  /// it (doc/theory, "Limit loads").
   ///
   /// The local functions are the ten Bernstein::cubics() of psi or chi, and
   /// the three linear ones of phi. Matrices have a column for each.

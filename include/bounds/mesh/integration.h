@@ -71,7 +71,7 @@ namespace ElastoPlastic
   /// it is zero. It is exact if f / r is a polynomial of degree 4 or less. It
   /// is never too small, and little too large, if f is the square of a
   /// polynomial of degree 2 or less that is zero on the axis, or a positive
-  /// quadratic form of such polynomials (doc/theory.md, "Guaranteed error").
+  /// quadratic form of such polynomials (doc/theory, "Guaranteed error").
   std::vector<WeightedPoint>
   quadrature_over(const std::array<double, 3> &r);
 } // namespace ElastoPlastic

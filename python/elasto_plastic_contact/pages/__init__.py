@@ -1,3 +1,3 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tables and numbers of doc/*.md: runs of the program that give them, and their places in the pages."""
+"""The tables and numbers of doc/: runs of the program that give them, and their places in the pages."""

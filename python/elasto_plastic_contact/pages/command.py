@@ -32,7 +32,7 @@ def main(arguments):
     add_program(parser)
     parser.add_argument("--ranks", type=number(int, least=1), default=1)
     chosen = parser.parse_args(arguments)
-    texts = {page: page.read_text(encoding="utf-8") for page in sorted((checkout() / "doc").glob("*.md"))}
+    texts = {page: page.read_text(encoding="utf-8") for page in sorted((checkout() / "doc").rglob("*.md"))}
     check_names(texts)
     if chosen.list:
         print_list(texts)
@@ -74,13 +74,18 @@ def choose(wanted):
 def print_list(texts):
     """Names, pages and costs."""
     for name, recipe in RECIPES.items():
-        pages = ", ".join(page.name for page, text in texts.items() if name in names(text))
+        pages = ", ".join(place(page) for page, text in texts.items() if name in names(text))
         print(f"{name:28} {recipe.seconds:5} s  {'measured  ' if recipe.measured else ''}{pages}: {recipe.title}")
+
+
+def place(page):
+    """As pages are called: the path below doc/."""
+    return page.relative_to(checkout() / "doc").as_posix()
 
 
 def report(page, old, new):
     """Prints what differs; how many lines."""
     different = list(differences(old, new))
     for number, before, after in different:
-        print(f"{page.name}, line {number}: FAILED\n  stands there: {before}\n  computed:     {after}", flush=True)
+        print(f"{place(page)}, line {number}: FAILED\n  stands there: {before}\n  computed:     {after}", flush=True)
     return len(different)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tables of the user guide's advice on steps and meshes; see command."""
+"""Tables of the advice on steps and meshes; see command."""
 
 from ..verification.contact_edge import CASE as CONE, deviation_from_polynomial, deviation_from_similarity
 from ..verification.finite_strain import CONE as DEEP_CONE

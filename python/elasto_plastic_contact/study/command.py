@@ -3,7 +3,7 @@
 """Run one case with all combinations of some values, or with those of a list, several runs at
 a time, and collect numbers from their tables: study.csv and study.png. Each run has a folder
 of its own. A study that has been interrupted goes on where it was: what is finished is not
-run again. doc/user_guide.md, Studies, describes the file.
+run again. doc/recipes/studies.md describes the file.
 
     scripts/study.py study.json --output-directory output/study
 """

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Homogeneous finite deformations in closed form, for finite_strain: laws of small strains between the
-logarithmic strain and the stress conjugate to it (doc/theory.md, "Finite strain")."""
+logarithmic strain and the stress conjugate to it (doc/theory, "Finite strain")."""
 
 import math
 

@@ -67,7 +67,7 @@ namespace ElastoPlastic
 
 
 
-  // The scales of the cones are explained in doc/theory.md, "Guaranteed error".
+  // The scales of the cones are explained in doc/theory, "Guaranteed error".
   void
   SpaceStressProgram::add_energy()
   {
