@@ -6,4 +6,12 @@ from .errors import UserError
 from .program import run
 from .results import Results
 
-__all__ = ["Results", "UserError", "run"]
+__all__ = ["Results", "UserError", "read_curve", "run"]
+
+
+def __getattr__(name):
+    """What needs NumPy, for those who use it only."""
+    if name == "read_curve":
+        from .measured import read_curve
+        return read_curve
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")

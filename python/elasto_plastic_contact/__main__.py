@@ -17,7 +17,7 @@ COMMANDS = {
     "plot": ("plots.command", "diagrams of runs"),
     "render": ("pictures.render", "pictures and films of bodies"),
     "study": ("study.command", "many runs of one case with different entries"),
-    "evaluate": ("evaluate", "hardness and modulus of a measured curve"),
+    "evaluate": ("evaluate", "hardness, moduli and more of measured curves"),
     "schema": ("schema", "the JSON schema of all entries of a parameter file"),
 }
 
@@ -38,7 +38,8 @@ DEVELOPER_COMMANDS = {
 }
 
 # The Debian package of a module that may be missing.
-PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib"}
+PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib", "xlrd": "python3-xlrd", "openpyxl": "python3-openpyxl",
+            "h5py": "python3-h5py"}
 
 
 def main(arguments=None):

@@ -1,60 +1,41 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Evaluate the unloadings of a measured curve of force over depth by the method of Oliver and
-Pharr and, to compare, those of a run, in the same way. Prints the columns of indentation.csv
-(doc/lookup/tables.md) for each unloading, in the units of the curve. Depths are counted from zero_point, the depth at
-the first contact.
+"""Evaluate measured curves of force over depth, as instruments write them: hardness, moduli and more of each unloading,
+by the method of Oliver and Pharr, and what has been assumed and corrected on the way.
+
+    epc evaluate job.txt --berkovich
+    epc evaluate test_1.hld test_2.hld --zero-point fit --drift instrument --json found.json --output found.png
+    epc evaluate table.csv --columns depth=2,force=3 --unit depth=nm --unit force=mN --area-file tip.txt
+
+Files: texts of Hysitron and Bruker (.txt, .hld), FischerScope, Agilent and KLA (texts, .xls, .xlsx), HDF5 of
+micromechanics, and tables with any separator. Results are in mN, µm, GPa and nJ.
+
+With --run, a curve beside that of a run, evaluated in the same way and in the units of the run; so are tables with
+columns depth and force and no units, and those with --factors: these print the columns of indentation.csv
+(doc/lookup/tables.md) for each unloading, in the units of the curve. Depths are counted from zero_point, the depth at the
+first contact.
 
     epc evaluate measured.csv --cone 70.3 --beta 1.034
     epc evaluate measured.csv --run output/cone_axisymmetric --output both.png
-
-The curve is a table (CSV) with a header; its columns are called depth and force, or --columns.
-Either ',' separates them and '.' is the decimal point, or ';' separates them and ',' is the decimal comma.
 """
 
 import dataclasses
 
 import numpy
 
-from .arguments import CommandParser, number, picture
 from .errors import UserError
-from .oliver_pharr import CONSTANTS, HIGHEST_SHARE, LOWEST_SHARE, Tip, Unloading, evaluate, jumps_of_meshes
+from .measured.arguments import own_units_only, parse_arguments
+from .measured.columns import given_columns
+from .measured.curve import in_own_units
+from .measured.readers import read_raw
+from .measured.results import ResultsTable
+from .measured.tips import PYRAMIDS
+from .measured.units import FACTORS, factor, given_units, tidy
+from .oliver_pharr import HIGHEST_SHARE, LOWEST_SHARE, Tip, Unloading, evaluate, jumps_of_meshes
 from .results import Results
+from .rounded_pyramid import section
 from .tables import read_table
 from .zero_point import find_zero_point
-
-
-def zero_point(text):
-    return text if text == "fit" else number()(text)
-
-
-def parse_arguments(arguments):
-    parser = CommandParser("evaluate", __doc__)
-    parser.add_argument("curve", help="the measured curve (CSV)")
-    tip = parser.add_mutually_exclusive_group()
-    tip.add_argument("--cone", type=number(above=0, below=90), metavar="ANGLE", help="the tip is a cone: angle between axis and flank in "
-                     "degrees; 70.3 stands for Berkovich's pyramid")
-    tip.add_argument("--sphere", type=number(above=0), metavar="RADIUS", help="the tip is a sphere")
-    tip.add_argument("--area", type=number(), nargs="+", metavar="C",
-                     help="the section of the tip is C0 h^2 + C1 h + C2 h^(1/2) + C3 h^(1/4) + ...")
-    parser.add_argument("--beta", type=CONSTANTS["beta"], default=1., help="E_r = sqrt(pi) S / (2 beta sqrt(A)) (default: 1)")
-    parser.add_argument("--epsilon", type=CONSTANTS["epsilon"], help="h_c = h_max - epsilon F_max / S (default: 2 - 4/pi for a "
-                        "cone, else 0.75; 1 for a flat end)")
-    parser.add_argument("--indenter", type=number(), nargs=2, metavar=("E", "NU"), help="Young's modulus and Poisson's "
-                        "ratio of the measurement's indenter, in units of the run: the E_r of --run gets the compliance")
-    parser.add_argument("--noise", type=CONSTANTS["noise"], default=0.01, help="how much depth and force may rise during an "
-                        "unloading, relative to their largest values (default: %(default)s)")
-    parser.add_argument("--columns", nargs=2, default=["depth", "force"], metavar=("DEPTH", "FORCE"),
-                        help="the columns of the curve (default: depth force)")
-    parser.add_argument("--factors", type=number(), nargs=2, default=[1., 1.], metavar=("DEPTH", "FORCE"),
-                        help="to multiply the curve by, such as 1e-6 1e-3 from nm and mN to mm and N (default: 1 1)")
-    parser.add_argument("--zero-point", type=zero_point, metavar="DEPTH", help="the depth of the curve, after --factors, at "
-                        "the first contact, or 'fit': where its loading, continued down to the force zero, begins "
-                        "(default: 0, unless that is far from there)")
-    parser.add_argument("--run", help="output directory of a run to compare with, whose cone, sphere, paraboloid, "
-                        "pyramid or area function is the tip unless another one is given")
-    parser.add_argument("--output", type=picture, help="draw both curves with their tangents (.png, .svg, .pdf)")
-    return parser.parse_args(arguments)
 
 
 def read_curve(path, columns, factors):
@@ -77,6 +58,32 @@ def read_curve(path, columns, factors):
     return curve
 
 
+def units_of_run(run, arguments):
+    """Length and force of a run, in µm and mN. Raises UserError."""
+    found = []
+    for kind, given, entry in (("length", arguments.length_unit, "Length"), ("force", arguments.force_unit, "Force")):
+        unit = given or run.parameters.get(f"Output/{entry} unit", "")
+        if factor(kind, unit) is None:
+            raise UserError(f"the run in '{run.directory}' has the unit of {kind} '{unit}', which is none of "
+                            f"{', '.join(FACTORS[kind])}: give it by --{kind}-unit, as the curve has units of its own")
+        found.append(factor(kind, tidy(unit)))
+    return found
+
+
+def read_curve_for_run(path, run, arguments):
+    """Depth and force of a file of an instrument, in the units of the run."""
+    curves = read_raw(path, given_columns(arguments.columns[0]) if arguments.columns else {})[1]
+    if isinstance(curves, ResultsTable):
+        raise UserError(f"'{path}' holds results, one row an indent, and no curve to compare with the run")
+    number = (arguments.indents or [1])[0]
+    if len(curves) > 1 and len(arguments.indents or []) != 1 or number > len(curves):
+        raise UserError(f"'{path}' holds {len(curves)} indents, and one is compared with the run: choose it, such as "
+                        "by --indents 1")
+    curve = in_own_units(curves[number - 1], path, given_units(arguments.unit))
+    length, force = units_of_run(run, arguments)
+    return curve.depth / length, curve.force / force
+
+
 def tip_of_run(run):
     shape = run.parameters.get("Indenter/Type")
     if shape == "cone":
@@ -87,11 +94,14 @@ def tip_of_run(run):
         return Tip.polynomial(run.numbers("Indenter/Area coefficients"))
     if shape == "paraboloid":
         return Tip.polynomial([0., 2. * numpy.pi * run.number("Indenter/Radius")])
-    if shape == "pyramid" and run.number("Indenter/Rounding radius") == 0.:
-        return Tip.pyramid(run.number("Indenter/Number of faces"), run.number("Indenter/Face angle"),
-                           run.number("Indenter/Truncation"))
+    if shape == "pyramid":
+        faces = run.number("Indenter/Number of faces"), run.number("Indenter/Face angle")
+        rounding = run.number("Indenter/Rounding radius")
+        if rounding > 0.:
+            return Tip(lambda height: section(height, *faces, rounding), 0.75)
+        return Tip.pyramid(*faces, run.number("Indenter/Truncation"))
     raise UserError(f"the indenter of the run in '{run.directory}', '{shape}', is none of cone, sphere, paraboloid, "
-                    "sharp or truncated pyramid and area function: give the tip by --cone, --sphere or --area")
+                    "pyramid and area function: give the tip by --cone, --sphere or --area")
 
 
 def choose_tip(arguments, run):
@@ -101,6 +111,11 @@ def choose_tip(arguments, run):
         return Tip.sphere(arguments.sphere)
     if arguments.area is not None:
         return Tip.polynomial(arguments.area)
+    if arguments.pyramid is not None:
+        return Tip.pyramid(*arguments.pyramid)
+    for name, pyramid in PYRAMIDS.items():
+        if getattr(arguments, name):
+            return Tip.pyramid(*pyramid)
     if run is None:
         raise UserError("there is no tip: give it by --cone, --sphere or --area, or a run that has it by --run")
     return tip_of_run(run)
@@ -114,8 +129,8 @@ def compliance(indenter, run):
     if modulus <= 0. or not -1. < ratio <= 0.5:
         raise UserError(f"--indenter is {modulus:g} {ratio:g}, but must be a modulus > 0 and a ratio from -1 to 0.5")
     if run is None:
-        raise UserError("--indenter adds the compliance of the measurement's indenter to that of a run, and there is no "
-                        "run: give it by --run, or leave out --indenter; E_r of the measurement includes it already")
+        raise UserError("--indenter adds the compliance of the measurement's indenter to that of a run, and there is "
+                        "no run: give it by --run, or leave out --indenter; E_r of the measurement includes it already")
     return (1. - ratio ** 2) / modulus
 
 
@@ -129,13 +144,18 @@ def run_to_compare(directory):
     return run
 
 
-def measured_curve(arguments):
+def measured_curve(arguments, run):
     """Depth from the zero point, and force; and the zero point."""
-    depth, force = read_curve(arguments.curve, arguments.columns, arguments.factors)
+    path, = arguments.curve
+    if has_own_units(arguments):
+        names = arguments.columns if len(arguments.columns or []) == 2 else ["depth", "force"]
+        depth, force = read_curve(path, names, arguments.factors or (1., 1.))
+    else:
+        depth, force = read_curve_for_run(path, run, arguments)
     zero = find_zero_point(depth, force, arguments.zero_point, arguments.noise)
     if not depth.max() > zero:
-        raise UserError(f"'{arguments.curve}' has no depth beyond its zero point, {zero:g}: turn the sign of "
-                        f"'{arguments.columns[0]}' by --factors, or give another --zero-point")
+        raise UserError(f"'{path}' has no depth beyond its zero point, {zero:g}: turn the sign of the depths by "
+                        "--factors, or give another --zero-point")
     return (depth - zero, force), zero
 
 
@@ -148,12 +168,12 @@ def curve_of_run(run):
 def check_results(name, unloadings):
     for unloading in unloadings:
         if not unloading.contact_depth > 0.:
-            raise UserError(f"the {name} curve has a contact depth of {unloading.contact_depth:.6g}, but it must be above 0: "
-                            "the depth at its largest force is too small for the slope of its unloading. Is the depth "
-                            "counted from the first contact?")
+            raise UserError(f"the {name} curve has a contact depth of {unloading.contact_depth:.6g}, but it must be "
+                            "above 0: the depth at its largest force is too small for the slope of its unloading. Is "
+                            "the depth counted from the first contact?")
         if not unloading.tip_area > 0.:
-            raise UserError(f"the {name} curve has a contact depth of {unloading.contact_depth:.6g}, where the section of "
-                            f"the tip is {unloading.tip_area:.6g}: are the tip and the curve in the same units?")
+            raise UserError(f"the {name} curve has a contact depth of {unloading.contact_depth:.6g}, where the section "
+                            f"of the tip is {unloading.tip_area:.6g}: are the tip and the curve in the same units?")
         if not numpy.isfinite(dataclasses.astuple(unloading)).all():
             raise UserError(f"the {name} curve has numbers too large or too small to be evaluated: choose other units")
 
@@ -163,8 +183,8 @@ def why_no_unloading(name, force, to_unload, to_refine):
     largest, lowest = force.max(), force[force.argmax():].min()
     shares = f"{100. * HIGHEST_SHARE:g} and {100. * LOWEST_SHARE:g} %"
     if lowest > HIGHEST_SHARE * largest:
-        return (f"{name} has no unloading: its force does not fall below {100. * HIGHEST_SHARE:g} % of its largest value, "
-                f"{largest:.6g}, but three points between {shares} of that are needed; {to_unload}")
+        return (f"{name} has no unloading: its force does not fall below {100. * HIGHEST_SHARE:g} % of its largest "
+                f"value, {largest:.6g}, but three points between {shares} of that are needed; {to_unload}")
     return f"{name} has no unloading with three points between {shares} of its largest force; {to_refine}"
 
 
@@ -176,14 +196,36 @@ def print_table(found, zero_points):
             print(name, *(f"{value:.6g}" for value in numbers), sep=",")
 
 
+def has_own_units(arguments):
+    """Whether the curve is a table in units that are not named: of these factors, with two names of columns, or with
+    those of this program's tables."""
+    if arguments.factors or len(arguments.columns or []) == 2:
+        return True
+    if arguments.unit or arguments.columns or len(arguments.curve) > 1:
+        return False
+    try:
+        return {"depth", "force"} <= set((read_table(arguments.curve[0]) or [{}])[0])
+    except UserError:
+        return False  # (no table of this kind: the readers of instruments say what is wrong with it)
+
+
 def main(arguments):
-    arguments = parse_arguments(arguments)
+    arguments = parse_arguments(arguments, __doc__)
+    if arguments.run or has_own_units(arguments):
+        return compare(arguments)
+    from .measured.command import evaluate_and_show  # (which needs none of the above)
+    return evaluate_and_show(arguments)
+
+
+def compare(arguments):
+    """A curve in the units of a run, or in those of its own, and the run beside it, if there is one."""
+    own_units_only(arguments)
     run = run_to_compare(arguments.run) if arguments.run else None
     tip = choose_tip(arguments, run)
     constants = {"beta": arguments.beta, "epsilon": arguments.epsilon}
     indenter_compliance = compliance(arguments.indenter, run)
     curves, zero_points = {}, {}
-    curves["measured"], zero_points["measured"] = measured_curve(arguments)
+    curves["measured"], zero_points["measured"] = measured_curve(arguments, run)
     numpy.seterr(all="ignore")  # (check_results() says it)
     found = {"measured": evaluate(*curves["measured"], tip, noise=arguments.noise, **constants)}
     if run is not None:
@@ -199,7 +241,8 @@ def main(arguments):
             draw(curves, found, arguments.output)
     lacking = []
     if not found["measured"]:
-        lacking.append(why_no_unloading(f"'{arguments.curve}'", curves["measured"][1], "the file must hold it, in the order of "
+        lacking.append(why_no_unloading(f"'{arguments.curve[0]}'", curves["measured"][1], "the file must hold it, in "
+                                                                                          "the order of "
                                         "time", "if the curve is noisy, try a larger --noise"))
     if run is not None and not found["computed"]:
         lacking.append(why_no_unloading(f"the run in '{arguments.run}'", curves["computed"][1], "let it unload, as by "

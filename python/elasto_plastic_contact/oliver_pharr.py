@@ -91,20 +91,35 @@ def evaluate(depth, force, tip, *, beta=1., epsilon=None, noise=0., initial_gap=
         deepest, largest = part[0]
         if min(LOWEST_SHARE * largest, largest - part[:, 1].min()) <= noise * points[:, 1].max():
             continue
-        share = part[:, 1] / largest
-        fitted = (share >= LOWEST_SHARE - ROUNDING) & (share <= HIGHEST_SHARE + ROUNDING)
-        if fitted.sum() < 3:
+        fit = fit_unloading(part)
+        if fit is None:
             continue
-        log_coefficient, exponent, final_depth = fit_power_law(*part[fitted].T)
-        stiffness = exponent * numpy.exp(log_coefficient + (exponent - 1.) * numpy.log(deepest - final_depth))
-        contact_depth = deepest - initial_gap - epsilon * largest / stiffness
-        area = modelled_part * tip.area(contact_depth) if contact_depth > 0. else 0.
-        hardness, modulus = (largest / area, numpy.sqrt(numpy.pi / (area * modelled_part)) * stiffness / (2. * beta)
-                             ) if area > 0. else (0., 0.)
-        modulus /= 1. + indenter_compliance * modulus
-        found.append(Unloading(*map(float, (deepest, largest, stiffness, exponent, final_depth,
-                                            contact_depth, area, hardness, modulus))))
+        contact = contact_of(tip, deepest - initial_gap, largest, fit[0], beta=beta, epsilon=epsilon, modelled_part=modelled_part)
+        modulus = contact[-1] / (1. + indenter_compliance * contact[-1])
+        found.append(Unloading(*map(float, (deepest, largest, *fit, *contact[:-1], modulus))))
     return found
+
+
+def fit_unloading(part, shares=(LOWEST_SHARE, HIGHEST_SHARE)):
+    """Stiffness at the first point of an unloading, exponent and final depth of its law, fitted between these shares of its
+    first force; None if that takes in fewer than three points. part: a row of depth and force for each point."""
+    deepest, largest = part[0]
+    share = part[:, 1] / largest
+    fitted = (share >= shares[0] - ROUNDING) & (share <= shares[1] + ROUNDING)
+    if fitted.sum() < 3:
+        return None
+    log_coefficient, exponent, final_depth = fit_power_law(*part[fitted].T)
+    stiffness = exponent * numpy.exp(log_coefficient + (exponent - 1.) * numpy.log(deepest - final_depth))
+    return stiffness, exponent, final_depth
+
+
+def contact_of(tip, depth, force, stiffness, *, beta=1., epsilon=None, modelled_part=1.):
+    """Contact depth, section of the tip there, hardness and reduced modulus; the last three are 0 without a section."""
+    contact_depth = depth - (tip.depth_factor if epsilon is None else epsilon) * force / stiffness
+    area = modelled_part * tip.area(contact_depth) if contact_depth > 0. else 0.
+    if not area > 0.:
+        return contact_depth, area, 0., 0.
+    return contact_depth, area, force / area, numpy.sqrt(numpy.pi / (area * modelled_part)) * stiffness / (2. * beta)
 
 
 def check_constants(**values):

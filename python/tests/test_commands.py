@@ -127,7 +127,9 @@ class Commands(unittest.TestCase):
         process = command("evaluate", curve, "--cone", 70.3, *units, "--beta", 1.034)
         modulus = float(next(csv.DictReader(process.stdout.splitlines()))["tip_reduced_modulus"])
         self.assertAlmostEqual(float(computed["tip_reduced_modulus"]) / modulus, 1.034, places=4)
-        self.expect_message("no column 'depth'; it has P, h", "evaluate", curve, "--sphere", 1)
+        self.expect_message(r"does not say the unit of depth \(column 'h'\) nor of force \(column 'P'\): give it, such as by --unit",
+                            "evaluate", curve, "--sphere", 1)
+        self.expect_message("no column 'x'; it has P, h", "evaluate", curve, "--sphere", 1, "--columns", "x", "P")
         for option, value, allowed in (
                 ("--cone", 90, "> 0 and < 90"), ("--sphere", 0, "> 0"), ("--beta", 0, "> 0"), ("--beta", "inf", "> 0"),
                 ("--epsilon", 5, "> 0 and <= 1"), ("--noise", "nan", ">= 0 and < 0.5"), ("--area", "nan", "a number")):
@@ -138,7 +140,7 @@ class Commands(unittest.TestCase):
                             "--indenter", 0, 0.3)
         self.expect_message("no value of 'P' above 0", "evaluate", curve, "--columns", "h", "P", "--factors", 1, -1,
                             "--cone", 70)
-        self.expect_message("no tip: give it by --cone, ", "evaluate", curve)
+        self.expect_message("no tip: give it by --cone, ", "evaluate", curve, *units)
 
     def test_tip_of_run(self):
         for entries, area in (({"Indenter/Type": "cone", "Indenter/Semi-apex angle": "45"}, math.pi / 4),
@@ -146,15 +148,14 @@ class Commands(unittest.TestCase):
                               ({"Indenter/Type": "paraboloid", "Indenter/Radius": "2"}, math.pi * 2.),
                               ({"Indenter/Type": "pyramid", "Indenter/Number of faces": "4", "Indenter/Face angle": "45",
                                 "Indenter/Truncation": "0.5", "Indenter/Rounding radius": "0"}, 4.),
+                              ({"Indenter/Type": "pyramid", "Indenter/Number of faces": "4", "Indenter/Face angle": "68",
+                                "Indenter/Rounding radius": "5"}, 17.1193499462),
                               ({"Indenter/Type": "area function", "Indenter/Area coefficients": "4, 6"}, 4.)):
             run_of_tip = Results(self.folder)
             run_of_tip.parameters = entries
             self.assertAlmostEqual(tip_of_run(run_of_tip).area(0.5), area)
         run_of_tip.parameters = {"Indenter/Type": "wedge"}
         with self.assertRaisesRegex(UserError, "'wedge', is none of cone, .*: give the tip by --cone"):
-            tip_of_run(run_of_tip)
-        run_of_tip.parameters = {"Indenter/Type": "pyramid", "Indenter/Rounding radius": "0.1"}
-        with self.assertRaisesRegex(UserError, "'pyramid', is none of .* sharp or truncated pyramid"):
             tip_of_run(run_of_tip)
         with self.assertRaisesRegex(UserError, "one of plane strain or stress, whose indenter has no tip"):
             run_to_compare(self.plane_run())

@@ -10,6 +10,7 @@ import numpy
 
 from elasto_plastic_contact import UserError, run
 from elasto_plastic_contact.oliver_pharr import Tip, evaluate, fit_power_law, jumps_of_meshes
+from elasto_plastic_contact.rounded_pyramid import section
 
 
 def test_of_law(exponent, final_depth, noise=0.):
@@ -26,6 +27,16 @@ class OliverPharr(unittest.TestCase):
         for exact in ((3., 1.5, 0.7), (2., 2., -1.), (5., 1.05, 0.79)):  # coefficient, exponent, final depth
             found = fit_power_law(depth, exact[0] * (depth - exact[2]) ** exact[1])
             numpy.testing.assert_allclose(found, (numpy.log(exact[0]), *exact[1:]), rtol=1e-5)
+
+    def test_rounded_pyramid(self):
+        """A ball at the tip, and far above it the sharp pyramid that its centre moves in, less the rounded edges."""
+        for n_faces, angle in ((3, 35.264), (3, 65.27), (4, 68.)):
+            self.assertAlmostEqual(section(1e-4, n_faces, angle, 2.), numpy.pi * 1e-4 * (4. - 1e-4))
+            missing = 2. * (1. / numpy.sin(numpy.radians(angle)) - 1.)
+            sharp = Tip.pyramid(n_faces, angle, missing).area(1e3)
+            self.assertAlmostEqual(section(1e3, n_faces, angle, 2.) / sharp, 1., delta=1e-4)
+            self.assertLess(section(1e3, n_faces, angle, 2.), sharp)
+        self.assertEqual(section(0., 4, 68., 2.), 0.)
 
     def test_law(self):
         found, = evaluate(*test_of_law(1.4, 0.7), Tip.cone(70.3))

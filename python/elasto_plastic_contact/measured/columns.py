@@ -1,0 +1,177 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Curves of blocks of numbers: which columns are depth, force, time and stiffness, and which blocks belong together."""
+
+from dataclasses import replace
+
+import numpy
+
+from ..errors import UserError
+from .blocks import FEWEST_ROWS
+from .curve import MeasuredCurve, Notes
+from .headings import columns_of, key, unit_of
+from .units import KINDS, split_name
+
+# The time begins again if it falls below that share of the largest one so far.
+RESTART = 0.1
+
+HOW_TO_SAY = "Say which columns they are, by their numbers or names: --columns depth=1,force=2,time=3"
+
+
+def given_columns(text):
+    """Number (from 1) or name of the column by quantity, of 'depth=2,force=3'. Raises UserError."""
+    return checked_columns(pair.partition("=")[::2] for pair in text.split(","))
+
+
+def checked_columns(pairs):
+    """A dictionary of pairs of quantity and column. Raises UserError."""
+    chosen = {}
+    for quantity, column in pairs:
+        quantity, column = quantity.strip(), str(column).strip()
+        if quantity not in KINDS or not column:
+            raise UserError(f"--columns is '{quantity}={column}', but must be like depth=2,force=3, of "
+                            f"{', '.join(KINDS)}, with the number of the column, from 1, or its name")
+        chosen[quantity] = column
+    return chosen
+
+
+def place(block, column, path):
+    """The number, from 0, of a column that is given by number or name."""
+    if column.isdigit():
+        if not 1 <= int(column) <= block.width:
+            raise UserError(f"'{path}' has {block.width} columns in line {block.first_line}, and none with the number "
+                            f"{column}: choose another one by --columns")
+        return int(column) - 1
+    headings = block.headings or []
+    for number, heading in enumerate(headings):
+        if key(column) in (key(heading), key(split_name(heading)[0])):
+            return number
+    raise UserError(f"'{path}' has no column '{column}'; it has "
+                    f"{', '.join(filter(None, headings)) or 'no names of columns'}. Choose by --columns")
+
+
+def layouts(block, chosen, path):
+    """For each indent that stands in the block: the number of the column of each quantity. None if depth or force are
+    not found."""
+    if "depth" in chosen and "force" in chosen:
+        return [{quantity: place(block, column, path) for quantity, column in chosen.items()}]
+    headings = block.headings or []
+    found = {quantity: columns_of(headings, quantity) for quantity in KINDS}
+    found |= {quantity: [place(block, column, path)] for quantity, column in chosen.items()}
+    if not found["depth"] or not found["force"]:
+        return None
+    check_width(block, path)
+    n_indents = min(len(found["depth"]), len(found["force"]))
+    for quantity, columns in found.items():
+        if len(columns) not in (0, 1, n_indents):
+            names = ", ".join(f"'{headings[column]}' ({column + 1})" for column in columns)
+            raise UserError(f"'{path}' has several columns for {quantity} in line {block.heading_line}: {names}. "
+                            f"Choose by --columns {quantity}={columns[0] + 1}")
+    return [{quantity: columns[min(i, len(columns) - 1)] for quantity, columns in found.items() if columns}
+            for i in range(n_indents)]
+
+
+def check_width(block, path):
+    """Refuses more columns than values, and values of columns without a heading."""
+    n_columns = len(block.headings)
+    if n_columns > block.width or n_columns < block.width and any(numpy.isfinite(row[n_columns]) for row in block.rows):
+        raise UserError(f"'{path}' has {len(block.headings)} columns by its heading in line {block.heading_line}, but "
+                        f"{block.width} values in line {block.first_line}: decimal commas between commas? Save it with "
+                        "';' or tabs between columns")
+
+
+def curve_of_block(block, layout, name):
+    table = numpy.array(block.rows)
+    headings = (block.headings or []) + [""] * block.width
+    units = [*(block.units or []), *[""] * block.width]
+    arrays = {quantity: table[:, column] for quantity, column in layout.items()}
+    return MeasuredCurve(name, **arrays, columns={quantity: headings[column] or str(column + 1)
+                                                  for quantity, column in layout.items()},
+                         units={quantity: unit_of(headings[column], units[column], quantity)
+                                for quantity, column in layout.items()})
+
+
+def curves_of_blocks(blocks, path, chosen, notes=Notes()):
+    """All curves of the blocks that have depth and force. Raises UserError if none has."""
+    found = []
+    for block in blocks:
+        layout = layouts(block, chosen, path)
+        if layout is None:
+            continue
+        for columns in layout:
+            curve = curve_of_block(block, columns, block.title)
+            if block.after_blank and found and continues(found[-1], curve):
+                found[-1] = joined(found[-1], curve)
+            else:
+                found.append(curve)
+    if not found:
+        raise UserError(why_no_curve(blocks, path))
+    found = [part for curve in found for part in split_where_time_restarts(curve)]
+    named = [replace(curve, name=own_name(curve.name, i, found), notes=notes) for i, curve in enumerate(found)]
+    return [tidied(curve, path) for curve in named]
+
+
+def why_no_curve(blocks, path):
+    block = max(blocks, key=lambda block: len(block.rows))
+    if block.headings is None:
+        row = ", ".join(f"{value:g}" for value in block.rows[0])
+        return f"'{path}' does not say what its columns are; line {block.first_line} holds {row}. {HOW_TO_SAY}"
+    missing = " and ".join(quantity for quantity in ("depth", "force") if not columns_of(block.headings, quantity))
+    return (f"'{path}' has no column that is known as {missing}; line {block.heading_line} names "
+            f"{', '.join(filter(None, block.headings))}. {HOW_TO_SAY}")
+
+
+def continues(before, after):
+    """Whether the time goes on, so that empty lines between rows do not begin another indent."""
+    return before.time is not None and after.time is not None and after.time[0] >= before.time[-1]
+
+
+def split_where_time_restarts(curve):
+    """Of indents one below the other, without anything between them."""
+    if curve.time is None:
+        return [curve]
+    latest = numpy.fmax.accumulate(curve.time)
+    begins = numpy.flatnonzero(curve.time[1:] - curve.time[0] < RESTART * (latest[:-1] - curve.time[0])) + 1
+    begins = [int(begin) for begin in begins if curve.time[begin] < curve.time[begin - 1]]
+    parts = [slice(begin, end) for begin, end in zip([0, *begins], [*begins, len(curve.time)])]
+    if len(parts) == 1 or min(part.stop - part.start for part in parts) < FEWEST_ROWS:
+        return [curve]
+    split = [replace(curve, **{quantity: getattr(curve, quantity)[part] for quantity in curve.quantities()})
+             for part in parts]
+    return [part.with_remark("another indent begins where the time begins again") for part in split]
+
+
+def joined(before, after):
+    return replace(before, **{quantity: numpy.append(getattr(before, quantity), getattr(after, quantity))
+                              for quantity in before.quantities()})
+
+
+def own_name(title, i, curves):
+    """The title if no other curve has it, else the number."""
+    titles = [curve.name for curve in curves]
+    return title[:40] if title and titles.count(title) == 1 and len(curves) > 1 else str(i + 1)
+
+
+def tidied(curve, path):
+    """Without rows that lack a number, and with depth and force that grow into the body. Raises UserError."""
+    complete = numpy.isfinite(curve.depth) & numpy.isfinite(curve.force)
+    if curve.time is not None:
+        complete &= numpy.isfinite(curve.time)
+    if complete.sum() < 3:
+        raise UserError(f"'{path}' has {complete.sum()} complete rows of depth and force in the indent '{curve.name}': "
+                        "that is no curve. Are these the right columns? Choose by --columns")
+    if not complete.all():
+        curve = replace(curve, **{quantity: getattr(curve, quantity)[complete] for quantity in curve.quantities()})
+        curve = curve.with_remark(f"{(~complete).sum()} rows without a depth, force or time are left out")
+    return with_right_signs(curve)
+
+
+def with_right_signs(curve):
+    """Depth and force of most instruments grow into the body; those of some fall."""
+    peak = int(numpy.abs(curve.force).argmax())
+    for quantity, start in (("force", 0.), ("depth", curve.depth[:max(peak, 1)].max() if peak else 0.)):
+        values = getattr(curve, quantity)
+        if values[peak] < start and values[peak] <= values.min() + 0.2 * numpy.ptp(values):
+            curve = replace(curve, **{quantity: -values}).with_remark(
+                f"the {quantity} is negative into the body, and its sign has been turned")
+    return curve

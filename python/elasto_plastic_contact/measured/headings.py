@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the headings of columns mean."""
+
+import re
+
+from .units import FACTORS, KINDS, split_name, tidy
+
+# The names of each quantity without blanks and signs, those of a line before those of the lines below.
+NAMES = {
+    "depth": (("displacementintosurface", "displacementintosample", "indentationdepth", "penetrationdepth", "depth",
+               "pd", "h", "eindringtiefe"),
+              ("penetration", "displacement", "disp", "indentdisp", "normaldisp", "zdisp", "indenterdisplacement",
+               "weg"),
+              ("rawdisplacement",)),
+    "force": (("loadonsample", "forceonsurface", "forceonsample"),
+              ("load", "force", "f", "p", "fn", "normalforce", "normalload", "indentload", "appliedload",
+               "appliedforce", "kraft", "prüfkraft", "pruefkraft"),
+              ("rawload", "rawforce")),
+    "time": (("timeonsample", "timeincontact", "testtime"), ("time", "t", "zeit"), ()),
+    "stiffness": (("harmoniccontactstiffness", "contactstiffness", "dynamicstiffness", "storagestiff", "stiffness"),
+                  (), ()),
+}
+
+# Columns of results, one row an indent.
+RESULTS = {"loading_curvature": ("c", "loadingcurvature"),
+           "stiffness": ("dpdh", "s", "unloadingslope", "unloadingstiffness"),
+           "plastic_share": ("wpwt", "workratio"), "max_depth": ("hm", "hmax", "maxdepth", "maximumdepth"),
+           "max_force": ("pm", "pmax", "fm", "fmax", "maxload", "maximumload", "maxforce"),
+           "hardness": ("hardness", "hit"), "modulus": ("modulus", "eit", "e", "er", "youngsmodulus", "reducedmodulus")}
+
+
+def key(name):
+    return re.sub(r"[^a-z0-9äöüß]", "", name.lower())
+
+
+def name_and_unit(heading, kind):
+    """The unit is empty unless it is of this kind."""
+    name, unit = split_name(heading)
+    return (name, unit) if unit in FACTORS[kind] else (heading, "")
+
+
+def rank(heading, quantity):
+    """How well a heading names a quantity: 0 best; None if it does not."""
+    name = key(name_and_unit(heading, KINDS[quantity])[0])
+    return next((rank for rank, names in enumerate(NAMES[quantity]) if name in names), None)
+
+
+def columns_of(headings, quantity):
+    """The numbers of the columns that name it best."""
+    ranks = [(rank(heading, quantity), column) for column, heading in enumerate(headings)]
+    found = [value for value, _ in ranks if value is not None]
+    return [column for value, column in ranks if found and value == min(found)]
+
+
+def unit_of(heading, unit, quantity):
+    """Of a column with this heading and this cell in the row of units (or ''); empty if unknown."""
+    below = tidy(unit.strip().strip("()[]"))
+    return below if below in FACTORS[KINDS[quantity]] else name_and_unit(heading, KINDS[quantity])[1]
+
+
+def result_columns(headings):
+    """The number of the column of each result that is there."""
+    keys = [key(split_name(heading)[0]) for heading in headings]
+    return {result: column for result, names in RESULTS.items() for column, name in enumerate(keys) if name in names}

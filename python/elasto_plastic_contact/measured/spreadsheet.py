@@ -1,0 +1,71 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Spreadsheets: .xls and .xlsx, such as NanoSuite's exports, in which each test has a sheet."""
+
+import io
+
+from ..errors import UserError
+from .blocks import blocks
+from .columns import curves_of_blocks
+from .headings import columns_of
+
+FORMAT = ".xls and .xlsx"
+
+OLD, NEW = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", b"PK\x03\x04"
+
+
+def knows(data):
+    return data.startswith(OLD) or (data.startswith(NEW) and b"xl/" in data)
+
+
+def old_sheets(data):
+    import xlrd  # (of these files only)
+
+    book = xlrd.open_workbook(file_contents=data, on_demand=True, logfile=io.StringIO())
+    return [(sheet.name, [sheet.row_values(i) for i in range(sheet.nrows)]) for sheet in book.sheets()]
+
+
+def new_sheets(data):
+    import openpyxl  # (of these files only)
+
+    book = openpyxl.load_workbook(io.BytesIO(data), read_only=True, data_only=True)
+    return [(sheet.title, [list(row) for row in sheet.iter_rows(values_only=True)]) for sheet in book.worksheets]
+
+
+def sheets(path, data):
+    """Names of sheets, and their rows of cells."""
+    is_old = data.startswith(OLD)
+    try:
+        return old_sheets(data) if is_old else new_sheets(data)
+    except ImportError:
+        raise
+    except Exception as error:  # pylint: disable=broad-except (of damaged files, the libraries raise anything)
+        what = str(error) or type(error).__name__
+        raise UserError(f"'{path}' is damaged, or no {'.xls' if is_old else '.xlsx'}: {what}") from None
+
+
+def text_of(cell):
+    """A cell as it would stand in a table with decimal points."""
+    if isinstance(cell, float):
+        return repr(cell)
+    return "" if cell is None else str(cell)
+
+
+def read(path, data, chosen):
+    """The curves of all sheets that have depth and force. Raises UserError."""
+    found, tried = [], []
+    for name, rows in sheets(path, data):
+        if "Tagged" in name:  # (NanoSuite repeats some rows of a test there)
+            continue
+        texts = ([text_of(cell) for cell in row] for row in rows)
+        on_sheet = blocks(((number, cells, cells) for number, cells in enumerate(texts, 1)), False, f"{path}, sheet "
+                                                                                                    f"{name}")
+        tried += on_sheet
+        if chosen or any(columns_of(block.headings or [], "depth") and columns_of(block.headings or [], "force")
+                         for block in on_sheet):
+            for block in on_sheet:
+                block.title = name
+            found += on_sheet
+    if not tried:
+        raise UserError(f"'{path}' has no rows of numbers on any sheet")
+    return curves_of_blocks(found or tried, path, chosen)

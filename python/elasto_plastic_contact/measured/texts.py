@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Texts of instruments: their encodings, and the numbers in them."""
+
+import math
+import pathlib
+import re
+
+from ..errors import UserError
+
+# What stands for no number.
+NO_NUMBERS = {"nan", "-nan", "nan(ind)", "-nan(ind)", "inf", "-inf", "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind",
+              "1.#inf", "-1.#inf", "*****", "---", "------", "n/a", "#n/a", "null", ""}
+
+NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
+
+# Larger ones stand for invalid values.
+LARGEST = 1e99
+
+
+def read_bytes(path):
+    """Raises UserError."""
+    try:
+        return pathlib.Path(path).read_bytes()
+    except OSError as error:
+        raise UserError(f"'{path}' cannot be read: {error.strerror}") from None
+
+
+def decode(data):
+    """The text of a file in UTF-8, UTF-16 or Latin-1, with or without a byte order mark; None if it is no text."""
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return data.decode("utf-16", "replace")
+    even, odd = data[:400:2], data[1:400:2]
+    for encoding, zeros, others in (("utf-16-le", odd, even), ("utf-16-be", even, odd)):
+        if zeros.count(0) > len(zeros) // 2 and 0 not in others:
+            return data.decode(encoding, "replace")
+    if b"\0" in data[:4096]:
+        return None
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return data.decode("latin-1")
+
+
+def lines_of(text):
+    """Without their ends, of whichever system."""
+    return re.split("\r*\n|\r", text)
+
+
+def to_number(text, decimal_comma):
+    """NaN of what stands for no number. Raises ValueError."""
+    text = text.strip().strip('"').strip()
+    if text.lower() in NO_NUMBERS:
+        return math.nan
+    if decimal_comma:
+        if "." in text:
+            raise ValueError(text)
+        text = text.replace(",", ".")
+    if not NUMBER.fullmatch(text):
+        raise ValueError(text)
+    value = float(text)
+    return value if abs(value) < LARGEST else math.nan
+
+
+def is_number(text, decimal_comma):
+    """Whether it is one, not what stands for none."""
+    try:
+        return not math.isnan(to_number(text, decimal_comma))
+    except ValueError:
+        return False
