@@ -235,7 +235,7 @@ namespace
                    above > -1e-12 && above < slope * 0.7 / n);
             verify_derivatives(name, *indenter, x);
           }
-        for (const double h : {0.01, 0.04, 0.15, 0.3, 1.})
+        for (const double h : {0.01, 0.04, 0.15, 0.3, 1., 3.})
           verify(name + ", section",
                  relative_error(indenter->section_area(h),
                                 indenter->Indenter<3>::section_area(h)),

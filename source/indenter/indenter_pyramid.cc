@@ -127,7 +127,7 @@ namespace ElastoPlastic
 
     const double above  = std::max(0., R - height); // to the ball's centre
     const double circle = std::sqrt(height * std::max(0., 2 * R - height));
-    if (circle <= edge_slope * above)
+    if (circle < edge_slope * above)
       return numbers::PI * circle * circle;
 
     const double centre = (height - R) / edge_slope;
