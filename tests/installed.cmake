@@ -60,7 +60,6 @@ foreach(_folder ${PREFIX}/bin ${_links})
   expect_proposals("^\n$" _elasto_plastic_contact elasto_plastic_contact strip_pun)
   expect_proposals("evaluate" _epc epc ev)
   expect_proposals("^--help\n$" _epc epc --h)
-  expect_proposals("--prog" _epc epc run --p)
 endforeach()
 expect("" elasto_plastic_contact indentation/sphere_axisymmetric.prm --output-directory run
   --set "Loading/Number of steps=2" --set "Geometry/Local refinements=2")
@@ -69,6 +68,7 @@ expect("" /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/installed_links.py ${PREFIX
 execute_process(COMMAND /usr/bin/python3 -c "import matplotlib" RESULT_VARIABLE _has_no_matplotlib OUTPUT_QUIET ERROR_QUIET)
 if(NOT _has_no_matplotlib)
   expect("force_depth.png" epc plot run)
+  expect_proposals("--prog" _epc epc run --p)
   # expect_name(<page> <pattern>): of the line of NAME
   function(expect_name _page _pattern)
     expect("${_pattern}" bash -c "zcat '${PREFIX}/share/man/man1/${_page}.1.gz' | grep -A 1 '^.SH NAME'")
