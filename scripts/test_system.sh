@@ -111,11 +111,11 @@ try_package()
 {
   there scripts/package.sh &&
     install_system "$user_root" &&
-    rm -f "$user_root"/tmp/*.deb &&
-    cp "$root$checkout"/build/package/*.deb "$user_root/tmp/" &&
+    rm -f "$user_root"/opt/*.deb &&
+    cp "$root$checkout"/build/package/*.deb "$user_root/opt/" &&
     in_system "$user_root" apt-get update -q &&
-    in_system "$user_root" sh -c 'apt-get install -q -y --no-install-recommends --reinstall /tmp/*.deb &&
-      { id user >/dev/null 2>&1 || useradd --create-home user; } && rm -rf /home/user/trial' &&
+    in_system "$user_root" sh -c 'apt-get install -q -y --no-install-recommends --reinstall /opt/*.deb &&
+      { id user >/dev/null 2>&1 || useradd --create-home user; } && rm -rf ~user/trial' &&
     in_system "$user_root" su - user -c 'mkdir trial && cd trial &&
       elasto_plastic_contact --list-cases &&
       elasto_plastic_contact indentation/sphere_axisymmetric.prm --output-directory sphere &&
