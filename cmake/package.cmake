@@ -38,13 +38,20 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
-# Debian's changelog, in which the date is that of SOURCE_DATE_EPOCH, if it is set.
+# What only a package of Debian has. The date of its changelog is that of
+# SOURCE_DATE_EPOCH, if it is set.
+set(_debian ${CMAKE_BINARY_DIR}/installed/debian)
+set(_debian_pages ${_debian}/doc/elasto-plastic-contact)
 string(TIMESTAMP _date "%a, %d %b %Y %H:%M:%S +0000" UTC)
-configure_file(${CMAKE_SOURCE_DIR}/cmake/package/changelog.in ${CMAKE_BINARY_DIR}/installed/changelog.Debian @ONLY)
-execute_process(COMMAND gzip -9 --force --no-name ${CMAKE_BINARY_DIR}/installed/changelog.Debian)
-install(FILES ${CMAKE_SOURCE_DIR}/cmake/package/copyright ${CMAKE_BINARY_DIR}/installed/changelog.Debian.gz
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/elasto-plastic-contact)
-install(FILES ${CMAKE_SOURCE_DIR}/cmake/package/lintian-overrides
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME elasto-plastic-contact)
+configure_file(${CMAKE_SOURCE_DIR}/cmake/package/changelog.in ${_debian_pages}/changelog.Debian @ONLY)
+execute_process(COMMAND gzip -9 --force --no-name ${_debian_pages}/changelog.Debian RESULT_VARIABLE _status)
+if(NOT _status EQUAL 0)
+  message(STATUS "The program gzip does not work (${_status}): cpack will make no proper package of Debian.")
+endif()
+configure_file(${CMAKE_SOURCE_DIR}/cmake/package/copyright ${_debian_pages}/copyright COPYONLY)
+configure_file(${CMAKE_SOURCE_DIR}/cmake/package/lintian-overrides
+  ${_debian}/lintian/overrides/elasto-plastic-contact COPYONLY)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_INSTALLED_DIRECTORIES ${_debian} /usr/share)
 
 include(CPack)

@@ -188,7 +188,7 @@ namespace
     on_first_rank([]() { fs::remove("results/checkpoint/notes"); });
     verify("it is the program's alone", is_checkpoint("results/checkpoint"));
     write_state("22 serialization::archive 99 0 0 0\n");
-    report("other version of Boost");
+    report("state with the header of an archive");
     write("results/checkpoint/index", "ElastoPlasticContact 0.0.1\n");
     report("other version");
     on_first_rank([]() { fs::remove("results/checkpoint/index"); });

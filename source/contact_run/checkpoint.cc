@@ -38,7 +38,7 @@ namespace ElastoPlastic
     statistics.write_to_disk();
 
     std::ostringstream            state;
-    boost::archive::text_oarchive archive(state);
+    boost::archive::text_oarchive archive(state, boost::archive::no_header);
     Statistics::Progress          progress = statistics.progress();
     serialize_progress(archive, progress);
 
@@ -70,7 +70,7 @@ namespace ElastoPlastic
   {
     Checkpoint::Contents          contents = checkpoint.load();
     std::istringstream            state(contents.state);
-    boost::archive::text_iarchive archive(state);
+    boost::archive::text_iarchive archive(state, boost::archive::no_header);
     serialize_progress(archive, progress);
     check_same_past(contents.loading(),
                     parameters.loading,

@@ -245,8 +245,13 @@ namespace ElastoPlastic
       return fs::create_directory(folder);
     });
     save_mesh(folder + "/mesh");
-    std::ostringstream text; // (an archive would throw if a file cannot grow)
-    boost::archive::text_oarchive(text) << entries << state;
+    // (Into a string: an archive would throw if a file cannot grow. Without a
+    // header, which a Boost that is older than the writer's would refuse,
+    // though it can read what follows; the index says which program has written
+    // it.)
+    std::ostringstream text;
+    boost::archive::text_oarchive(text, boost::archive::no_header)
+      << entries << state;
     checked_write(communicator,
                   first_rank ? folder + "/state" : "",
                   [&](std::ostream &file) { file << text.str(); });
@@ -280,15 +285,16 @@ namespace ElastoPlastic
       std::ifstream file(fs::path(folder) / "state");
       try
         {
-          boost::archive::text_iarchive archive(file);
+          boost::archive::text_iarchive archive(file,
+                                                boost::archive::no_header);
           archive >> contents.entries >> contents.state;
         }
       catch (const boost::archive::archive_exception &error)
         {
           throw InputError("The checkpoint '" + folder + "' cannot be read (" +
                            error.what() +
-                           "): it may have been written with another version "
-                           "of the library Boost." +
+                           "): another revision of the program may have "
+                           "written it." +
                            remedy);
         }
       check_entries(contents.entries);
