@@ -224,6 +224,7 @@ namespace ElastoPlastic
       body.displacement = 0.;
     else
       body.displacement = last_step.displacement;
+    body.solid.begin_step(0.);
     body.solid.predict_flow(body.displacement, body.displacement);
     body.contact.deactivate_all();
     body.move_indenter(last_step.result.time);

@@ -43,7 +43,7 @@ namespace ElastoPlastic
       "between, beginning with zero at t = 0. For instance: 1: depth 0.02 | "
       "2: force 0 | 3: depth 0.03. Where the control changes, the new one "
       "starts from what has been reached. A row '4: hold' keeps depth or force; "
-      "no material here depends on rates, so that nothing happens meanwhile.",
+      "a material with a rate law creeps or relaxes meanwhile.",
       Patterns::Anything());
     prm.add_parameter(
       "Path",
