@@ -228,6 +228,7 @@ add_entry_test(table_jump "'Material/Hardening table' is '1e-307: 450', but its 
 add_entry_test(voce_jump "'Material/Voce rate' is '1e.13', but it must be between 0 and 1e12" "Material/Voce rate=1e13")
 add_entry_test(power_law_jump "'Material/Power law reference strain' is '1e-13', but it must be at least 1e-12" "Material/Power law reference strain=1e-13")
 add_entry_test(table_stresses "'Material/Hardening table' is '0.1: 500 . 0.2: 499', but its stresses must not decrease" "Material/Hardening table=0.1: 500 | 0.2: 499")
+add_entry_test(step_tolerance "'Loading/Step tolerance' is '0', but it must be greater than 0" "Loading/Step tolerance=0")
 add_entry_test(rate_exponent "'Material/Rate exponent' is '0.5', but it must lie between 1 .linear viscosity. and 1000" "Material/Rate exponent=0.5")
 foreach(_entry "Reference rate" "Rate stress" "Relaxation time")
   string(MAKE_C_IDENTIFIER ${_entry} _name)

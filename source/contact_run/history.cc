@@ -229,7 +229,7 @@ namespace ElastoPlastic
     const unsigned int n_iterations = last_step.result.newton_iterations;
     if (last_step.result.time != load_program.final_time())
       adapt_mesh(statistics);
-    time_steps.advance(n_iterations);
+    time_steps.advance(n_iterations, last_step.step_error);
   }
 
 

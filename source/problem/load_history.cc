@@ -34,7 +34,8 @@ namespace ElastoPlastic
       stops.insert(stops.end(),
                    fixed.uncut_ends().begin(),
                    fixed.uncut_ends().end());
-    return TimeSteps(ends, loading.n_steps, loading.max_cuts, stops);
+    return TimeSteps(
+      ends, loading.n_steps, loading.max_cuts, loading.step_control, stops);
   }
 
 
