@@ -69,7 +69,7 @@ namespace
   {
     const std::vector<double> segments = {0.7, 1.9, 2., 3.};
     const std::vector<double> stops    = {0.3, 1.9, 2.1234567, 5.};
-    const TimeSteps           fresh(segments, 30, 3, stops);
+    const TimeSteps fresh(segments, 30, 3, StepControl::adaptive, stops);
 
     std::mt19937 random(1);
     double       shortest = 1, longest = 0;
@@ -116,16 +116,49 @@ namespace
 
 
 
+  /// Steps of dy/dt = -y by the implicit Euler method from y = 1 to t = 16,
+  /// whose errors, of second order, are to be @p tolerance: the error at the
+  /// end, and the number of steps.
+  std::pair<double, unsigned int>
+  follow_decay(const double tolerance)
+  {
+    TimeSteps steps({16.}, 1024, 6, StepControl::accurate, {});
+    double    y = 1;
+    while (!steps.finished())
+      {
+        const double length = steps.next_time() - steps.time();
+        y /= 1. + length;
+        steps.advance(1, 0.5 * length * length * y / tolerance);
+      }
+    return {std::abs(y - std::exp(-16.)), steps.number() - 1};
+  }
+
+
+
+  void
+  check_errors()
+  {
+    output() << "Accurate steps" << std::endl;
+    const auto [fine, many]  = follow_decay(1e-4);
+    const auto [coarse, few] = follow_decay(1e-3);
+    verify("  grow where things become slow", many < 200);
+    verify("  a tenth of the error, about three times as many",
+           many > 2.2 * few && many < 3.8 * few);
+    verify("  and the error is small", fine < 1e-4 && coarse < 1e-3);
+  }
+
+
+
   /// The last step has ended at 10, and the checkpoint is from before it was
   /// counted; a longer history with another stop goes on from there.
   void
   check_longer_history()
   {
-    TimeSteps steps({10.}, 10, 2, {});
+    TimeSteps steps({10.}, 10, 2, StepControl::adaptive, {});
     while (steps.next_time() < 10.)
       steps.advance(4);
-    TimeSteps longer =
-      copy_from_checkpoint(steps, TimeSteps({20.}, 20, 2, {9.9, 10.5}));
+    TimeSteps longer = copy_from_checkpoint(
+      steps, TimeSteps({20.}, 20, 2, StepControl::adaptive, {9.9, 10.5}));
     output() << "A longer history" << std::endl;
     verify("  other stops would move the end", longer.next_time() == 9.9);
     longer.end_step_at(10.);
@@ -142,17 +175,18 @@ int
 main(int argc, char *argv[])
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const TimeSteps                                eight({8.}, 8, 2, {});
+  const TimeSteps eight({8.}, 8, 2, StepControl::adaptive, {});
   print_steps("As many iterations as wanted", eight, Attempts(8, 6));
   print_steps("Easy: longer, to the longest", eight, {2, 2, 2, 2, 2});
   print_steps("Hard: shorter, to the shortest", eight, {12, 100, 24, 24, 6});
   print_steps("Cuts", eight, {0, 6, 0, 4, 0, 0, 0, 6});
   print_steps("What is left is divided",
-              TimeSteps({8.}, 8, 2, {2.5, 4., 9.}),
+              TimeSteps({8.}, 8, 2, StepControl::adaptive, {2.5, 4., 9.}),
               Attempts(9, 6));
   print_steps("Segments begin with their own steps",
-              TimeSteps({2., 12.}, 12, 2, {}),
+              TimeSteps({2., 12.}, 12, 2, StepControl::adaptive, {}),
               {24, 24, 1, 1, 1, 6, 6, 6, 6, 6});
   check_random_histories();
+  check_errors();
   check_longer_history();
 }

@@ -7,6 +7,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <iostream>
+#include <set>
+#include <sstream>
 
 #include "gmsh_text.h"
 
@@ -202,12 +204,21 @@ $EndElements
       std::cout << "cell: centre " << cell->center() << ", measure "
                 << cell->measure() << ", material " << cell->material_id()
                 << std::endl;
+    // (the order of a cell's faces is deal.II's)
     for (const auto &[name, id] : names)
-      for (const auto &cell : mesh.active_cell_iterators())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && face->boundary_id() == id)
-            std::cout << "  " << name << ": centre " << face->center()
-                      << std::endl;
+      {
+        std::set<std::string> lines;
+        for (const auto &cell : mesh.active_cell_iterators())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() && face->boundary_id() == id)
+              {
+                std::ostringstream line;
+                line << "  " << name << ": centre " << face->center();
+                lines.insert(line.str());
+              }
+        for (const std::string &line : lines)
+          std::cout << line << std::endl;
+      }
   }
 
 

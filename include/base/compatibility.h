@@ -71,15 +71,19 @@ namespace ElastoPlastic
 
 
 
-  /// Still without any: constraints on the unknowns that this process knows.
+  /// Still without any: constraints on the unknowns that this process knows. (In
+  /// a Debug build, deal.II refuses to exchange constraints with a process that
+  /// knows none: one without cells has the first unknown.)
   template <int dim, typename Constraints = dealii::AffineConstraints<double>>
   Constraints
   empty_constraints(const dealii::DoFHandler<dim> &dof_handler)
   {
     using dealii::IndexSet;
     const IndexSet &owned = dof_handler.locally_owned_dofs();
-    const IndexSet  relevant =
+    IndexSet        relevant =
       dealii::DoFTools::extract_locally_relevant_dofs(dof_handler);
+    if (relevant.is_empty() && dof_handler.n_dofs() > 0)
+      relevant.add_index(0);
     if constexpr (std::is_constructible_v<Constraints, IndexSet, IndexSet>)
       return Constraints(owned, relevant);
     else

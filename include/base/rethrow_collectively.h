@@ -24,6 +24,11 @@ namespace ElastoPlastic
   rethrow_collectively(const MPI_Comm               communicator,
                        const std::function<void()> &body);
 
+  /// Runs @p task on the first rank, for all. The same in all else.
+  void
+  on_first_rank(const MPI_Comm               communicator,
+                const std::function<void()> &task);
+
   /// Throws the kind of Error that ends the program with @p status.
   [[noreturn]] void
   throw_error(const ExitStatus status, const std::string &message);

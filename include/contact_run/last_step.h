@@ -21,14 +21,18 @@ namespace ElastoPlastic
     VectorType displacement_rate;
     /// How far the surface has slipped along the indenter.
     VectorType slip;
-    double     depth_rate = 0;
-    MeanForce  mean_force;
+    double     depth_rate = 0, force_rate = 0;
+    double     duration = 0;
+    /// Its error, measured in what accurate steps allow.
+    double    step_error = 1;
+    MeanForce mean_force;
 
     /// Of the whole history: the largest sum of the magnitudes of all nodal
     /// forces, which small ones are measured against; and the largest contact
     /// area.
     double largest_forces       = 0;
     double largest_contact_area = 0;
+    double largest_depth = 0, largest_force = 0;
 
     bool
     is_virgin() const
@@ -66,13 +70,43 @@ namespace ElastoPlastic
       next.frictional_dissipation += result.frictional_dissipation;
     }
 
+    /// By how much @p next, with @p new_displacement, deviates from what the
+    /// rates until now would have led to: the part of it that is the local
+    /// error of the implicit Euler method with steps of different lengths,
+    /// relative to the largest values until then. Of force and depth if there
+    /// @p is_indenter, else of the displacement. For a step that continues the
+    /// last one. Collective.
+    double
+    deviation_from_rates(const SolveResult &next,
+                         const VectorType  &new_displacement,
+                         const bool         is_indenter) const
+    {
+      const double step = next.time - result.time;
+      const double part = step / (step + duration);
+      if (is_indenter)
+        return part * std::max(std::abs(next.force - result.force -
+                                        step * force_rate) /
+                                 std::max(largest_force, 1e-300),
+                               std::abs(next.depth - result.depth -
+                                        step * depth_rate) /
+                                 std::max(largest_depth, 1e-300));
+      VectorType difference = new_displacement;
+      difference.sadd(1., -1., displacement);
+      difference.add(-step, displacement_rate);
+      return part * difference.linfty_norm() /
+             std::max(new_displacement.linfty_norm(), 1e-300);
+    }
+
     /// Notes how fast @p next, with @p new_displacement, has been reached.
     void
     find_rates(const SolveResult &next, const VectorType &new_displacement)
     {
-      const double duration = next.time - result.time;
-      depth_rate            = (next.depth - result.depth) / duration;
-      displacement_rate     = new_displacement;
+      duration          = next.time - result.time;
+      depth_rate        = (next.depth - result.depth) / duration;
+      force_rate        = (next.force - result.force) / duration;
+      largest_depth     = std::max(largest_depth, std::abs(next.depth));
+      largest_force     = std::max(largest_force, std::abs(next.force));
+      displacement_rate = new_displacement;
       if (!is_virgin())
         displacement_rate -= displacement;
       displacement_rate /= duration;
@@ -83,8 +117,8 @@ namespace ElastoPlastic
     void
     serialize(Archive &archive, const unsigned int /* version */)
     {
-      archive &result &depth_rate &mean_force &largest_forces
-        &largest_contact_area;
+      archive &result &depth_rate &force_rate &duration &step_error &mean_force
+        &largest_forces &largest_contact_area &largest_depth &largest_force;
     }
   };
 } // namespace ElastoPlastic

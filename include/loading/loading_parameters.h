@@ -23,10 +23,11 @@ namespace ElastoPlastic
     std::string  force   = "1";
     std::string  history;
     std::string  path;
-    unsigned int n_steps      = 1;
-    StepControl  step_control = StepControl::fixed;
-    double       final_time   = 1;
-    unsigned int max_cuts     = 6;
+    unsigned int n_steps        = 1;
+    StepControl  step_control   = StepControl::fixed;
+    double       step_tolerance = 0.002;
+    double       final_time     = 1;
+    unsigned int max_cuts       = 6;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -12,13 +12,16 @@ namespace ElastoPlastic
 {
   enum class StepControl
   {
-    fixed,   ///< equal steps, shorter ones only where they fail
-    adaptive ///< as long as the nonlinear solver finds easy
+    fixed,    ///< equal steps, shorter ones only where they fail
+    adaptive, ///< as long as the nonlinear solver finds easy
+    accurate  ///< as long as their error allows
   };
 
   template <>
   inline const EnumNames<StepControl> enum_names<StepControl> = {
-    {"fixed", StepControl::fixed}, {"adaptive", StepControl::adaptive}};
+    {"fixed", StepControl::fixed},
+    {"adaptive", StepControl::adaptive},
+    {"accurate", StepControl::accurate}};
 
 
 
@@ -37,13 +40,17 @@ namespace ElastoPlastic
   /// iterations the next is longer by the factor sqrt(target_iterations / n)
   /// @cite ramm_1981, which is kept between 1/2 and 2. What is left up to the
   /// next stop is divided evenly, so that no step is shorter without need.
+  ///
+  /// Accurate steps: likewise, with the factor sqrt(1 / error), where the error
+  /// of the step is measured in the one that is allowed, of second order in its
+  /// length.
   class TimeSteps
   {
   public:
     /// So many Newton iterations leave an adaptive step as long as it is.
     static constexpr unsigned int target_iterations = 6;
-    /// The longest adaptive step: so many nominal ones.
-    static constexpr double longest = 2.;
+    /// The longest adaptive and accurate steps: so many nominal ones.
+    static constexpr double longest = 2., longest_accurate = 64.;
 
     /// Fixed steps. @p segment_ends are the ends of the segments, increasing;
     /// the first begins at 0. @p n_steps is their total number of nominal
@@ -53,10 +60,12 @@ namespace ElastoPlastic
               const unsigned int         n_steps,
               const unsigned int         max_cuts);
 
-    /// Adaptive steps that do not cross the times @p stops either.
+    /// Steps with this @p control, not a fixed one, that do not cross the times
+    /// @p stops either.
     TimeSteps(const std::vector<double> &segment_ends,
               const unsigned int         n_steps,
               const unsigned int         max_cuts,
+              const StepControl          control,
               const std::vector<double> &stops);
 
     /// Whether the end of the last segment has been reached.
@@ -80,9 +89,10 @@ namespace ElastoPlastic
     uncut_ends() const;
 
     /// The step under way has succeeded, after @p n_iterations of Newton's
-    /// method: on to the next.
+    /// method, with this @p error: on to the next.
     void
-    advance(const unsigned int n_iterations = target_iterations);
+    advance(const unsigned int n_iterations = target_iterations,
+            const double       error        = 1.);
 
     /// The step under way has failed: try half of it. @return false if it is
     /// as short as it may be.
@@ -115,8 +125,10 @@ namespace ElastoPlastic
     double
     end() const;
 
+    /// Lets the length of the next step be @p wanted times what this one has
+    /// @p taken, or as near to that as steps may change.
     void
-    adapt(const double taken, const unsigned int n_iterations);
+    adapt(const double taken, const double wanted);
 
     /// Times of the nominal steps.
     std::vector<double> ends;

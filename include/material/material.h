@@ -12,6 +12,7 @@
 
 #include "base/lanes.h"
 #include "material/hardening_curve.h"
+#include "material/rate_law.h"
 
 namespace ElastoPlastic
 {
@@ -59,8 +60,14 @@ namespace ElastoPlastic
     /// h, of each lane; none if it is zero.
     std::array<std::shared_ptr<const HardeningCurve>, n_lanes<Number>> curves;
 
-    /// Whether there is neither h nor recovery: the return to the yield
-    /// surface then is a formula.
+    /// Of each lane.
+    std::array<RateLaw, n_lanes<Number>> rate_laws;
+
+    /// How long the load step under way takes. Only rate laws read it.
+    double step_duration = 0;
+
+    /// Whether there is neither h nor recovery nor rate dependence: the return
+    /// to the yield surface then is a formula.
     bool is_linear = true;
   };
 
@@ -87,6 +94,27 @@ namespace ElastoPlastic
 
 
 
+  inline bool
+  is_rate_dependent(const Material<double> &material)
+  {
+    return material.rate_laws[0].type != RateLawType::none;
+  }
+
+
+
+  /// Whether the stress has an incremental potential.
+  inline bool
+  has_potential(const Material<double> &material)
+  {
+    const RateLawType type = material.rate_laws[0].type;
+    const bool        yields =
+      material.yield_radius < std::numeric_limits<double>::infinity();
+    return !has_recovery(material) && type != RateLawType::cowper_symonds &&
+           !(type == RateLawType::norton && yields);
+  }
+
+
+
   /// Whether the material cannot carry more than a certain shear stress: a body
   /// of it has a limit load.
   inline bool
@@ -96,18 +124,19 @@ namespace ElastoPlastic
       if (law.modulus > 0 && law.recovery == 0)
         return false;
     return material.yield_radius < std::numeric_limits<double>::infinity() &&
-           material.isotropic_modulus == 0 &&
+           !is_rate_dependent(material) && material.isotropic_modulus == 0 &&
            (!material.curves[0] || material.curves[0]->is_bounded());
   }
 
 
 
-  /// Whether the material does not harden at all.
+  /// Whether there is nothing but a yield stress: neither hardening nor rate
+  /// dependence.
   inline bool
   is_perfect(const Material<double> &material)
   {
     return material.isotropic_modulus == 0 && material.back_stresses.empty() &&
-           !material.curves[0];
+           !material.curves[0] && !is_rate_dependent(material);
   }
 
 
@@ -135,8 +164,10 @@ namespace ElastoPlastic
             lane_of(result.back_stresses[k].modulus, lane)  = modulus;
             lane_of(result.back_stresses[k].recovery, lane) = recovery;
           }
-        result.curves[lane] = material.curves[0];
-        result.is_linear    = result.is_linear && material.is_linear;
+        result.curves[lane]    = material.curves[0];
+        result.rate_laws[lane] = material.rate_laws[0];
+        result.step_duration   = material.step_duration;
+        result.is_linear       = result.is_linear && material.is_linear;
       }
     return result;
   }
@@ -156,8 +187,10 @@ namespace ElastoPlastic
     for (const auto &[modulus, recovery] : material.back_stresses)
       result.back_stresses.push_back(
         {lane_of(modulus, lane), lane_of(recovery, lane)});
-    result.curves[0] = material.curves[lane];
-    result.is_linear = material.is_linear;
+    result.curves[0]     = material.curves[lane];
+    result.rate_laws[0]  = material.rate_laws[lane];
+    result.step_duration = material.step_duration;
+    result.is_linear     = material.is_linear;
     return result;
   }
 } // namespace ElastoPlastic

@@ -11,6 +11,7 @@
 
 #include "base/enum_names.h"
 #include "material/hardening_input.h"
+#include "material/rate_law_parameters.h"
 
 namespace ElastoPlastic
 {
@@ -57,6 +58,7 @@ namespace ElastoPlastic
     std::vector<std::string> hardening_tables            = {"none"};
     std::vector<std::string> back_stress_moduli          = {"none"};
     std::vector<std::string> recovery_rates              = {"none"};
+    RateLawParameters        rates;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -80,6 +82,9 @@ namespace ElastoPlastic
 
     void
     check_nonlinear_hardening() const;
+
+    void
+    check_rate_laws() const;
 
     /// The number of values of each entry.
     std::vector<std::pair<std::string, unsigned int>>

@@ -4,6 +4,7 @@
 #ifndef material_plane_stress_h
 #define material_plane_stress_h
 
+#include "material/flow_resistance.h"
 #include "material/material_state.h"
 
 namespace ElastoPlastic
@@ -30,9 +31,7 @@ namespace ElastoPlastic
     out_of_plane_strain() const;
 
   private:
-    /// What the norm of the relative stress must be.
-    double
-    radius(const double multiplier) const;
+    using Flow = FlowResistance::Value;
 
     /// The sum of the old back stresses, as far as the recovery leaves them.
     SymmetricTensor<2, 3>
@@ -40,15 +39,16 @@ namespace ElastoPlastic
 
     /// The strain across the sheet for which there is no stress across it.
     double
-    out_of_plane_strain(const double multiplier) const;
+    out_of_plane_strain(const Flow &flow) const;
 
-    /// By how much the norm of the relative stress exceeds the radius.
+    /// By how much the norm of the relative stress exceeds the resistance.
     double
-    excess(const double multiplier) const;
+    excess(const Flow &flow) const;
 
     const Material<double>      &material;
     const SymmetricTensor<2, 3> &strain;
     const MaterialState<double> &old_state;
+    const FlowResistance         resistance;
   };
 
 

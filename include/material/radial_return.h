@@ -15,8 +15,8 @@ namespace ElastoPlastic
   /// One backward Euler step of J2 plasticity with isotropic and kinematic
   /// hardening. If both are linear, it is the closed-form radial return
   /// @cite simo_hughes_1998 (box 3.1), on all lanes of a VectorizedArray at
-  /// once, with masks in place of branches. If not, a scalar equation is solved
-  /// lane by lane (ReturnEquation).
+  /// once, with masks in place of branches. If not, or if the flow depends on
+  /// its rate, a scalar equation is solved lane by lane (ReturnEquation).
   ///
   /// Everything is deviatoric; the pressure K tr(strain) is the caller's.
   template <typename Number>
@@ -48,10 +48,15 @@ namespace ElastoPlastic
       direction = relative_stress / norm;
 
       // Step 2: the radius; sqrt(2/3) H alpha = 2/3 H sqrt(3/2) alpha
-      const Number alpha = old_state.equivalent_plastic_strain;
-      radius             = material.yield_radius +
-               material.isotropic_modulus * std::sqrt(1.5) * alpha +
-               std::sqrt(2. / 3.) * from_curves(&HardeningCurve::value, alpha);
+      if (material.is_linear)
+        radius = material.yield_radius + material.isotropic_modulus *
+                                           std::sqrt(1.5) *
+                                           old_state.equivalent_plastic_strain;
+      else
+        radius = std::sqrt(2. / 3.) *
+                 lane_by_lane([](const FlowStress &stress, const unsigned int) {
+                   return stress.initial();
+                 });
 
       // Step 3: return to the yield surface along the direction
       modulus    = linear_modulus();
@@ -65,23 +70,25 @@ namespace ElastoPlastic
     deviatoric_stress() const
     {
       return 2. * material.shear_modulus *
-             (elastic_trial_strain - multiplier * direction);
+             (elastic_trial_strain - plastic_length() * direction);
     }
 
     /// The incremental potential whose derivative with respect to the strain
-    /// is deviatoric_stress() (doc/theory, "Material"). With recovery there
-    /// is none, and this is of no use.
+    /// is deviatoric_stress() (doc/theory, "Material"). Of materials without
+    /// one (has_potential()), this is of no use.
     Number
     energy() const
     {
-      const Number end   = end_of_step_alpha();
-      const Number begin = old_state.equivalent_plastic_strain;
+      Number released = 0.5 * linear_modulus() * multiplier * multiplier;
+      if (!material.is_linear)
+        released += lane_by_lane(
+          [this](const FlowStress &stress, const unsigned int lane) {
+            return stress.complement(std::sqrt(2. / 3.) *
+                                     lane_of(multiplier, lane));
+          });
       return material.shear_modulus *
                (elastic_trial_strain * elastic_trial_strain) -
-             0.5 * linear_modulus() * multiplier * multiplier -
-             (from_curves(&HardeningCurve::value, end) * (end - begin) -
-              from_curves(&HardeningCurve::integral, end) +
-              from_curves(&HardeningCurve::integral, begin));
+             relaxation * released;
     }
 
     /// The flow direction at the end of the step: the relative stress divided
@@ -98,14 +105,14 @@ namespace ElastoPlastic
     tangent() const
     {
       const Number two_g = 2. * material.shear_modulus;
-      const Number soft  = plastic(softness());
+      const Number soft  = plastic(relaxation * softness());
       if (material.is_linear)
         {
           const Number scale = std::sqrt(soft);
           return {shear_stiffness(), scale * direction, scale, Tensor3()};
         }
       const Tensor3 turn  = recovery_of_norm();
-      const Number  omega = two_g * two_g * multiplier / (norm * modulus);
+      const Number  omega = two_g * two_g * plastic_length() / (norm * modulus);
       // (a softness of zero would leave nothing to multiply the rest with)
       const Number scale =
         std::sqrt(plastic(std::max(std::abs(soft), Number(1e-12 * two_g))));
@@ -140,7 +147,7 @@ namespace ElastoPlastic
     Number
     plastic_work() const
     {
-      return multiplier * (deviatoric_stress() * direction);
+      return plastic_length() * (deviatoric_stress() * direction);
     }
 
     /// G |e - e_p|^2 at the end of the step.
@@ -148,7 +155,7 @@ namespace ElastoPlastic
     distortion_energy() const
     {
       const Tensor3 elastic_strain =
-        elastic_trial_strain - multiplier * direction;
+        elastic_trial_strain - plastic_length() * direction;
       return material.shear_modulus * (elastic_strain * elastic_strain);
     }
 
@@ -175,14 +182,15 @@ namespace ElastoPlastic
     state() const
     {
       MaterialState<Number> result = old_state;
-      result.plastic_strain += multiplier * direction;
-      result.equivalent_plastic_strain = end_of_step_alpha();
+      result.plastic_strain += plastic_length() * direction;
+      result.equivalent_plastic_strain += std::sqrt(2. / 3.) * plastic_length();
+      // beta + w (theta (beta + c x n) - beta), and 1 - theta = theta g x
       for (unsigned int k = 0; k < result.back_stresses.size(); ++k)
         {
+          const auto &[c, g]   = material.back_stresses[k];
           Tensor3 &back_stress = result.back_stresses[k];
           back_stress +=
-            material.back_stresses[k].modulus * multiplier * direction;
-          back_stress *= theta(k);
+            (theta(k) * plastic_length()) * (c * direction - g * back_stress);
         }
       return result;
     }
@@ -208,11 +216,11 @@ namespace ElastoPlastic
       return sum;
     }
 
+    /// The length of the plastic strain increment.
     Number
-    end_of_step_alpha() const
+    plastic_length() const
     {
-      return old_state.equivalent_plastic_strain +
-             std::sqrt(2. / 3.) * multiplier;
+      return relaxation * multiplier;
     }
 
     /// What the recovery in the step leaves of a back stress.
@@ -227,7 +235,7 @@ namespace ElastoPlastic
     shear_stiffness() const
     {
       const Number two_g = 2. * material.shear_modulus;
-      return two_g * (1. - two_g * multiplier / norm);
+      return two_g * (1. - two_g * plastic_length() / norm);
     }
 
     /// 2 G theta_bar, on lanes that yield: by how much the stiffness along the
@@ -250,17 +258,16 @@ namespace ElastoPlastic
       return sum;
     }
 
-    /// A function of alpha of the lanes' hardening curves; zero without them.
+    /// What @p function makes of the flow stress of each lane.
+    template <typename Function>
     Number
-    from_curves(double (HardeningCurve::*function)(const double) const,
-                const Number &alpha) const
+    lane_by_lane(const Function &function) const
     {
-      Number result = Number(0.);
-      if (!material.is_linear)
-        for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
-          if (material.curves[lane])
-            lane_of(result, lane) =
-              ((*material.curves[lane]).*function)(lane_of(alpha, lane));
+      Number result;
+      for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+        lane_of(result, lane) = function(
+          FlowStress(material, old_state.equivalent_plastic_strain, lane),
+          lane);
       return result;
     }
 
@@ -276,12 +283,19 @@ namespace ElastoPlastic
       norm      = std::max(relative_stress.norm(), Number(1e-100));
       direction = relative_stress / norm;
 
-      modulus =
-        2. * material.shear_modulus + material.isotropic_modulus -
-        direction * recovery_of_norm() +
-        2. / 3. * from_curves(&HardeningCurve::slope, end_of_step_alpha());
+      modulus = 2. * material.shear_modulus - direction * recovery_of_norm() +
+                2. / 3. *
+                  lane_by_lane(
+                    [this](const FlowStress &stress, const unsigned int lane) {
+                      const double x = lane_of(multiplier, lane);
+                      return x > 0. ? stress.slope(std::sqrt(2. / 3.) * x) : 0.;
+                    });
       for (unsigned int k = 0; k < old_state.back_stresses.size(); ++k)
         modulus += theta(k) * theta(k) * material.back_stresses[k].modulus;
+
+      for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+        lane_of(relaxation, lane) =
+          material.rate_laws[lane].relaxation(material.step_duration);
     }
 
     void
@@ -291,8 +305,10 @@ namespace ElastoPlastic
     stored_by_hardening(const MaterialState<Number> &state) const
     {
       const Number alpha = state.equivalent_plastic_strain;
-      Number       sum   = 0.75 * material.isotropic_modulus * alpha * alpha +
-                   from_curves(&HardeningCurve::integral, alpha);
+      Number       sum   = 0.75 * material.isotropic_modulus * alpha * alpha;
+      for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+        if (const HardeningCurve *curve = material.curves[lane].get())
+          lane_of(sum, lane) += curve->integral(lane_of(alpha, lane));
       // (where the modulus is zero, there is no back stress)
       for (unsigned int k = 0; k < state.back_stresses.size(); ++k)
         sum += 0.5 * (state.back_stresses[k] * state.back_stresses[k]) /
@@ -314,8 +330,11 @@ namespace ElastoPlastic
     /// What the excess of the stress over the yield surface falls by per unit
     /// of the multiplier.
     Number modulus;
-    /// Delta lambda, the length of the plastic strain increment.
+    /// Delta lambda: how long the plastic strain increment is, or without
+    /// relaxation would be.
     Number multiplier;
+    /// See RateLaw.
+    Number relaxation = Number(1.);
   };
 
 
@@ -334,24 +353,12 @@ namespace ElastoPlastic
           (i == 0 ? trial : old_state.back_stresses[i - 1]) *
           (j == 0 ? trial : old_state.back_stresses[j - 1]);
 
-    ReturnEquation equation;
-    equation.back_stresses.resize(n_back_stresses);
     for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
       if (lane_of(multiplier, lane) > 0)
         {
-          const double alpha =
-            lane_of(old_state.equivalent_plastic_strain, lane);
-          equation.elastic_modulus = 2. * lane_of(material.shear_modulus, lane);
-          equation.isotropic_modulus =
-            lane_of(material.isotropic_modulus, lane);
-          equation.radius = lane_of(material.yield_radius, lane) +
-                            equation.isotropic_modulus * std::sqrt(1.5) * alpha;
-          equation.equivalent_plastic_strain = alpha;
-          equation.curve                     = material.curves[lane].get();
-          for (unsigned int k = 0; k < n_back_stresses; ++k)
-            equation.back_stresses[k] = {
-              lane_of(material.back_stresses[k].modulus, lane),
-              lane_of(material.back_stresses[k].recovery, lane)};
+          ReturnEquation equation = {
+            FlowResistance(material, old_state.equivalent_plastic_strain, lane),
+            {}};
           for (unsigned int i = 0; i <= n_back_stresses; ++i)
             for (unsigned int j = 0; j <= n_back_stresses; ++j)
               equation.products[i][j] = lane_of(products[i][j], lane);

@@ -6,36 +6,22 @@
 
 #include <array>
 
-#include "material/material.h"
+#include "material/flow_resistance.h"
 
 namespace ElastoPlastic
 {
   /// The scalar equation that a backward Euler step of a nonlinear law leads
   /// to, at one point: find the plastic multiplier x > 0 for which the relative
-  /// stress lies on the yield surface (doc/theory, "Material"),
+  /// stress is what flow takes (doc/theory, "Material"),
   ///
-  ///   |z(x)| - x (2 G + sum_k theta_k c_k)
-  ///     - sqrt(2/3) sigma_Y(alpha_n + sqrt(2/3) x) = 0,
-  ///   theta_k = 1 / (1 + g_k x),   z(x) = xi + sum_k (1 - theta_k) beta_k,
+  ///   |z(x)| - R(x) = 0,   z(x) = xi + sum_k (1 - theta_k) beta_k,
   ///
-  /// where xi is the trial stress relative to the old back stresses beta_k.
-  /// Its left side decreases, by 2 G per unit of x or faster, as long as no
-  /// |beta_k| exceeds c_k / g_k.
+  /// where xi is the trial stress relative to the old back stresses beta_k, and
+  /// R the FlowResistance. The left side decreases, by 2 G per unit of x or
+  /// faster, as long as no |beta_k| exceeds c_k / g_k.
   struct ReturnEquation
   {
-    /// 2 G
-    double elastic_modulus;
-    /// 2/3 H
-    double isotropic_modulus;
-    /// sqrt(2/3) (sigma_0 + H alpha_n)
-    double radius;
-    /// alpha_n
-    double equivalent_plastic_strain;
-    /// What sigma_Y has beyond sigma_0 + H alpha; may be a null pointer.
-    const HardeningCurve *curve;
-
-    boost::container::static_vector<BackStressLaw<double>, max_back_stresses>
-      back_stresses;
+    FlowResistance resistance;
 
     /// The scalar products of the tensors xi, beta_1, beta_2, ...
     std::array<std::array<double, max_back_stresses + 1>, max_back_stresses + 1>
@@ -48,15 +34,16 @@ namespace ElastoPlastic
       double norm;   ///< |z|
     };
 
+    /// At a value of the unknown of the FlowStress.
     Value
-    evaluate(const double multiplier) const;
+    evaluate(const double unknown) const;
 
-    /// A solution, up to rounding; 0 if the trial stress lies inside the yield
-    /// surface. Newton's method between bounds that enclose the solution; if a
-    /// back stress is too large for the left side to be monotone, a bracketing
-    /// method without slopes. Not a number if there is no solution, as for data
-    /// that are none: forces and energy are none either then, and all ranks
-    /// notice.
+    /// A solution x, up to rounding; 0 if the trial stress lies inside the
+    /// yield surface. Newton's method between bounds that enclose the solution;
+    /// if a back stress is too large for the left side to be monotone, a
+    /// bracketing method without slopes. Not a number if there is no solution,
+    /// as for data that are none: forces and energy are none either then, and
+    /// all ranks notice.
     double
     solve() const;
 
@@ -65,7 +52,7 @@ namespace ElastoPlastic
     bool
     is_monotone() const;
 
-    /// The solution above 0 if the left side is monotone, and @p at_zero there.
+    /// The unknown if the left side is monotone, and @p at_zero where x = 0.
     double
     newton_iteration(const Value &at_zero) const;
   };

@@ -34,6 +34,10 @@ namespace ElastoPlastic
       return of_batches[materials.size() == 1 ? 0 : batch];
     }
 
+    /// Sets how long the load step under way takes, for all materials.
+    void
+    set_step_duration(const double duration);
+
     /// The largest number of back stresses that a material has.
     unsigned int
     n_back_stresses() const;
@@ -46,12 +50,16 @@ namespace ElastoPlastic
     bool
     recover() const;
 
+    /// Whether all stresses have an incremental potential.
+    bool
+    have_potential() const;
+
     /// Whether a hardening curve becomes steeper.
     bool
     become_steeper() const;
 
   private:
-    const std::vector<Material<double>> materials;
+    std::vector<Material<double>> materials;
     /// One for each cell batch, or only one if there is only one material.
     std::vector<Material<Number>> of_batches;
   };

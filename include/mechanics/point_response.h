@@ -63,9 +63,9 @@ namespace ElastoPlastic
       return law.distortion_energy() + volumetric_energy();
     }
 
-    /// The incremental potential of the stress. Where there is none, because
-    /// back stresses recover: the elastic energy and the plastic work of the
-    /// step, to look at.
+    /// The incremental potential of the stress. Where there is none
+    /// (ElastoPlastic::has_potential()): the elastic energy and the plastic
+    /// work of the step, to look at.
     Number
     incremental_energy(const bool has_potential) const
     {

@@ -141,9 +141,18 @@ namespace ElastoPlastic
 
 
 
-  /// The kernel for FE_Q(@p degree)^dim.
+  /// The kernel for FE_Q(@p degree)^dim. (Each dimension has a file of its own:
+  /// they take long to compile.)
   template <int dim>
   std::unique_ptr<SolidKernel<dim>>
+  make_solid_kernel(const unsigned int degree, const StrainModel &strain_model);
+
+  template <>
+  std::unique_ptr<SolidKernel<2>>
+  make_solid_kernel(const unsigned int degree, const StrainModel &strain_model);
+
+  template <>
+  std::unique_ptr<SolidKernel<3>>
   make_solid_kernel(const unsigned int degree, const StrainModel &strain_model);
 } // namespace ElastoPlastic
 

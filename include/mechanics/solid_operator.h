@@ -77,8 +77,9 @@ namespace ElastoPlastic
                   const StrainModel                   &strain_model,
                   const std::vector<Material<double>> &materials);
 
-    /// Whether the forces are the derivative of energy(). If not, because back
-    /// stresses recover, then tangents are unsymmetric.
+    /// Whether the forces are the derivative of energy(). They are not if back
+    /// stresses recover, which makes tangents unsymmetric, and with some laws
+    /// of rate dependence.
     bool
     has_energy() const;
 
@@ -92,6 +93,12 @@ namespace ElastoPlastic
     void
     reinit(const DoFHandler<dim>           &dof_handler,
            const AffineConstraints<double> &constraints);
+
+    /// Begins a load step of this @p duration, which lasts until commit(). In
+    /// between steps, no time passes: what flows at a finite rate only does not
+    /// flow.
+    void
+    begin_step(const double duration);
 
     /// Ends a load step with the displacement @p u: what the points then
     /// remember is what the next step begins with.
@@ -252,6 +259,7 @@ namespace ElastoPlastic
     const bool         is_finite;
     const bool         is_b_bar;
     const unsigned int n_points;
+    const bool         has_potential;
     /// Whether a back stress recovers.
     const bool recovers;
     /// Whether a hardening curve becomes steeper. Then a point can be stiff in

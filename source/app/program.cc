@@ -82,24 +82,12 @@ namespace
 
 
 
-  /// What the first rank does for all.
-  void
-  on_first_rank(const std::function<void()> &task)
-  {
-    rethrow_collectively(MPI_COMM_WORLD, [&]() {
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        task();
-    });
-  }
-
-
-
   /// @p name, or where the ready case of this name lies.
   std::string
   find_parameter_file(const std::string &name)
   {
     std::string file;
-    on_first_rank([&]() {
+    on_first_rank(MPI_COMM_WORLD, [&]() {
       file =
         ReadyCases(ReadyCases::places_of_this_program()).file_meant_by(name);
     });
@@ -153,7 +141,7 @@ namespace
           Parameters::print_reference(out);
           break;
         case CommandLine::Task::list_cases:
-          on_first_rank([&]() {
+          on_first_rank(MPI_COMM_WORLD, [&]() {
             ReadyCases(ReadyCases::places_of_this_program()).print(out);
           });
           break;

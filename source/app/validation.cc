@@ -178,7 +178,7 @@ namespace ElastoPlastic
     {
       print_line("Load steps",
                  std::to_string(preview.n_steps()) +
-                   (control == StepControl::adaptive ? ", which adapt" : ""),
+                   (control != StepControl::fixed ? ", which adapt" : ""),
                  out);
       print_line("Memory",
                  about(expected_megabytes(preview, n_ranks)) + " MB on " +

@@ -38,9 +38,7 @@ namespace ElastoPlastic
   read_input_file(const std::string &path, const std::string &name)
   {
     std::string bytes;
-    rethrow_collectively(MPI_COMM_WORLD, [&]() {
-      if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
-        return;
+    on_first_rank(MPI_COMM_WORLD, [&]() {
       std::error_code ignored;
       std::ifstream   stream;
       if (std::filesystem::is_regular_file(name, ignored))

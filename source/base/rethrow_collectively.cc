@@ -93,6 +93,17 @@ namespace ElastoPlastic
 
 
 
+  void
+  on_first_rank(const MPI_Comm communicator, const std::function<void()> &task)
+  {
+    rethrow_collectively(communicator, [&]() {
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        task();
+    });
+  }
+
+
+
   bool
   may_throw_alone()
   {

@@ -22,7 +22,7 @@ namespace ElastoPlastic
           "limit load",
           "only a body of perfectly plastic materials has a limit load that "
           "this analysis can find. Set 'Material/Law = perfectly plastic' "
-          "with a yield stress for each material.");
+          "with a yield stress for each material, and 'Rate law = none'.");
   }
 
 

@@ -29,7 +29,8 @@ namespace ElastoPlastic
             "Analysis",
             "contact with error bound",
             "the equilibrium method knows linear hardening only. Choose a "
-            "'Material/Law' without hardening curve and recovery.");
+            "'Material/Law' without hardening curve and recovery, and 'Rate "
+            "law = none'.");
     }
 
 

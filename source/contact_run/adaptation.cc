@@ -17,8 +17,8 @@ namespace ElastoPlastic
 
 
 
-  // In a history, the mesh may follow the contact. On the new one, the
-  // interpolated state is not in equilibrium, nor are all its stresses
+  // In a history, the mesh may follow the contact, in no time. On the new one,
+  // the interpolated state is not in equilibrium, nor are all its stresses
   // admissible: the solution under the same load is both, and the difference
   // is what the change of the mesh has cost. A finer mesh may not bear the
   // load, though; then the next step, which can be cut, has to find the next

@@ -94,8 +94,9 @@ namespace ElastoPlastic
   {
     return contact.has_friction()      ? "friction" :
            contact.has_curved_bounds() ? "finite strains" :
-           solid.has_energy()          ? "" :
-                                "a material with recovering back stresses";
+           !solid.is_symmetric() ? "a material with recovering back stresses" :
+           !solid.has_energy()   ? "a rate law without a potential" :
+                                   "";
   }
 
 

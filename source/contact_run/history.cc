@@ -187,6 +187,7 @@ namespace ElastoPlastic
           {
             step_is_under_way = true;
             body.apply_load(time_steps.next_time(), load_at_end_of_step());
+            body.solid.begin_step(time_steps.next_time() - time_steps.time());
             if (!cut || model.strain_model.is_finite())
               predict();
             SolveResult      result = solve_on_mesh_sequence(statistics);
@@ -228,7 +229,7 @@ namespace ElastoPlastic
     const unsigned int n_iterations = last_step.result.newton_iterations;
     if (last_step.result.time != load_program.final_time())
       adapt_mesh(statistics);
-    time_steps.advance(n_iterations);
+    time_steps.advance(n_iterations, last_step.step_error);
   }
 
 

@@ -187,6 +187,13 @@ namespace ElastoPlastic
     result.external_work =
       last_step.work_to(body.displacement, body.forces_of_stresses());
     last_step.add_to(result);
+    last_step.step_error =
+      last_step.is_virgin() || load_program.is_segment_end(time_steps.time()) ?
+        1. : // (nothing to compare with)
+        last_step.deviation_from_rates(result,
+                                       body.displacement,
+                                       body.gap_function.has_indenter()) /
+          parameters.loading.step_tolerance;
     last_step.find_rates(result, body.displacement);
     last_step.mean_force.add(result);
     evaluation.note(result, last_step);
@@ -224,6 +231,7 @@ namespace ElastoPlastic
       body.displacement = 0.;
     else
       body.displacement = last_step.displacement;
+    body.solid.begin_step(0.);
     body.solid.predict_flow(body.displacement, body.displacement);
     body.contact.deactivate_all();
     body.move_indenter(last_step.result.time);

@@ -38,7 +38,8 @@ namespace ElastoPlastic
                                const double            plastic_strain)
   {
     const double yield_stress = largest_yield_stress(material, plastic_strain);
-    if (!(yield_stress < std::numeric_limits<double>::infinity()))
+    if (!(yield_stress < std::numeric_limits<double>::infinity()) ||
+        is_rate_dependent(material))
       return std::numeric_limits<double>::infinity();
     const double K = material.bulk_modulus, G = material.shear_modulus;
     const double E      = 9. * K * G / (3. * K + G);

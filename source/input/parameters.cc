@@ -96,15 +96,11 @@ namespace ElastoPlastic
     ParameterHandler prm;
     parameters.add_parameters(prm);
 
-    const bool first_rank =
-      Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-    rethrow_collectively(MPI_COMM_WORLD, [&]() {
-      if (first_rank)
-        parameters.read_input(command_line, prm);
-    });
+    on_first_rank(MPI_COMM_WORLD,
+                  [&]() { parameters.read_input(command_line, prm); });
     parameters.entries =
       Utilities::MPI::broadcast(MPI_COMM_WORLD, all_entries(prm));
-    if (!first_rank)
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
       for (const auto &[path, value] : parameters.entries)
         set_entry(prm, path, value);
     parameters.effective_input = as_text(prm);

@@ -43,7 +43,7 @@ namespace ElastoPlastic
       "between, beginning with zero at t = 0. For instance: 1: depth 0.02 | "
       "2: force 0 | 3: depth 0.03. Where the control changes, the new one "
       "starts from what has been reached. A row '4: hold' keeps depth or force; "
-      "no material here depends on rates, so that nothing happens meanwhile.",
+      "a material with a rate law creeps or relaxes meanwhile.",
       Patterns::Anything());
     prm.add_parameter(
       "Path",
@@ -73,7 +73,17 @@ namespace ElastoPlastic
       "at most 2, and never longer than 2 of the 'Number of steps'. Steps end "
       "at the ends of the segments and at 'Output/Field times'. Expressions in "
       "t may turn anywhere: with them, adaptive steps also end where fixed ones "
-      "do.");
+      "do. accurate: the same, with the factor sqrt('Step tolerance' / error of "
+      "the step), up to 64 of the 'Number of steps'.");
+    prm.add_parameter(
+      "Step tolerance",
+      step_tolerance,
+      "What 'accurate' steps may deviate, each, from what the step before would "
+      "lead to: the part of it that is an error of the implicit Euler method. "
+      "Of the force (if that is given, the depth) of the indenter, or without "
+      "one of the displacement, relative to the largest until then. Greater "
+      "than 0. No unit.",
+      Patterns::Double());
     prm.add_parameter("Final time",
                       final_time,
                       "The time t at the end of the last step. Greater than 0. "
@@ -95,7 +105,11 @@ namespace ElastoPlastic
   void
   LoadingParameters::check() const
   {
-    if (step_control == StepControl::adaptive && is_single_step())
+    if (!(step_tolerance > 0))
+      throw InputError("Loading/Step tolerance",
+                       Patterns::Tools::to_string(step_tolerance),
+                       "it must be greater than 0, such as 0.002.");
+    if (step_control != StepControl::fixed && is_single_step())
       throw InputError(
         "Loading/Step control",
         Patterns::Tools::to_string(step_control),

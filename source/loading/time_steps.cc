@@ -61,10 +61,11 @@ namespace ElastoPlastic
   TimeSteps::TimeSteps(const std::vector<double> &segment_ends,
                        const unsigned int         n_steps,
                        const unsigned int         max_cuts,
+                       const StepControl          step_control,
                        const std::vector<double> &more_stops)
     : TimeSteps(segment_ends, n_steps, max_cuts)
   {
-    control = StepControl::adaptive;
+    control = step_control;
     std::set<double> all(segments.begin(), segments.end());
     for (const double time : more_stops)
       if (time > 0 && time < ends.back())
@@ -167,13 +168,16 @@ namespace ElastoPlastic
 
 
   void
-  TimeSteps::advance(const unsigned int n_iterations)
+  TimeSteps::advance(const unsigned int n_iterations, const double error)
   {
     const double begin = position;
     position           = end();
     ++step_number;
     if (control == StepControl::adaptive)
-      adapt(position - begin, n_iterations);
+      adapt(position - begin,
+            std::sqrt(target_iterations / std::max(1., 1. * n_iterations)));
+    else if (control == StepControl::accurate)
+      adapt(position - begin, 1. / std::sqrt(std::max(error, 1e-10)));
     else if (length < 1 && (std::fmod(position, 2 * length) == 0 ||
                             position == std::floor(position)))
       length = std::min(1., 2 * length);
@@ -183,19 +187,19 @@ namespace ElastoPlastic
 
   // A step that had to meet a stop says nothing against longer ones.
   void
-  TimeSteps::adapt(const double taken, const unsigned int n_iterations)
+  TimeSteps::adapt(const double taken, const double wanted)
   {
     if (std::binary_search(segments.begin(), segments.end(), position))
       {
         length = 1;
         return;
       }
-    const double growth =
-      std::clamp(std::sqrt(target_iterations / std::max(1., 1. * n_iterations)),
-                 0.5,
-                 2.);
-    length = growth < 1 ? std::max(growth * taken, shortest) :
-                          std::min(std::max(length, growth * taken), longest);
+    const double growth = std::clamp(wanted, 0.5, 2.);
+    length =
+      growth < 1 ?
+        std::max(growth * taken, shortest) :
+        std::min(std::max(length, growth * taken),
+                 control == StepControl::accurate ? longest_accurate : longest);
   }
 
 

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/patterns.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "base/exceptions.h"
 #include "material/material_parameters.h"
+#include "material/value_per_material.h"
 
 namespace ElastoPlastic
 {
@@ -16,30 +14,6 @@ namespace ElastoPlastic
   {
     /// Smaller elastic strains are lost in the rounding of plastic ones.
     constexpr double smallest_yield_strain = 1e-8;
-
-    /// The value for the material @p id of a list that may hold one for all.
-    template <typename T>
-    const T &
-    of_material(const std::vector<T> &values, const unsigned int id)
-    {
-      return values.size() == 1 ? values[0] : values[id];
-    }
-
-    template <typename Condition>
-    void
-    require(const std::string         &entry,
-            const std::vector<double> &values,
-            const Condition           &condition,
-            const std::string         &what)
-    {
-      for (const double value : values)
-        if (!condition(value) || !is_moderate(value))
-          throw InputError("Material/" + entry,
-                           Patterns::Tools::to_string(values),
-                           condition(value) ?
-                             "its numbers must not exceed 1e100." :
-                             what);
-    }
 
     /// What a law makes of the entries of the section.
     struct LawProperties
@@ -115,6 +89,7 @@ namespace ElastoPlastic
                       "hardening' and 'combined hardening'. Unit: stress.",
                       Patterns::List(Patterns::Double(), 1));
     add_nonlinear_hardening(prm);
+    rates.add_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -215,6 +190,7 @@ namespace ElastoPlastic
                          decimal_point_hint);
     check_yield_strains();
     check_nonlinear_hardening();
+    check_rate_laws();
   }
 
 
@@ -283,22 +259,46 @@ namespace ElastoPlastic
 
 
 
+  void
+  MaterialParameters::check_rate_laws() const
+  {
+    rates.check();
+    for (unsigned int id = 0; id < n_materials(); ++id)
+      {
+        const RateLawType type = rates.rate_law(id).type;
+        if (of_material(laws, id) == MaterialLaw::linear_elastic &&
+            type != RateLawType::none && type != RateLawType::norton)
+          throw InputError(
+            "Material/Rate law",
+            Patterns::Tools::to_string(rates.types),
+            "with 'Law = linear elastic' the material does not flow, however "
+            "fast: choose a law with a yield stress, or 'Norton', which "
+            "creeps at any stress.");
+      }
+  }
+
+
+
   std::vector<std::pair<std::string, unsigned int>>
   MaterialParameters::list_lengths() const
   {
-    return {{"Law", laws.size()},
-            {"Young's modulus", young_moduli.size()},
-            {"Poisson's ratio", poisson_ratios.size()},
-            {"Yield stress", yield_stresses.size()},
-            {"Isotropic hardening modulus", isotropic_moduli.size()},
-            {"Kinematic hardening modulus", kinematic_moduli.size()},
-            {"Voce stress", voce_stresses.size()},
-            {"Voce rate", voce_rates.size()},
-            {"Power law exponent", power_law_exponents.size()},
-            {"Power law reference strain", power_law_reference_strains.size()},
-            {"Hardening table", hardening_tables.size()},
-            {"Back stress moduli", back_stress_moduli.size()},
-            {"Recovery rates", recovery_rates.size()}};
+    std::vector<std::pair<std::string, unsigned int>> result = {
+      {"Law", laws.size()},
+      {"Young's modulus", young_moduli.size()},
+      {"Poisson's ratio", poisson_ratios.size()},
+      {"Yield stress", yield_stresses.size()},
+      {"Isotropic hardening modulus", isotropic_moduli.size()},
+      {"Kinematic hardening modulus", kinematic_moduli.size()},
+      {"Voce stress", voce_stresses.size()},
+      {"Voce rate", voce_rates.size()},
+      {"Power law exponent", power_law_exponents.size()},
+      {"Power law reference strain", power_law_reference_strains.size()},
+      {"Hardening table", hardening_tables.size()},
+      {"Back stress moduli", back_stress_moduli.size()},
+      {"Recovery rates", recovery_rates.size()}};
+    for (const auto &of_rates : rates.list_lengths())
+      result.push_back(of_rates);
+    return result;
   }
 
 
@@ -379,6 +379,8 @@ namespace ElastoPlastic
               std::make_shared<HardeningCurve>(hardening_curve(id));
             material.is_linear = false;
           }
+        material.rate_laws[0] = rates.rate_law(id);
+        material.is_linear = material.is_linear && !is_rate_dependent(material);
         result.push_back(material);
       }
     return result;

@@ -15,23 +15,8 @@ namespace ElastoPlastic
     : material(material)
     , strain(strain)
     , old_state(old_state)
+    , resistance(material, old_state.equivalent_plastic_strain, 0)
   {}
-
-
-
-  double
-  PlaneStressReturn::radius(const double multiplier) const
-  {
-    const double ratio = std::sqrt(2. / 3.);
-    const double alpha =
-      old_state.equivalent_plastic_strain + ratio * multiplier;
-    double modulus = 2. * material.shear_modulus;
-    for (const auto &law : material.back_stresses)
-      modulus += law.modulus / (1. + law.recovery * multiplier);
-    return modulus * multiplier + material.yield_radius +
-           material.isotropic_modulus * alpha / ratio +
-           (material.curves[0] ? ratio * material.curves[0]->value(alpha) : 0.);
-  }
 
 
 
@@ -47,34 +32,38 @@ namespace ElastoPlastic
 
 
 
-  // 0 = sigma_33 = 2 G (e_33 - e_p,33 - multiplier n_33) + K tr(strain), with
-  // n = z / radius and z = 2 G (e - e_p) - back stress, is linear in the
-  // strain.
+  // 0 = sigma_33 = 2 G (e_33 - e_p,33 - w x n_33) + K tr(strain), with n = z /
+  // resistance, z = 2 G (e - e_p) - back stress and the RateLaw's relaxation w,
+  // is linear in the strain.
   double
-  PlaneStressReturn::out_of_plane_strain(const double multiplier) const
+  PlaneStressReturn::out_of_plane_strain(const Flow &flow) const
   {
     const double bulk  = material.bulk_modulus;
     const double two_g = 2. * material.shear_modulus;
-    const double shed  = two_g * multiplier / radius(multiplier);
+    const double shed =
+      flow.multiplier > 0 ?
+        material.rate_laws[0].relaxation(material.step_duration) * two_g *
+          flow.multiplier / flow.resistance :
+        0.; // (where nothing flows, there may be no resistance)
     const double trace = strain[0][0] + strain[1][1];
     return ((1. - shed) * two_g *
               (trace / 3. + old_state.plastic_strain[2][2]) -
-            shed * back_stress(multiplier)[2][2] - bulk * trace) /
+            shed * back_stress(flow.multiplier)[2][2] - bulk * trace) /
            ((1. - shed) * two_g * 2. / 3. + bulk);
   }
 
 
 
   double
-  PlaneStressReturn::excess(const double multiplier) const
+  PlaneStressReturn::excess(const Flow &flow) const
   {
     SymmetricTensor<2, 3> complete = strain;
-    complete[2][2]                 = out_of_plane_strain(multiplier);
+    complete[2][2]                 = out_of_plane_strain(flow);
     return (2. * material.shear_modulus *
               (strain_deviator(complete) - old_state.plastic_strain) -
-            back_stress(multiplier))
+            back_stress(flow.multiplier))
              .norm() -
-           radius(multiplier);
+           flow.resistance;
   }
 
 
@@ -82,13 +71,14 @@ namespace ElastoPlastic
   double
   PlaneStressReturn::out_of_plane_strain() const
   {
-    const double first_excess = excess(0.);
-    if (!(first_excess > 0))
-      return out_of_plane_strain(0.);
+    const Flow   without      = resistance.at(0.);
+    const double first_excess = excess(without);
+    if (!(first_excess > 0) || !resistance.flow_stress.can_flow())
+      return out_of_plane_strain(without);
 
-    return out_of_plane_strain(positive_root(
-      [this](const double multiplier) { return excess(multiplier); },
+    return out_of_plane_strain(resistance.at(positive_root(
+      [this](const double unknown) { return excess(resistance.at(unknown)); },
       first_excess,
-      first_excess / (2. * material.shear_modulus)));
+      resistance.upper_bound(first_excess))));
   }
 } // namespace ElastoPlastic

@@ -24,37 +24,31 @@ namespace ElastoPlastic
 
 
   ReturnEquation::Value
-  ReturnEquation::evaluate(const double multiplier) const
+  ReturnEquation::evaluate(const double unknown) const
   {
+    const FlowResistance::Value flow = resistance.at(unknown);
+    const unsigned int          n    = resistance.back_stresses.size();
+
     double weight[max_back_stresses + 1]       = {1.};
     double weight_slope[max_back_stresses + 1] = {0.};
-    double kinematic = 0, kinematic_slope = 0;
-    for (unsigned int k = 0; k < back_stresses.size(); ++k)
+    for (unsigned int k = 0; k < n; ++k)
       {
-        const auto &[c, g]  = back_stresses[k];
-        const double theta  = 1. / (1. + g * multiplier);
-        weight[k + 1]       = g * multiplier * theta;
-        weight_slope[k + 1] = g * theta * theta;
-        kinematic += theta * c;
-        kinematic_slope += theta * theta * c;
+        const double g      = resistance.back_stresses[k].recovery;
+        const double theta  = 1. / (1. + g * flow.multiplier);
+        weight[k + 1]       = g * flow.multiplier * theta;
+        weight_slope[k + 1] = g * theta * theta * flow.multiplier_slope;
       }
 
     double square = 0, half_square_slope = 0;
-    for (unsigned int i = 0; i <= back_stresses.size(); ++i)
-      for (unsigned int j = 0; j <= back_stresses.size(); ++j)
+    for (unsigned int i = 0; i <= n; ++i)
+      for (unsigned int j = 0; j <= n; ++j)
         {
           square += weight[i] * weight[j] * products[i][j];
           half_square_slope += weight[i] * weight_slope[j] * products[i][j];
         }
     const double norm = std::sqrt(std::max(square, 1e-200));
-
-    const double ratio = std::sqrt(2. / 3.);
-    const double alpha = equivalent_plastic_strain + ratio * multiplier;
-    return {norm - multiplier * (elastic_modulus + kinematic) - radius -
-              isotropic_modulus * multiplier -
-              (curve ? ratio * curve->value(alpha) : 0.),
-            half_square_slope / norm - elastic_modulus - kinematic_slope -
-              isotropic_modulus - (curve ? 2. / 3. * curve->slope(alpha) : 0.),
+    return {norm - flow.resistance,
+            half_square_slope / norm - flow.slope,
             norm};
   }
 
@@ -63,9 +57,9 @@ namespace ElastoPlastic
   bool
   ReturnEquation::is_monotone() const
   {
-    for (unsigned int k = 0; k < back_stresses.size(); ++k)
+    for (unsigned int k = 0; k < resistance.back_stresses.size(); ++k)
       {
-        const auto &[c, g] = back_stresses[k];
+        const auto &[c, g] = resistance.back_stresses[k];
         if (g * g * products[k + 1][k + 1] > (1. + rounding) * c * c)
           return false;
       }
@@ -78,20 +72,22 @@ namespace ElastoPlastic
   double
   ReturnEquation::newton_iteration(const Value &at_zero) const
   {
-    constexpr int  digits       = std::numeric_limits<double>::digits * 3 / 5;
+    constexpr int digits = std::numeric_limits<double>::digits * 3 / 5;
+    const double  upper =
+      (1. + rounding) * resistance.upper_bound(at_zero.excess);
     std::uintmax_t n_iterations = max_iterations;
-    const double   multiplier   = boost::math::tools::newton_raphson_iterate(
-      [this](const double x) {
-        const Value value = evaluate(x);
+    const double   unknown      = boost::math::tools::newton_raphson_iterate(
+      [this](const double y) {
+        const Value value = evaluate(y);
         return std::make_pair(value.excess, value.slope);
       },
-      -at_zero.excess / at_zero.slope,
+      std::min(upper, -at_zero.excess / at_zero.slope),
       0.,
-      (1. + rounding) * at_zero.excess / elastic_modulus,
+      upper,
       digits,
       n_iterations);
     return n_iterations < max_iterations ?
-             multiplier :
+             unknown :
              std::numeric_limits<double>::quiet_NaN();
   }
 
@@ -103,12 +99,14 @@ namespace ElastoPlastic
     const Value at_zero = evaluate(0.);
     if (!std::isfinite(at_zero.excess))
       return std::numeric_limits<double>::quiet_NaN();
-    if (at_zero.excess <= 0)
+    if (at_zero.excess <= 0 || !resistance.flow_stress.can_flow())
       return 0.;
-    if (is_monotone())
-      return newton_iteration(at_zero);
-    return positive_root([this](const double x) { return evaluate(x).excess; },
-                         at_zero.excess,
-                         at_zero.excess / elastic_modulus);
+    const double unknown =
+      is_monotone() ?
+        newton_iteration(at_zero) :
+        positive_root([this](const double y) { return evaluate(y).excess; },
+                      at_zero.excess,
+                      resistance.upper_bound(at_zero.excess));
+    return resistance.at(unknown).multiplier;
   }
 } // namespace ElastoPlastic

@@ -45,6 +45,25 @@ namespace ElastoPlastic
 
 
   bool
+  BatchMaterials::have_potential() const
+  {
+    return std::all_of(materials.begin(), materials.end(), has_potential);
+  }
+
+
+
+  void
+  BatchMaterials::set_step_duration(const double duration)
+  {
+    for (Material<double> &material : materials)
+      material.step_duration = duration;
+    for (Material<Number> &material : of_batches)
+      material.step_duration = duration;
+  }
+
+
+
+  bool
   BatchMaterials::become_steeper() const
   {
     return std::any_of(materials.begin(),

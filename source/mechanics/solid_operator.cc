@@ -41,6 +41,7 @@ namespace ElastoPlastic
     , is_finite(strain_model.is_finite())
     , is_b_bar(strain_model.treatment == VolumetricTreatment::b_bar)
     , n_points(Utilities::fixed_power<dim>(degree + 1))
+    , has_potential(this->materials.have_potential())
     , recovers(this->materials.recover())
     , becomes_steeper(this->materials.become_steeper())
     , kernel(make_solid_kernel<dim>(degree, strain_model))
@@ -54,7 +55,7 @@ namespace ElastoPlastic
   bool
   SolidOperator<dim>::has_energy() const
   {
-    return !recovers;
+    return has_potential;
   }
 
 
@@ -63,7 +64,7 @@ namespace ElastoPlastic
   bool
   SolidOperator<dim>::is_symmetric() const
   {
-    return has_energy();
+    return !recovers;
   }
 
 
@@ -124,6 +125,15 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  SolidOperator<dim>::begin_step(const double duration)
+  {
+    materials.set_step_duration(duration);
+  }
+
+
+
+  template <int dim>
+  void
   SolidOperator<dim>::commit(const VectorType &u)
   {
     kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {
@@ -132,6 +142,7 @@ namespace ElastoPlastic
                           q,
                           response(strains[0], q).plasticity().state());
     });
+    begin_step(0.);
   }
 
 

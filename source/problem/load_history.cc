@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+
 #include "problem/load_history.h"
 
 namespace ElastoPlastic
@@ -32,7 +34,8 @@ namespace ElastoPlastic
       stops.insert(stops.end(),
                    fixed.uncut_ends().begin(),
                    fixed.uncut_ends().end());
-    return TimeSteps(ends, loading.n_steps, loading.max_cuts, stops);
+    return TimeSteps(
+      ends, loading.n_steps, loading.max_cuts, loading.step_control, stops);
   }
 
 
@@ -42,13 +45,16 @@ namespace ElastoPlastic
   remarks_on_holds(const Model<dim> &model)
   {
     std::vector<std::string> remarks;
-    if (model.load_program.path().is_at_rest() && !has_other_loads(model))
+    if (model.load_program.path().is_at_rest() && !has_other_loads(model) &&
+        std::none_of(model.materials.begin(),
+                     model.materials.end(),
+                     is_rate_dependent))
       for (const auto &[begin, end] : model.load_program.holds())
         remarks.push_back("'Loading/History' holds the load from t = " +
                           Patterns::Tools::to_string(begin) + " to " +
                           Patterns::Tools::to_string(end) +
                           ": nothing happens meanwhile, because no material "
-                          "depends on rates. The steps repeat the same "
+                          "has a rate law. The steps repeat the same "
                           "equilibrium.");
     return remarks;
   }

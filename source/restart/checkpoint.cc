@@ -271,9 +271,7 @@ namespace ElastoPlastic
   {
     Contents    contents;
     std::string folder;
-    rethrow_collectively(communicator, [&]() {
-      if (Utilities::MPI::this_mpi_process(communicator) != 0)
-        return;
+    on_first_rank(communicator, [&]() {
       folder = last_checkpoint(directory).string();
       if (folder.empty())
         throw InputError("There is nothing to resume: '" + directory +

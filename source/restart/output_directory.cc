@@ -269,18 +269,17 @@ namespace ElastoPlastic
   void
   OutputDirectory::on_first_rank(const std::function<void()> &task) const
   {
-    rethrow_collectively(communicator, [&]() {
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        try
-          {
-            task();
-          }
-        catch (const fs::filesystem_error &error)
-          {
-            throw FileError("The output directory '" + name +
-                            "' cannot be used: " + error.code().message() +
-                            ". Choose another 'Output/Directory'.");
-          }
+    ElastoPlastic::on_first_rank(communicator, [&]() {
+      try
+        {
+          task();
+        }
+      catch (const fs::filesystem_error &error)
+        {
+          throw FileError("The output directory '" + name +
+                          "' cannot be used: " + error.code().message() +
+                          ". Choose another 'Output/Directory'.");
+        }
     });
   }
 

@@ -33,6 +33,7 @@ from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_c
                           johnson_limit, load_cycles, pyramid_sectors, sectors)
 from .job_preview import curved_body, job_preview
 from .load_steps import adaptive_steps, checkpoint_memory
+from .rate_dependence import creep_contact, creep_cylinder, creep_sphere, rates_uniaxial
 from .rounding import contrast, direct_contact, moved_body, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .units import prescribed_from_nothing, units
@@ -287,6 +288,7 @@ ALL = {
     function.__name__: function
     for function in (step42, step42_fine, confined_block, confined_history, uniaxial,
                      uniaxial_history, nonlinear_history, recovery_converges, chaboche_contact,
+                     rates_uniaxial, creep_cylinder, creep_sphere, creep_contact,
                      force_control, hertz, hertz_axisymmetric, hertz_cylinder,
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space, sectors, pyramid_sectors,

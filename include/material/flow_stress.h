@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef material_flow_stress_h
+#define material_flow_stress_h
+
+#include <cmath>
+
+#include "material/material.h"
+
+namespace ElastoPlastic
+{
+  /// The stress in tension at which a point flows in a backward Euler step, by
+  /// how much its equivalent plastic strain grows in the step: the yield
+  /// stress
+  ///
+  ///   sigma_Y(alpha_n + increment)
+  ///
+  /// and, of materials with a RateLaw, what the rate increment / duration makes
+  /// of it. It does not decrease.
+  ///
+  /// With rate dependence its slope is infinite where the increment is zero.
+  /// Equations that are to be solved for the increment are smooth functions of
+  /// another unknown, the overstress ratio y:
+  ///
+  ///   increment = reference_rate duration y^n.
+  ///
+  /// Without rate dependence the unknown is the increment.
+  class FlowStress
+  {
+  public:
+    /// The one of a lane of @p material, whose point begins the step with the
+    /// equivalent plastic strain @p alpha. @p material must outlive this
+    /// object.
+    template <typename Number>
+    FlowStress(const Material<Number> &material,
+               const Number           &alpha,
+               const unsigned int      lane);
+
+    /// Where flow begins.
+    double
+    initial() const;
+
+    /// The derivative with respect to the @p increment > 0.
+    double
+    slope(const double increment) const;
+
+    /// stress(increment) increment - int_0^increment stress, but for what
+    /// comes of linear hardening. (Of rate laws that have a potential.)
+    double
+    complement(const double increment) const;
+
+    /// All that belongs to a value of the unknown: the increment, the stress
+    /// and their derivatives with respect to the unknown.
+    struct Value
+    {
+      double increment, stress, increment_slope, stress_slope;
+    };
+
+    Value
+    at(const double unknown) const;
+
+    /// The unknown that belongs to an @p increment.
+    double
+    unknown(const double increment) const;
+
+    /// Whether there is time to flow.
+    bool
+    can_flow() const
+    {
+      return increment_of_one > 0.;
+    }
+
+  private:
+    double
+    yield_stress(const double increment) const;
+
+    double
+    yield_slope(const double increment) const;
+
+    /// sigma_0 and H, unit: stress
+    const double initial_yield_stress, linear_modulus;
+    /// May be a null pointer.
+    const HardeningCurve *const curve;
+    const RateLaw              &rate_law;
+    const double                alpha;
+
+    /// n, and the increment that belongs to the unknown 1.
+    const double exponent, increment_of_one;
+  };
+
+
+
+  template <typename Number>
+  FlowStress::FlowStress(const Material<Number> &material,
+                         const Number           &alpha,
+                         const unsigned int      lane)
+    : initial_yield_stress(std::sqrt(1.5) *
+                           lane_of(material.yield_radius, lane))
+    , linear_modulus(1.5 * lane_of(material.isotropic_modulus, lane))
+    , curve(material.curves[lane].get())
+    , rate_law(material.rate_laws[lane])
+    , alpha(lane_of(alpha, lane))
+    , exponent(rate_law.has_ratio() ? rate_law.exponent : 1.)
+    , increment_of_one(rate_law.has_ratio() ?
+                         rate_law.reference_rate * material.step_duration :
+                         1.)
+  {}
+} // namespace ElastoPlastic
+
+#endif

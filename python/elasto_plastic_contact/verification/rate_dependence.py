@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Verification: laws that depend on the rate of the flow; see verify."""
+
+import math
+
+from .runner import E, NU
+
+YIELD = 400.0
+
+
+def rates_uniaxial(runner):
+    """A bar under uniaxial stress with each rate law: loading, then holding (quadrature)."""
+    bar = ("Loading/Final time=2", "Geometry/Initial refinements=0",
+           "Boundary conditions/Prescribed displacement=top: free; free; 0.01*min(1, t)")
+    for name, (entries, rate) in LAWS.items():
+        stresses = [[step["top_z"] for step in runner.history(
+                        "verification/uniaxial_stress.prm", *bar, *entries, f"Loading/Number of steps={2 * n}")][n - 1::n]
+                    for n in (100, 200, 400)]
+        exact = integrate(rate)
+        for time, coarse, middle, fine, reference in zip((1, 2), *stresses, exact):
+            # the first two orders of the error in the size of the steps taken away
+            runner.compare(f"{name}, stress at t = {time}", (8 * fine - 6 * middle + coarse) / 3, reference, 1e-6)
+        order = math.log2((stresses[0][1] - exact[1]) / (stresses[1][1] - exact[1]))
+        runner.compare(f"{name}, order in time", order, 1, 0.05)
+
+
+def flow(stress, resistance, unit, rate, exponent):
+    """rate sign(stress) (<|stress| - resistance> / unit)^exponent"""
+    return math.copysign(rate * (max(0.0, abs(stress) - resistance) / unit) ** exponent, stress)
+
+
+# Entries, and the rates of plastic strain, hardening variable and back stress as functions of
+# stress and these.
+PERFECT = ("Material/Law=perfectly plastic", "Material/Yield stress=400")
+LAWS = {
+    "Perzyna": (
+        (*PERFECT, "Material/Rate law=Perzyna", "Material/Rate exponent=3", "Material/Reference rate=0.02",
+         "Material/Rate stress=200"),
+        lambda stress, alpha, back: flow(stress, YIELD, 200.0, 0.02, 3)),
+    "Perzyna, isotropic hardening": (
+        ("Material/Law=isotropic hardening", "Material/Yield stress=400", "Material/Isotropic hardening modulus=20000",
+         "Material/Rate law=Perzyna", "Material/Rate exponent=1", "Material/Reference rate=0.02",
+         "Material/Rate stress=5000"),
+        lambda stress, alpha, back: flow(stress, YIELD + 20000 * alpha, 5000.0, 0.02, 1)),
+    "Perzyna, kinematic hardening": (
+        ("Material/Law=kinematic hardening", "Material/Yield stress=400", "Material/Kinematic hardening modulus=20000",
+         "Material/Rate law=Perzyna", "Material/Rate exponent=2", "Material/Reference rate=0.02",
+         "Material/Rate stress=200"),
+        lambda stress, alpha, back: flow(stress - 20000 * back, YIELD, 200.0, 0.02, 2)),
+    "Norton": (
+        ("Material/Law=linear elastic", "Material/Rate law=Norton", "Material/Rate exponent=4",
+         "Material/Reference rate=0.005", "Material/Rate stress=300"),
+        lambda stress, alpha, back: flow(stress, 0.0, 300.0, 0.005, 4)),
+    "Cowper-Symonds": (
+        (*PERFECT, "Material/Rate law=Cowper-Symonds", "Material/Rate exponent=2", "Material/Reference rate=0.1"),
+        lambda stress, alpha, back: flow(stress, YIELD, YIELD, 0.1, 2)),
+    "Duvaut-Lions": (
+        (*PERFECT, "Material/Rate law=Duvaut-Lions", "Material/Relaxation time=0.3"),
+        lambda stress, alpha, back: flow(stress, YIELD, 3 * E / (2 * (1 + NU)), 1 / 0.3, 1)),
+}
+
+
+def integrate(rate, n_steps=20000):
+    """The stress at t = 1 and 2 by the classical Runge-Kutta method; the back stress is counted in plastic strain."""
+    def derivative(strain_rate, state):
+        stress, alpha, plastic = state
+        flowing = rate(stress, alpha, plastic)
+        return E * (strain_rate - flowing), abs(flowing), flowing
+
+    state, h, result = (0.0, 0.0, 0.0), 1.0 / n_steps, []
+    for strain_rate in (0.01, 0.0):
+        for _ in range(n_steps):
+            k1 = derivative(strain_rate, state)
+            k2 = derivative(strain_rate, [x + 0.5 * h * k for x, k in zip(state, k1)])
+            k3 = derivative(strain_rate, [x + 0.5 * h * k for x, k in zip(state, k2)])
+            k4 = derivative(strain_rate, [x + h * k for x, k in zip(state, k3)])
+            state = tuple(x + h / 6 * (a + 2 * b + 2 * c + d) for x, a, b, c, d in zip(state, k1, k2, k3, k4))
+        result.append(state[0])
+    return result
+
+
+def creep_cylinder(runner):
+    """A thick cylinder under pressure creeps (Norton): redistribution to the stationary stresses (closed form)."""
+    a, b, pressure, reference_rate, unit = 100.0, 200.0, 50.0, 1e-4, 100.0
+    for n, final_time in ((3, 2000), (5, 2000), (10, 20000)):
+        steps = runner.tables("creep/thick_cylinder.prm", f"Material/Rate exponent={n}",
+                              f"Loading/Final time={final_time}")["probes"]
+        power = (b / a) ** (2 / n)
+        for place, r in (("inner", 101.25), ("outer", 198.75)):  # centres of cells
+            runner.compare(f"n = {n}, hoop stress in the {place} cell", steps[-1][f"{place}_stress_zz"],
+                           pressure * ((2 / n - 1) * (b / r) ** (2 / n) + 1) / (power - 1), 0.005)
+        equivalent = math.sqrt(3) / 2 * pressure * 2 / n * power / (power - 1)
+        rate = math.sqrt(3) / 2 * reference_rate * (equivalent / unit) ** n
+        widening = [step["left_displacement_x"] / a for step in steps]
+        runner.compare(f"n = {n}, rate of the bore", (widening[-1] - widening[-2]) / (final_time / len(steps)), rate,
+                       0.005)
+        stresses = [step["inner_stress_zz"] for step in steps]
+        runner.verify(f"n = {n}, the hoop stress along the bore only falls",
+                      all(later <= earlier + 1e-6 * pressure for earlier, later in zip(stresses, stresses[1:])))
+
+
+def creep_sphere(runner):
+    """A thick sphere under pressure creeps (Norton): the stationary rate of its bore (closed form)."""
+    a, b, pressure, reference_rate, unit = 100.0, 200.0, 200.0, 1e-4, 200.0
+    for n in (3, 5):
+        steps = runner.tables(
+            "verification/thick_sphere_axisymmetric.prm", "Material/Law=linear elastic", "Material/Rate law=Norton",
+            f"Material/Rate exponent={n}", f"Material/Reference rate={reference_rate}", f"Material/Rate stress={unit}",
+            "Boundary conditions/Traction=inner: 200*x/sqrt(x^2 + y^2); 200*y/sqrt(x^2 + y^2)",
+            "Geometry/Initial refinements=3", "Discretization/Polynomial degree=1",
+            "Discretization/Volumetric treatment=B-bar", "Loading/Final time=2000", "Loading/Number of steps=40",
+            "Output/Probe points=bore: 100, 0")["probes"]
+        power = (b / a) ** (3 / n)
+        equivalent = pressure * 3 / (2 * n) * power / (power - 1)
+        widening = [step["bore_displacement_x"] / a for step in steps]
+        runner.compare(f"n = {n}, rate of the bore", (widening[-1] - widening[-2]) / (2000 / len(steps)),
+                       0.5 * reference_rate * (equivalent / unit) ** n, 0.005)
+
+
+def creep_contact(runner):
+    """A sphere on a viscous half-space under a constant force: the radius of the contact (Lee and Radok)."""
+    force, shear_modulus, viscosity, radius = 0.02, 1000.0, 1.0, 1.0
+    for step in runner.history("creep/sphere_hold.prm"):
+        if step["time"] < 0.2:
+            continue
+        impulse = force * (step["time"] - 0.005)
+        exact = (3 * radius / 16 * (force / shear_modulus + impulse / viscosity)) ** (1 / 3)
+        runner.compare(f"t = {step['time']:.3f}, contact radius", step["contact_radius"], exact, 0.02)

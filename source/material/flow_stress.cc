@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "material/flow_stress.h"
+
+namespace ElastoPlastic
+{
+  double
+  FlowStress::yield_stress(const double increment) const
+  {
+    const double end = alpha + increment;
+    return initial_yield_stress + linear_modulus * end +
+           (curve ? curve->value(end) : 0.);
+  }
+
+
+
+  double
+  FlowStress::yield_slope(const double increment) const
+  {
+    return linear_modulus + (curve ? curve->slope(alpha + increment) : 0.);
+  }
+
+
+
+  double
+  FlowStress::initial() const
+  {
+    return rate_law.flow_stress(yield_stress(0.), 0.).stress;
+  }
+
+
+
+  double
+  FlowStress::unknown(const double increment) const
+  {
+    return exponent == 1. ?
+             increment / increment_of_one :
+             std::pow(increment / increment_of_one, 1. / exponent);
+  }
+
+
+
+  FlowStress::Value
+  FlowStress::at(const double unknown) const
+  {
+    const double secant =
+      increment_of_one *
+      (exponent == 1. ? 1. : std::pow(unknown, exponent - 1.));
+    const double increment       = secant * unknown;
+    const double increment_slope = secant * exponent;
+    const auto   flow = rate_law.flow_stress(yield_stress(increment), unknown);
+    return {increment,
+            flow.stress,
+            increment_slope,
+            flow.by_yield_stress * yield_slope(increment) * increment_slope +
+              flow.by_ratio};
+  }
+
+
+
+  double
+  FlowStress::slope(const double increment) const
+  {
+    const Value value = at(unknown(increment));
+    return value.stress_slope / value.increment_slope;
+  }
+
+
+
+  // With the power law D y, the second term is D y increment / (n + 1).
+  double
+  FlowStress::complement(const double increment) const
+  {
+    const double end = alpha + increment;
+    double sum = curve ? curve->value(end) * increment - curve->integral(end) +
+                           curve->integral(alpha) :
+                         0.;
+    if (rate_law.has_ratio() && increment > 0.)
+      sum += rate_law.stress * unknown(increment) * increment / (exponent + 1.);
+    return sum;
+  }
+
+} // namespace ElastoPlastic
