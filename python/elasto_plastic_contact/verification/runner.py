@@ -22,7 +22,8 @@ class Runner:
     """Runs the program and collects what is compared."""
 
     def __init__(self, program, ranks, library=None):
-        """program: see find_program(); library: of tests/loaded_once.cc, if runs of one rank are to share what is loaded."""
+        """program: see find_program(); library: that of tests/loaded_once.cc, for runs of one rank to share what is
+        loaded."""
         self.program = find_program(program)
         self.ranks = ranks
         self.library = library
