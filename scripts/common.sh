@@ -24,8 +24,9 @@ readonly n_processors
 export OMP_NUM_THREADS=1
 
 # On one machine, Open MPI need not look for fast networks, which takes 0.2 s at
-# each start, nor for slow ones, of which version 5 complains.
-export OMPI_MCA_pml=${OMPI_MCA_pml:-ob1} OMPI_MCA_btl=${OMPI_MCA_btl:-^tcp}
+# each start and, with libfabric (ofi), a second at each end, nor for slow ones, of
+# which version 5 complains.
+export OMPI_MCA_pml=${OMPI_MCA_pml:-ob1} OMPI_MCA_btl=${OMPI_MCA_btl:-^tcp,ofi}
 
 # (Of a sanitizer build. MPI never frees some memory; deal.II's own library knows
 # nothing of the marks beyond the end of a vector.)

@@ -101,7 +101,9 @@ add_entry_test(limit_load_normal_3d "entry 'Contact/Geometry' is 'normal', but '
 add_entry_test(finite_vertical "entry 'Contact/Geometry' is 'vertical', but 'Strain = logarithmic' needs the indenter where the surface is now" Strain=logarithmic Contact/Geometry=vertical)
 add_entry_test(finite_normal "entry 'Contact/Geometry' is 'normal', but 'Strain = logarithmic' needs the indenter where the surface is now" Strain=logarithmic Contact/Geometry=normal)
 add_entry_test(small_present "entry 'Contact/Geometry' is 'present', but with 'Strain = small' the force would be less than half" Contact/Geometry=present)
+# (a quarter of the body as wide, with cells of the same size)
 set(_cone ${CMAKE_SOURCE_DIR}/parameter_files/indentation/cone_finite_strain.prm --quiet --overwrite --set "Output/Fields=never"
+  --set "Geometry/Lower corner=0, -2" --set "Geometry/Upper corner=2, 0" --set "Geometry/Initial refinements=3"
   --set "Geometry/Local refinements=6" --set "Loading/History=1: depth 0.1" --set "Loading/Maximum number of cuts=0")
 add_message_test(finite_too_far 3 "turns elements inside out.*Shorter load steps|with finite strains there is no convex energy.*Shorter load steps" ${_cone} --output-directory finite_too_far --set "Loading/Number of steps=2")
 add_message_test(shortest_step_fails 3 "Error: Load step [2-9] from t = 0.[0-9]+ .depth 0.0[0-9]+. fails even if it ends at t = 0.[0-9]+, and 'Loading/Maximum number of cuts' allows for no shorter one. The .*Shorter load steps"
@@ -508,7 +510,7 @@ add_message_test(unsafe_circular_punch 4 "There is no equilibrium under the forc
   ${_punch_force} --output-directory unsafe_circular_punch --set "Loading/Force=12" --set "Kinematics=axisymmetric")
 # The coarse mesh is another body, which may bear less.
 add_message_test(safe_load_curved 0 "Warning: There is no bound of the limit load to compare the force 0.1 with. The body is curved: on a coarse mesh, it is another one. The load is applied all the same"
-  ${_punch_force} --output-directory safe_load_curved --set "Loading/Force=0.1" --set "Kinematics=axisymmetric" --set "Geometry/Type=half ball" --set "Geometry/Radius=3"
+  ${_punch_force} --output-directory safe_load_curved --set "Geometry/Initial refinements=1" --set "Loading/Force=0.1" --set "Kinematics=axisymmetric" --set "Geometry/Type=half ball" --set "Geometry/Radius=3"
   --set "Geometry/Part=half" --set "Boundary conditions/Fixed=curved" --set "Boundary conditions/Free=" --set "Boundary conditions/Roller=left")
 # The force is safe, as finer meshes tell, but the first ones have no stresses that could bear it.
 set(_no_bound ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --overwrite --quiet
@@ -553,7 +555,7 @@ add_message_test(unsafe_tractions 4 "Error: There is no equilibrium under the la
 # beyond the size of the body; with B-bar, Newton's method follows the body until its system is singular.
 set(_sphere_beyond_limit ${CMAKE_SOURCE_DIR}/parameter_files/verification/thick_sphere_axisymmetric.prm --quiet --overwrite
   --set "Boundary conditions/Traction=inner: 366*t*x/sqrt(x^2+y^2)@ 366*t*y/sqrt(x^2+y^2)" --set "Loading/Final time=1" --set "Loading/Number of steps=5"
-  --set "Loading/Maximum number of cuts=2" --set "Linear solver/Type=direct" --set "Output/Fields=never")
+  --set "Loading/Maximum number of cuts=2" --set "Geometry/Initial refinements=0" --set "Linear solver/Type=direct" --set "Output/Fields=never")
 foreach(_treatment standard B-bar)
   add_message_test(sphere_beyond_limit_${_treatment} 4 "Error: No equilibrium has been found under the tractions and body forces at t = 0.9[0-9]*: they seem to be beyond the limit load of the body, whose material stops hardening. The last equilibrium is that at t = 0.[89][0-9]*. Prescribe"
     ${_sphere_beyond_limit} --output-directory sphere_beyond_limit_${_treatment} --set "Discretization/Volumetric treatment=${_treatment}")

@@ -174,8 +174,6 @@ main(int argc, char *argv[])
   Mesh block(MPI_COMM_WORLD);
   make_block(block);
   const TetrahedralMesh mesh = make_split_mesh(block);
-  if (mesh.tetrahedra.empty())
-    return 0; // not the first rank
   for (const auto &[title, material] : materials)
     {
       test_conjugate(mesh, title, material);

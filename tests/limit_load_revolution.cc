@@ -197,12 +197,13 @@ namespace
                   {3.0140 * numbers::PI, 3.0147 * numbers::PI},
                   least,
                   most);
-    verify_bounds(
-      "Rough circular punch" + kinds.at(kind),
-      make_body(mesh, conditions, up_to_radius_1, SurfaceFinish::rough),
-      {3.1766 * numbers::PI, 3.189 * numbers::PI},
-      least,
-      most);
+    if (kind == MeshKind::refined)
+      verify_bounds(
+        "Rough circular punch" + kinds.at(kind),
+        make_body(mesh, conditions, up_to_radius_1, SurfaceFinish::rough),
+        {3.1766 * numbers::PI, 3.189 * numbers::PI},
+        least,
+        most);
   }
 
 

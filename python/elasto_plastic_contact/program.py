@@ -30,7 +30,7 @@ MPI_ENVIRONMENT = {
     "OMPI_MCA_ess_singleton_isolated": "1",
     "OMPI_MCA_sharedfp": "^sm",
     "OMPI_MCA_pml": os.environ.get("OMPI_MCA_pml", "ob1"),
-    "OMPI_MCA_btl": os.environ.get("OMPI_MCA_btl", "^tcp"),
+    "OMPI_MCA_btl": os.environ.get("OMPI_MCA_btl", "^tcp,ofi"),
 }
 
 

@@ -12,6 +12,7 @@ import sys
 import tempfile
 import unittest
 
+from commands import command
 from elasto_plastic_contact import Results, UserError, run
 from elasto_plastic_contact.evaluate import run_to_compare, tip_of_run
 from elasto_plastic_contact.plots.equilibrium import last_slip_lines
@@ -21,11 +22,6 @@ SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 CONE = {"Geometry/Local refinements": 5, "Geometry/Local radius": 4, "Refinement/Elements over contact radius": 0,
         "Loading/History": "1: depth 0.02 | 2: force 0", "Loading/Number of steps": 20,
         "Output/Fields": "never"}
-
-
-def command(name, *arguments):
-    return subprocess.run([sys.executable, SCRIPTS / f"{name}.py", *map(str, arguments)],
-                          capture_output=True, text=True, check=False)
 
 
 def run_there(folder, *arguments):
@@ -303,12 +299,12 @@ class Commands(unittest.TestCase):
 
     def test_unknown(self):
         for option in ("parts", "shapes", "elements", "space-elements"):
-            process = command("command", "contact_law", f"--{option}=-1")
+            process = command("contact_law", f"--{option}=-1")
             self.assertEqual(process.returncode, 2)
             self.assertRegex(process.stderr, f"argument --{option}: (it is|there is no) '-1'")
         self.assertEqual(command("verify", "nonsense").returncode, 2)
-        self.assertEqual(command("command", "nonsense").returncode, 2)
-        self.assertEqual(command("command", "--help").returncode, 0)
+        self.assertEqual(command("nonsense").returncode, 2)
+        self.assertEqual(command("--help").returncode, 0)
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ import unittest
 
 import numpy
 
+from commands import command
 from elasto_plastic_contact import run
 from elasto_plastic_contact.measured import MeasuredCurve
 from elasto_plastic_contact.measured.tips import read_area
@@ -39,8 +40,7 @@ class Command(unittest.TestCase):
         return path
 
     def command(self, *arguments, status=0):
-        process = subprocess.run([sys.executable, SCRIPT, *map(str, arguments)], capture_output=True, text=True,
-                                 check=False)
+        process = command("evaluate", *arguments)
         self.assertEqual(process.returncode, status, process.stderr)
         self.assertNotIn("Traceback", process.stderr)
         return process

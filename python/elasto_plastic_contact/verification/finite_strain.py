@@ -3,17 +3,15 @@
 """Verification of finite strains; see verify."""
 
 import math
-import os
 import pathlib
 import random
-import subprocess
 import tempfile
 
-from ..program import MPI_ENVIRONMENT, command_line
+from ..program import command_line
 from ..tables import read_tables
 from .homogeneous_strain import bar, simple_shear
 from .imprint import largest_difference
-from .runner import E, NU, Runner
+from .runner import E, NU
 
 BAR = ("verification/uniaxial_stress.prm", "Strain=logarithmic")
 CONE = "indentation/cone_finite_strain.prm"
@@ -90,8 +88,10 @@ def small_strains_as_limit(runner):
 def finite_strain_ranks(runner):
     """A cone with finite strains: the same on 1 and 2 ranks, with every linear solver."""
     loading = ("Loading/History=1: depth 0.05 | 1.1: force 0", "Loading/Number of steps=22")
-    tables = {(solver, n): Runner(runner.program, n).tables(CONE, *COARSE, *loading, f"Linear solver/Type={solver}")["history"]
-              for solver, n in (("direct", 1), ("direct", 2), ("multigrid", 2))}
+    tables = {}
+    for solver, n in (("direct", 1), ("direct", 2), ("multigrid", 2)):
+        with runner.on_ranks(n):
+            tables[solver, n] = runner.tables(CONE, *COARSE, *loading, f"Linear solver/Type={solver}")["history"]
     reference = tables["direct", 1]
     for (solver, n), rows in tables.items():
         runner.compare(f"{solver}, {n} rank(s): force, depth and contact area",
@@ -110,8 +110,7 @@ def finite_strain_resume(runner):
     with tempfile.TemporaryDirectory() as folder:
         def run(changes, name, *options):
             directory = pathlib.Path(folder) / name
-            subprocess.run(command_line(runner.program, runner.case(CONE), changes, directory, *options,
-                                        ranks=runner.ranks), check=True, env=os.environ | MPI_ENVIRONMENT)
+            runner.start(command_line(runner.program, runner.case(CONE), changes, directory, *options, ranks=runner.ranks))
             return of_curve(read_tables(directory)["history"])
         whole = run(entries, "whole")
         run(loading, "stopped")
@@ -129,19 +128,20 @@ CONES = (
 
 
 def finite_cone(runner):
-    """A cone of 70 degrees with finite strains, one material (published)."""
-    check_cone(runner, *CONES[1])
+    """A cone of 70 degrees with finite strains, one material, 7 elements over the contact radius (published)."""
+    check_cone(runner, CONES[1], "Geometry/Local refinements=5", "Loading/Number of steps=60")
 
 
 def published_cones(runner):
     """A cone of 70 degrees with finite strains, all materials (published; minutes)."""
     for cone in CONES:
-        check_cone(runner, *cone)
+        check_cone(runner, cone)
 
 
-def check_cone(runner, material, published_curvature, slope, plastic_share, others):
+def check_cone(runner, cone, *entries):
     """Curvature of the loading, initial slope of the unloading and plastic work."""
-    steps = runner.history(CONE, *hardening(*material))
+    material, published_curvature, slope, plastic_share, others = cone
+    steps = runner.history(CONE, *hardening(*material), *entries)
     top = next(i for i, step in enumerate(steps) if step["time"] == 1)
     deepest, after = steps[top], steps[top + 1]
     loading, unloading = [{"depth": 0, "force": 0}, *steps[:top + 1]], steps[top:]

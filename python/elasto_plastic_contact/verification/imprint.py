@@ -5,7 +5,7 @@
 import math
 
 from .hertz import AXISYMMETRIC
-from .runner import E, E_STAR, NU, Runner
+from .runner import E, E_STAR, NU
 
 ELASTIC = (*AXISYMMETRIC, "Material/Law=linear elastic")
 
@@ -48,16 +48,17 @@ def largest_difference(rows, others):
 
 
 def imprint_ranks(runner):
-    """Surface, radius, pile-up and probes of a body in space: the same on 1, 2 and 3 ranks."""
+    """Surface, radius, pile-up and probes of a body in space: the same on 1 and 3 ranks."""
     case = ("indentation/sphere_3d.prm", "Loading/History=1: depth 0.005 | 2: force 0", "Loading/Number of steps=4",
             "Refinement/Elements over contact radius=5", "Output/Profile lines=0, 0; 2, 0 | 0, 0; 0.3, 0.3", "Nonlinear solver/Tolerance=1e-12",
             "Output/Probe points=below: 0.01, 0.02, -0.05 | between: 0.5, 0.25, -0.5 | corner: 2, 2, 0")
-    tables = [Runner(runner.program, n).tables(*case) for n in (1, 2, 3)]
-    for n, others in zip((2, 3), tables[1:]):
-        for name, columns in (("surface_profile", ()), ("probes", ()), ("history", ("contact_radius", "pile_up"))):
-            one, more = ([{key: row[key] for key in columns or row} for row in rows[name]]
-                         for rows in (tables[0], others))
-            runner.compare(f"{name} on {n} ranks", largest_difference(one, more), 0, 1e-6, absolute=True)
+    tables = []
+    for n in (1, 3):
+        with runner.on_ranks(n):
+            tables.append(runner.tables(*case))
+    for name, columns in (("surface_profile", ()), ("probes", ()), ("history", ("contact_radius", "pile_up"))):
+        one, more = ([{key: row[key] for key in columns or row} for row in rows[name]] for rows in tables)
+        runner.compare(f"{name} on 3 ranks", largest_difference(one, more), 0, 1e-6, absolute=True)
     profile = [point for point in tables[0]["surface_profile"] if point["step"] == 2]
     diagonal = [point for point in profile if point["line"] == 2]
     runner.verify(f"the diagonal has {len(diagonal)} points with x = y",

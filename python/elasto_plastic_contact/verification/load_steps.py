@@ -29,7 +29,7 @@ def elastic_body(runner):
 
 def loading_curve(runner):
     """With at most twice the length, about half the Newton iterations, and a similar curve."""
-    fixed, adaptive = (runner.history(CONE, "Geometry/Local refinements=5", LOADING.format(0.02), "Loading/Number of steps=60", *control)
+    fixed, adaptive = (runner.history(CONE, "Geometry/Local refinements=4", LOADING.format(0.02), "Loading/Number of steps=60", *control)
                        for control in ((), (ADAPTIVE,)))
     n_fixed, n_adaptive = (sum(step["newton_iterations"] for step in steps) for steps in (fixed, adaptive))
     runner.verify(f"{n_adaptive:.0f} Newton iterations in {len(adaptive)} steps, fixed {n_fixed:.0f} in {len(fixed)}",

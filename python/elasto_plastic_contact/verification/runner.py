@@ -3,6 +3,7 @@
 """Runs the program and compares what it computes; see the command verify."""
 
 import contextlib
+import functools
 import os
 import subprocess
 import tempfile
@@ -10,6 +11,7 @@ import tempfile
 from ..fields import read_fields
 from ..program import MPI_ENVIRONMENT, PROGRAM_VARIABLE, command_line, find_program, ready_case
 from ..tables import read_tables
+from .loaded_program import LoadedProgram
 
 # The steel of most cases (MPa) and its modulus under a rigid indenter.
 E, NU = 200000.0, 0.3
@@ -19,10 +21,52 @@ E_STAR = E / (1 - NU**2)
 class Runner:
     """Runs the program and collects what is compared."""
 
-    def __init__(self, program, ranks):
+    def __init__(self, program, ranks, library=None):
+        """program: see find_program(); library: that of tests/loaded_once.cc, for runs of one rank to share what is
+        loaded."""
         self.program = find_program(program)
         self.ranks = ranks
+        self.library = library
         self.failed = False
+
+    @functools.cached_property
+    def loaded(self):
+        """The program, loaded once; its environment is that of the first run."""
+        return LoadedProgram(self.program, self.library)
+
+    def start(self, command, output=os.devnull):
+        """Runs a command of one or more ranks. Raises subprocess.CalledProcessError unless its exit status is 0."""
+        if self.library and command[0] == str(self.program):
+            self.loaded.run(command, output)
+        else:
+            with open(output, "wb") as file:
+                subprocess.run(command, check=True, env=os.environ | MPI_ENVIRONMENT, stdout=file)
+
+    @contextlib.contextmanager
+    def on_ranks(self, ranks):
+        """The runs meanwhile, on another number of ranks."""
+        before, self.ranks = self.ranks, ranks
+        try:
+            yield
+        finally:
+            self.ranks = before
+
+    @contextlib.contextmanager
+    def in_environment(self, **variables):
+        """The runs meanwhile, with variables of the environment that count when the program is loaded."""
+        library, self.library = self.library, None
+        os.environ.update(variables)
+        try:
+            yield
+        finally:
+            self.library = library
+            for name in variables:
+                del os.environ[name]
+
+    def close(self):
+        """Ends what waits for further runs."""
+        if "loaded" in self.__dict__:
+            self.loaded.close()
 
     def case(self, name):
         """The path of a ready case."""
@@ -55,7 +99,7 @@ class Runner:
         with tempfile.TemporaryDirectory() as folder:
             changes = {"Output/Fields": "never"} | dict(entry.split("=", 1) for entry in entries)
             command = command_line(self.program, self.case(case), changes, folder, "--overwrite", ranks=self.ranks)
-            subprocess.run(command, check=True, env=os.environ | MPI_ENVIRONMENT)
+            self.start(command)
             self.check_balances(read_tables(folder))
             yield folder
 
@@ -64,9 +108,9 @@ class Runner:
         command = [self.program, self.case(case), "--validate", "--output-directory", directory]
         for entry in entries:
             command += ["--set", entry]
-        report = subprocess.run(command, check=True, env=os.environ | MPI_ENVIRONMENT, stdout=subprocess.PIPE,
-                                text=True).stdout
-        return {line[:16].strip(): line[16:] for line in report.splitlines()}
+        with tempfile.NamedTemporaryFile("r", encoding="utf-8") as report:
+            self.start(command, report.name)
+            return {line[:16].strip(): line[16:].rstrip("\n") for line in report}
 
     def check_balances(self, tables):
         """What must hold after every nonlinear solve, if there have been any."""
