@@ -29,6 +29,7 @@ DEVELOPER_COMMANDS = {
     "contact_law": ("verification.contact_law", "waves and errors for values of 'Contact/Edge'"),
     "contact_uniqueness": ("verification.contact_uniqueness", "the same history computed in several ways"),
     "rough_spots": ("verification.rough_spots", "force and pressure of many spots for values of 'Contact/Edge'"),
+    "fit_coverage": ("verification.fit_coverage", "how often the regions of a fit hold the true values"),
     "ten_cases": ("verification.ten_cases", "a number of each of ten short runs, to compare systems"),
     "full_disk_test": ("verification.full_disk_test", "fill disks, resume and compare"),
     "compare_with_step42": ("verification.step42_comparison", "run step-42 on the same cases"),

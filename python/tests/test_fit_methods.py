@@ -96,6 +96,13 @@ class Minima(unittest.TestCase):
         self.assertLess(found.chi_square - best.fun, 0.01)
         self.assertGreaterEqual(found.chi_square - best.fun, -1e-6)
 
+    def test_unknown_noise(self):
+        """Sigmas that are a hundred times too large stop nothing too early."""
+        model = model_of(1)
+        best = minimise(model, START, 0.02)
+        other = FunctionModel(lambda x: 0.01 * model.residuals(x), LOWER, UPPER, noise_is_known=False)
+        self.assertLess((1e4 * minimise(other, START, 0.02).chi_square - best.chi_square), 0.02)
+
     def test_bound(self):
         """A minimum that lies beyond a bound: the best point on it."""
         model = model_of(1, upper=numpy.array([UPPER[0], 0.3]))

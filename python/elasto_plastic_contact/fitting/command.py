@@ -11,9 +11,6 @@ regions), fit.json and fit.png. doc/recipes/fit.md describes the file.
 import functools
 import pathlib
 
-from .reading import read_problem
-from .results import print_fit, write_csv, write_json
-from .solve import fit as solve
 from ..arguments import CommandParser, number
 from ..program import find_program
 from ..study.command import open_folder
@@ -28,6 +25,9 @@ def fit(problem, directory, *, program=None, at_once=None, report=functools.part
 
     Raises UserError: what is wrong, at which key, what is allowed.
     """
+    from .reading import read_problem  # (these need SciPy, and the text of --help does not)
+    from .results import write_csv, write_json
+    from .solve import fit as solve
     program, directory = find_program(program), pathlib.Path(directory)
     problem = read_problem(problem, program)
     with open_folder(directory, "fit"):
@@ -49,6 +49,7 @@ def main(arguments):
     directory = chosen.output_directory or pathlib.Path("output") / chosen.problem.stem
     report = functools.partial(print, flush=True)
     found = fit(chosen.problem, directory, program=chosen.program, at_once=chosen.at_once, report=report)
+    from .results import print_fit
     print_fit(found, report)
     for name in ("fit.csv", "fit.json"):
         print(directory / name)

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Models of an experiment: what the optimisation sees. A model has 'lower' and 'upper', bounds of its coordinates, and
-'evaluate', which gives for each of several points the residuals, (computed - measured) / sigma, or a Failure."""
+"""Models of an experiment: what the optimisation sees. A model has 'lower' and 'upper', bounds of its coordinates,
+'noise_is_known', whether its sigmas are those of the noise, and 'evaluate', which gives for each of several points the
+residuals, (computed - measured) / sigma, or a Failure."""
 
 import numpy
 
@@ -14,6 +15,7 @@ class ProgramModel:
     def __init__(self, problem, runs, stage):
         self.problem, self.runs, self.stage = problem, runs, stage
         self.lower, self.upper = problem.bounds()
+        self.noise_is_known = problem.noise_is_known
 
     def tasks(self, x):
         """A run for each experiment."""
@@ -43,8 +45,8 @@ class ProgramModel:
 class FunctionModel:
     """A function of the coordinates that gives the residuals, or raises ArithmeticError where it fails."""
 
-    def __init__(self, function, lower, upper):
-        self.function = function
+    def __init__(self, function, lower, upper, noise_is_known=True):
+        self.function, self.noise_is_known = function, noise_is_known
         self.lower, self.upper = numpy.asarray(lower, float), numpy.asarray(upper, float)
         self.n_evaluations = 0
 
@@ -65,6 +67,7 @@ class CorrectedModel:
     def __init__(self, coarse, correction):
         self.coarse, self.correction = coarse, correction
         self.lower, self.upper = coarse.lower, coarse.upper
+        self.noise_is_known = coarse.noise_is_known
 
     def evaluate(self, points):
         return [found if isinstance(found, Failure) else found + self.correction for found in self.coarse.evaluate(points)]

@@ -52,6 +52,13 @@ def next_step(x, residuals, jacobian, lower, upper):
     return step, float(residuals @ residuals - after @ after)
 
 
+def least_fall(model, residuals, n_free, tolerance):
+    """The fall of the sum of squares that is not worth a step: a tolerance in units of the variance of the noise, which is
+    that of the residuals, and not less than 1 if the noise is known."""
+    variance = residuals @ residuals / max(len(residuals) - n_free, 1)
+    return tolerance * max(variance, 1. if model.noise_is_known else 1e-10)
+
+
 def start_of(model, x):
     """The residuals at a first point. Raises UserError if they cannot be computed."""
     found, = model.evaluate([x])
@@ -63,7 +70,7 @@ def start_of(model, x):
 
 def noise_of(model, x):
     """How far the residuals are from smooth functions of the coordinates, over their derivatives along the diagonal of these:
-    from fourth differences, whose mean square is 70 times that of independent errors (More and Wild, 2011). What has no
+    from fourth differences, whose mean square is 70 times that of independent errors (more_wild_2011). What has no
     five points within the bounds, or fails, counts as smooth."""
     inward = numpy.where(model.upper - x > x - model.lower, 1., -1.)
     ladder = [x + k * SMALLEST_STEP * inward for k in range(5)]
@@ -136,8 +143,7 @@ def minimise(model, start, step, report=lambda text: None, in_words=str, toleran
     report(f"  {in_words(x)}: sum of squares {residuals @ residuals:.6g}")
     for _ in range(MOST_ITERATIONS):
         jacobian = derivatives(x, residuals)
-        limit = tolerance * max(1., residuals @ residuals / max(len(residuals) - len(x), 1))
-        if next_step(x, residuals, jacobian, model.lower, model.upper)[1] < limit:
+        if next_step(x, residuals, jacobian, model.lower, model.upper)[1] < least_fall(model, residuals, len(x), tolerance):
             return Minimum(x, residuals, jacobian, True, "")
         moved_to, after, radius = trusted_step(model, x, residuals, jacobian, radius, report, in_words)
         if moved_to is None:
@@ -183,8 +189,7 @@ def polish(model, x, jacobian, free, tolerance=TOLERANCE, residuals=None):
         if not len(free):
             break
         step, fall = next_step(x[free], residuals, jacobian[:, free], lower, upper)
-        limit = tolerance * max(1., (residuals @ residuals) / max(len(residuals) - len(free), 1))
-        if fall < limit:
+        if fall < least_fall(model, residuals, len(free), tolerance):
             return Minimum(x, residuals, jacobian, True, "")
         other = x.copy()
         other[free] += factor * step

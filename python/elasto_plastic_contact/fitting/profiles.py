@@ -88,9 +88,16 @@ def held(model, near, i, value, others):
     return polish(model, x, near.jacobian, others, LOOSE)
 
 
-def profiles(model, minimum, threshold, deviations):
-    """For each coordinate its two ProfileEnds, lower and upper, all at the same time."""
+def profiles(model, minimum, threshold, deviations, report=lambda i, end: None):
+    """For each coordinate its two ProfileEnds, lower and upper, all at the same time. report: is told of each end and the
+    number of its coordinate."""
     ways = [(i, side) for i in range(len(minimum.x)) for side in (-1, 1)]
+
+    def find(way):
+        end = profile_end(model, minimum, *way, threshold, deviations[way[0]])
+        report(way[0], end)
+        return end
+
     with concurrent.futures.ThreadPoolExecutor(len(ways)) as pool:
-        ends = list(pool.map(lambda way: profile_end(model, minimum, *way, threshold, deviations[way[0]]), ways))
+        ends = list(pool.map(find, ways))
     return [tuple(ends[2 * i:2 * i + 2]) for i in range(len(minimum.x))]

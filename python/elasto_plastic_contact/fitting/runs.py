@@ -4,15 +4,15 @@
 
 import concurrent.futures
 import json
+import resource
 import threading
-import time
 from dataclasses import dataclass
 
 from ..errors import UserError
 from ..files import new_file
 from ..program import RunError
 from ..results import Results
-from ..study.execution import FINISHED, attempt, is_finished, values_in_words
+from ..study.execution import attempt, is_finished, values_in_words
 
 # What a run of this kind has found out stays true: no convergence (3), no equilibrium (4).
 LASTING = (3, 4)
@@ -26,13 +26,13 @@ class Failure:
 
 
 class Runs:
-    """The runs below a folder. counts: how many have been made in this process, and seconds that they took in all."""
+    """The runs below a folder. n_made: how many have been made in this process."""
 
     def __init__(self, folder, program, at_once):
         self.folder, self.program = folder, program
         self.pool = concurrent.futures.ThreadPoolExecutor(at_once)
         self.lock, self.futures = threading.Lock(), {}
-        self.n_made, self.seconds = 0, 0.
+        self.n_made, self.begin = 0, time_of_processes()
 
     def __enter__(self):
         return self
@@ -56,11 +56,9 @@ class Runs:
             return Results(folder)
         if (folder / FAILED).is_file():
             return Failure(json.loads((folder / FAILED).read_text(encoding="utf-8"))["message"])
-        begin = time.monotonic()
         process = attempt(case, self.folder, entries, self.program)
         with self.lock:
             self.n_made += 1
-            self.seconds += time.monotonic() - begin
         if process.returncode == 0:
             return Results(folder)
         message = process.stderr.strip() or f"exit status {process.returncode}"
@@ -71,11 +69,16 @@ class Runs:
             file.write(json.dumps({"entries": entries, "message": message}, indent=1) + "\n")
         return Failure(message)
 
-    def seconds_of(self, tasks):
-        """What the finished ones among these took when they were made."""
-        folders = (self.folder / case.folder(entries) for case, entries in tasks)
-        return sum(json.loads((folder / FINISHED).read_text(encoding="utf-8"))["seconds"] for folder in folders
-                   if is_finished(folder))
+    @property
+    def processor_seconds(self):
+        """What they took."""
+        return time_of_processes() - self.begin
+
+
+def time_of_processes():
+    """Processor time of all processes that this one has started and that have ended, in seconds."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
 def first_line(failure):

@@ -63,7 +63,7 @@ class Fit:
     converged: bool
     remarks: list
     n_runs: int
-    run_seconds: float
+    processor_seconds: float
     seconds: float
 
     @property
@@ -147,7 +147,14 @@ class Solver:
         lowest = polish(model, best.x, best.jacobian, free, 0.1 * TOLERANCE, best.residuals)
         deviations = numpy.sqrt(numpy.diag(covariance(best.jacobian)))
         self.report(f"95 % regions by profiles, on the {'coarse' if model is not self.fine else 'fine'} mesh")
-        return profiles(model, lowest, result_quality.threshold, deviations), best.x - lowest.x
+        shift = best.x - lowest.x
+
+        def told(i, end):
+            parameter = self.problem.parameters[i]
+            value = parameter.value(end.x[i] + shift[i])
+            self.report(f"  {parameter.name} to {value:.5g}{': ' if end.remark else ''}{end.remark} ({len(end.points)} points)")
+
+        return profiles(model, lowest, result_quality.threshold, deviations, told), shift
 
 
 def fit(problem, folder, program, at_once, report):
@@ -175,7 +182,7 @@ def fit(problem, folder, program, at_once, report):
             residuals=best.residuals, step=solver.step, ends=ends, family=points, material=material,
             representative=representative(material, points, matrix, width) if material.is_plastic else None,
             candidates=planned, results=results, converged=best.converged, remarks=remarks, n_runs=runs.n_made,
-            run_seconds=runs.seconds, seconds=time.monotonic() - begin)
+            processor_seconds=runs.processor_seconds, seconds=time.monotonic() - begin)
 
 
 def moved_end(end, shift, model):

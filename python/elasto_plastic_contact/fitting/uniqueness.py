@@ -78,7 +78,7 @@ def family(x, ends, threshold):
 
 
 def representative(material, points, matrix, spread_of_normal):
-    """Where the curves of the family cross. matrix: covariance of the coordinates; spread_of_normal: how many standard
+    """Where the curves of the family cross (dao_2001). matrix: covariance of the coordinates; spread_of_normal: how many standard
     errors the region of 95 % reaches to each side."""
     x = points[0]
     stresses = numpy.array([material.stress(point) for point in points])
