@@ -102,17 +102,20 @@ class Fits(unittest.TestCase):
 
     def test_command(self):
         """The table and the picture; kills; unknown noise."""
-        problem = {**TENSION, "at once": 1, "experiments": {"bar": json.loads(json.dumps(TENSION["experiments"]["bar"]))}}
+        problem = {**TENSION, "at once": 1,
+                   "experiments": {"bar": json.loads(json.dumps(TENSION["experiments"]["bar"]))}}
         del problem["experiments"]["bar"]["data"]["noise"]
         command = ["fit", str(self.write(problem)), "--output-directory", str(self.output)]
-        process = subprocess.Popen([sys.executable, "-m", "elasto_plastic_contact", *command], stdout=subprocess.DEVNULL)
+        process = subprocess.Popen([sys.executable, "-m", "elasto_plastic_contact", *command],
+                                   stdout=subprocess.DEVNULL)
         while process.poll() is None and len(self.finished()) < 3:
             time.sleep(0.005)
         process.send_signal(signal.SIGKILL)
         process.wait()
         before = self.finished()
         self.assertFalse((self.output / "fit.csv").exists())
-        done = subprocess.run([sys.executable, "-m", "elasto_plastic_contact", *command], stdout=subprocess.PIPE, text=True,
+        done = subprocess.run([sys.executable, "-m", "elasto_plastic_contact", *command], stdout=subprocess.PIPE,
+                              text=True,
                               check=True)
         self.assertEqual(before, {path: self.finished()[path] for path in before})
         self.assertRegex(done.stdout, r"fine stage\n  Y = 250, H = 500: sum of squares")
@@ -125,7 +128,8 @@ class Fits(unittest.TestCase):
         problem["experiments"]["bar"]["set"] |= {"Nonlinear solver/Maximum number of iterations": 1,
                                                  "Loading/Maximum number of cuts": 0}
         for _ in range(2):
-            with self.assertRaisesRegex(UserError, "the run at the start has failed, so that there is nothing to begin with"):
+            with self.assertRaisesRegex(UserError,
+                                        "the run at the start has failed, so that there is nothing to begin with"):
                 self.fit(problem)
         self.assertEqual(len(list(self.output.glob("run_*/failed.json"))), 1)
 
@@ -135,7 +139,7 @@ class Fits(unittest.TestCase):
         path = self.write(problem)
         with self.assertRaisesRegex(UserError, "the run at the start is refused: .*Poisson's ratio"):
             fit(path, self.output, report=self.said.append)
-        self.assertEqual(main(["fit", str(path), "--output-directory", str(self.folder)]), 2)  # (other things than a fit)
+        self.assertEqual(main(["fit", str(path), "--output-directory", str(self.folder)]), 2)  # (no fit)
 
     def test_flow_stress(self):
         """The stress that the program finds in a bar, at its plastic strain."""
@@ -149,14 +153,17 @@ class Fits(unittest.TestCase):
         numpy.testing.assert_allclose(flow_stress(bar.parameters, plastic[3:]), stress[3:], rtol=2e-3)
 
     def sphere(self, name, entries):
-        return run("indentation/sphere_finite_strain.prm", self.folder / name, SPHERE | entries | {"Output/Fields": "never"})
+        return run("indentation/sphere_finite_strain.prm", self.folder / name,
+                   SPHERE | entries | {"Output/Fields": "never"})
 
     def test_sphere(self):
         """Yield stress and exponent of a sphere's curve with 1 % noise: the true ones lie in their regions."""
-        truth = {"Material/Yield stress": 400, "Material/Power law exponent": 0.2, "Material/Power law reference strain": 0.002}
+        truth = {"Material/Yield stress": 400, "Material/Power law exponent": 0.2,
+                 "Material/Power law reference strain": 0.002}
         results = self.sphere("truth", truth)
         rows = measured(results, 0.01, numpy.random.default_rng(11))
-        (self.folder / "sphere.csv").write_text("Depth (µm),Force (mN)\n" + "".join(f"{1e3 * h},{1e3 * f}\n" for h, f in rows))
+        (self.folder / "sphere.csv").write_text("Depth (µm),Force (mN)\n"
+                                                + "".join(f"{1e3 * h},{1e3 * f}\n" for h, f in rows))
         problem = {
             "parameters": {"sigma_Y": {"start": 600, "lower": 100, "upper": 2000},
                            "n": {"start": 0.1, "lower": 0, "upper": 0.5}},
@@ -189,7 +196,8 @@ class Fits(unittest.TestCase):
         top = int(results.history["force"].argmax())
         self.assertLess(abs(values["plastic work share"] - work[-1] / work[top]), 0.01)
         self.assertEqual(values["residual depth"], Curve(results).unload[-1, 0])
-        self.assertGreater(values["loading curvature"], values["largest force"] / 0.1 ** 2)  # (a sphere's curve is concave)
+        # (a sphere's curve has a larger curvature at smaller depths)
+        self.assertGreater(values["loading curvature"], values["largest force"] / 0.1 ** 2)
         self.assertEqual(len(read_curve(self.folder / "sphere.csv")), 1)
 
 

@@ -17,7 +17,8 @@ from elasto_plastic_contact.fitting.reading import read_problem
 CURVE = "Depth (µm),Force (N)\n" + "".join(f"{h},{h * h}\n" for h in range(1, 51)) + "".join(
     f"{50 - 0.1 * k},{2500 - 120 * k}\n" for k in range(1, 20))
 PROBLEM = {
-    "parameters": {"sigma_Y": {"start": 400, "lower": 100, "upper": 1000}, "n": {"start": 0.1, "lower": 0, "upper": 0.5}},
+    "parameters": {"sigma_Y": {"start": 400, "lower": 100, "upper": 1000},
+                   "n": {"start": 0.1, "lower": 0, "upper": 0.5}},
     "constants": {"E": 200000},
     "entries": {"Material/Yield stress": "sigma_Y", "Material/Power law exponent": "n",
                 "Material/Power law reference strain": "sigma_Y / E"},
@@ -98,11 +99,13 @@ class Problems(unittest.TestCase):
         self.refuse("'parameters/2n': a name in formulas is letters", "parameters/2n", {})
         self.refuse("'parameters/n' lacks 'upper'", "parameters/n/upper", None)
         self.refuse("'parameters/n/start' is '1', but must be a number", "parameters/n/start", "1")
-        self.refuse("start 2, lower 0 and upper 0.5, but must have lower < upper and the start between", "parameters/n/start", 2)
+        self.refuse("start 2, lower 0 and upper 0.5, but must have lower < upper and the start between",
+                    "parameters/n/start", 2)
         self.refuse("parameters/n/scale: there is no \"cubic\"", "parameters/n/scale", "cubic")
         self.refuse("has a scale 'log' and the lower bound 0, which must be above 0", "parameters/n/scale", "log")
         self.refuse("'parameters/E' is a constant, too", "parameters/E", {"start": 1, "lower": 1, "upper": 2})
-        self.refuse("'parameters/Q' stands in none of the formulas", "parameters/Q", {"start": 1, "lower": 1, "upper": 2})
+        self.refuse("'parameters/Q' stands in none of the formulas", "parameters/Q",
+                    {"start": 1, "lower": 1, "upper": 2})
         self.refuse("'constants' must be an object", "constants", 3)
         self.refuse("'constants/E' is 'x', but must be a number", "constants/E", "x")
         self.refuse("'the problem/step' is 0, but must be a number > 0 and <= 0.5", "step", 0)
@@ -123,7 +126,8 @@ class Problems(unittest.TestCase):
 
     def test_experiments(self):
         self.refuse("'experiments/cone/data' is empty", f"{CONE}/data", [])
-        self.refuse("'experiments/cone/units/length' is 'foot', but must be one of pm", f"{CONE}/units", {"length": "foot"})
+        self.refuse("'experiments/cone/units/length' is 'foot', but must be one of pm", f"{CONE}/units",
+                    {"length": "foot"})
         self.refuse("does not say the units of its case, and its data have some", f"{CONE}/units", None)
         self.refuse("experiments/cone/load to: there is no \"time\"", f"{CONE}/load to", "time")
         self.refuse("'experiments/cone/load to' takes a curve, and there is none", DATA,
@@ -136,12 +140,14 @@ class Problems(unittest.TestCase):
         self.refuse_data("must be an object with one of the keys curve, imprint, table, quantity", noise=noise)
         self.refuse_data("a key of 'experiments/cone/data/1': there is no \"noize\"", curve="curve.csv", noize=1)
         self.refuse_data("nowhere.csv", curve="nowhere.csv")
-        self.refuse_data("indents' is \\[2\\], but must be a list of numbers from 1 to 1", curve="curve.csv", indents=[2])
+        self.refuse_data("indents' is \\[2\\], but must be a list of numbers from 1 to 1", curve="curve.csv",
+                         indents=[2])
         self.refuse_data("cycle' is 2, but must be an integer >= 1 and <= 1", curve="curve.csv", cycle=2)
         self.refuse_data("compare: there is no \"time\"", curve="curve.csv", compare="time")
         self.refuse_data("segments: there is no \"hold\"", curve="curve.csv", segments=["hold"])
         self.refuse_data("segments' is 3, but must be a text or a list of texts", curve="curve.csv", segments=3)
-        self.refuse_data("zero point': it is '5', but must be a number with a unit", curve="curve.csv", **{"zero point": 5})
+        self.refuse_data("zero point': it is '5', but must be a number with a unit", curve="curve.csv",
+                         **{"zero point": 5})
         self.refuse_data("above' is 2, but must be a number >= 0 and < 1", curve="curve.csv", above=2)
         self.refuse_data("fewer than 3 points above", curve="curve.csv", above=0.999)
         self.refuse_data("points' is 1, but must be an integer >= 3", curve="curve.csv", points=1)
@@ -159,7 +165,8 @@ class Problems(unittest.TestCase):
         self.assertAlmostEqual(load.sigma[-1], 2. / 2., places=6)  # four or five points
         same, _ = self.block({"curve": "curve.csv", "noise": {"absolute": 2.}, "independent points": 10, "above": 0.})
         self.assertAlmostEqual(same.sigma[0], 2. * (len(same.y) / 10.) ** 0.5)
-        depths, = self.block({"curve": "curve.csv", "noise": {"relative": 0.01}, "compare": "depth", "segments": "load"})
+        depths, = self.block({"curve": "curve.csv", "noise": {"relative": 0.01}, "compare": "depth",
+                              "segments": "load"})
         numpy.testing.assert_allclose(depths.y, (depths.x ** 0.5) * 1e-3, rtol=1e-9)
         weighted, _ = self.block({"curve": "curve.csv", "weight": 4})
         self.assertAlmostEqual(weighted.sigma[0], 0.005 * 2500.)
@@ -168,7 +175,8 @@ class Problems(unittest.TestCase):
         imprint, = self.block({"imprint": "imprint.csv", "unit": "µm", "noise": {"absolute": 1e-4}})
         numpy.testing.assert_allclose(imprint.y, -1e-3 * numpy.arange(5.))
         self.refuse_data("unit' is 'foot', but must be one of", imprint="imprint.csv", unit="foot")
-        self.refuse_data("has no column 'z'; it has x, height. Choose by \"columns\"", imprint="imprint.csv", columns=["x", "z"])
+        self.refuse_data("has no column 'z'; it has x, height. Choose by \"columns\"", imprint="imprint.csv",
+                         columns=["x", "z"])
         self.refuse_data("columns' is 3, but must be a list of two names", imprint="imprint.csv", columns=3)
         self.refuse_data("'experiments/cone/data/1/computed' is null", table="imprint.csv")
         self.refuse_data("computed/y: there is no \"strength\"", table="imprint.csv",
@@ -187,14 +195,17 @@ class Problems(unittest.TestCase):
         self.refuse_data("value' is None, but must be a number, or a list", quantity="hardness")
         self.refuse_data("unit' is 'mm', but must be one of Pa", quantity="hardness", value=3, unit="mm")
         self.refuse_data("'plastic work share' has none", quantity="plastic work share", value=0.9, unit="%")
-        self.refuse_data("is for quantities with a name", quantity={"table": "history", "column": "force"}, value=3, unit="N")
+        self.refuse_data("is for quantities with a name", quantity={"table": "history", "column": "force"}, value=3,
+                         unit="N")
 
     def test_candidates(self):
         data = "candidates/hardness/data"
-        self.refuse("must be an object with one of the keys curve, imprint, quantity and a 'noise'", data, {"quantity": "hardness"})
+        self.refuse("must be an object with one of the keys curve, imprint, quantity and a 'noise'", data,
+                    {"quantity": "hardness"})
         self.refuse("a key of 'candidates/hardness/data/1': there is no \"value\"", data,
                     {"quantity": "hardness", "noise": {"relative": 0.1}, "value": 3})
-        self.refuse("points' is 1, but must be an integer >= 2", data, {"curve": "computed", "noise": {"relative": 0.1}, "points": 1})
+        self.refuse("points' is 1, but must be an integer >= 2", data,
+                    {"curve": "computed", "noise": {"relative": 0.1}, "points": 1})
         self.refuse("a key of 'candidates/hardness': there is no \"coarse\"", "candidates/hardness/coarse", {})
 
 

@@ -48,13 +48,16 @@ def model_of(seed, lower=LOWER, upper=UPPER):
 class Formulas(unittest.TestCase):
     def test_values(self):
         names, values = ["sigma_Y", "E"], {"sigma_Y": 400., "E": 200000.}
-        for text, value in (("sigma_Y / E", 0.002), ("2 * sqrt(sigma_Y) - -1", 41.), ("max(sigma_Y, E) ** 0.5", 200000 ** 0.5),
+        for text, value in (("sigma_Y / E", 0.002), ("2 * sqrt(sigma_Y) - -1", 41.),
+                            ("max(sigma_Y, E) ** 0.5", 200000 ** 0.5),
                             (3, 3.), ("exp(log(E))", 200000.)):
             self.assertAlmostEqual(Formula(text, names, "entries/x")(values), value, places=8)
 
     def test_messages(self):
-        for text, message in (("sigma +", "is no formula"), ("sigma_y", "there is no 'sigma_y': there are sigma_Y, exp"),
-                              ("__import__('os')", "is no formula"), ("'a'", "is no formula"), ("E if E else 1", "is no formula"),
+        for text, message in (("sigma +", "is no formula"),
+                              ("sigma_y", "there is no 'sigma_y': there are sigma_Y, exp"),
+                              ("__import__('os')", "is no formula"), ("'a'", "is no formula"),
+                              ("E if E else 1", "is no formula"),
                               ("exp(x=1)", "is no formula")):
             with self.assertRaisesRegex(UserError, message):
                 Formula(text, ["sigma_Y"] if "y" in text else ["sigma_Y", "E", "x", "sigma"], "entries/x")
@@ -65,20 +68,25 @@ class Formulas(unittest.TestCase):
 class FlowStresses(unittest.TestCase):
     def test_laws(self):
         strain = numpy.array([0., 0.01, 0.2])
-        base = {"Material/Yield stress": "400", "Material/Isotropic hardening modulus": "1000", "Material/Law": "perfectly plastic"}
+        base = {"Material/Yield stress": "400", "Material/Isotropic hardening modulus": "1000",
+                "Material/Law": "perfectly plastic"}
         numpy.testing.assert_allclose(flow_stress(base, strain), 400.)
         base["Material/Law"] = "isotropic hardening"
         numpy.testing.assert_allclose(flow_stress(base, strain), 400. + 1000. * strain)
         kinematic = base | {"Material/Law": "kinematic hardening", "Material/Kinematic hardening modulus": "500"}
         numpy.testing.assert_allclose(flow_stress(kinematic, strain), 400. + 500. * strain)
-        nonlinear = base | {"Material/Law": "nonlinear hardening", "Material/Voce stress": "100", "Material/Voce rate": "20",
+        nonlinear = base | {"Material/Law": "nonlinear hardening", "Material/Voce stress": "100",
+                            "Material/Voce rate": "20",
                             "Material/Power law exponent": "0.3", "Material/Power law reference strain": "0.002",
-                            "Material/Hardening table": "0.01: 450 | 0.05: 500", "Material/Back stress moduli": "2000 | 300",
+                            "Material/Hardening table": "0.01: 450 | 0.05: 500",
+                            "Material/Back stress moduli": "2000 | 300",
                             "Material/Recovery rates": "40 | 0"}
-        expected = (400. + 1000. * strain + 100. * (1. - numpy.exp(-20. * strain)) + 400. * ((1. + strain / 0.002) ** 0.3 - 1.)
-                    + numpy.interp(strain, [0., 0.01, 0.05], [0., 50., 100.]) + 50. * (1. - numpy.exp(-40. * strain)) + 300. * strain)
+        expected = (400. + 1000. * strain + 100. * (1. - numpy.exp(-20. * strain))
+                    + 400. * ((1. + strain / 0.002) ** 0.3 - 1.) + numpy.interp(strain, [0., 0.01, 0.05], [0., 50., 100.])
+                    + 50. * (1. - numpy.exp(-40. * strain)) + 300. * strain)
         numpy.testing.assert_allclose(flow_stress(nonlinear, strain), expected)
-        two = {"Material/Law": "perfectly plastic", "Material/Yield stress": "400, 500", "Material/Young's modulus": "1000, 2000"}
+        two = {"Material/Law": "perfectly plastic", "Material/Yield stress": "400, 500",
+               "Material/Young's modulus": "1000, 2000"}
         numpy.testing.assert_allclose(flow_stress(two, strain, 1), 500.)
         numpy.testing.assert_allclose(total_strain(two, 500., strain, 1), 0.25 + strain)
         with self.assertRaisesRegex(UserError, "no stress-strain curve"):
@@ -109,7 +117,8 @@ class Minima(unittest.TestCase):
         found = minimise(model, START, 0.02)
         self.assertTrue(found.converged)
         self.assertEqual(found.x[1], 0.3)
-        best = optimize.minimize_scalar(lambda a: (model.residuals([a, 0.3]) ** 2).sum(), bounds=(5., 7.), method="bounded")
+        best = optimize.minimize_scalar(lambda a: (model.residuals([a, 0.3]) ** 2).sum(), bounds=(5., 7.),
+                                        method="bounded")
         self.assertLess(found.chi_square, best.fun + 0.02 * best.fun / len(DEPTHS))
 
     def test_failed_runs(self):
@@ -132,7 +141,8 @@ class Minima(unittest.TestCase):
     def test_not_smooth(self):
         """A function with jumps of half a percent has no minimum to this tolerance: no endless search."""
         y = measured(1)
-        model = FunctionModel(lambda x: (tabor(x) * (1. + 0.005 * numpy.sin(1e5 * x.sum() * DEPTHS)) - y) / SIGMA, LOWER, UPPER)
+        model = FunctionModel(lambda x: (tabor(x) * (1. + 0.005 * numpy.sin(1e5 * x.sum() * DEPTHS)) - y) / SIGMA,
+                              LOWER, UPPER)
         found = minimise(model, START, 0.02)
         self.assertLess(abs(found.x - TRUTH).max(), 0.3)
         self.assertTrue(found.converged or found.remark)
@@ -180,7 +190,8 @@ class Minima(unittest.TestCase):
         self.assertLess(noise_of(model_of(1), TRUTH), 1e-4)
         generator, y = numpy.random.default_rng(3), measured(1)
         size = 0.003 * tabor(TRUTH).max()
-        noisy = FunctionModel(lambda x: (tabor(x) + size * generator.normal(size=len(DEPTHS)) - y) / SIGMA, LOWER, UPPER)
+        noisy = FunctionModel(lambda x: (tabor(x) + size * generator.normal(size=len(DEPTHS)) - y) / SIGMA, LOWER,
+                              UPPER)
         exact = optimize.approx_fprime(TRUTH, model_of(1).residuals, 1e-7).sum(axis=1)
         expected = 0.3 / numpy.sqrt((exact ** 2).mean())
         self.assertLess(abs(numpy.log(noise_of(noisy, TRUTH) / expected)), numpy.log(2.))
@@ -210,7 +221,8 @@ class Errors(unittest.TestCase):
         self.assertIn("no more independent values than parameters", quality(numpy.ones(2), [2], 2, False).remark)
 
     def test_linear(self):
-        """Of a linear model, profiles end where the normal distribution says, at the bounds of a flat direction, too."""
+        """Of a linear model, profiles end where the normal distribution says, at the bounds of a flat direction,
+        too."""
         generator = numpy.random.default_rng(4)
         terms = generator.normal(size=(50, 3)) * [1., 3., 0.2]
         y = generator.normal(size=50)
@@ -220,7 +232,8 @@ class Errors(unittest.TestCase):
         numpy.testing.assert_allclose(numpy.sqrt(numpy.diag(covariance(found.jacobian))), deviations, rtol=1e-6)
         for i, (lower, upper) in enumerate(profiles(model, found, BOUND, deviations)):
             self.assertTrue(lower.is_closed and upper.is_closed)
-            numpy.testing.assert_allclose([found.x[i] - lower.x[i], upper.x[i] - found.x[i]], BOUND ** 0.5 * deviations[i], rtol=0.05)
+            numpy.testing.assert_allclose([found.x[i] - lower.x[i], upper.x[i] - found.x[i]],
+                                          BOUND ** 0.5 * deviations[i], rtol=0.05)
         self.assertEqual(len(directions(found.jacobian)), 3)
 
     def test_profile(self):
@@ -271,7 +284,8 @@ class Uniqueness(unittest.TestCase):
         self.stress = float(self.material.stress(self.truth, numpy.array([0.033]))[0])
 
     def test_flat_direction(self):
-        model = FunctionModel(lambda x: (self.material.stress(x, numpy.array([0.033])) / self.stress - 1.) / 0.01, *self.problem.bounds())
+        model = FunctionModel(lambda x: (self.material.stress(x, numpy.array([0.033])) / self.stress - 1.) / 0.01,
+                              *self.problem.bounds())
         best = minimise(model, self.problem.start(), 0.02)
         matrix = covariance(best.jacobian)
         ends = profiles(model, best, BOUND, numpy.sqrt(numpy.diag(matrix)))

@@ -42,7 +42,8 @@ def main(arguments):
     parser.add_argument("problem", type=pathlib.Path, help="the file (JSON)")
     parser.add_argument("--output-directory", type=pathlib.Path,
                         help="where the results go (default: output/ and the name of the file)")
-    parser.add_argument("--at-once", type=number(int, least=1), help="how many runs at a time (default: 'at once' of the file)")
+    parser.add_argument("--at-once", type=number(int, least=1),
+                        help="how many runs at a time (default: 'at once' of the file)")
     parser.add_argument("--no-plot", action="store_true", help="write the tables only")
     add_program(parser)
     chosen = parser.parse_args(arguments)

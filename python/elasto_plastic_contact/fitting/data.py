@@ -46,8 +46,8 @@ class CaseUnits:
     def of(self, powers):
         """The unit of force^a length^b of the case, in those of measured curves."""
         if powers != (0, 0) and None in (self.length, self.force):
-            raise UserError(f"'{self.place}' does not say the units of its case, and its data have some: give them, such "
-                            'as "units": {"length": "mm", "force": "N"}')
+            raise UserError(f"'{self.place}' does not say the units of its case, and its data have some: give them, "
+                            'such as "units": {"length": "mm", "force": "N"}')
         return 1. if powers == (0, 0) else self.force ** powers[0] * self.length ** powers[1]
 
 
@@ -66,10 +66,12 @@ def read_units(given, entries, place):
 def read_blocks(data, place, folder, units):
     """The Blocks of an item of 'data'. folder: where names of files begin."""
     if not isinstance(data, dict) or sum(kind in data for kind in KINDS) != 1:
-        raise UserError(f"'{place}' must be an object with one of the keys {', '.join(KINDS)}, which says what was measured")
+        raise UserError(f"'{place}' must be an object with one of the keys {', '.join(KINDS)}, which says what was "
+                        "measured")
     kind = next(kind for kind in KINDS if kind in data)
     check_keys(data, f"'{place}'", (kind,), (*COMMON, *KINDS[kind]))
-    read = {"curve": read_curves, "imprint": read_imprint, "table": read_columns_of_table, "quantity": read_quantity}[kind]
+    read = {"curve": read_curves, "imprint": read_imprint, "table": read_columns_of_table,
+            "quantity": read_quantity}[kind]
     try:
         return read(data, place, folder, units)
     except OSError as error:
@@ -110,7 +112,8 @@ def blocks_of_curve(curve, data, place, name, units):
         depth, force = curve.depth[rows], curve.force[rows]
         used = (force >= lowest) & (depth > 0.)
         if used.sum() < 3:
-            raise UserError(f"'{place}': the {kind} of the curve '{name}' has fewer than 3 points above {lowest:.4g} mN")
+            raise UserError(f"'{place}': the {kind} of the curve '{name}' has fewer than 3 points above {lowest:.4g} "
+                            "mN")
         columns = {"depth": depth[used] / scales["depth"], "force": force[used] / scales["force"]}
         other = "depth" if compared == "force" else "force"
         blocks.append(block_of(data, place, f"{name}, {kind}", kind, columns[other], columns[compared],
@@ -153,7 +156,8 @@ def read_columns_of_table(data, place, folder, _):
     check_keys(data.get("computed"), f"'{place}/computed'", ("table", "x", "y"), ())
     names = read_columns(data["computed"], f"{place}/computed", "x", "y")
     x, y = columns_of_file(data, "table", names[1:], place, folder)
-    return [block_of(data, place, data["table"], "columns", x, y, lambda run, at: column_at(run, *names, at), names[1:])]
+    return [block_of(data, place, data["table"], "columns", x, y, lambda run, at: column_at(run, *names, at),
+                     names[1:])]
 
 
 def columns_of_file(data, key, default, place, folder):
@@ -205,7 +209,8 @@ def numbers_of(data, place):
     values = data.get("value", [])
     values = values if isinstance(values, list) else [values]
     if not values or any(isinstance(value, bool) or not isinstance(value, (int, float)) for value in values):
-        raise UserError(f"'{place}/value' is {data.get('value')}, but must be a number, or a list of those of several indents")
+        raise UserError(f"'{place}/value' is {data.get('value')}, but must be a number, or a list of those of several "
+                        "indents")
     return values
 
 
@@ -247,7 +252,8 @@ def deviations(data, place, y):
     absolute, relative, share = (number(noise, key, f"{place}/noise", 0., least=0.) for key in NOISES)
     sigma = numpy.sqrt(absolute ** 2 + (relative * y) ** 2 + (share * numpy.abs(y).max()) ** 2)
     if not (sigma > 0.).all():
-        raise UserError(f"'{place}/noise' is zero for some values: a relative noise of values at 0 takes another one beside it")
+        raise UserError(f"'{place}/noise' is zero for some values: a relative noise of values at 0 takes another one "
+                        "beside it")
     return sigma
 
 

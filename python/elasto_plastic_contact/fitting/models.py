@@ -70,4 +70,5 @@ class CorrectedModel:
         self.noise_is_known = coarse.noise_is_known
 
     def evaluate(self, points):
-        return [found if isinstance(found, Failure) else found + self.correction for found in self.coarse.evaluate(points)]
+        return [found if isinstance(found, Failure) else found + self.correction
+                for found in self.coarse.evaluate(points)]

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Least squares over a model (models.py): by a trust region within bounds, and by a few Gauss-Newton steps from where the
-derivatives are known. (SciPy's own trust region scales its steps by the distance to the bounds: it takes twice as many in
-the narrow valleys of hardening laws, or more.)"""
+"""Least squares over a model (models.py): by a trust region within bounds, and by a few Gauss-Newton steps from where
+the derivatives are known. (SciPy's own trust region scales its steps by the distance to the bounds: it takes twice as
+many in the narrow valleys of hardening laws, or more.)"""
 
 from dataclasses import dataclass
 
@@ -53,8 +53,8 @@ def next_step(x, residuals, jacobian, lower, upper):
 
 
 def least_fall(model, residuals, n_free, tolerance):
-    """The fall of the sum of squares that is not worth a step: a tolerance in units of the variance of the noise, which is
-    that of the residuals, and not less than 1 if the noise is known."""
+    """The fall of the sum of squares that is not worth a step: a tolerance in units of the variance of the noise, which
+    is that of the residuals, and not less than 1 if the noise is known."""
     variance = residuals @ residuals / max(len(residuals) - n_free, 1)
     return tolerance * max(variance, 1. if model.noise_is_known else 1e-10)
 
@@ -63,15 +63,15 @@ def start_of(model, x):
     """The residuals at a first point. Raises UserError if they cannot be computed."""
     found, = model.evaluate([x])
     if isinstance(found, Failure):
-        raise UserError(f"the run at the start has failed, so that there is nothing to begin with: {first_line(found)}. Give "
-                        "another start")
+        raise UserError("the run at the start has failed, so that there is nothing to begin with: "
+                        f"{first_line(found)}. Give another start")
     return found
 
 
 def noise_of(model, x):
-    """How far the residuals are from smooth functions of the coordinates, over their derivatives along the diagonal of these:
-    from fourth differences, whose mean square is 70 times that of independent errors (more_wild_2011). What has no
-    five points within the bounds, or fails, counts as smooth."""
+    """How far the residuals are from smooth functions of the coordinates, over their derivatives along the diagonal of
+    these: from fourth differences, whose mean square is 70 times that of independent errors (more_wild_2011). What has
+    no five points within the bounds, or fails, counts as smooth."""
     inward = numpy.where(model.upper - x > x - model.lower, 1., -1.)
     ladder = [x + k * SMALLEST_STEP * inward for k in range(5)]
     if any((point < model.lower).any() or (point > model.upper).any() for point in ladder):
@@ -85,8 +85,9 @@ def noise_of(model, x):
 
 
 class Derivatives:
-    """The Jacobian of a model by differences, all columns in one batch: central ones, where there is room at both sides.
-    (Those at one side are wrong by half the step, which a narrow valley of the sum of squares does not forgive.)"""
+    """The Jacobian of a model by differences, all columns in one batch: central ones, where there is room at both
+    sides. (Those at one side are wrong by half the step, which a narrow valley of the sum of squares does not
+    forgive.)"""
 
     def __init__(self, model, step):
         self.model, self.step = model, step
@@ -135,22 +136,26 @@ def moved(x, i, move):
 
 
 def minimise(model, start, step, report=lambda text: None, in_words=str, tolerance=TOLERANCE):
-    """The Minimum from a start, by Gauss-Newton steps with derivatives by differences of a step. Each is the best one of the
-    linear least squares within the bounds and within a box around the point, the trust region, which grows and shrinks as
-    the sum of squares falls as expected or not (Conn, Gould and Toint, 2000); a run that fails makes it shrink, too."""
+    """The Minimum from a start, by Gauss-Newton steps with derivatives by differences of a step. Each is the best one
+    of the linear least squares within the bounds and within a box around the point, the trust region, which grows and
+    shrinks as the sum of squares falls as expected or not (Conn, Gould and Toint, 2000); a run that fails makes it
+    shrink, too."""
     x, derivatives, radius = numpy.array(start, float), Derivatives(model, step), FIRST_RADIUS
     residuals = start_of(model, x)
     report(f"  {in_words(x)}: sum of squares {residuals @ residuals:.6g}")
     for _ in range(MOST_ITERATIONS):
         jacobian = derivatives(x, residuals)
-        if next_step(x, residuals, jacobian, model.lower, model.upper)[1] < least_fall(model, residuals, len(x), tolerance):
+        _, fall = next_step(x, residuals, jacobian, model.lower, model.upper)
+        if fall < least_fall(model, residuals, len(x), tolerance):
             return Minimum(x, residuals, jacobian, True, "")
         moved_to, after, radius = trusted_step(model, x, residuals, jacobian, radius, report, in_words)
         if moved_to is None:
-            return Minimum(x, residuals, jacobian, False, "no step lowers the sum of squares any more, as the derivatives say: "
+            return Minimum(x, residuals, jacobian, False,
+                           "no step lowers the sum of squares any more, as the derivatives say: "
                                                           "the computed curves are not smooth enough")
         x, residuals = moved_to, after
-    return Minimum(x, residuals, derivatives(x, residuals), False, f"it has not converged in {MOST_ITERATIONS} iterations")
+    return Minimum(x, residuals, derivatives(x, residuals), False,
+                   f"it has not converged in {MOST_ITERATIONS} iterations")
 
 
 def trusted_step(model, x, residuals, jacobian, radius, report, in_words):
@@ -176,8 +181,8 @@ def trusted_step(model, x, residuals, jacobian, radius, report, in_words):
 
 
 def polish(model, x, jacobian, free, tolerance=TOLERANCE, residuals=None):
-    """The Minimum over the coordinates 'free' from a point near it, by Gauss-Newton steps that take the derivatives from
-    elsewhere and improve them with each run (Broyden), or None if the run at x fails."""
+    """The Minimum over the coordinates 'free' from a point near it, by Gauss-Newton steps that take the derivatives
+    from elsewhere and improve them with each run (Broyden), or None if the run at x fails."""
     free = numpy.asarray(free)
     if residuals is None:
         residuals, = model.evaluate([x])
@@ -204,4 +209,5 @@ def polish(model, x, jacobian, free, tolerance=TOLERANCE, residuals=None):
             x, residuals, factor = other, after, 1.
         else:
             factor *= 0.5
-    return Minimum(x, residuals, jacobian, not len(free), "" if not len(free) else "Gauss-Newton steps have not converged")
+    return Minimum(x, residuals, jacobian, not len(free),
+                   "" if not len(free) else "Gauss-Newton steps have not converged")

@@ -62,8 +62,8 @@ def curve_at(run, segment, compared, places):
     known, values = (rows[:, 0], rows[:, 1]) if compared == "force" else (rows[:, 1], rows[:, 0])
     other = "depth" if compared == "force" else "force"
     if segment == "load" and places.max() > (1. + BEYOND) * known.max():
-        raise UserError(f"the measured curve reaches the {other} {places.max():.6g} (in units of the case), and the run "
-                        f"only {known.max():.6g}: press further by 'Loading/History', or give \"load to\": \"{other}\"")
+        raise UserError(f"the measured curve reaches the {other} {places.max():.6g} (in units of the case), and the "
+                        f"run only {known.max():.6g}: press further by 'Loading/History', or give \"load to\": \"{other}\"")
     return interpolated(known, values, places, other)
 
 

@@ -40,8 +40,8 @@ class Parameter:
 class Block:
     """Numbers that are measured in one go, and how to find their like in the Results of a run, in units of the case.
 
-    kind: load, unload, imprint, columns or quantity. x: places (empty for a quantity); y: what was measured there (nan in
-    a candidate); sigma: standard deviations, or weights if the noise is not known. labels: of x and y."""
+    kind: load, unload, imprint, columns or quantity. x: places (empty for a quantity); y: what was measured there (nan
+    in a candidate); sigma: standard deviations, or weights if the noise is not known. labels: of x and y."""
     name: str
     kind: str
     x: numpy.ndarray
@@ -91,7 +91,8 @@ class Problem:
         return numpy.array([p.coordinate(p.start) for p in self.parameters])
 
     def bounds(self):
-        return tuple(numpy.array([p.coordinate(getattr(p, end)) for p in self.parameters]) for end in ("lower", "upper"))
+        return tuple(numpy.array([p.coordinate(getattr(p, end)) for p in self.parameters])
+                     for end in ("lower", "upper"))
 
     def values(self, coordinates):
         """By name, in the order of the parameters."""

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Regions by profile likelihood: how far one coordinate can go while all others do their best to keep the sum of squares
-low. Each point is made of runs of the model, begun at the one before."""
+"""Regions by profile likelihood: how far one coordinate can go while all others do their best to keep the sum of
+squares low. Each point is made of runs of the model, begun at the one before."""
 
 import concurrent.futures
 from dataclasses import dataclass
@@ -89,8 +89,8 @@ def held(model, near, i, value, others):
 
 
 def profiles(model, minimum, threshold, deviations, report=lambda i, end: None):
-    """For each coordinate its two ProfileEnds, lower and upper, all at the same time. report: is told of each end and the
-    number of its coordinate."""
+    """For each coordinate its two ProfileEnds, lower and upper, all at the same time. report: is told of each end and
+    the number of its coordinate."""
     ways = [(i, side) for i in range(len(minimum.x)) for side in (-1, 1)]
 
     def find(way):

@@ -52,7 +52,8 @@ def make_problem(data, folder, program, name):
         if parameter.name not in used:
             raise UserError(f"'parameters/{parameter.name}' stands in none of the formulas of 'entries'")
     step = number(data, "step", "the problem", above=0., most=0.5) if "step" in data else None
-    return Problem(name, parameters, constants, experiments, noise_is_known(data["experiments"]), read_count(data, "at once"),
+    return Problem(name, parameters, constants, experiments, noise_is_known(data["experiments"]),
+                   read_count(data, "at once"),
                    step, candidates)
 
 
@@ -75,8 +76,8 @@ def words(formula):
 
 def check_name(name, place):
     if not re.fullmatch(r"[A-Za-z_]\w*", name) or name in FUNCTIONS:
-        raise UserError(f"'{place}/{name}': a name in formulas is letters, digits and _, begins with a letter, and is none "
-                        f"of {', '.join(FUNCTIONS)}")
+        raise UserError(f"'{place}/{name}': a name in formulas is letters, digits and _, begins with a letter, and is "
+                        f"none of {', '.join(FUNCTIONS)}")
 
 
 def read_constants(data):
@@ -97,8 +98,8 @@ def read_parameters(data, constants):
             raise UserError(f"'{place}' is a constant, too: choose another name")
         start, lower, upper = (number(item, key, place) for key in PARAMETER_KEYS)
         if not lower < upper or not lower <= start <= upper:
-            raise UserError(f"'{place}' has start {start:g}, lower {lower:g} and upper {upper:g}, but must have lower < "
-                            "upper and the start between them")
+            raise UserError(f"'{place}' has start {start:g}, lower {lower:g} and upper {upper:g}, but must have lower "
+                            "< upper and the start between them")
         scale = choice(item.get("scale", "log" if lower > 0. else "linear"), f"{place}/scale", ["log", "linear"])
         if scale == "log" and not lower > 0.:
             raise UserError(f"'{place}' has a scale 'log' and the lower bound {lower:g}, which must be above 0 then")
@@ -143,7 +144,8 @@ class ExperimentReader:
         """A candidate, whose blocks are functions that make them."""
         place = f"candidates/{name}"
         path, common, _, formulas = self.parts(data, place, ())
-        makers = [read_candidate_data(item, f"{place}/data/{i}") for i, item in enumerate(items(data["data"], place), 1)]
+        makers = [read_candidate_data(item, f"{place}/data/{i}")
+                  for i, item in enumerate(items(data["data"], place), 1)]
         return Experiment(name, {"fine": case_of(path, common, read_count(data, "ranks"))}, formulas, makers)
 
     def parts(self, data, place, keys):

@@ -13,7 +13,8 @@ COLUMNS = ("parameter", "value", "standard_error", "lower", "upper")
 
 def rows_of(fit):
     """One row for each parameter, as in fit.csv."""
-    return [dict(zip(COLUMNS, (name, value, fit.standard_errors[name], fit.regions[name].lower, fit.regions[name].upper)))
+    return [dict(zip(COLUMNS,
+                     (name, value, fit.standard_errors[name], fit.regions[name].lower, fit.regions[name].upper)))
             for name, value in fit.values.items()]
 
 
@@ -46,7 +47,8 @@ def as_json(fit):
 
 
 def flat_direction(fit):
-    """The direction that the data know least of, and the materials at both ends of the profile of its main parameter."""
+    """The direction that the data know least of, and the materials at both ends of the profile of its main
+    parameter."""
     _, error, row = fit.directions[-1]
     materials = [fit.problem.values(end.x) for end in fit.ends[fit.flattest]]
     return {"parameter": fit.problem.names[fit.flattest], "components": dict(zip(fit.problem.names, row.tolist())),
@@ -77,7 +79,8 @@ def table_of(fit):
         region = fit.regions[row["parameter"]]
         ends = [f"{'' if closed else mark}{row[end]:.5g}" for end, closed, mark in
                 zip(("lower", "upper"), region.closed, ("<", ">"))]
-        lines.append(f"{row['parameter']:16} {row['value']:12.6g} {row['standard_error']:12.3g}   {ends[0]} to {ends[1]}")
+        lines.append(f"{row['parameter']:16} {row['value']:12.6g} {row['standard_error']:12.3g}   "
+                     f"{ends[0]} to {ends[1]}")
     return lines
 
 
@@ -104,7 +107,8 @@ def sentences(fit):
     for name, region in fit.regions.items():
         for end, closed, remark in zip(("lower", "upper"), region.closed, region.remarks):
             if remark:
-                yield f"{name}: the {end} end of its region: {remark}" + ("" if closed else ", so that the data do not limit it")
+                yield (f"{name}: the {end} end of its region: {remark}"
+                       + ("" if closed else ", so that the data do not limit it"))
     for _, error, row in fit.directions:
         yield f"known to +-{error:.3g} (standard error): {combination(fit.problem, row)}"
     if len(fit.values) > 1:

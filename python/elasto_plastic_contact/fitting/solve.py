@@ -17,8 +17,8 @@ from .uniqueness import Material, candidates, family, representative
 from ..errors import UserError
 from ..study.execution import start as start_program
 
-# Central differences of a function with errors e are best with steps (3 e)^(1/3), if its third derivatives are as large as
-# its first ones; no step reaches farther than this.
+# Central differences of a function with errors e are best with steps (3 e)^(1/3), if its third derivatives are as large
+# as its first ones; no step reaches farther than this.
 LARGEST_STEP = 0.1
 
 # An iteration on the coarse mesh ends at half a standard error: the fine one changes more.
@@ -92,7 +92,8 @@ def step_of(problem, model, x, report):
         return problem.step
     noise = noise_of(model, x)
     step = float(numpy.clip((3. * noise) ** (1. / 3.), SMALLEST_STEP, LARGEST_STEP))
-    report(f"computed values have a noise of {noise:.2g} of their derivatives: these are taken by differences of {step:.2g}")
+    report(f"computed values have a noise of {noise:.2g} of their derivatives: these are taken by differences of "
+           f"{step:.2g}")
     return step
 
 
@@ -152,7 +153,8 @@ class Solver:
         def told(i, end):
             parameter = self.problem.parameters[i]
             value = parameter.value(end.x[i] + shift[i])
-            self.report(f"  {parameter.name} to {value:.5g}{': ' if end.remark else ''}{end.remark} ({len(end.points)} points)")
+            self.report(f"  {parameter.name} to {value:.5g}{': ' if end.remark else ''}{end.remark} "
+                        f"({len(end.points)} points)")
 
         return profiles(model, lowest, result_quality.threshold, deviations, told), shift
 
@@ -177,7 +179,8 @@ def fit(problem, folder, program, at_once, report):
         remarks = [remark for remark in (best.remark, found.remark) if remark]
         return Fit(
             problem=problem, x=best.x, values=problem.values(best.x), matrix=matrix, correlation=correlations(matrix),
-            standard_errors=dict(zip(problem.names, map(float, problem.slopes(best.x) * numpy.sqrt(numpy.diag(matrix))))),
+            standard_errors=dict(zip(problem.names,
+                                     map(float, problem.slopes(best.x) * numpy.sqrt(numpy.diag(matrix))))),
             regions=regions_of(problem, ends), directions=directions(best.jacobian, found.scale), quality=found,
             residuals=best.residuals, step=solver.step, ends=ends, family=points, material=material,
             representative=representative(material, points, matrix, width) if material.is_plastic else None,

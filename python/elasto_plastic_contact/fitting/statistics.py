@@ -14,9 +14,10 @@ LEVEL = 0.95
 
 @dataclass(frozen=True)
 class Quality:
-    """chi_square and its degrees of freedom. scale: the variance over that of the sigmas, as estimated from the residual
-    (1: the noise is known, and explains it). threshold: by how much the sum of squares may be larger, at the end of the
-    95 % region of one parameter. remark: a sentence, or empty. independent: how many points the residuals are worth."""
+    """chi_square and its degrees of freedom. scale: the variance over that of the sigmas, as estimated from the
+    residual (1: the noise is known, and explains it). threshold: by how much the sum of squares may be larger, at the
+    end of the 95 % region of one parameter. remark: a sentence, or empty. independent: how many points the residuals
+    are worth."""
     chi_square: float
     freedom: float
     scale: float
@@ -59,8 +60,8 @@ def quality(residuals, sizes, n_parameters, noise_is_known):
     scale = chi_square / real_freedom
     remark = ""
     if noise_is_known:
-        remark = (f"the residuals are larger than the given noise explains (sum of squares {chi_square:.4g} of {freedom} "
-                  f"degrees of freedom): model or noise are wrong, and the errors are multiplied by {scale ** 0.5:.3g}")
+        remark = (f"the residuals are larger than the given noise explains (sum of squares {chi_square:.4g} of "
+                  f"{freedom} degrees of freedom): model or noise are wrong, and the errors are multiplied by {scale ** 0.5:.3g}")
     return Quality(chi_square, freedom, scale, scale * float(stats.f.ppf(LEVEL, 1, real_freedom)), independent, remark)
 
 
@@ -78,8 +79,8 @@ def correlations(matrix):
 
 
 def directions(jacobian, scale=1.):
-    """Singular values of the derivatives and their directions in coordinates, best known first: pairs of the standard error
-    along the direction and its components, the largest of which is positive."""
+    """Singular values of the derivatives and their directions in coordinates, best known first: pairs of the standard
+    error along the direction and its components, the largest of which is positive."""
     _, singular, rows = numpy.linalg.svd(jacobian, full_matrices=False)
     signs = numpy.sign(rows[numpy.arange(len(rows)), numpy.abs(rows).argmax(axis=1)])
     return [(float(value), float(scale ** 0.5 / max(value, 1e-300)), row * sign)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is unique about a fit: the family of materials that fit equally well, where their stress-strain curves cross, and
-which further experiment would tell them apart."""
+"""What is unique about a fit: the family of materials that fit equally well, where their stress-strain curves cross,
+and which further experiment would tell them apart."""
 
 from dataclasses import dataclass
 
@@ -35,7 +35,8 @@ class Representative:
 
 
 class Material:
-    """The stress-strain curve as a function of the coordinates of a fit. entries: those of a run of the first experiment."""
+    """The stress-strain curve as a function of the coordinates of a fit. entries: those of a run of the first
+    experiment."""
 
     def __init__(self, problem, entries):
         self.problem, self.base = problem, entries
@@ -78,8 +79,8 @@ def family(x, ends, threshold):
 
 
 def representative(material, points, matrix, spread_of_normal):
-    """Where the curves of the family cross (dao_2001). matrix: covariance of the coordinates; spread_of_normal: how many standard
-    errors the region of 95 % reaches to each side."""
+    """Where the curves of the family cross (dao_2001). matrix: covariance of the coordinates; spread_of_normal: how
+    many standard errors the region of 95 % reaches to each side."""
     x = points[0]
     stresses = numpy.array([material.stress(point) for point in points])
     spread = stresses.max(axis=0) / stresses.min(axis=0) - 1.
@@ -110,7 +111,8 @@ def candidates(problem, runs, x, jacobian, scale, step):
         run = expect(ProgramModel(plan, runs, "fine").results(x)[0], f"the candidate '{candidate.name}'")
         blocks = [block for made in candidate.blocks for block in made(run)]
         experiment = Experiment(candidate.name, candidate.cases, candidate.formulas, blocks)
-        model = ProgramModel(Problem(problem.name, problem.parameters, problem.constants, [experiment], True), runs, "fine")
+        model = ProgramModel(Problem(problem.name, problem.parameters, problem.constants, [experiment], True), runs,
+                             "fine")
         residuals, = model.evaluate([x])
         added = Derivatives(model, step)(x, residuals)
         matrix = covariance(numpy.vstack([jacobian / scale ** 0.5, added]))

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the curves of the ready fits: computed by the program on the meshes of the ready cases, with a noise of the force of
-1 % of its largest value (normal, the same numbers each time).
+"""Makes the curves of the ready fits: computed by the program on the meshes of the ready cases, with a noise of the
+force of 1 % of its largest value (normal, the same numbers each time).
 
 usage: scripts/command.py fit_data [--output-directory DIRECTORY] [--program PROGRAM]
 """
@@ -43,7 +43,8 @@ def measured(results, noise, generator):
 
 
 def main(arguments):
-    parser = argparse.ArgumentParser(prog="fit_data", formatter_class=argparse.RawDescriptionHelpFormatter, description=__doc__)
+    parser = argparse.ArgumentParser(prog="fit_data", formatter_class=argparse.RawDescriptionHelpFormatter,
+                                     description=__doc__)
     parser.add_argument("--output-directory", type=pathlib.Path, help="default: parameter_files/fit of the checkout")
     add_program(parser)
     chosen = parser.parse_args(arguments)
@@ -51,7 +52,8 @@ def main(arguments):
     generator = numpy.random.default_rng(46)
     for name, case in CURVES.items():
         with tempfile.TemporaryDirectory() as directory:
-            results = run(case, directory, MATERIAL | {"Output/Fields": "never"}, overwrite=True, program=chosen.program)
+            results = run(case, directory, MATERIAL | {"Output/Fields": "never"}, overwrite=True,
+                          program=chosen.program)
             rows = measured(results, NOISE, generator)
         with new_file(folder / f"{name}.csv") as file:
             writer = csv.writer(file, lineterminator="\n")

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of a fit: what was measured and computed, residuals, and the stress-strain curve with its band and the two
-materials at the ends of the flat direction."""
+"""The picture of a fit: what was measured and computed, residuals, and the stress-strain curve with its band and the
+two materials at the ends of the flat direction."""
 
 import numpy
 
@@ -15,7 +15,7 @@ GREY, ORANGE, GREEN = "#707070", "#d9822b", "#3c8a4e"
 LARGEST_STRAIN = 0.12
 
 CURVES = ("load", "unload")
-NAMES = {"imprint": "imprint", "columns": "columns", "quantity": "quantities"}
+QUANTITIES = "quantities"
 
 
 def groups(fit):
@@ -24,7 +24,9 @@ def groups(fit):
     for experiment, block in fit.problem.blocks():
         part = fit.residuals[first:first + len(block.y)]
         first += len(block.y)
-        title = "quantities" if block.kind == "quantity" else f"{experiment.name}{'' if block.kind in CURVES else ', ' + NAMES[block.kind]}"
+        title = QUANTITIES
+        if block.kind != "quantity":
+            title = experiment.name + ("" if block.kind in CURVES else f", {block.kind}")
         found.setdefault(title, []).append((experiment, block, part))
     return found
 
@@ -35,7 +37,7 @@ def draw(fit, path):
     n_columns = len(columns) + has_material
     figure, axes = plt.subplots(2, n_columns, figsize=(4.6 * n_columns, 5.6), squeeze=False, height_ratios=(2.2, 1.))
     for i, (title, blocks) in enumerate(columns.items()):
-        (draw_quantities if title == "quantities" else draw_blocks)(*axes[:, i], blocks)
+        (draw_quantities if title == QUANTITIES else draw_blocks)(*axes[:, i], blocks)
         letter(axes[0, i], i)
         axes[0, i].set_title(title)
     if has_material:
@@ -76,7 +78,8 @@ def draw_quantities(upper, lower, blocks):
     values = numpy.array([(part[0] * block.sigma[0] / abs(block.y[0]), block.sigma[0] / abs(block.y[0]), part[0])
                           for _, block, part in blocks])
     places = numpy.arange(len(names))
-    upper.errorbar(places, numpy.zeros(len(names)), 100. * values[:, 1], fmt="o", color=GREY, capsize=4, label="measured ± σ")
+    upper.errorbar(places, numpy.zeros(len(names)), 100. * values[:, 1], fmt="o", color=GREY, capsize=4,
+                   label="measured ± σ")
     upper.plot(places, 100. * values[:, 0], "D", color=BLUE, label="computed")
     upper.set(ylabel="deviation from measured in %", xlim=(-0.5, len(names) - 0.5))
     upper.set_xticks(places, [])
@@ -88,8 +91,8 @@ def draw_quantities(upper, lower, blocks):
 
 
 def draw_material(axes, fit):
-    """The best curve, the band of all that fit equally well, the two at the ends of the flat direction, and the stress that
-    is known best."""
+    """The best curve, the band of all that fit equally well, the two at the ends of the flat direction, and the stress
+    that is known best."""
     strains = STRAINS[STRAINS <= LARGEST_STRAIN]
     curves = [fit.material.curve(x, strains) for x in fit.family]
     grid = numpy.linspace(0., LARGEST_STRAIN, 600)
@@ -103,7 +106,8 @@ def draw_material(axes, fit):
             axes.plot(*fit.material.curve(end.x, strains), "--", color=color, linewidth=1.2, label=values)
     found = fit.representative
     if found.total_strain <= LARGEST_STRAIN:
-        axes.errorbar([found.total_strain], [found.stress], [[found.stress - found.lower], [found.upper - found.stress]],
+        axes.errorbar([found.total_strain], [found.stress],
+                      [[found.stress - found.lower], [found.upper - found.stress]],
                       fmt="o", color=RED, capsize=4, markersize=4,
                       label=f"known best: {found.stress:.4g}\nat the plastic strain {found.plastic_strain:.2g}")
     axes.set(xlabel="strain", ylabel="stress", xlim=(0., LARGEST_STRAIN), ylim=(0., None))
