@@ -78,7 +78,7 @@ class Fits(unittest.TestCase):
             self.assertEqual(region.closed, (True, True))
             self.assertLess(abs((region.upper - region.lower) / (2. * 1.96 * error) - 1.), 0.08)
         self.assertTrue(found.regions["Y"].lower < YIELD_STRESS < found.regions["Y"].upper)
-        self.assertTrue(found.is_unique and found.converged)
+        self.assertTrue(found.verdict == "unique" and found.converged)
         self.check_files(found)
 
         before = self.finished()

@@ -37,7 +37,7 @@ def as_json(fit):
         "directions": [{"singular_value": value, "standard_error": error, "components": dict(zip(names, row.tolist()))}
                        for value, error, row in fit.directions],
         "flat_direction": flat_direction(fit),
-        "is_unique": fit.is_unique,
+        "verdict": fit.verdict,
         "representative_stress": dataclasses.asdict(fit.representative) if fit.representative else None,
         "candidates": [dataclasses.asdict(candidate) for candidate in fit.candidates],
         "quality": dataclasses.asdict(fit.quality) | {"noise_is_known": fit.problem.noise_is_known},
@@ -118,10 +118,10 @@ def sentences(fit):
 
 
 def of_uniqueness(fit):
-    if not fit.is_unique:
+    if fit.verdict != "unique":
         first, second = (", ".join(f"{name} = {value:.4g}" for name, value in material.items())
                          for material in flat_direction(fit)["equally_good"])
-        yield f"NOT UNIQUE: these data fit equally well: {first}; and {second}"
+        yield f"{fit.verdict.upper()}: these data fit equally well: {first}; and {second}"
     if fit.representative and len(fit.x) > 1:
         found = fit.representative
         yield (f"best known is the flow stress at the plastic strain {found.plastic_strain:.3g} (total strain "

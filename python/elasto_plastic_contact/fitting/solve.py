@@ -24,6 +24,9 @@ LARGEST_STEP = 0.1
 # An iteration on the coarse mesh ends at half a standard error: the fine one changes more.
 COARSE_TOLERANCE = 0.25
 
+# The standard error along the flat direction, in logarithms or shares of the bounds, up to which it is called unique.
+SURE = 0.15
+
 # How often the coarse model is shifted to the fine one and minimised anew.
 MAPPINGS = 2
 
@@ -72,9 +75,12 @@ class Fit:
         return int(numpy.abs(self.directions[-1][2]).argmax())
 
     @property
-    def is_unique(self):
-        """Whether all regions end within the bounds."""
-        return all(all(region.closed) for region in self.regions.values())
+    def verdict(self):
+        """'not unique' if a region does not end within the bounds, 'hardly determined' if the parameters may change by
+        more than SURE along the flat direction, else 'unique'."""
+        if not all(all(region.closed) for region in self.regions.values()):
+            return "not unique"
+        return "hardly determined" if self.directions[-1][1] > SURE else "unique"
 
 
 def validate(problem, runs):
