@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fits of runs of the program: a tension test with an exact answer, what is not run again, a sphere, quantities."""
 
+import contextlib
 import csv
+import io
 import json
 import pathlib
 import signal
@@ -122,6 +124,16 @@ class Fits(unittest.TestCase):
         self.assertRegex(done.stdout, r"parameter +value +std. error +95 % region\nY ")
         self.assertRegex(done.stdout, "best known is the flow stress at the plastic strain")
         self.assertTrue((self.output / "fit.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_coverage(self):
+        """The command that repeats a fit with other noises: of eight regions each, seven at least hold the true value."""
+        command = ["fit_coverage", str(self.write(TENSION)), "--output-directory", str(self.output), "--truth", "400"]
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            self.assertEqual(main([*command, "2000", "--repetitions", "8"]), 0)
+        self.assertRegex(said.getvalue(), r"Y +[78] of 8, deviations .*\nH +[78] of 8, deviations ")
+        self.assertRegex(said.getvalue(), r"sum of squares over degrees of freedom (0\.[4-9]|1\.[0-6])")
+        self.assertEqual(main(command), 2)  # (one value for two parameters)
 
     def test_failed_start(self):
         problem = json.loads(json.dumps(TENSION))
