@@ -158,6 +158,17 @@ class Problems(unittest.TestCase):
         (self.folder / "load.csv").write_text("\n".join(CURVE.splitlines()[:40]))
         self.refuse_data("has no unloading; leave 'unload' out", curve="load.csv", segments=["load", "unload"])
 
+    def test_top(self):
+        """With a force that is largest before the deepest point, or behind it, this is where the loading ends."""
+        rows = CURVE.splitlines()
+        for number in (48, 51):
+            (self.folder / "noisy.csv").write_text("\n".join(row.partition(",")[0] + ",2510" if i == number else row
+                                                             for i, row in enumerate(rows)))
+            load, unload = self.block({"curve": "noisy.csv", "noise": {"absolute": 2.}})
+            self.assertEqual(load.x.max(), 0.05)
+            self.assertEqual(unload.x.max(), 0.05)
+            self.assertTrue((numpy.diff(load.x) > 0.).all() and (numpy.diff(unload.x) < 0.).all())
+
     def test_curves_of_points(self):
         """Means of several points have less noise, points that are not independent more; depths over forces."""
         load, _ = self.block({"curve": "curve.csv", "noise": {"absolute": 2.}, "points": 10, "above": 0.01})

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What was measured, from the files and numbers that the problem of a fit names."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy
 
@@ -136,8 +136,20 @@ def segments_of(curve, data, place):
     segments, cycles = find_segments(curve, TURN)
     if not cycles:
         return {segment.kind: segment for segment in segments if segment.kind == "load"}
-    cycle = number(data, "cycle", place, 1, convert=int, least=1, most=len(cycles))
-    return {"load": cycles[cycle - 1].load, "unload": cycles[cycle - 1].unload}
+    cycle = cycles[number(data, "cycle", place, 1, convert=int, least=1, most=len(cycles)) - 1]
+    if cycle.hold is not None:
+        return {"load": cycle.load, "unload": cycle.unload}
+    top = deepest(curve, cycle)
+    return {"load": replace(cycle.load, end=top), "unload": replace(cycle.unload, begin=top)}
+
+
+def deepest(curve, cycle):
+    """Where a load without a hold ends: the deepest point around the largest force. (A force with noise is largest
+    somewhere near; a point of the loading taken for one of the unloading, which is steep, would be far from it.)"""
+    force = curve.force[cycle.load.begin:cycle.unload.end + 1]
+    peak, low = cycle.unload.begin - cycle.load.begin, numpy.flatnonzero(force < (1. - TURN) * force.max())
+    first, last = low[low < peak].max(initial=-1) + 1, low[low > peak].min(initial=len(force))
+    return int(cycle.load.begin + first + curve.depth[cycle.load.begin:][first:last].argmax())
 
 
 def read_imprint(data, place, folder, units):
