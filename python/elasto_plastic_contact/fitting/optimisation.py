@@ -139,23 +139,31 @@ def minimise(model, start, step, report=lambda text: None, in_words=str, toleran
     """The Minimum from a start, by Gauss-Newton steps with derivatives by differences of a step. Each is the best one
     of the linear least squares within the bounds and within a box around the point, the trust region, which grows and
     shrinks as the sum of squares falls as expected or not (Conn, Gould and Toint, 2000); a run that fails makes it
-    shrink, too."""
+    shrink, too. After a step of less than a standard error, the derivatives are improved by that step alone."""
     x, derivatives, radius = numpy.array(start, float), Derivatives(model, step), FIRST_RADIUS
     residuals = start_of(model, x)
     report(f"  {in_words(x)}: sum of squares {residuals @ residuals:.6g}")
+    jacobian = derivatives(x, residuals)
     for _ in range(MOST_ITERATIONS):
-        jacobian = derivatives(x, residuals)
         _, fall = next_step(x, residuals, jacobian, model.lower, model.upper)
         if fall < least_fall(model, residuals, len(x), tolerance):
             return Minimum(x, residuals, jacobian, True, "")
-        moved_to, after, radius = trusted_step(model, x, residuals, jacobian, radius, report, in_words)
-        if moved_to is None:
+        other, after, radius = trusted_step(model, x, residuals, jacobian, radius, report, in_words)
+        if other is None:
             return Minimum(x, residuals, jacobian, False,
                            "no step lowers the sum of squares any more, as the derivatives say: "
-                                                          "the computed curves are not smooth enough")
-        x, residuals = moved_to, after
-    return Minimum(x, residuals, derivatives(x, residuals), False,
-                   f"it has not converged in {MOST_ITERATIONS} iterations")
+                           "the computed curves are not smooth enough")
+        if fall < least_fall(model, residuals, len(x), 1.):
+            jacobian = improved(jacobian, other - x, after - residuals)
+        else:
+            jacobian = derivatives(other, after)
+        x, residuals = other, after
+    return Minimum(x, residuals, jacobian, False, f"it has not converged in {MOST_ITERATIONS} iterations")
+
+
+def improved(jacobian, step, change):
+    """The derivatives that explain the change of the residuals in a step, next to those before (Broyden, 1965)."""
+    return jacobian + numpy.outer(change - jacobian @ step, step) / (step @ step)
 
 
 def trusted_step(model, x, residuals, jacobian, radius, report, in_words):
@@ -182,14 +190,14 @@ def trusted_step(model, x, residuals, jacobian, radius, report, in_words):
 
 def polish(model, x, jacobian, free, tolerance=TOLERANCE, residuals=None):
     """The Minimum over the coordinates 'free' from a point near it, by Gauss-Newton steps that take the derivatives
-    from elsewhere and improve them with each run (Broyden), or None if the run at x fails."""
+    from elsewhere and improve them with each run, or None if the run at x fails."""
     free = numpy.asarray(free)
     if residuals is None:
         residuals, = model.evaluate([x])
     if isinstance(residuals, Failure):
         return None
     lower, upper = model.lower[free], model.upper[free]
-    jacobian, factor = jacobian.copy(), 1.
+    factor = 1.
     for _ in range(MOST_STEPS):
         if not len(free):
             break
@@ -202,9 +210,7 @@ def polish(model, x, jacobian, free, tolerance=TOLERANCE, residuals=None):
         if isinstance(after, Failure):
             factor *= 0.5
             continue
-        # (Broyden, 1965: the change of the derivatives that is needed and smallest)
-        moved_by = other - x
-        jacobian += numpy.outer(after - residuals - jacobian @ moved_by, moved_by) / (moved_by @ moved_by)
+        jacobian = improved(jacobian, other - x, after - residuals)
         if after @ after < residuals @ residuals:
             x, residuals, factor = other, after, 1.
         else:
