@@ -161,6 +161,19 @@ class Minima(unittest.TestCase):
         self.assertLess((fine.residuals(found.x) ** 2).sum() - best.chi_square, 0.2)
         self.assertEqual(fine.n_evaluations, 4)
 
+    def test_corrected(self):
+        """A coarse model with the values and derivatives of the fine one at its minimum has the regions of the fine one."""
+        fine, y = model_of(2), measured(2)
+        coarse = FunctionModel(lambda x: (tabor(x) * (1.05 + 0.05 * x[1]) - y) / SIGMA, LOWER, UPPER)
+        best = minimise(fine, TRUTH, 0.005, tolerance=1e-6)
+        at, = coarse.evaluate([best.x])
+        slopes = Derivatives(coarse, 0.005)(best.x, at)
+        corrected = CorrectedModel(coarse, best.residuals - at, best.x, best.jacobian - slopes)
+        deviations = numpy.sqrt(numpy.diag(covariance(best.jacobian)))
+        for pair, others in zip(profiles(corrected, best, BOUND, deviations), profiles(fine, best, BOUND, deviations)):
+            for end, other in zip(pair, others):
+                self.assertLess(abs(end.x - other.x).max(), 0.1 * deviations.max())
+
     def test_derivatives(self):
         model = model_of(1)
         exact = optimize.approx_fprime(TRUTH, model.residuals, 1e-7)

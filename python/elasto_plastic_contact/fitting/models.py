@@ -62,13 +62,17 @@ class FunctionModel:
 
 
 class CorrectedModel:
-    """A coarse model to which the difference of the fine one at a point is added: there it is the fine one."""
+    """A coarse model to which the difference of the fine one at a point is added, so that it is the fine one there; with
+    the difference of the derivatives, too, it is so to the first order beside the point."""
 
-    def __init__(self, coarse, correction):
-        self.coarse, self.correction = coarse, correction
+    def __init__(self, coarse, correction, point=None, slopes=None):
+        self.coarse, self.correction, self.point, self.slopes = coarse, correction, point, slopes
         self.lower, self.upper = coarse.lower, coarse.upper
         self.noise_is_known = coarse.noise_is_known
 
     def evaluate(self, points):
-        return [found if isinstance(found, Failure) else found + self.correction
-                for found in self.coarse.evaluate(points)]
+        return [found if isinstance(found, Failure) else found + self.correction_at(x)
+                for x, found in zip(points, self.coarse.evaluate(points))]
+
+    def correction_at(self, x):
+        return self.correction if self.slopes is None else self.correction + self.slopes @ (x - self.point)

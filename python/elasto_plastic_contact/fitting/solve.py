@@ -9,7 +9,7 @@ import numpy
 from scipy import stats
 
 from .models import CorrectedModel, ProgramModel
-from .optimisation import SMALLEST_STEP, TOLERANCE, minimise, noise_of, polish, start_of
+from .optimisation import SMALLEST_STEP, Derivatives, minimise, noise_of, polish, start_of
 from .profiles import profiles
 from .runs import Runs
 from .statistics import LEVEL, Quality, correlations, covariance, directions, quality
@@ -143,26 +143,26 @@ class Solver:
         return found.x
 
     def regions(self, best, result_quality):
-        """The ends of the profiles, moved to the best point. They are those of the coarse model, shifted to be the fine
-        one at the best point, if there is one."""
-        model = self.fine
-        if self.coarse:
-            coarse, = self.coarse.evaluate([best.x])
-            if isinstance(coarse, numpy.ndarray):
-                model = CorrectedModel(self.coarse, best.residuals - coarse)
-        free = numpy.arange(len(best.x))
-        lowest = polish(model, best.x, best.jacobian, free, 0.1 * TOLERANCE, best.residuals)
+        """The two ProfileEnds of each coordinate: of the coarse model, corrected to be the fine one to the first order at
+        the best point, if there is one."""
+        model = self.corrected(best) if self.coarse else self.fine
         deviations = numpy.sqrt(numpy.diag(covariance(best.jacobian)))
-        self.report(f"95 % regions by profiles, on the {'coarse' if model is not self.fine else 'fine'} mesh")
-        shift = best.x - lowest.x
+        self.report(f"95 % regions by profiles, on the {'fine' if model is self.fine else 'coarse'} mesh")
 
         def told(i, end):
             parameter = self.problem.parameters[i]
-            value = parameter.value(end.x[i] + shift[i])
-            self.report(f"  {parameter.name} to {value:.5g}{': ' if end.remark else ''}{end.remark} "
+            self.report(f"  {parameter.name} to {parameter.value(end.x[i]):.5g}{': ' if end.remark else ''}{end.remark} "
                         f"({len(end.points)} points)")
 
-        return profiles(model, lowest, result_quality.threshold, deviations, told), shift
+        return profiles(model, best, result_quality.threshold, deviations, told)
+
+    def corrected(self, best):
+        """The fine model, if the coarse one fails there."""
+        residuals, = self.coarse.evaluate([best.x])
+        if not isinstance(residuals, numpy.ndarray):
+            return self.fine
+        slopes = Derivatives(self.coarse, self.step)(best.x, residuals)
+        return CorrectedModel(self.coarse, best.residuals - residuals, best.x, best.jacobian - slopes)
 
 
 def fit(problem, folder, program, at_once, report):
@@ -174,8 +174,7 @@ def fit(problem, folder, program, at_once, report):
         best = solver.minimum()
         sizes = [len(block.y) for _, block in problem.blocks()]
         found = quality(best.residuals, sizes, len(best.x), problem.noise_is_known)
-        ends, shift = solver.regions(best, found)
-        ends = [tuple(moved_end(end, shift, solver.fine) for end in pair) for pair in ends]
+        ends = solver.regions(best, found)
         results = solver.fine.results(best.x)
         matrix = covariance(best.jacobian, found.scale)
         material = Material(problem, results[0].parameters)
@@ -192,11 +191,6 @@ def fit(problem, folder, program, at_once, report):
             representative=representative(material, points, matrix, width) if material.is_plastic else None,
             candidates=planned, results=results, converged=best.converged, remarks=remarks, n_runs=runs.n_made,
             processor_seconds=runs.processor_seconds, seconds=time.monotonic() - begin)
-
-
-def moved_end(end, shift, model):
-    points = [((x + shift).clip(model.lower, model.upper), rise) for x, rise in end.points]
-    return type(end)((end.x + shift).clip(model.lower, model.upper), end.is_closed, end.remark, points)
 
 
 def regions_of(problem, ends):
