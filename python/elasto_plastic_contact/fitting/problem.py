@@ -54,16 +54,17 @@ class Block:
 @dataclass(frozen=True)
 class Experiment:
     """cases: by stage, 'coarse' and 'fine', with their common entries; formulas: entries that depend on the parameters,
-    lists of Formulas and texts."""
+    Formulas or lists of them; units: names of those of length and force, as far as they are known, for pictures."""
     name: str
     cases: dict
     formulas: dict
     blocks: list
+    units: dict = field(default_factory=dict)
 
     def entries(self, values):
         """Those of a run with these values of parameters and constants."""
-        return {path: [part(values) if callable(part) else part for part in parts] if isinstance(parts, list)
-                else parts(values) for path, parts in self.formulas.items()}
+        return {path: [part(values) for part in parts] if isinstance(parts, list) else parts(values)
+                for path, parts in self.formulas.items()}
 
 
 @dataclass(frozen=True)

@@ -130,7 +130,8 @@ class ExperimentReader:
         """An experiment with its data."""
         place = f"experiments/{name}"
         path, common, coarse, formulas = self.parts(data, place, ("coarse", "units", "load to"))
-        units = read_units(data.get("units", {}), self.entries_of_case(path) | common, place)
+        known = self.entries_of_case(path) | common
+        units = read_units(data.get("units", {}), known, place)
         blocks = [block for i, item in enumerate(items(data["data"], place), 1)
                   for block in read_blocks(item, f"{place}/data/{i}", self.folder, units)]
         if "load to" in data:
@@ -138,7 +139,8 @@ class ExperimentReader:
         cases = {"fine": case_of(path, common, read_count(data, "ranks"))}
         if coarse:
             cases["coarse"] = case_of(path, common | coarse, read_count(data, "ranks"))
-        return Experiment(name, cases, formulas, blocks)
+        names = {kind: known.get(f"Output/{kind.capitalize()} unit", "") for kind in ("length", "force")}
+        return Experiment(name, cases, formulas, blocks, names | data.get("units", {}))
 
     def planned(self, name, data):
         """A candidate, whose blocks are functions that make them."""

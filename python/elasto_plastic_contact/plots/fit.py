@@ -5,7 +5,7 @@ two materials at the ends of the flat direction."""
 
 import numpy
 
-from .figures import BLUE, RED, letter, plt, save, with_unit
+from .figures import BLUE, RED, Units, letter, plt, save, with_unit
 from ..fitting.statistics import LEVEL
 from ..fitting.uniqueness import STRAINS
 
@@ -15,6 +15,7 @@ GREY, ORANGE, GREEN = "#707070", "#d9822b", "#3c8a4e"
 LARGEST_STRAIN = 0.12
 
 CURVES = ("load", "unload")
+KINDS = {"depth": "length", "force": "force", "distance": "length", "height": "length"}
 QUANTITIES = "quantities"
 
 
@@ -58,10 +59,7 @@ def draw_blocks(upper, lower, blocks):
         upper.plot(block.x[order], computed[order], color=BLUE, linewidth=1.4)
         lower.plot(block.x, residuals, "o", color=RED if block.kind == "unload" else BLUE, markersize=2.5, alpha=0.7,
                    label=block.kind)
-    entries = experiment.cases["fine"].common
-    units = {"depth": "Length", "force": "Force", "distance": "Length", "height": "Length"}
-    labels = [with_unit(label, entries.get(f"Output/{units[label]} unit", "") if label in units else "")
-              for label in blocks[0][1].labels]
+    labels = [with_unit(label, experiment.units.get(KINDS.get(label), "")) for label in blocks[0][1].labels]
     upper.plot([], [], "o", color=GREY, markersize=3, label="measured")
     upper.plot([], [], color=BLUE, label="computed")
     upper.set(ylabel=labels[1])
@@ -69,7 +67,7 @@ def draw_blocks(upper, lower, blocks):
     lower.axhline(0., color="black", linewidth=0.6)
     lower.set(xlabel=labels[0], ylabel="residual / σ")
     if len({block.kind for _, block, _ in blocks}) > 1:
-        lower.legend(ncol=2)
+        lower.legend(ncol=2, loc="lower right", bbox_to_anchor=(1., 0.95))
 
 
 def draw_quantities(upper, lower, blocks):
@@ -110,5 +108,7 @@ def draw_material(axes, fit):
                       [[found.stress - found.lower], [found.upper - found.stress]],
                       fmt="o", color=RED, capsize=4, markersize=4,
                       label=f"known best: {found.stress:.4g}\nat the plastic strain {found.plastic_strain:.2g}")
-    axes.set(xlabel="strain", ylabel="stress", xlim=(0., LARGEST_STRAIN), ylim=(0., None))
+    units = fit.problem.experiments[0].units
+    stress = Units(units.get("length"), units.get("force"), False).stress
+    axes.set(xlabel="strain", ylabel=with_unit("stress", stress), xlim=(0., LARGEST_STRAIN), ylim=(0., None))
     axes.legend(loc="lower right")
