@@ -87,7 +87,7 @@ class Fits(unittest.TestCase):
 
         before = self.finished()
         again = self.fit(TENSION)
-        self.assertEqual(again.n_runs, 0)
+        self.assertEqual((again.n_made, again.n_runs), (0, found.n_runs))
         self.assertEqual(again.values, found.values)
         self.assertEqual(before, self.finished())
 
@@ -128,7 +128,8 @@ class Fits(unittest.TestCase):
         self.assertTrue((self.output / "fit.png").read_bytes().startswith(b"\x89PNG"))
 
     def test_coverage(self):
-        """The command that repeats a fit with other noises: of eight regions each, seven at least hold the true value."""
+        """The command that repeats a fit with other noises: of eight regions each, seven at least hold the true
+        value."""
         command = ["fit_coverage", str(self.write(TENSION)), "--output-directory", str(self.output), "--truth", "400"]
         said = io.StringIO()
         with contextlib.redirect_stdout(said):

@@ -83,7 +83,8 @@ class FlowStresses(unittest.TestCase):
                             "Material/Back stress moduli": "2000 | 300",
                             "Material/Recovery rates": "40 | 0"}
         expected = (400. + 1000. * strain + 100. * (1. - numpy.exp(-20. * strain))
-                    + 400. * ((1. + strain / 0.002) ** 0.3 - 1.) + numpy.interp(strain, [0., 0.01, 0.05], [0., 50., 100.])
+                    + 400. * ((1. + strain / 0.002) ** 0.3 - 1.) + numpy.interp(strain, [0., 0.01, 0.05],
+                                                                                [0., 50., 100.])
                     + 50. * (1. - numpy.exp(-40. * strain)) + 300. * strain)
         numpy.testing.assert_allclose(flow_stress(nonlinear, strain), expected)
         two = {"Material/Law": "perfectly plastic", "Material/Yield stress": "400, 500",
@@ -162,7 +163,8 @@ class Minima(unittest.TestCase):
         self.assertEqual(fine.n_evaluations, 4)
 
     def test_corrected(self):
-        """A coarse model with the values and derivatives of the fine one at its minimum has the regions of the fine one."""
+        """A coarse model with the values and derivatives of the fine one at its minimum has the regions of the fine
+        one."""
         fine, y = model_of(2), measured(2)
         coarse = FunctionModel(lambda x: (tabor(x) * (1.05 + 0.05 * x[1]) - y) / SIGMA, LOWER, UPPER)
         best = minimise(fine, TRUTH, 0.005, tolerance=1e-6)
@@ -342,7 +344,8 @@ class Predictions(unittest.TestCase):
             self.assertLess(abs(values[name] / value - 1.), 5e-3, name)
 
     def test_imprint(self):
-        profile = numpy.array([(1, 0., 0., 0., -9.), (2, 0., 0., 0., -0.5), (2, 1., 0., 0.1, -0.2), (2, 2., 0., 0., 0.)],
+        profile = numpy.array([(1, 0., 0., 0., -9.), (2, 0., 0., 0., -0.5), (2, 1., 0., 0.1, -0.2),
+                               (2, 2., 0., 0., 0.)],
                               [(name, float) for name in ("step", "x", "height", "displacement_x", "displacement_y")])
         run = run_of([1.], [1.], surface_profile=profile)
         numpy.testing.assert_allclose(imprint_at(run, numpy.array([0., 1.1, 2.])), [-0.5, -0.2, 0.], atol=1e-12)
@@ -352,14 +355,16 @@ class Predictions(unittest.TestCase):
             function(*arguments)
 
     def test_messages(self):
-        self.refuse("the measured curve reaches the depth 3 .*and the run only 2: press further", curve_at, self.RUN, "load",
+        self.refuse("the measured curve reaches the depth 3 .*and the run only 2: press further", curve_at, self.RUN,
+                    "load",
                     "force", numpy.array([3.]))
         loaded = run_of(self.LOAD, self.LOAD ** 2)
         self.refuse("the run has no unloading of two steps or more", curve_at, loaded, "unload", "force", self.LOAD)
         few = run_of([1., 2., 1.7, 1.5], [1., 4., 2., 0.])
         self.refuse("fewer than three points above 70 % of the largest force", QUANTITIES["unloading slope"][0], few)
         table = numpy.array([(0., 1.), (1., 2.), (0.5, 3.)], [("x", float), ("y", float)])
-        self.refuse("column 'x' of some.csv of the run turns back", column_at, run_of([1.], [1.], some=table), "some", "x",
+        self.refuse("column 'x' of some.csv of the run turns back", column_at, run_of([1.], [1.], some=table), "some",
+                    "x",
                     "y", numpy.array([0.5]))
 
 

@@ -62,8 +62,8 @@ class FunctionModel:
 
 
 class CorrectedModel:
-    """A coarse model to which the difference of the fine one at a point is added, so that it is the fine one there; with
-    the difference of the derivatives, too, it is so to the first order beside the point."""
+    """A coarse model to which the difference of the fine one at a point is added, so that it is the fine one there;
+    with the difference of the derivatives, too, it is so to the first order beside the point."""
 
     def __init__(self, coarse, correction, point=None, slopes=None):
         self.coarse, self.correction, self.point, self.slopes = coarse, correction, point, slopes

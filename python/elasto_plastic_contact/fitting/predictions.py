@@ -63,7 +63,8 @@ def curve_at(run, segment, compared, places):
     other = "depth" if compared == "force" else "force"
     if segment == "load" and places.max() > (1. + BEYOND) * known.max():
         raise UserError(f"the measured curve reaches the {other} {places.max():.6g} (in units of the case), and the "
-                        f"run only {known.max():.6g}: press further by 'Loading/History', or give \"load to\": \"{other}\"")
+                        f"run only {known.max():.6g}: press further by 'Loading/History', or give "
+                        f"\"load to\": \"{other}\"")
     return interpolated(known, values, places, other)
 
 

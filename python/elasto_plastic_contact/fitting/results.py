@@ -43,7 +43,8 @@ def as_json(fit):
         "quality": dataclasses.asdict(fit.quality) | {"noise_is_known": fit.problem.noise_is_known},
         "residuals": residuals_of(fit),
         "converged": fit.converged, "remarks": fit.remarks, "step": fit.step,
-        "runs": fit.n_runs, "processor_seconds": round(fit.processor_seconds, 1), "seconds": round(fit.seconds, 1)}
+        "runs": fit.n_runs, "runs_made": fit.n_made, "processor_seconds": round(fit.processor_seconds,
+                                                                                1), "seconds": round(fit.seconds, 1)}
 
 
 def flat_direction(fit):
@@ -134,5 +135,6 @@ def of_uniqueness(fit):
 def print_fit(fit, report):
     for line in [*table_of(fit), *sentences(fit)]:
         report(line)
-    report(f"{fit.n_runs} runs made, {fit.processor_seconds:.0f} s of processors, {fit.seconds / 60.:.1f} minutes")
+    report(f"{fit.n_runs} runs, {fit.n_made} of them made now: {fit.processor_seconds:.0f} s of processors, "
+           f"{fit.seconds / 60.:.1f} minutes")
 

@@ -45,7 +45,8 @@ class Region:
 class Fit:
     """x: coordinates of the best point; values: by name. matrix: covariance of the coordinates; directions: as
     statistics.directions(). ends: of the profiles; family: coordinates of points that fit equally well.
-    results: the runs of the best point. representative: None without a plastic material."""
+    results: the runs of the best point. representative: None without a plastic material. n_runs: how many the fit has
+    looked at, n_made of which were not there yet."""
     problem: object
     x: numpy.ndarray
     values: dict
@@ -66,6 +67,7 @@ class Fit:
     converged: bool
     remarks: list
     n_runs: int
+    n_made: int
     processor_seconds: float
     seconds: float
 
@@ -143,8 +145,8 @@ class Solver:
         return found.x
 
     def regions(self, best, result_quality):
-        """The two ProfileEnds of each coordinate: of the coarse model, corrected to be the fine one to the first order at
-        the best point, if there is one."""
+        """The two ProfileEnds of each coordinate: of the coarse model, corrected to be the fine one to the first order
+        at the best point, if there is one."""
         model = self.corrected(best) if self.coarse else self.fine
         deviations = numpy.sqrt(numpy.diag(covariance(best.jacobian)))
         self.report(f"95 % regions by profiles, on the {'fine' if model is self.fine else 'coarse'} mesh")
@@ -189,7 +191,7 @@ def fit(problem, folder, program, at_once, report):
             regions=regions_of(problem, ends), directions=directions(best.jacobian, found.scale), quality=found,
             residuals=best.residuals, step=solver.step, ends=ends, family=points, material=material,
             representative=representative(material, points, matrix, width) if material.is_plastic else None,
-            candidates=planned, results=results, converged=best.converged, remarks=remarks, n_runs=runs.n_made,
+            candidates=planned, results=results, converged=best.converged, remarks=remarks, n_runs=len(runs.futures), n_made=runs.n_made,
             processor_seconds=runs.processor_seconds, seconds=time.monotonic() - begin)
 
 

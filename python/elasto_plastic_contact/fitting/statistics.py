@@ -61,7 +61,8 @@ def quality(residuals, sizes, n_parameters, noise_is_known):
     remark = ""
     if noise_is_known:
         remark = (f"the residuals are larger than the given noise explains (sum of squares {chi_square:.4g} of "
-                  f"{freedom} degrees of freedom): model or noise are wrong, and the errors are multiplied by {scale ** 0.5:.3g}")
+                  f"{freedom} degrees of freedom): model or noise are wrong, and the errors are multiplied by "
+                  f"{scale ** 0.5:.3g}")
     return Quality(chi_square, freedom, scale, scale * float(stats.f.ppf(LEVEL, 1, real_freedom)), independent, remark)
 
 
