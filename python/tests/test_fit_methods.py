@@ -15,7 +15,7 @@ from elasto_plastic_contact.fitting.models import CorrectedModel, FunctionModel
 from elasto_plastic_contact.fitting.optimisation import Derivatives, minimise, noise_of, polish
 from elasto_plastic_contact.fitting.predictions import QUANTITIES, column_at, curve_at, imprint_at
 from elasto_plastic_contact.fitting.problem import Experiment, Parameter, Problem
-from elasto_plastic_contact.fitting.profiles import profiles
+from elasto_plastic_contact.fitting.profiles import better_point, profiles
 from elasto_plastic_contact.fitting.runs import Failure
 from elasto_plastic_contact.fitting.statistics import covariance, directions, independent_points, quality
 from elasto_plastic_contact.fitting.uniqueness import Material, family, representative
@@ -269,6 +269,17 @@ class Errors(unittest.TestCase):
                                                  options={"xatol": 1e-9}).fun
                 self.assertTrue(end.is_closed)
                 self.assertLess(abs((least - best.chi_square) / BOUND - 1.), 0.15)
+
+    def test_better_point(self):
+        """Of two minima, a profile from the worse one finds the better one."""
+        model = FunctionModel(lambda x: numpy.array([4. * (x[0] ** 2 - 1.), 2. - x[0] - x[1], 3. * x[1]]), [-3., -3.],
+                              [3., 3.])
+        best = minimise(model, numpy.array([-1., 0.]), 0.001)
+        self.assertLess(best.x[0], 0.)
+        ends = profiles(model, best, 200., numpy.array([1., 1.]))
+        self.assertGreater(better_point(ends, 20.)[0], 0.5)
+        good = minimise(model, numpy.array([1., 0.]), 0.001)
+        self.assertIsNone(better_point(profiles(model, good, 20., numpy.array([0.1, 0.1])), 20.))
 
     def test_coverage(self):
         """The true values lie in 95 % of the regions of 300 noises: within three deviations of that frequency."""

@@ -15,6 +15,9 @@ NEAR = 0.03
 
 MOST_POINTS = 9
 
+# By how much the sum of squares of a better point is lower, relative to its rise at the end of a region.
+BETTER = 0.1
+
 # The largest step along the coordinate: a factor of 2 of a logarithmic one.
 LARGEST_STEP = 0.7
 
@@ -75,6 +78,14 @@ def next_distance(way, root, wanted, room):
     slope = (root[-1] - root[-2]) / (way[-1] - way[-2])
     ahead = (wanted - root[-1]) / slope if slope > 0. else numpy.inf
     return min(way[-1] + min(ahead, LARGEST_STEP, 2. * way[-1]), room)
+
+
+def better_point(ends, threshold):
+    """A point of the profiles that is clearly better than the minimum they begin at, None if there is none: there are
+    several minima then, or the iteration has ended too early."""
+    points = [point for pair in ends for end in pair for point in end.points]
+    lowest = min(points, key=lambda point: point[1], default=(None, 0.))
+    return lowest[0] if lowest[1] < -BETTER * threshold else None
 
 
 def held(model, near, i, value, others):

@@ -10,7 +10,7 @@ from scipy import stats
 
 from .models import CorrectedModel, ProgramModel
 from .optimisation import SMALLEST_STEP, Derivatives, minimise, noise_of, polish, start_of
-from .profiles import profiles
+from .profiles import better_point, profiles
 from .runs import Runs
 from .statistics import LEVEL, Quality, correlations, covariance, directions, quality
 from .uniqueness import Material, candidates, family, representative
@@ -153,7 +153,8 @@ class Solver:
 
         def told(i, end):
             parameter = self.problem.parameters[i]
-            self.report(f"  {parameter.name} to {parameter.value(end.x[i]):.5g}{': ' if end.remark else ''}{end.remark} "
+            remark = f": {end.remark}" if end.remark else ""
+            self.report(f"  {parameter.name} to {parameter.value(end.x[i]):.5g}{remark} "
                         f"({len(end.points)} points)")
 
         return profiles(model, best, result_quality.threshold, deviations, told)
@@ -184,6 +185,8 @@ def fit(problem, folder, program, at_once, report):
         width = float(stats.norm.ppf(0.5 * (1. + LEVEL)))
         planned = candidates(problem, runs, best.x, best.jacobian, found.scale, solver.step)
         remarks = [remark for remark in (best.remark, found.remark) if remark]
+        if (better := better_point(ends, found.threshold)) is not None:
+            remarks.append(f"there is a better point at {solver.in_words(better)}: begin there, by 'start'")
         return Fit(
             problem=problem, x=best.x, values=problem.values(best.x), matrix=matrix, correlation=correlations(matrix),
             standard_errors=dict(zip(problem.names,
@@ -191,7 +194,8 @@ def fit(problem, folder, program, at_once, report):
             regions=regions_of(problem, ends), directions=directions(best.jacobian, found.scale), quality=found,
             residuals=best.residuals, step=solver.step, ends=ends, family=points, material=material,
             representative=representative(material, points, matrix, width) if material.is_plastic else None,
-            candidates=planned, results=results, converged=best.converged, remarks=remarks, n_runs=len(runs.futures), n_made=runs.n_made,
+            candidates=planned, results=results, converged=best.converged, remarks=remarks,
+            n_runs=len(runs.futures), n_made=runs.n_made,
             processor_seconds=runs.processor_seconds, seconds=time.monotonic() - begin)
 
 
