@@ -9,6 +9,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import tempfile
 import time
 
 from .plan import RUN
@@ -30,11 +31,13 @@ def values_in_words(run):
 
 
 def start(study, folder, run, program, *options):
-    """The program on one run of a Case, until its end; it does not outlive the study, however that ends."""
+    """The program on one run of a Case, until its end; it does not outlive the study, however that ends. (Open MPI's
+    files lie in a folder of its own: in a common one, a process that ends removes what another one has just made.)"""
     guard = ["setpriv", "--pdeathsig", "KILL"] if shutil.which("setpriv") else []
     command = command_line(program, study.case, study.common | run, folder, *options, ranks=study.ranks, guard=guard)
-    return subprocess.run(command, env=os.environ | MPI_ENVIRONMENT, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+    with tempfile.TemporaryDirectory(prefix="epc") as own:
+        return subprocess.run(command, env=os.environ | MPI_ENVIRONMENT | {"TMPDIR": own}, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
 
 
 def validate(study, directory, run, program):
