@@ -20,7 +20,9 @@ from elasto_plastic_contact import UserError, fit, run
 from elasto_plastic_contact.__main__ import main
 from elasto_plastic_contact.fitting.flow_stress import flow_stress
 from elasto_plastic_contact.fitting.predictions import QUANTITIES, Curve
+from elasto_plastic_contact.fitting.runs import Runs
 from elasto_plastic_contact.inputs.fit_data import measured
+from elasto_plastic_contact.study.plan import Case
 
 YOUNG, YIELD_STRESS, HARDENING, STRAIN, NOISE = 200000., 400., 2000., 0.02, 2.
 TIMES = numpy.arange(1, 9) / 8.
@@ -39,6 +41,21 @@ SPHERE = {"Geometry/Initial refinements": 2, "Geometry/Local refinements": 5, "L
           "Material/Isotropic hardening modulus": 0}
 SWIFT = {"Material/Yield stress": "sigma_Y", "Material/Power law exponent": "n",
          "Material/Power law reference strain": "sigma_Y / E"}
+
+# What stands for the program: notes its folder of temporary files, is slow, and fails for some values.
+PROGRAM = """#!/bin/sh
+for last; do
+  [ "$before" = --output-directory ] && folder=$last
+  before=$last
+done
+case "$*" in
+  *=2*) echo "no convergence" >&2; exit 3 ;;
+  *=9*) echo "wrong" >&2; exit 2 ;;
+esac
+mkdir -p "$folder"
+sleep 0.2
+echo "$TMPDIR" >"$folder/place"
+"""
 
 
 def exact(yield_stress, hardening):
@@ -155,6 +172,27 @@ class Fits(unittest.TestCase):
         with self.assertRaisesRegex(UserError, "the run at the start is refused: .*Poisson's ratio"):
             fit(path, self.output, report=self.said.append)
         self.assertEqual(main(["fit", str(path), "--output-directory", str(self.folder)]), 2)  # (no fit)
+
+    def test_runs(self):
+        """With a program that notes its folder of temporary files, is slow, and fails for one value: each run is made
+        once and has a folder of its own; what fails is known the next time, too; what is refused ends all."""
+        program = self.folder / "program"
+        program.write_text(PROGRAM)
+        program.chmod(0o755)
+        (self.folder / "case.prm").write_text("")
+        case = Case(case=self.folder / "case.prm", common={}, ranks=1)
+        tasks = [(case, {"Material/Yield stress": value}) for value in (1, 3, 4, 1, 2)]
+        for n_made in (4, 0):
+            with Runs(self.folder, str(program), 4) as runs:
+                found = runs.results(tasks)
+                self.assertEqual(runs.n_made, n_made)
+            places = {pathlib.Path(result.path("place")).read_text() for result in found[:4]}
+            self.assertEqual(len(places), 3)
+            self.assertFalse(any(pathlib.Path(place.strip()).exists() for place in places))
+            self.assertEqual(found[4].message, "no convergence")
+        with Runs(self.folder, str(program), 1) as runs, self.assertRaisesRegex(UserError,
+                                                                                "Yield stress = 9 has ended: wrong"):
+            runs.results([(case, {"Material/Yield stress": 9})])
 
     def test_flow_stress(self):
         """The stress that the program finds in a bar, at its plastic strain."""
