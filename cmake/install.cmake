@@ -24,7 +24,7 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/python/elasto_plastic_contact DESTINATION 
   FILES_MATCHING PATTERN *.py PATTERN *.json PATTERN __pycache__ EXCLUDE)
 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/parameter_files DESTINATION ${CMAKE_INSTALL_DATADIR}/elasto_plastic_contact
-  FILES_MATCHING PATTERN *.prm PATTERN *.msh PATTERN *.geo PATTERN *.pgm PATTERN *.json)
+  FILES_MATCHING PATTERN *.prm PATTERN *.msh PATTERN *.geo PATTERN *.pgm PATTERN *.json PATTERN *.csv)
 
 # (in the folders of the checkout, for the links between them)
 set(_pages ${CMAKE_INSTALL_DATADIR}/doc/elasto-plastic-contact)

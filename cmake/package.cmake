@@ -28,6 +28,8 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PARTS_FOLDER})
+# What epc fit needs.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-scipy")
 # Of spreadsheets and HDF5 that instruments write.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-h5py, python3-openpyxl, python3-xlrd")
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "mpi-default-bin, python3:any (>= 3.11), python3-matplotlib, python3-numpy")

@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 readonly build_packages=(libdeal.ii-dev libsuitesparse-dev libopenblas0-serial libpng-dev libboost-program-options-dev cmake g++ ninja-build lld mold git)
-readonly test_packages=(numdiff perl python3)
+readonly test_packages=(numdiff perl python3 python3-scipy)
 readonly plot_packages=(python3 python3-matplotlib)
 # (What cpack takes to find the libraries that a package depends on.)
 readonly package_packages=(file dpkg-dev)

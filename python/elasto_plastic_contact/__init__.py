@@ -6,11 +6,14 @@ from .errors import UserError
 from .program import run
 from .results import Results
 
-__all__ = ["Results", "UserError", "read_curve", "run"]
+__all__ = ["Results", "UserError", "fit", "read_curve", "run"]
 
 
 def __getattr__(name):
-    """What needs NumPy, for those who use it only."""
+    """What needs NumPy, or SciPy, for those who use it only."""
+    if name == "fit":
+        from .fitting.command import fit
+        return fit
     if name == "read_curve":
         from .measured import read_curve
         return read_curve

@@ -18,6 +18,7 @@ COMMANDS = {
     "render": ("pictures.render", "pictures and films of bodies"),
     "study": ("study.command", "many runs of one case with different entries"),
     "evaluate": ("evaluate", "hardness, moduli and more of measured curves"),
+    "fit": ("fitting.command", "the material of measured curves, with its uncertainty"),
     "schema": ("schema", "the JSON schema of all entries of a parameter file"),
 }
 
@@ -28,18 +29,20 @@ DEVELOPER_COMMANDS = {
     "contact_law": ("verification.contact_law", "waves and errors for values of 'Contact/Edge'"),
     "contact_uniqueness": ("verification.contact_uniqueness", "the same history computed in several ways"),
     "rough_spots": ("verification.rough_spots", "force and pressure of many spots for values of 'Contact/Edge'"),
+    "fit_coverage": ("verification.fit_coverage", "how often the regions of a fit hold the true values"),
     "ten_cases": ("verification.ten_cases", "a number of each of ten short runs, to compare systems"),
     "full_disk_test": ("verification.full_disk_test", "fill disks, resume and compare"),
     "compare_with_step42": ("verification.step42_comparison", "run step-42 on the same cases"),
     "height_maps": ("inputs.height_maps", "make the height maps of the ready cases"),
     "sphere_meshes": ("inputs.sphere_meshes", "make the meshes of the thick sphere"),
+    "fit_data": ("inputs.fit_data", "make the curves of the ready fits"),
     "update_schema": ("update_schema", "bring the schema and the columns of tables up to date"),
     "man_pages": ("man_pages", "write the manual pages of the program and of epc"),
 }
 
 # The Debian package of a module that may be missing.
-PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib", "xlrd": "python3-xlrd", "openpyxl": "python3-openpyxl",
-            "h5py": "python3-h5py"}
+PACKAGES = {"numpy": "python3-numpy", "matplotlib": "python3-matplotlib", "scipy": "python3-scipy", "xlrd": "python3-xlrd",
+            "openpyxl": "python3-openpyxl", "h5py": "python3-h5py"}
 
 
 def main(arguments=None):

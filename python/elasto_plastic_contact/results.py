@@ -20,6 +20,26 @@ ORIGINS = {
 }
 
 
+def read_entries(path):
+    """The entries of a parameter file without 'include': 'Section/Entry' to text."""
+    values, sections, continued = {}, [], ""
+    for number, line in enumerate(read_text(path).splitlines(), 1):
+        line = continued + line.split("#")[0].strip()
+        continued = ""
+        if line.endswith("\\"):
+            continued = line[:-1]
+        elif line.startswith("subsection "):
+            sections.append(line[len("subsection "):].strip())
+        elif line == "end" and sections:
+            sections.pop()
+        elif line.startswith("set ") and "=" in line:
+            entry, value = line[len("set "):].split("=", 1)
+            values["/".join(sections + [entry.strip()])] = value.strip()
+        elif line:
+            raise UserError(f"'{path}' is damaged in line {number}")
+    return values
+
+
 class Results:
     """The output directory of a run. The tables are NumPy arrays with a field for each column:
     results.history["force"] is a column, results.history[-1] the last row."""
@@ -87,23 +107,7 @@ class Results:
     @functools.cached_property
     def parameters(self):
         """The effective input of the run: 'Section/Entry' to text."""
-        path = self.path("parameters.prm")
-        values, sections, continued = {}, [], ""
-        for number, line in enumerate(read_text(path).splitlines(), 1):
-            line = continued + line.split("#")[0].strip()
-            continued = ""
-            if line.endswith("\\"):
-                continued = line[:-1]
-            elif line.startswith("subsection "):
-                sections.append(line[len("subsection "):].strip())
-            elif line == "end" and sections:
-                sections.pop()
-            elif line.startswith("set ") and "=" in line:
-                entry, value = line[len("set "):].split("=", 1)
-                values["/".join(sections + [entry.strip()])] = value.strip()
-            elif line:
-                raise UserError(f"'{path}' is damaged in line {number}")
-        return values
+        return read_entries(self.path("parameters.prm"))
 
     def numbers(self, path):
         """The values of an entry that is a list of numbers; empty without it."""

@@ -22,22 +22,20 @@ from ..files import new_file
 from ..program import as_text, find_program
 from ..verification.runner import add_program
 
-LOCK = "study.lock"
-
-
-def open_folder(directory):
-    """Makes the folder of a study and locks it until the end of the process."""
-    if directory.is_dir() and any(directory.iterdir()) and not (directory / LOCK).exists():
-        raise UserError(f"'{directory}' holds other things than a study: choose another --output-directory")
+def open_folder(directory, kind):
+    """Makes the folder of a study or of another kind of command, and locks it until the end of the process."""
+    lock = directory / f"{kind}.lock"
+    if directory.is_dir() and any(directory.iterdir()) and not lock.exists():
+        raise UserError(f"'{directory}' holds other things than a {kind}: choose another --output-directory")
     try:
         directory.mkdir(parents=True, exist_ok=True)
-        lock = (directory / LOCK).open("a")
+        lock = lock.open("a")
     except OSError as error:
         raise FileError(directory, error) from None
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
-        raise UserError(f"another study is running in '{directory}'") from None
+        raise UserError(f"another {kind} is running in '{directory}'") from None
     return lock
 
 
@@ -61,7 +59,7 @@ def main(arguments):
     program = find_program(chosen.program)
     study = read_study(chosen.study, program)
     directory = chosen.output_directory or pathlib.Path("output") / chosen.study.stem
-    with open_folder(directory):
+    with open_folder(directory, "study"):
         failures = execute(study, directory, program, functools.partial(print, flush=True))
         rows = collect(study, directory)
         for remark in missing(study, directory, rows):

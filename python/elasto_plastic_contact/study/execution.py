@@ -9,6 +9,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import tempfile
 import time
 
 from .plan import RUN
@@ -30,11 +31,13 @@ def values_in_words(run):
 
 
 def start(study, folder, run, program, *options):
-    """The program on one run, until its end; it does not outlive the study, however that ends."""
+    """The program on one run of a Case, until its end; it does not outlive the study, however that ends. (Open MPI's
+    files lie in a folder of its own: in a common one, a process that ends removes what another one has just made.)"""
     guard = ["setpriv", "--pdeathsig", "KILL"] if shutil.which("setpriv") else []
     command = command_line(program, study.case, study.common | run, folder, *options, ranks=study.ranks, guard=guard)
-    return subprocess.run(command, env=os.environ | MPI_ENVIRONMENT, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+    with tempfile.TemporaryDirectory(prefix="epc") as own:
+        return subprocess.run(command, env=os.environ | MPI_ENVIRONMENT | {"TMPDIR": own}, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
 
 
 def validate(study, directory, run, program):
@@ -45,15 +48,21 @@ def validate(study, directory, run, program):
 
 def compute(study, directory, run, program):
     """Runs, or goes on with, one run. Returns the program's message if it fails, else nothing."""
+    process = attempt(study, directory, run, program)
+    return (process.stderr.strip() or f"exit status {process.returncode}") if process.returncode else ""
+
+
+def attempt(study, directory, run, program):
+    """Runs, or goes on with, one run of a Case, and notes that it is finished if it has ended well. Returns the process."""
     folder = directory / study.folder(run)
     begin = time.monotonic()
     process = start(study, folder, run, program, "--resume" if has_checkpoint(folder) else "--overwrite")
     if process.returncode != 0:
-        return process.stderr.strip() or f"exit status {process.returncode}"
+        return process
     record = {"entries": study.common | run, "seconds": round(time.monotonic() - begin, 1), "warnings": process.stderr}
     with new_file(folder / FINISHED) as file:
         file.write(json.dumps(record, indent=1) + "\n")
-    return ""
+    return process
 
 
 @contextlib.contextmanager

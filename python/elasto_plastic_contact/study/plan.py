@@ -43,29 +43,16 @@ class Curves:
 
 
 @dataclass
-class Study:
-    """case: the parameter file; common: entries of all runs, by 'Section/Entry'; runs: those of each;
-    numbers: the columns of the final table; at_once: how many runs at a time, each on some ranks;
-    x, y, logarithmic: of the plot; curves: None, or what is drawn of each run."""
+class Case:
+    """case: the parameter file; common: entries of all its runs, by 'Section/Entry'; ranks: of each run."""
     case: pathlib.Path
     common: dict
-    runs: list
-    numbers: dict
-    at_once: int
     ranks: int
-    x: str
-    y: list
-    logarithmic: list
-    curves: Curves | None
 
     @functools.cached_property
     def case_text(self):
         """In whatever 8-bit code."""
         return self.case.read_text(encoding="utf-8", errors="surrogateescape")
-
-    @property
-    def varied(self):
-        return list(self.runs[0])
 
     def folder(self, run):
         """The name of the folder of a run: another one if the parameter file or any entry is another one."""
@@ -73,21 +60,44 @@ class Study:
         return f"run_{hashlib.sha256(content.encode()).hexdigest()[:10]}"
 
 
+@dataclass
+class Study(Case):
+    """runs: the entries of each run; numbers: the columns of the final table; at_once: how many runs at a time;
+    x, y, logarithmic: of the plot; curves: None, or what is drawn of each run."""
+    runs: list
+    numbers: dict
+    at_once: int
+    x: str
+    y: list
+    logarithmic: list
+    curves: Curves | None
+
+    @property
+    def varied(self):
+        return list(self.runs[0])
+
+
 def read_study(path, program=None):
     """The Study of a file, for a program with its ready cases. Raises UserError: what is wrong, at which key, what is allowed."""
+    data = read_json(path)
+    try:
+        return make_study(data, pathlib.Path(path).parent, program)
+    except UserError as error:
+        raise UserError(f"'{path}': {error}") from None
+
+
+def read_json(path):
+    """What a file describes, whose texts can be arguments of a program. Raises UserError."""
     text = read_text(path, errors="strict")
     try:
         data = json.loads(text, object_pairs_hook=without_repetition)
+        check_texts(data)
+        return data
     except json.JSONDecodeError as error:
         raise UserError(f"'{path}', line {error.lineno}, column {error.colno}: this is no JSON ({error.msg})") from None
     except RecursionError:
         raise UserError(f"'{path}': brackets are nested too deep") from None
     except (ValueError, UserError) as error:  # (of too long numbers)
-        raise UserError(f"'{path}': {error}") from None
-    try:
-        check_texts(data)
-        return make_study(data, pathlib.Path(path).parent, program)
-    except UserError as error:
         raise UserError(f"'{path}': {error}") from None
 
 

@@ -1,0 +1,224 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What problems of fits are refused, and with which words; data of all kinds."""
+
+import copy
+import json
+import pathlib
+import tempfile
+import unittest
+
+import numpy
+
+from elasto_plastic_contact import UserError
+from elasto_plastic_contact.__main__ import main
+from elasto_plastic_contact.fitting.reading import read_problem
+
+CURVE = "Depth (µm),Force (N)\n" + "".join(f"{h},{h * h}\n" for h in range(1, 51)) + "".join(
+    f"{50 - 0.1 * k},{2500 - 120 * k}\n" for k in range(1, 20))
+PROBLEM = {
+    "parameters": {"sigma_Y": {"start": 400, "lower": 100, "upper": 1000},
+                   "n": {"start": 0.1, "lower": 0, "upper": 0.5}},
+    "constants": {"E": 200000},
+    "entries": {"Material/Yield stress": "sigma_Y", "Material/Power law exponent": "n",
+                "Material/Power law reference strain": "sigma_Y / E"},
+    "experiments": {"cone": {
+        "case": "indentation/cone_finite_strain.prm", "units": {"length": "mm", "force": "N"}, "load to": "depth",
+        "coarse": {"Geometry/Initial refinements": 3},
+        "data": [{"curve": "curve.csv", "noise": {"relative": 0.01, "of largest": 0.001}}]}},
+    "candidates": {"hardness": {"case": "indentation/sphere_finite_strain.prm",
+                                "data": {"quantity": "hardness", "noise": {"relative": 0.02}}}}}
+CONE, DATA = "experiments/cone", "experiments/cone/data/0"
+
+
+class Problems(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "curve.csv").write_text(CURVE)
+        (self.folder / "imprint.csv").write_text("x,height\n" + "".join(f"{x},{-x}\n" for x in range(5)))
+
+    def read(self, problem):
+        path = self.folder / "problem.json"
+        path.write_text(problem if isinstance(problem, str) else json.dumps(problem))
+        return read_problem(path)
+
+    def changed(self, place, value):
+        """The problem with another value at 'key/key/...', or without it (None)."""
+        problem = copy.deepcopy(PROBLEM)
+        *keys, last = [int(key) if key.isdigit() else key for key in place.split("/")] if place else [None]
+        at = problem
+        for key in keys:
+            at = at[key]
+        if value is None:
+            del at[last]
+        else:
+            at[last] = value
+        return problem
+
+    def refuse(self, message, place, value):
+        with self.assertRaisesRegex(UserError, message):
+            self.read(self.changed(place, value))
+
+    def block(self, data):
+        problem = self.changed(DATA, data)
+        problem["experiments"]["cone"].pop("load to")
+        return self.read(problem).experiments[0].blocks
+
+    def refuse_data(self, message, **data):
+        with self.assertRaisesRegex(UserError, message):
+            self.block(data)
+
+    def test_good_one(self):
+        problem = self.read(PROBLEM)
+        experiment, = problem.experiments
+        self.assertEqual([block.kind for block in experiment.blocks], ["load", "unload"])
+        self.assertEqual(experiment.cases["coarse"].common["Geometry/Initial refinements"], 3)
+        self.assertEqual(experiment.cases["fine"].common["Loading/History"], "1: depth 0.05 | 1.2: force 0")
+        load = experiment.blocks[0]
+        self.assertAlmostEqual(load.x[-1], 0.05)  # mm
+        numpy.testing.assert_allclose(load.sigma, numpy.hypot(0.01 * load.y, 0.001 * 2500.))
+        self.assertEqual(experiment.entries({"sigma_Y": 400., "n": 0.2, "E": 200000.}),
+                         {"Material/Yield stress": 400., "Material/Power law exponent": 0.2,
+                          "Material/Power law reference strain": 0.002})
+        self.assertTrue(problem.noise_is_known)
+        self.assertEqual(len(problem.candidates), 1)
+
+    def test_file(self):
+        for text, message in (("{", "this is no JSON"), ("[]", "the problem is \\[\\], but must be an object"),
+                              ('{"parameters": 1, "parameters": 2}', "stands twice")):
+            with self.assertRaisesRegex(UserError, message):
+                self.read(text)
+        self.assertEqual(main(["fit", str(self.folder / "nothing.json")]), 2)
+
+    def test_parameters(self):
+        self.refuse("a key of the problem: there is no \"experiment\". Did you mean 'experiments'", "experiment", {})
+        self.refuse("the problem lacks 'entries'", "entries", None)
+        self.refuse("'parameters' is {}, but must be an object", "parameters", {})
+        self.refuse("'parameters/2n': a name in formulas is letters", "parameters/2n", {})
+        self.refuse("'parameters/n' lacks 'upper'", "parameters/n/upper", None)
+        self.refuse("'parameters/n/start' is '1', but must be a number", "parameters/n/start", "1")
+        self.refuse("start 2, lower 0 and upper 0.5, but must have lower < upper and the start between",
+                    "parameters/n/start", 2)
+        self.refuse("parameters/n/scale: there is no \"cubic\"", "parameters/n/scale", "cubic")
+        self.refuse("has a scale 'log' and the lower bound 0, which must be above 0", "parameters/n/scale", "log")
+        self.refuse("'parameters/E' is a constant, too", "parameters/E", {"start": 1, "lower": 1, "upper": 2})
+        self.refuse("'parameters/Q' stands in none of the formulas", "parameters/Q",
+                    {"start": 1, "lower": 1, "upper": 2})
+        self.refuse("'constants' must be an object", "constants", 3)
+        self.refuse("'constants/E' is 'x', but must be a number", "constants/E", "x")
+        self.refuse("'the problem/step' is 0, but must be a number > 0 and <= 0.5", "step", 0)
+        self.refuse("'at once' is 0, but must be an integer >= 1", "at once", 0)
+
+    def test_entries(self):
+        problem = copy.deepcopy(PROBLEM)
+        problem["entries"]["Material/Yield"] = "n"
+        with self.assertRaisesRegex(UserError, "entries: there is no entry 'Material/Yield'. Did you mean"):
+            self.read(problem)
+        problem = copy.deepcopy(PROBLEM)
+        problem["entries"]["Material/Voce rate"] = True
+        with self.assertRaisesRegex(UserError, "'entries/Material/Voce rate' is True, but must be a formula"):
+            self.read(problem)
+        self.refuse("'experiments/cone/set' sets 'Material/Yield stress', which 'entries' do", f"{CONE}/set",
+                    {"Material/Yield stress": 3})
+        self.refuse("there is no parameter file 'nowhere'", f"{CONE}/case", "nowhere")
+
+    def test_experiments(self):
+        self.refuse("'experiments/cone/data' is empty", f"{CONE}/data", [])
+        self.refuse("'experiments/cone/units/length' is 'foot', but must be one of pm", f"{CONE}/units",
+                    {"length": "foot"})
+        self.refuse("does not say the units of its case, and its data have some", f"{CONE}/units", None)
+        self.refuse("experiments/cone/load to: there is no \"time\"", f"{CONE}/load to", "time")
+        self.refuse("'experiments/cone/load to' takes a curve, and there is none", DATA,
+                    {"quantity": "hardness", "value": 3, "noise": {"relative": 0.1}})
+        self.refuse("some data have a 'noise', and some of 'experiments/cone/data' have none", f"{CONE}/data",
+                    [{"curve": "curve.csv"}, {"quantity": "hardness", "value": 3, "noise": {"relative": 0.1}}])
+
+    def test_curves(self):
+        noise = {"relative": 0.01}
+        self.refuse_data("must be an object with one of the keys curve, imprint, table, quantity", noise=noise)
+        self.refuse_data("a key of 'experiments/cone/data/1': there is no \"noize\"", curve="curve.csv", noize=1)
+        self.refuse_data("nowhere.csv", curve="nowhere.csv")
+        self.refuse_data("indents' is \\[2\\], but must be a list of numbers from 1 to 1", curve="curve.csv",
+                         indents=[2])
+        self.refuse_data("cycle' is 2, but must be an integer >= 1 and <= 1", curve="curve.csv", cycle=2)
+        self.refuse_data("compare: there is no \"time\"", curve="curve.csv", compare="time")
+        self.refuse_data("segments: there is no \"hold\"", curve="curve.csv", segments=["hold"])
+        self.refuse_data("segments' is 3, but must be a text or a list of texts", curve="curve.csv", segments=3)
+        self.refuse_data("zero point': it is '5', but must be a number with a unit", curve="curve.csv",
+                         **{"zero point": 5})
+        self.refuse_data("above' is 2, but must be a number >= 0 and < 1", curve="curve.csv", above=2)
+        self.refuse_data("fewer than 3 points above", curve="curve.csv", above=0.999)
+        self.refuse_data("points' is 1, but must be an integer >= 3", curve="curve.csv", points=1)
+        self.refuse_data("noise' is 3, but must be an object", curve="curve.csv", noise=3)
+        self.refuse_data("without 'weight'", curve="curve.csv", noise=noise, weight=2)
+        self.refuse_data("noise/relative' is -1, but must be a number >= 0", curve="curve.csv", noise={"relative": -1})
+        self.refuse_data("noise' is zero for some values", curve="curve.csv", noise={"relative": 0})
+        (self.folder / "load.csv").write_text("\n".join(CURVE.splitlines()[:40]))
+        self.refuse_data("has no unloading; leave 'unload' out", curve="load.csv", segments=["load", "unload"])
+
+    def test_top(self):
+        """With a force that is largest before the deepest point, or behind it, this is where the loading ends."""
+        rows = CURVE.splitlines()
+        for number in (48, 51):
+            (self.folder / "noisy.csv").write_text("\n".join(row.partition(",")[0] + ",2510" if i == number else row
+                                                             for i, row in enumerate(rows)))
+            load, unload = self.block({"curve": "noisy.csv", "noise": {"absolute": 2.}})
+            self.assertEqual(load.x.max(), 0.05)
+            self.assertEqual(unload.x.max(), 0.05)
+            self.assertTrue((numpy.diff(load.x) > 0.).all() and (numpy.diff(unload.x) < 0.).all())
+
+    def test_curves_of_points(self):
+        """Means of several points have less noise, points that are not independent more; depths over forces."""
+        load, _ = self.block({"curve": "curve.csv", "noise": {"absolute": 2.}, "points": 10, "above": 0.01})
+        self.assertEqual(len(load.y), 10)
+        self.assertAlmostEqual(load.sigma[-1], 2. / 2., places=6)  # four or five points
+        same, _ = self.block({"curve": "curve.csv", "noise": {"absolute": 2.}, "independent points": 10, "above": 0.})
+        self.assertAlmostEqual(same.sigma[0], 2. * (len(same.y) / 10.) ** 0.5)
+        depths, = self.block({"curve": "curve.csv", "noise": {"relative": 0.01}, "compare": "depth",
+                              "segments": "load"})
+        numpy.testing.assert_allclose(depths.y, (depths.x ** 0.5) * 1e-3, rtol=1e-9)
+        weighted, _ = self.block({"curve": "curve.csv", "weight": 4})
+        self.assertAlmostEqual(weighted.sigma[0], 0.005 * 2500.)
+
+    def test_imprints_and_tables(self):
+        imprint, = self.block({"imprint": "imprint.csv", "unit": "µm", "noise": {"absolute": 1e-4}})
+        numpy.testing.assert_allclose(imprint.y, -1e-3 * numpy.arange(5.))
+        self.refuse_data("unit' is 'foot', but must be one of", imprint="imprint.csv", unit="foot")
+        self.refuse_data("has no column 'z'; it has x, height. Choose by \"columns\"", imprint="imprint.csv",
+                         columns=["x", "z"])
+        self.refuse_data("columns' is 3, but must be a list of two names", imprint="imprint.csv", columns=3)
+        self.refuse_data("'experiments/cone/data/1/computed' is null", table="imprint.csv")
+        self.refuse_data("computed/y: there is no \"strength\"", table="imprint.csv",
+                         computed={"table": "history", "x": "time", "y": "strength"})
+        (self.folder / "gap.csv").write_text("x,height\n1,nan\n")
+        self.refuse_data("has values that are not finite", imprint="gap.csv")
+
+    def test_quantities(self):
+        hardness, = self.block({"quantity": "hardness", "value": [3.0, 3.2, 3.1], "unit": "GPa"})
+        numpy.testing.assert_allclose([hardness.y[0], hardness.sigma[0]], [3100., 100. / 3. ** 0.5])
+        slope, = self.block({"quantity": "unloading slope", "value": 5e6, "unit": "N/m", "noise": {"absolute": 1e5}})
+        numpy.testing.assert_allclose([slope.y[0], slope.sigma[0]], [5e3, 100.])
+        share, = self.block({"quantity": "plastic work share", "value": 0.9, "noise": {"absolute": 0.01}})
+        numpy.testing.assert_allclose(share.y, 0.9)
+        self.refuse_data("quantity: there is no \"colour\"", quantity="colour", value=3)
+        self.refuse_data("value' is None, but must be a number, or a list", quantity="hardness")
+        self.refuse_data("unit' is 'mm', but must be one of Pa", quantity="hardness", value=3, unit="mm")
+        self.refuse_data("'plastic work share' has none", quantity="plastic work share", value=0.9, unit="%")
+        self.refuse_data("is for quantities with a name", quantity={"table": "history", "column": "force"}, value=3,
+                         unit="N")
+
+    def test_candidates(self):
+        data = "candidates/hardness/data"
+        self.refuse("must be an object with one of the keys curve, imprint, quantity and a 'noise'", data,
+                    {"quantity": "hardness"})
+        self.refuse("a key of 'candidates/hardness/data/1': there is no \"value\"", data,
+                    {"quantity": "hardness", "noise": {"relative": 0.1}, "value": 3})
+        self.refuse("points' is 1, but must be an integer >= 2", data,
+                    {"curve": "computed", "noise": {"relative": 0.1}, "points": 1})
+        self.refuse("a key of 'candidates/hardness': there is no \"coarse\"", "candidates/hardness/coarse", {})
+
+
+if __name__ == "__main__":
+    unittest.main()
