@@ -11,7 +11,7 @@ numbers differ by more than one unit of their last digit (exit status 1 if any).
 
 import argparse
 
-from . import (contact, error_bounds, finite_strain, friction, guide, histories, limit_loads,  # noqa: F401 (recipes)
+from . import (contact, error_bounds, finite_strain, friction, guide, histories, limit_loads, new_cases,  # noqa: F401
                performance, scaling)
 from .places import differences, fill, names
 from .recipe import RECIPES, Runs
