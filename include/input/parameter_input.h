@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 
 namespace ElastoPlastic
@@ -24,6 +25,13 @@ namespace ElastoPlastic
   read_parameter_file(ParameterHandler  &prm,
                       const std::string &file,
                       const Warn        &warn);
+
+  /// The paths of all entries that the file, or one that it includes, sets.
+  /// @p known: the entries that there are.
+  /// @throws InputError as above.
+  std::set<std::string>
+  entries_set_in(const std::string                        &file,
+                 const std::map<std::string, std::string> &known);
 
   /// Sets the entry @p path, for instance "Geometry/Type".
   /// @throws InputError if there is no such entry or it cannot have this value,

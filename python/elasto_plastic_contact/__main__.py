@@ -13,6 +13,7 @@ from .program import is_checkout
 
 # The module of each command, whose main() takes its arguments, and what it does.
 COMMANDS = {
+    "new": ("new_case.command", "write the parameter file of a usual test"),
     "run": ("run_and_draw", "run a case and draw its results"),
     "plot": ("plots.command", "diagrams of runs"),
     "render": ("pictures.render", "pictures and films of bodies"),

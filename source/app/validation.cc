@@ -9,9 +9,12 @@
 #include "app/job_preview.h"
 #include "app/validation.h"
 #include "base/memory.h"
+#include "base/rethrow_collectively.h"
 #include "bounds/limit_load_analysis.h"
 #include "bounds/safe_load.h"
 #include "contact_run/elasto_plastic_contact.h"
+#include "input/entry_effects.h"
+#include "input/parameter_input.h"
 #include "output/log.h"
 #include "restart/output_directory.h"
 
@@ -223,6 +226,51 @@ namespace ElastoPlastic
 
 
 
+    /// Sentences in one, with what is said before and after them.
+    void
+    warn_of(const std::string              &before,
+            const std::vector<std::string> &sentences,
+            const std::string              &after,
+            Log                            &log)
+    {
+      if (sentences.empty())
+        return;
+      std::string text = before;
+      for (const std::string &sentence : sentences)
+        text += (&sentence == &sentences.front() ? "" : "; ") + sentence;
+      log.warn(text + after);
+    }
+
+
+
+    /// Entries that are set in vain, and those that do not fit each other.
+    /// Collective.
+    void
+    warn_of_entries(const CommandLine &command_line,
+                    const Parameters  &parameters,
+                    const MPI_Comm     communicator)
+    {
+      Log log(communicator, Verbosity::quiet);
+      rethrow_collectively(communicator, [&]() {
+        if (Utilities::MPI::this_mpi_process(communicator) != 0)
+          return;
+        std::set<std::string> set =
+          entries_set_in(command_line.parameter_file, parameters.entries);
+        for (const auto &[path, value] : command_line.overrides)
+          set.insert(path);
+        warn_of("Entries that are set and have no effect: ",
+                entries_without_effect(set, parameters.entries),
+                ". Leave them out, or change what they depend on.",
+                log);
+        warn_of("",
+                doubtful_units(parameters.entries),
+                ". Are all stresses in the same unit, such as MPa?",
+                log);
+      });
+    }
+
+
+
     /// What the run does with earlier results in its folder.
     std::string
     use_of_results(const CommandLine &command_line)
@@ -286,6 +334,7 @@ namespace ElastoPlastic
                out);
     print_output_directory(command_line, parameters, communicator, out);
     out << std::flush;
+    warn_of_entries(command_line, parameters, communicator);
     warn_of_limits(preview, parameters.refinement, communicator);
     if (const std::string safety =
           first_look_at_load(model, parameters, communicator);
@@ -311,6 +360,8 @@ namespace ElastoPlastic
                out);
     print_line("Meshes", std::to_string(parameters.refinement.n_cycles), out);
     print_output_directory(command_line, parameters, communicator, out);
+    out << std::flush;
+    warn_of_entries(command_line, parameters, communicator);
   }
 
 

@@ -7,13 +7,8 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <iterator>
-#include <map>
-#include <set>
 #include <sstream>
 #include <utility>
-#include <vector>
 
 #include "base/closest_name.h"
 #include "base/exceptions.h"
@@ -339,6 +334,29 @@ namespace ElastoPlastic
       },
       warn)
       .read_file(file);
+  }
+
+
+
+  std::set<std::string>
+  entries_set_in(const std::string                        &file,
+                 const std::map<std::string, std::string> &known)
+  {
+    ParameterHandler prm; // (sections are made by entering them)
+    for (const auto &entry : known)
+      {
+        prm.enter_subsection(entry.first.substr(0, entry.first.find('/')));
+        prm.leave_subsection();
+      }
+    std::set<std::string> paths;
+    ParameterFileReader(
+      prm,
+      [&paths](const Sections    &sections,
+               const std::string &entry,
+               const std::string &) { paths.insert(path_of(sections, entry)); },
+      [](const std::string &) {})
+      .read_file(file);
+    return paths;
   }
 
 

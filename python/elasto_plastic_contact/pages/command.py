@@ -12,7 +12,7 @@ numbers differ by more than one unit of their last digit (exit status 1 if any).
 import argparse
 
 from . import (contact, error_bounds, finite_strain, fits, friction, guide, histories, limit_loads,  # noqa: F401 (recipes)
-               performance, scaling)
+               new_cases, performance, scaling)
 from .places import differences, fill, names
 from .recipe import RECIPES, Runs
 from ..arguments import number

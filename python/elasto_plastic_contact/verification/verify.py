@@ -34,6 +34,8 @@ from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_c
                           johnson_limit, load_cycles, pyramid_sectors, sectors)
 from .job_preview import curved_body, job_preview
 from .load_steps import adaptive_steps, checkpoint_memory
+from .new_cases import (new_berkovich, new_brinell, new_coating, new_cone, new_limit_load, new_material_test,
+                        new_sphere)
 from .rate_dependence import creep_contact, creep_cylinder, creep_sphere, rates_uniaxial
 from .rounding import contrast, direct_contact, moved_body, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
@@ -304,7 +306,8 @@ ALL = {
                      adaptive_steps, checkpoint_memory,
                      ssnv128, bonded_punch, adhesion, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
                      friction_symmetries, friction_ranks, friction_resume,
-                     symmetric_bodies, cone_in_space, pyramids)
+                     symmetric_bodies, cone_in_space, pyramids,
+                     new_sphere, new_brinell, new_cone, new_berkovich, new_coating, new_material_test, new_limit_load)
 }
 
 

@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pyramids: Berkovich, Vickers, the corner of a cube. The smallest sector that symmetry allows is computed, with
+finite strains and a mesh whose cells grow with the distance from the tip."""
+
+import math
+from dataclasses import dataclass
+
+from .case import Case
+from .contact import Tip, expected_radius
+from .revolution import set_friction, set_materials, units_of
+from .rules import BODY_OVER_CONTACT, FINENESS, describe_steps, rounded, set_elements, set_output
+from .units import text_of
+
+
+@dataclass(frozen=True)
+class Pyramid:
+    """face_angle: between axis and faces, in degrees. friction: unless told; 0: none."""
+    title: str
+    n_faces: int
+    face_angle: float
+    friction: float = 0.
+
+    @property
+    def tip(self):
+        """The cone of the same area."""
+        area = self.n_faces * math.tan(math.pi / self.n_faces) * math.tan(math.radians(self.face_angle)) ** 2
+        return Tip(None, math.sqrt(math.pi / area))
+
+
+PYRAMIDS = {
+    "berkovich": Pyramid("Berkovich's pyramid", 3, 65.27),
+    "vickers": Pyramid("Vickers' pyramid", 4, 68.),
+    # (Without friction, elements beside such a sharp edge collapse: doc/lookup/new_cases.md.)
+    "cube-corner": Pyramid("the corner of a cube", 3, 35.2644, 0.15),
+}
+
+
+def indentation(kind, given):
+    """By depth or force, and the unloading."""
+    pyramid = PYRAMIDS[kind]
+    tip = Tip(given.tip_radius, pyramid.tip.slope)
+    case = Case(f"{pyramid.title[0].upper()}{pyramid.title[1:]} pressed into {given.material.name} and unloaded: "
+                f"1/{2 * pyramid.n_faces} "
+                "of the body", units_of(given, tip))
+    radius = expected_radius(tip, [given.material], depth=given.depth, force=given.force)
+    fineness = FINENESS[given.mesh]
+    unit = case.units.length_unit
+    case.chosen["contact radius"] = (f"about {case.units.length(radius):.3g} {unit} at the largest load, of the circle "
+                                     "with the same "
+                                     "area (an estimate, for the mesh)")
+    case.chosen["strain"] = "finite: a pyramid turns the surface beside it far beyond small strains"
+    case.set("", "Dimension", 3)
+    case.set("", "Strain", "logarithmic")
+    set_sector(case, 180. / pyramid.n_faces, radius, fineness)
+    set_materials(case, [given.material], None)
+    set_pyramid(case, pyramid, given)
+    set_friction(case, given, pyramid.friction)
+    set_loading(case, pyramid, given, fineness)
+    set_elements(case)
+    case.set("Refinement", "Strategy", "none")
+    set_output(case, "1, 1.1")
+    case.remarks += [f"Forces and areas of history.csv are those of the part: times {2 * pyramid.n_faces} for the "
+                     "whole.",
+                     "Hardness and modulus: indentation.csv."]
+    case.kind_of_time = "finite strains, space"
+    return case
+
+
+def set_sector(case, angle, radius, fineness):
+    """radius: of the contact, in µm."""
+    core = rounded(0.25 * case.units.length(radius))
+    size = core * 2 ** math.ceil(math.log2(4 * BODY_OVER_CONTACT))
+    n = fineness.sector_refinements
+    case.set("Geometry", "Type", "sector", "the smallest part that symmetry allows")
+    case.set("Geometry", "Sector angle", text_of(angle))
+    case.set("Geometry", "Radius", text_of(size))
+    case.set("Geometry", "Height", text_of(size))
+    case.set("Geometry", "Core radius", text_of(core), "a quarter of the largest radius of the contact")
+    case.set("Geometry", "Initial refinements", n)
+    case.set("Boundary conditions", "Fixed", "bottom")
+    case.set("Boundary conditions", "Roller", "front, back", "the planes of symmetry")
+    case.set("Boundary conditions", "Free", "side")
+    case.set("Boundary conditions", "Contact", "top")
+    case.chosen["mesh"] = (f"a sector of {text_of(angle)} degrees, cells that grow with the distance from the tip: "
+                           f"{2 ** n} to {2 ** (n + 1)} over the radius, at every depth")
+    case.chosen["body"] = (f"{text_of(size)} {case.units.length_unit} in radius and height, about "
+                           f"{size / (4 * core):.0f} contact radii")
+
+
+def set_pyramid(case, pyramid, given):
+    case.set("Indenter", "Type", "pyramid")
+    case.set("Indenter", "Number of faces", pyramid.n_faces)
+    case.set("Indenter", "Face angle", text_of(pyramid.face_angle), "degrees, axis to faces")
+    case.set("Indenter", "Rotation", text_of(180. / pyramid.n_faces), "an edge in the plane y = 0")
+    if given.tip_radius is not None:
+        case.set("Indenter", "Rounding radius", text_of(case.units.length(given.tip_radius)))
+    case.set("Indenter", "Position", "0, 0")
+
+
+def set_loading(case, pyramid, given, fineness):
+    """Short steps first while few nodes touch: a tenth of the depth in the first fifth of the steps; of the force, a
+    hundredth."""
+    steps = fineness.sector_steps
+    if given.force is None:
+        parts = [f"depth {text_of(part * case.units.length(given.depth))}" for part in (0.1, 0.35, 1.)]
+    else:
+        parts = [f"force {text_of(part * case.units.force(given.force) / (2 * pyramid.n_faces))}" for part in (0.01,
+                                                                                                               0.12,
+                                                                                                               1.)]
+    rows = [f"{time}: {part}" for time, part in zip(("0.2", "0.5", "1"), parts)]
+    case.set("Loading", "History", " | ".join([*rows, "1.1: force 0"]), "(short steps first, while few nodes touch)")
+    case.set("Loading", "Number of steps", steps + steps // 10, f"{steps} of them load")
+    describe_steps(case, steps, steps // 10)
