@@ -68,8 +68,7 @@ namespace ElastoPlastic
        const Barycentric<dim> &point) const;
 
     /// The coefficients of the weighted traction of a simplex on its face
-    /// @p k, from the other side of a plane with this @p normal, in the
-    /// order of the face.
+    /// @p k, across which points @p normal, in the order of the face.
     std::vector<Tensor<1, dim>>
     tractions(const SplitMesh<dim> &mesh,
               const unsigned int    simplex,

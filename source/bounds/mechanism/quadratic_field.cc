@@ -181,6 +181,10 @@ namespace ElastoPlastic
   value<2>(const QuadraticField<2> &,
            const SplitMesh<2>::Simplex &,
            const Barycentric<2> &);
+  template Tensor<1, 3>
+  value<3>(const QuadraticField<3> &,
+           const SplitMesh<3>::Simplex &,
+           const Barycentric<3> &);
   template std::array<Tensor<1, 2>, 4>
   values_at_vertices<2>(const QuadraticField<2> &,
                         const SplitMesh<2>::Simplex &);

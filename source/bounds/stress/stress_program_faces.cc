@@ -273,8 +273,9 @@ namespace ElastoPlastic
 
 
 
-  // A force is of the size of its share, and so is its multiplier's product
-  // with it.
+  // The force at a point is expected to be of the size of its share of the
+  // area, and the gap that is its multiplier of the size 1, in units of the
+  // body.
   template <int dim>
   void
   StressProgram<dim>::add_gap()
