@@ -61,8 +61,8 @@ namespace
 
 
 
-  SpaceBody
-  make_body(const TetrahedralMesh               &mesh,
+  SplitBody<3>
+  make_body(const SplitMesh<3>                  &mesh,
             const Disc<2>                       &disc,
             const std::vector<Material<double>> &materials = {material(1.)})
   {
@@ -70,13 +70,14 @@ namespace
     parameters.free    = {"left", "right", "front", "back"};
     parameters.fixed   = {"bottom"};
     parameters.contact = {"top"};
-    return make_space_body(mesh,
-                           BoundaryConditions<3>(parameters, names_of_box),
-                           materials,
-                           [](const Point<3> &) { return 0.; },
-                           0.,
-                           SurfaceFinish::smooth,
-                           {disc, {}});
+    return make_split_body<3>(mesh,
+                              BoundaryConditions<3>(parameters, names_of_box),
+                              materials,
+                              {[](const Point<3> &) { return 0.; },
+                               SurfaceFinish::smooth,
+                               ContactGeometry::vertical,
+                               {disc, {}}},
+                              0.);
   }
 
 
@@ -136,26 +137,26 @@ namespace
 
 
   bool
-  lies_on(const TriangleFace &triangle, const Point<3> &x)
+  lies_on(const FaceCorners<3> &triangle, const Point<3> &x)
   {
     double sum = 0;
     for (unsigned int i = 0; i < 3; ++i)
-      sum += area({{x, triangle[i], triangle[(i + 1) % 3]}});
+      sum += area(FaceCorners<3>{{x, triangle[i], triangle[(i + 1) % 3]}});
     return sum <= (1. + 1e-12) * area(triangle);
   }
 
 
 
   void
-  test_polygons(const SpaceBody &body, const SpaceBody &around)
+  test_polygons(const SplitBody<3> &body, const SplitBody<3> &around)
   {
-    std::vector<TriangleFace> reached;
-    double                    inside = 0, outside = 0;
-    unsigned int              n_whole = 0;
+    std::vector<FaceCorners<3>> reached;
+    double                      inside = 0, outside = 0;
+    unsigned int                n_whole = 0;
     for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
       {
         const auto &face = body.mesh.faces[f];
-        if (body.conditions[f].components[2].type == SideConditionType::contact)
+        if (body.conditions[f].is_pressed())
           {
             ++n_whole;
             inside += area(body.mesh.corners(face));
@@ -192,10 +193,10 @@ namespace
 
 
   void
-  test_volume(const TetrahedralMesh &mesh)
+  test_volume(const SplitMesh<3> &mesh)
   {
     double sum = 0, surface = 0;
-    for (const auto &tetrahedron : mesh.tetrahedra)
+    for (const auto &tetrahedron : mesh.simplices)
       sum += volume(mesh.corners(tetrahedron));
     for (const auto &face : mesh.faces)
       if (!face.is_inside())
@@ -207,7 +208,7 @@ namespace
 
 
   void
-  test_unmoved(const std::string &title, const SpaceBody &body)
+  test_unmoved(const std::string &title, const SplitBody<3> &body)
   {
     verify(title, circumscribe(body).mesh.vertices == body.mesh.vertices);
   }
@@ -222,12 +223,12 @@ main(int argc, char *argv[])
 
   Mesh mesh(MPI_COMM_WORLD);
   make_mesh(mesh);
-  const TetrahedralMesh tetrahedra = make_split_mesh(mesh);
-  if (tetrahedra.tetrahedra.empty())
+  const SplitMesh<3> tetrahedra = make_split_mesh(mesh);
+  if (tetrahedra.simplices.empty())
     return 0; // not the first rank
 
   test_triangles();
-  const SpaceBody body = make_body(tetrahedra, unit_disc);
+  const SplitBody<3> body = make_body(tetrahedra, unit_disc);
   test_polygons(body, circumscribe(body));
   test_volume(circumscribe(body).mesh);
 
@@ -235,8 +236,8 @@ main(int argc, char *argv[])
                make_body(tetrahedra, {Point<2>(), 0.97}));
   test_unmoved("centre beside that of the vertices",
                make_body(tetrahedra, {Point<2>(0.01, 0.), 1.}));
-  TetrahedralMesh layers = tetrahedra;
-  for (auto &tetrahedron : layers.tetrahedra)
+  SplitMesh<3> layers = tetrahedra;
+  for (auto &tetrahedron : layers.simplices)
     {
       Point<3> center;
       for (const Point<3> &x : layers.corners(tetrahedron))
@@ -246,7 +247,7 @@ main(int argc, char *argv[])
     }
   test_unmoved("another material beside the disc",
                make_body(layers, unit_disc, {material(1.), material(2.)}));
-  TetrahedralMesh half = tetrahedra;
+  SplitMesh<3> half = tetrahedra;
   for (auto &face : half.faces)
     if (face.boundary_id == 5 && half.corners(face)[0][1] +
                                      half.corners(face)[1][1] +

@@ -54,13 +54,13 @@ namespace
                       MPI_COMM_WORLD);
     VectorTools::interpolate(dof_handler, Bilinear(), values);
 
-    const SplitMesh      mesh = make_split_mesh(triangulation);
-    const QuadraticField field =
+    const SplitMesh<2>      mesh = make_split_mesh(triangulation);
+    const QuadraticField<2> field =
       interpolate_displacement(mesh, dof_handler, values);
     double value_error = 0, strain_error = 0;
-    for (unsigned int t = 0; t < mesh.triangles.size(); ++t)
+    for (unsigned int t = 0; t < mesh.simplices.size(); ++t)
       {
-        const auto     corners = mesh.corners(mesh.triangles[t]);
+        const auto     corners = mesh.corners(mesh.simplices[t]);
         const auto     strain  = strains(mesh, field, t);
         const Point<2> center =
           corners[0] +
@@ -69,7 +69,7 @@ namespace
           value_error =
             std::max(value_error,
                      std::abs(
-                       values_at_vertices(field, mesh.triangles[t])[3][d] -
+                       values_at_vertices(field, mesh.simplices[t])[3][d] -
                        Bilinear().value(center, d)));
         for (unsigned int i = 0; i < 3; ++i)
           {

@@ -14,6 +14,7 @@
 #include <complex>
 #include <limits>
 
+#include "base/tensors.h"
 #include "bounds/stress/johnson_mercier.h"
 #include "bounds/stress/stress_check.h"
 #include "bounds/stress/stress_problem.h"
@@ -21,7 +22,8 @@
 #include "verdict.h"
 
 using namespace ElastoPlastic;
-using namespace ElastoPlastic::JohnsonMercier;
+
+using Element = JohnsonMercier<2>;
 
 namespace
 {
@@ -64,7 +66,7 @@ namespace
 
   /// A square, refined around its centre, with given displacements on all sides
   /// but the right one, where the tractions are given.
-  PlaneBody
+  SplitBody<2>
   make_body(const ExactSolution &exact, const unsigned int n_refinements)
   {
     Triangulation<2> triangulation;
@@ -76,7 +78,7 @@ namespace
     triangulation.execute_coarsening_and_refinement();
     triangulation.refine_global(n_refinements);
 
-    PlaneBody body;
+    SplitBody<2> body;
     body.mesh = make_split_mesh(triangulation);
     body.kinematics =
       exact.plane_stress ? Kinematics::plane_stress : Kinematics::cartesian;
@@ -86,30 +88,27 @@ namespace
     body.stress_unit = 1.;
     body.strain_unit = 1. / young;
     body.length_unit = 1.;
-    for (const auto &side : body.mesh.sides)
+    for (const auto &side : body.mesh.faces)
       {
-        SideCondition condition;
+        FaceCondition<2> condition;
         for (unsigned int d = 0; d < 2; ++d)
           {
             auto &component     = condition.components[d];
             component.direction = Point<2>::unit_vector(d);
-            component.type      = SideConditionType::continuous;
-            component.value     = [](const Point<2> &) {
-              return 0.;
-            };
+            component.type      = ConditionType::continuous;
             if (side.boundary_id == 1)
               {
-                component.type  = SideConditionType::traction;
-                component.value = [exact, d](const Point<2> &p) {
+                component.type  = ConditionType::traction;
+                component.value = {[exact, d](const Point<2> &p) {
                   return exact.stress(p)[0][d];
-                };
+                }};
               }
             else if (side.boundary_id != numbers::internal_face_boundary_id)
               {
-                component.type  = SideConditionType::displacement;
-                component.value = [exact, d](const Point<2> &p) {
+                component.type  = ConditionType::displacement;
+                component.value = {[exact, d](const Point<2> &p) {
                   return exact.displacement(p)[d];
-                };
+                }};
               }
           }
         body.conditions.push_back(condition);
@@ -120,7 +119,7 @@ namespace
     material.shear_modulus     = young / (2. * (1. + poisson));
     material.yield_radius      = std::numeric_limits<double>::infinity();
     material.isotropic_modulus = 0.;
-    body.materials.assign(body.mesh.triangles.size(), material);
+    body.materials.assign(body.mesh.simplices.size(), material);
     return body;
   }
 
@@ -129,42 +128,45 @@ namespace
   /// The L2 norms of the error of the in-plane stress, of that out of plane,
   /// of the error of the interpolation, and of that of the displacement.
   std::array<double, 4>
-  errors(const PlaneBody     &body,
-         const ExactSolution &exact,
-         const StressField   &field)
+  errors(const SplitBody<2>   &body,
+         const ExactSolution  &exact,
+         const StressField<2> &field)
   {
     const QGaussSimplex<2> quadrature(3);
     std::array<double, 4>  squares = {};
-    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+    for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
       {
-        const auto corners = body.mesh.corners(body.mesh.triangles[t]);
+        const auto corners = body.mesh.corners(body.mesh.simplices[t]);
         const auto stress  = [&](const Point<2> &p) {
           return exact.stress(p);
         };
         const Vector<double> interpolated = interpolate(corners, stress);
         for (unsigned int k = 0; k < 3; ++k)
           {
-            const auto subtriangle  = subtriangle_of(corners, k);
-            const auto displacement = on_subtriangle(field.displacement[t], k);
+            const auto subtriangle  = Element::part_of(corners, k);
+            const auto displacement = on_part<2>(field.displacement[t], k);
             for (unsigned int q = 0; q < quadrature.size(); ++q)
               {
                 const auto                 &x     = quadrature.point(q);
                 const std::array<double, 3> shape = {
                   {1. - x[0] - x[1], x[0], x[1]}};
                 Point<2>              p;
-                SymmetricTensor<2, 2> computed, interpolation;
+                SymmetricTensor<2, 2> interpolation;
+                SymmetricTensor<2, 3> stress_here;
                 Tensor<1, 2>          u;
-                double                across = 0;
                 for (unsigned int i = 0; i < 3; ++i)
                   {
                     p += shape[i] * subtriangle[i];
                     u += shape[i] * displacement[i];
-                    computed += shape[i] * coefficient(field.in_plane[t], k, i);
-                    interpolation += shape[i] * coefficient(interpolated, k, i);
-                    across += shape[i] * field.out_of_plane[t][3 * k + i];
+                    stress_here += shape[i] * field.coefficient(t, k, i);
+                    interpolation +=
+                      shape[i] * Element::coefficient(interpolated, k, i);
                   }
-                const auto   s = exact.stress(p);
-                const double w = quadrature.weight(q) * 2. * area(subtriangle);
+                const auto   computed = in_plane<2>(stress_here);
+                const double across   = stress_here[2][2];
+                const auto   s        = exact.stress(p);
+                const double w =
+                  quadrature.weight(q) * 2. * volume(subtriangle);
                 squares[0] += w * (computed - s).norm() * (computed - s).norm();
                 squares[1] +=
                   w * std::pow(across -
@@ -191,9 +193,9 @@ namespace
     std::array<double, 4> last  = {};
     for (unsigned int k = 1; k <= 3; ++k)
       {
-        const PlaneBody   body  = make_body(exact, k);
-        const StressField field = equilibrate_with_depth(body, 0.);
-        const auto        error = errors(body, exact, field);
+        const SplitBody<2>   body  = make_body(exact, k);
+        const StressField<2> field = equilibrate_with_depth(body, 0.);
+        const auto           error = errors(body, exact, field);
 
         // the tractions given on the right side are not linear
         StressErrors check   = check_stress(body, field);
@@ -223,10 +225,10 @@ namespace
   test_interpolation()
   {
     output() << "Interpolation" << std::endl;
-    const Triangle triangle = {{Point<2>(0.3, -0.2), {2.1, 0.4}, {1.2, 1.7}}};
-    const auto     divergence_of = [&](const auto &stress) {
-      Vector<double> divergence(n_divergences(1));
-      divergence_matrix(triangle, 1)
+    const Corners<2> triangle = {{Point<2>(0.3, -0.2), {2.1, 0.4}, {1.2, 1.7}}};
+    const auto       divergence_of = [&](const auto &stress) {
+      Vector<double> divergence(Element::n_divergences(1));
+      Element::divergence_matrix(triangle, 1)
         .vmult(divergence, interpolate(triangle, stress));
       return divergence;
     };
@@ -258,14 +260,15 @@ namespace
         double       mean = 0;
         for (unsigned int k = 0; k < 3; ++k)
           {
-            const auto subtriangle = subtriangle_of(triangle, k);
+            const auto subtriangle = Element::part_of(triangle, k);
             for (unsigned int q = 0; q < quadrature.size(); ++q)
               {
                 const auto    &x = quadrature.point(q);
                 const Point<2> p = subtriangle[0] +
                                    x[0] * (subtriangle[1] - subtriangle[0]) +
                                    x[1] * (subtriangle[2] - subtriangle[0]);
-                const double w = quadrature.weight(q) * 2. * area(subtriangle) *
+                const double w = quadrature.weight(q) * 2. *
+                                 volume(subtriangle) *
                                  (divergence[2 * k + c] - 3. * p[c]);
                 mean += w;
                 moment += w * Tensor<1, 2>(p);

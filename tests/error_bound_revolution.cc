@@ -116,29 +116,29 @@ namespace
 
 
   /// A paraboloid on a block.
-  PlaneBody
-  make_body(const SplitMesh             &mesh,
+  SplitBody<2>
+  make_body(const SplitMesh<2>          &mesh,
             const BoundaryConditions<2> &supports,
             const Material<double>      &material)
   {
     const auto gap = [](const Point<2> &x) {
       return x[0] * x[0] / 6.;
     };
-    return make_plane_body(
-      mesh, supports, {material}, Kinematics::axisymmetric, gap, 0.);
+    return make_split_body<2>(
+      mesh, supports, {material}, {gap}, 0., Kinematics::axisymmetric);
   }
 
 
 
   template <typename Displacement>
-  QuadraticField
-  interpolate(const SplitMesh &mesh, const Displacement &displacement)
+  QuadraticField<2>
+  interpolate(const SplitMesh<2> &mesh, const Displacement &displacement)
   {
-    QuadraticField field;
+    QuadraticField<2> field;
     for (const Point<2> &vertex : mesh.vertices)
       field.at_vertices.push_back(displacement(vertex));
-    for (const SplitMesh::Side &side : mesh.sides)
-      field.at_sides.push_back(
+    for (const SplitMesh<2>::Face &side : mesh.faces)
+      field.at_edges.push_back(
         displacement(Point<2>(0.5 * (mesh.vertices[side.vertices[0]] +
                                      mesh.vertices[side.vertices[1]]))));
     return field;
@@ -147,26 +147,25 @@ namespace
 
 
   /// The same stress everywhere.
-  StressField
-  uniform(const PlaneBody &body, const SymmetricTensor<2, 3> &stress)
+  StressField<2>
+  uniform(const SplitBody<2> &body, const SymmetricTensor<2, 3> &stress)
   {
-    StressField field;
-    field.pressure.assign(body.mesh.sides.size(), {0., 0.});
-    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+    StressField<2> field;
+    field.pressure.assign(body.mesh.faces.size(), {0., 0.});
+    for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
       {
-        const auto corners = body.mesh.corners(body.mesh.triangles[t]);
-        field.in_plane.emplace_back(27);
-        field.out_of_plane.emplace_back(9);
+        const auto corners = body.mesh.corners(body.mesh.simplices[t]);
+        field.values.emplace_back(36);
         field.circumferential.push_back(
           {stress[2][2], stress[2][2], stress[2][2]});
         for (unsigned int p = 0; p < 9; ++p)
           {
             const double r =
-              JohnsonMercier::subtriangle_of(corners, p / 3)[p % 3][0];
-            field.in_plane[t][3 * p]     = r * stress[0][0];
-            field.in_plane[t][3 * p + 1] = r * stress[1][1];
-            field.in_plane[t][3 * p + 2] = r * stress[0][1];
-            field.out_of_plane[t][p]     = r * stress[2][2];
+              JohnsonMercier<2>::part_of(corners, p / 3)[p % 3][0];
+            field.values[t][4 * p]     = r * stress[0][0];
+            field.values[t][4 * p + 1] = r * stress[1][1];
+            field.values[t][4 * p + 2] = r * stress[0][1];
+            field.values[t][4 * p + 3] = r * stress[2][2];
           }
       }
     return field;
@@ -177,11 +176,12 @@ namespace
   // The stress of a strain makes W + W* - tau : eps vanish; any other one that
   // is admissible makes it positive, and known if the material is elastic.
   void
-  test_conjugate(const PlaneBody &body, const std::string &title)
+  test_conjugate(const SplitBody<2> &body, const std::string &title)
   {
-    const QuadraticField field = interpolate(body.mesh, [](const Point<2> &x) {
-      return Tensor<1, 2>({0.006 * x[0], -0.01 * (x[1] + 1.)});
-    });
+    const QuadraticField<2> field =
+      interpolate(body.mesh, [](const Point<2> &x) {
+        return Tensor<1, 2>({0.006 * x[0], -0.01 * (x[1] + 1.)});
+      });
     const Material<double> &material = body.materials.front();
     SymmetricTensor<2, 3>   strain;
     strain[0][0] = strain[2][2] = 0.006;
@@ -213,16 +213,16 @@ namespace
   // A cylinder compressed by a flat indenter, free to expand: the stress is
   // uniaxial, the displacement u_h linear, beyond the yield stress as well.
   void
-  test_compression(const SplitMesh &mesh, const double hardening)
+  test_compression(const SplitMesh<2> &mesh, const double hardening)
   {
     static const BoundaryConditions<2> smooth = conditions({}, {"bottom"});
     const auto                         flat   = [](const Point<2> &) {
       return 0.;
     };
     const Material<double> steel = material(1.4, hardening);
-    const PlaneBody        body  = make_plane_body(
-      mesh, smooth, {steel}, Kinematics::axisymmetric, flat, 0.);
-    const StressField field = equilibrate_with_depth(body, depth);
+    const SplitBody<2>     body  = make_split_body<2>(
+      mesh, smooth, {steel}, {flat}, 0., Kinematics::axisymmetric);
+    const StressField<2> field = equilibrate_with_depth(body, depth);
 
     const double k = steel.bulk_modulus, g = steel.shear_modulus;
     const double young        = 9. * k * g / (3. * k + g);
@@ -237,11 +237,11 @@ namespace
       return Tensor<1, 2>({expansion * x[0], -depth * (x[1] + 1.)});
     };
     double error = 0;
-    for (unsigned int t = 0; t < mesh.triangles.size(); ++t)
+    for (unsigned int t = 0; t < mesh.simplices.size(); ++t)
       for (unsigned int i = 0; i < 3; ++i)
         error = std::max(error,
                          (field.displacement[t][i] -
-                          exact(mesh.corners(mesh.triangles[t])[i]))
+                          exact(mesh.corners(mesh.simplices[t])[i]))
                            .norm());
     output() << "Compression, modulus " << hardening << std::endl;
     verify("force", std::abs(field.force / (numbers::PI * stress) - 1.), 1e-7);
@@ -294,15 +294,15 @@ namespace
       {
         Triangulation<2> mesh;
         make_shell(mesh, n);
-        PlaneBody body = make_plane_body(make_split_mesh(mesh),
-                                         symmetric,
-                                         {steel},
-                                         Kinematics::axisymmetric,
-                                         everywhere,
-                                         0.);
+        SplitBody<2> body = make_split_body<2>(make_split_mesh(mesh),
+                                               symmetric,
+                                               {steel},
+                                               {everywhere},
+                                               0.,
+                                               Kinematics::axisymmetric);
         press(body, 0, 1.);
-        const StressField    stress = equilibrate_with_depth(body, 0.);
-        const QuadraticField displacement =
+        const StressField<2>    stress = equilibrate_with_depth(body, 0.);
+        const QuadraticField<2> displacement =
           interpolate(body.mesh, [&](const Point<2> &x) {
             return x / x.norm() * expansion(steel, x.norm());
           });
@@ -321,12 +321,12 @@ namespace
 
   // Without displacement, the sum of both energies is the complementary one.
   void
-  test_sum(const PlaneBody &body)
+  test_sum(const SplitBody<2> &body)
   {
-    const QuadraticField zero =
+    const QuadraticField<2> zero =
       interpolate(body.mesh, [](const Point<2> &) { return Tensor<1, 2>(); });
-    const StressField stress = equilibrate_with_depth(body, depth);
-    const ErrorBound  bound  = bound_error(body, zero, depth, stress);
+    const StressField<2> stress = equilibrate_with_depth(body, depth);
+    const ErrorBound     bound  = bound_error(body, zero, depth, stress);
     output() << "Sum of the energies" << std::endl;
     verify("presses", stress.force > 1.);
     // (in which the gap is integrated exactly, here from above)
@@ -355,10 +355,10 @@ main(int argc, char *argv[])
   test_quadrature("A corner on the axis", {{0., 1., 2.}}, 2e-2);
   test_quadrature("A side on the axis", {{0., 2., 0.}}, 1e-12);
 
-  const SplitMesh mesh     = make_split_mesh(regular);
-  const double    infinity = std::numeric_limits<double>::infinity();
-  const auto      held     = conditions({"bottom"}, {});
-  const auto      rolling  = conditions({}, {"bottom"});
+  const SplitMesh<2> mesh     = make_split_mesh(regular);
+  const double       infinity = std::numeric_limits<double>::infinity();
+  const auto         held     = conditions({"bottom"}, {});
+  const auto         rolling  = conditions({}, {"bottom"});
   test_sum(make_body(mesh, held, material(infinity, 0.)));
   test_sum(make_body(mesh, held, material(1.4, 0.)));
   test_conjugate(make_body(mesh, rolling, material(infinity, 0.)), "Elastic");

@@ -26,10 +26,10 @@ namespace
   void
   test_gap(const std::string &title, const Gap &gap, const double distance)
   {
-    const TriangleFace face = {
+    const FaceCorners<3> face = {
       {Point<3>(0., 0., 0.), Point<3>(1., 0.1, 0.2), Point<3>(0.2, 0.9, 0.1)}};
     double outside = 0., farthest = 0.;
-    for (const auto &triangle : FaceGap(gap, face).small_triangles())
+    for (const auto &triangle : FaceGap<3>(gap, face).small_simplices())
       for (const std::array<double, 3> inside :
            {std::array<double, 3>{{1., 0., 0.}},
             std::array<double, 3>{{0.5, 0.25, 0.25}},
@@ -43,7 +43,9 @@ namespace
                 lower += inside[k] * triangle.lower[k];
                 upper += inside[k] * triangle.upper[k];
               }
-          const double g = gap(point_of(face, triangle.position(inside)));
+          const double g =
+            gap(point_of(face,
+                         ElastoPlastic::interpolate(inside, triangle.corners)));
           if (!std::isfinite(g))
             continue;
           outside  = std::max({outside, lower - g, g - upper});
@@ -89,14 +91,14 @@ namespace
   /// The smallest and the largest distance from the indenter on the faces that
   /// it reaches.
   std::pair<double, double>
-  clearances(const SpaceBody &body, const SpaceQuadraticField &field)
+  clearances(const SplitBody<3> &body, const QuadraticField<3> &field)
   {
     double smallest = infinity, largest = -infinity;
     for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
       if (body.conditions[f].is_reached)
         {
-          const TriangleFace corners = body.mesh.corners(body.mesh.faces[f]);
-          const FaceValues   v       = values_on_face(body.mesh, field, f);
+          const FaceCorners<3> corners = body.mesh.corners(body.mesh.faces[f]);
+          const FaceValues<3>  v       = values_on_face(body.mesh, field, f);
           for_points([&](const std::array<double, 3> &position) {
             const double clearance = body.gap(point_of(corners, position)) -
                                      depth - v.value(position)[2];
@@ -112,19 +114,19 @@ namespace
 
   // Linear between the vertices, all of which touch.
   void
-  test_penetration(const TetrahedralMesh &mesh,
-                   const std::string     &title,
-                   const Gap             &gap,
-                   const double           largest_clearance)
+  test_penetration(const SplitMesh<3> &mesh,
+                   const std::string  &title,
+                   const Gap          &gap,
+                   const double        largest_clearance)
   {
-    const SpaceBody     body  = make_body(mesh, material(infinity, 0.), gap);
-    SpaceQuadraticField field = make_field(mesh, [&](const Point<3> &x) {
+    const SplitBody<3> body  = make_body(mesh, material(infinity, 0.), gap);
+    QuadraticField<3>  field = make_field(mesh, [&](const Point<3> &x) {
       const double g = gap(x);
       return Tensor<1, 3>({0., 0., std::isfinite(g) ? g - depth : 0.});
     });
     for (unsigned int f = 0; f < mesh.faces.size(); ++f)
       {
-        const FaceValues v = values_on_face(mesh, field, f);
+        const FaceValues<3> v = values_on_face(mesh, field, f);
         for (unsigned int i = 0; i < 3; ++i)
           field.at_edges[v.edges[i]] =
             0.5 * (v.at_corners[i] + v.at_corners[(i + 1) % 3]);
@@ -142,7 +144,7 @@ namespace
 
   // Polynomials of degree 2 are what they were on cells that are cubes.
   void
-  test_interpolation(const Mesh &triangulation, const TetrahedralMesh &mesh)
+  test_interpolation(const Mesh &triangulation, const SplitMesh<3> &mesh)
   {
     class Quadratic : public Function<3>
     {
@@ -167,25 +169,25 @@ namespace
                       relevant,
                       MPI_COMM_WORLD);
     VectorTools::interpolate(dof_handler, Quadratic(), values);
-    const SpaceQuadraticField field =
+    const QuadraticField<3> field =
       interpolate_displacement(mesh, dof_handler, values);
-    if (mesh.tetrahedra.empty())
+    if (mesh.simplices.empty())
       return;
 
-    const SpaceQuadraticField exact = make_field(mesh, [](const Point<3> &x) {
+    const QuadraticField<3> exact = make_field(mesh, [](const Point<3> &x) {
       return Tensor<1, 3>({Quadratic().value(x, 0),
                            Quadratic().value(x, 1),
                            Quadratic().value(x, 2)});
     });
-    double                    error = 0., strain_error = 0., center_error = 0.;
+    double                  error = 0., strain_error = 0., center_error = 0.;
     for (unsigned int v = 0; v < mesh.vertices.size(); ++v)
       error =
         std::max(error, (field.at_vertices[v] - exact.at_vertices[v]).norm());
     for (unsigned int e = 0; e < mesh.n_edges; ++e)
       error = std::max(error, (field.at_edges[e] - exact.at_edges[e]).norm());
-    for (unsigned int t = 0; t < mesh.tetrahedra.size(); ++t)
+    for (unsigned int t = 0; t < mesh.simplices.size(); ++t)
       {
-        const auto corners = mesh.corners(mesh.tetrahedra[t]);
+        const auto corners = mesh.corners(mesh.simplices[t]);
         const auto strain  = strains(mesh, field, t);
         for (unsigned int i = 0; i < 4; ++i)
           {
@@ -201,9 +203,8 @@ namespace
           0.25 * (corners[0] + corners[1] + corners[2] + corners[3]));
         center_error =
           std::max(center_error,
-                   std::abs(
-                     values_at_vertices(field, mesh.tetrahedra[t])[4][1] -
-                     Quadratic().value(center, 1)));
+                   std::abs(values_at_vertices(field, mesh.simplices[t])[4][1] -
+                            Quadratic().value(center, 1)));
       }
     output() << "A finite element solution" << std::endl;
     verify("interpolated", error, 1e-13);
@@ -221,9 +222,9 @@ main(int argc, char *argv[])
 
   Mesh block(MPI_COMM_WORLD);
   make_block(block);
-  const TetrahedralMesh mesh = make_split_mesh(block);
+  const SplitMesh<3> mesh = make_split_mesh(block);
   test_interpolation(block, mesh);
-  if (mesh.tetrahedra.empty())
+  if (mesh.simplices.empty())
     return 0; // not the first rank
   test_gaps();
   test_penetration(mesh, "Paraboloid on the block", paraboloid, 0.01);

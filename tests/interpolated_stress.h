@@ -16,26 +16,26 @@
 /// integrated exactly.
 template <typename Stress>
 dealii::Vector<double>
-interpolate(const ElastoPlastic::JohnsonMercier::Triangle &triangle,
-            const Stress                                  &stress)
+interpolate(const ElastoPlastic::Corners<2> &triangle, const Stress &stress)
 {
   using namespace dealii;
   using namespace ElastoPlastic;
-  using namespace ElastoPlastic::JohnsonMercier;
+  using Element = JohnsonMercier<2>;
 
   Vector<double> freedoms(15);
   for (unsigned int side = 0; side < 3; ++side)
     {
       const Point<2>     a = triangle[side], b = triangle[(side + 1) % 3];
       const Tensor<1, 2> normal = cross_product_2d(b - a) / (b - a).norm();
-      integrate_on_side(
-        a, b, [&](const double t, const Point<2> &x, const double weight) {
-          const Tensor<1, 2> traction = weight * (stress(x) * normal);
+      integrate_on_face<2>(
+        {{a, b}}, [&](const FacePoint<2> &point, const double weight) {
+          const double       t        = point.position[1];
+          const Tensor<1, 2> traction = weight * (stress(point.x) * normal);
           for (unsigned int c = 0; c < 2; ++c)
             {
-              freedoms[traction_index(1, side, 0, c)] +=
+              freedoms[Element::traction_index(1, side, 0, c)] +=
                 (4. - 6. * t) * traction[c];
-              freedoms[traction_index(1, side, 1, c)] +=
+              freedoms[Element::traction_index(1, side, 1, c)] +=
                 (6. * t - 2.) * traction[c];
             }
         });
@@ -53,15 +53,15 @@ interpolate(const ElastoPlastic::JohnsonMercier::Triangle &triangle,
       freedoms[14] += weight * value[0][1];
     }
 
-  FullMatrix<double> functionals(15, n_values(1));
-  functionals.fill(traction_matrix(triangle, 1));
-  for (unsigned int i = 0; i < n_values(1); ++i)
-    functionals(12 + i % 3, i) = 1. / n_points(1);
-  const FullMatrix<double> shapes = basis(triangle, 1);
+  FullMatrix<double> functionals(15, Element::n_values(1));
+  functionals.fill(Element::traction_matrix(triangle, 1));
+  for (unsigned int i = 0; i < Element::n_values(1); ++i)
+    functionals(12 + i % 3, i) = 1. / Element::n_points(1);
+  const FullMatrix<double> shapes = Element::basis(triangle, 1);
   FullMatrix<double>       of_shapes(15, 15);
   functionals.mmult(of_shapes, shapes);
   of_shapes.gauss_jordan();
-  Vector<double> coefficients(15), values(n_values(1));
+  Vector<double> coefficients(15), values(Element::n_values(1));
   of_shapes.vmult(coefficients, freedoms);
   shapes.vmult(values, coefficients);
   return values;

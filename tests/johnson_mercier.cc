@@ -16,25 +16,26 @@
 #include "verdict.h"
 
 using namespace ElastoPlastic;
-using namespace ElastoPlastic::JohnsonMercier;
 
 namespace
 {
-  const Triangle triangle = {{Point<2>(0.3, -0.2), {2.1, 0.4}, {1.2, 1.7}}};
+  using Element = JohnsonMercier<2>;
+
+  const Corners<2> triangle = {{Point<2>(0.3, -0.2), {2.1, 0.4}, {1.2, 1.7}}};
 
 
 
   /// A stress at a point of a subtriangle.
   SymmetricTensor<2, 2>
-  stress_at(const Vector<double>         &values,
-            const unsigned int            degree,
-            const unsigned int            subtriangle,
-            const Bernstein::Barycentric &point)
+  stress_at(const Vector<double> &values,
+            const unsigned int    degree,
+            const unsigned int    subtriangle,
+            const Barycentric<2> &point)
   {
-    const auto            functions = Bernstein::functions(degree, point);
+    const auto            functions = Bernstein<2>::functions(degree, point);
     SymmetricTensor<2, 2> stress;
     for (unsigned int i = 0; i < functions.size(); ++i)
-      stress += functions[i] * coefficient(values, subtriangle, i);
+      stress += functions[i] * Element::coefficient(values, subtriangle, i);
     return stress;
   }
 
@@ -61,7 +62,7 @@ namespace
         {
           const Vector<double> values = column(basis, j);
           const Tensor<1, 2>   normal =
-            cross_product_2d(subtriangle_of(triangle, k)[2] - triangle[k]);
+            cross_product_2d(Element::part_of(triangle, k)[2] - triangle[k]);
           for (const double t : {0., 0.3, 0.8, 1.})
             {
               const SymmetricTensor<2, 2> jump =
@@ -80,17 +81,17 @@ namespace
   double
   divergence_error(const FullMatrix<double> &basis, const unsigned int degree)
   {
-    FullMatrix<double> divergence(n_divergences(degree), basis.n());
-    divergence_matrix(triangle, degree).mmult(divergence, basis);
-    const Bernstein::Barycentric middle = {{0.2, 0.5, 0.3}};
-    const auto weights = Bernstein::functions(degree - 1, middle);
+    FullMatrix<double> divergence(Element::n_divergences(degree), basis.n());
+    Element::divergence_matrix(triangle, degree).mmult(divergence, basis);
+    const Barycentric<2> middle  = {{0.2, 0.5, 0.3}};
+    const auto           weights = Bernstein<2>::functions(degree - 1, middle);
 
     double largest = 0;
     for (unsigned int j = 0; j < basis.n(); ++j)
       for (unsigned int k = 0; k < 3; ++k)
         {
           Tensor<1, 2> sum;
-          const auto   by = gradients(subtriangle_of(triangle, k));
+          const auto   by = gradients(Element::part_of(triangle, k));
           for (unsigned int d = 0; d < 2; ++d)
             {
               constexpr double step  = 0.1;
@@ -141,24 +142,60 @@ namespace
   test_degree(const unsigned int n)
   {
     output() << "Degree " << n << std::endl;
-    const FullMatrix<double> all          = basis(triangle, n),
-                             equilibrated = equilibrated_basis(triangle, n);
+    const FullMatrix<double> all = Element::basis(triangle, n),
+                             equilibrated =
+                               Element::equilibrated_basis(triangle, n);
     verify("jumps inside", largest_jump(all, n), 1e-13);
     verify("divergence", divergence_error(all, n), 1e-12);
     verify("all stresses",
-           rank(all) == all.n() && all.n() == n_values(n) - n_tractions(n) &&
-             rank(product(divergence_matrix(triangle, n), all)) ==
-               n_divergences(n));
+           rank(all) == all.n() &&
+             all.n() == Element::n_values(n) - Element::n_tractions(n) &&
+             rank(product(Element::divergence_matrix(triangle, n), all)) ==
+               Element::n_divergences(n));
     verify("equilibrated, jumps inside", largest_jump(equilibrated, n), 1e-13);
     verify("equilibrated, divergence",
-           product(divergence_matrix(triangle, n), equilibrated).linfty_norm(),
+           product(Element::divergence_matrix(triangle, n), equilibrated)
+             .linfty_norm(),
            1e-13);
     verify("equilibrated stresses",
            rank(equilibrated) == equilibrated.n() &&
              equilibrated.n() == 3 * (n * n + 3 * n + 4) / 2 - 3);
     verify("their tractions",
-           rank(product(traction_matrix(triangle, n), equilibrated)) ==
-             n_tractions(n) - 3);
+           rank(product(Element::traction_matrix(triangle, n), equilibrated)) ==
+             Element::n_tractions(n) - 3);
+  }
+
+
+
+  // In space, too, the divergence is that of the polynomials, and the tractions
+  // of equilibrated stresses are all that have neither resultant nor moment.
+  // See also tetrahedron_stress.
+  void
+  test_space(const unsigned int n)
+  {
+    using InSpace                 = JohnsonMercier<3>;
+    const Corners<3> tetrahedron  = {{Point<3>(0.3, -0.2, 0.1),
+                                      Point<3>(2.1, 0.4, -0.3),
+                                      Point<3>(1.2, 1.7, 0.2),
+                                      Point<3>(0.8, 0.5, 1.9)}};
+    const auto       all          = InSpace::basis(tetrahedron, n);
+    const auto       equilibrated = InSpace::equilibrated_basis(tetrahedron, n);
+    const auto       jumps        = InSpace::jump_matrix(tetrahedron, n);
+    const auto       divergence   = InSpace::divergence_matrix(tetrahedron, n);
+    output() << "Degree " << n << " in space" << std::endl;
+    verify("jumps inside", product(jumps, all).linfty_norm(), 1e-12);
+    verify("all stresses",
+           rank(all) == all.n() &&
+             rank(product(divergence, all)) == InSpace::n_divergences(n));
+    verify("equilibrated, divergence",
+           product(divergence, equilibrated).linfty_norm(),
+           1e-12);
+    verify("equilibrated stresses",
+           rank(equilibrated) == equilibrated.n() &&
+             equilibrated.n() + InSpace::n_divergences(n) == all.n());
+    verify("their tractions",
+           rank(product(InSpace::traction_matrix(tetrahedron, n),
+                        equilibrated)) == InSpace::n_tractions(n) - 6);
   }
 } // namespace
 
@@ -170,4 +207,6 @@ main(int argc, char *argv[])
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_degree(1);
   test_degree(2);
+  test_space(1);
+  test_space(2);
 }

@@ -77,18 +77,18 @@ namespace
 
 
   void
-  test_mesh(const SplitMesh &mesh)
+  test_mesh(const SplitMesh<2> &mesh)
   {
     double       sum              = 0;
     bool         all_positive     = true;
     unsigned int n_boundary_sides = 0;
-    for (const auto &triangle : mesh.triangles)
+    for (const auto &triangle : mesh.simplices)
       {
-        const double size = area(mesh.corners(triangle));
+        const double size = volume(mesh.corners(triangle));
         all_positive      = all_positive && size > 0;
         sum += size;
       }
-    for (const auto &side : mesh.sides)
+    for (const auto &side : mesh.faces)
       if (side.boundary_id != numbers::internal_face_boundary_id)
         ++n_boundary_sides;
     output() << "Mesh" << std::endl;
@@ -96,18 +96,18 @@ namespace
     verify("orientation", all_positive);
     // three sides of each triangle, two triangles at each side inside
     verify("conforming",
-           3 * mesh.triangles.size() ==
-             2 * mesh.sides.size() - n_boundary_sides);
+           3 * mesh.simplices.size() ==
+             2 * mesh.faces.size() - n_boundary_sides);
   }
 
 
 
   /// @return the lower bound.
   double
-  test_bounds(const PlaneBody &body, const unsigned int degree)
+  test_bounds(const SplitBody<2> &body, const unsigned int degree)
   {
-    const LimitLoad bounds = bound_limit_load(body, degree);
-    const double    lower = bounds.stress.force, upper = bounds.velocity.bound;
+    const LimitLoad<2> bounds = bound_limit_load(body, degree);
+    const double lower = bounds.stress.force, upper = bounds.velocity.bound;
     output() << (body.kinematics == Kinematics::plane_stress ? "Plane stress" :
                                                                "Plane strain")
              << (body.indenter_surface == SurfaceFinish::rough ? ", rough" : "")
@@ -134,7 +134,7 @@ namespace
 
   // The linear stresses are among the quadratic ones.
   void
-  test_degrees(const PlaneBody &body)
+  test_degrees(const SplitBody<2> &body)
   {
     const double first = test_bounds(body, 1), second = test_bounds(body, 2);
     verify("closer than the first degree",
@@ -148,12 +148,13 @@ namespace
   // Force and depth control are two ways to the same stresses, elastic-plastic
   // and hardening.
   void
-  test_hencky(PlaneBody body, const double hardening)
+  test_hencky(SplitBody<2> body, const double hardening)
   {
     for (Material<double> &of_triangle : body.materials)
       of_triangle.isotropic_modulus = hardening;
-    const StressField by_force = equilibrate_with_force(body, 0.8 * exact);
-    const StressField by_depth = equilibrate_with_depth(body, by_force.depth);
+    const StressField<2> by_force = equilibrate_with_force(body, 0.8 * exact);
+    const StressField<2> by_depth =
+      equilibrate_with_depth(body, by_force.depth);
     output() << "Hencky, hardening " << hardening << std::endl;
     verify("force", std::abs(by_force.force / (0.8 * exact) - 1.), 1e-9);
     verify("the same depth",
@@ -187,14 +188,20 @@ main(int argc, char *argv[])
   const auto gap        = [](const Point<2> &x) {
     return x[0] <= 1. ? 0. : std::numeric_limits<double>::infinity();
   };
+<<<<<<< HEAD
   const SplitMesh mesh = make_split_mesh(triangulation);
+=======
+  const SplitMesh<2> mesh = make_split_mesh(triangulation);
+  if (mesh.simplices.empty())
+    return 0; // not the first rank
+>>>>>>> 40a22784a556b87e0b161157ef80e9ba2a20af45
 
   test_mesh(mesh);
   const auto body_with = [&](const Kinematics    kinematics,
                              const SurfaceFinish surface =
                                SurfaceFinish::smooth) {
-    return make_plane_body(
-      mesh, conditions, {material()}, kinematics, gap, 0., surface);
+    return make_split_body<2>(
+      mesh, conditions, {material()}, {gap, surface}, 0., kinematics);
   };
   for (const SurfaceFinish surface :
        {SurfaceFinish::smooth, SurfaceFinish::rough})

@@ -49,17 +49,17 @@ namespace
   /// The bounds, relative to those of the @p limit, are between @p least and 1,
   /// and between 1 and @p most.
   void
-  verify_bounds(const std::string &title,
-                const PlaneBody   &body,
-                const Limit       &limit,
-                const double       least,
-                const double       most)
+  verify_bounds(const std::string  &title,
+                const SplitBody<2> &body,
+                const Limit        &limit,
+                const double        least,
+                const double        most)
   {
     for (const unsigned int degree : {1, 2})
       {
-        const LimitLoad bounds = bound_limit_load(body, degree);
-        const double    lower  = bounds.stress.force / limit.upper,
-                     upper     = bounds.velocity.bound / limit.lower;
+        const LimitLoad<2> bounds = bound_limit_load(body, degree);
+        const double       lower  = bounds.stress.force / limit.upper,
+                     upper        = bounds.velocity.bound / limit.lower;
         output() << title << ", degree " << degree << std::endl;
         verify("below the exact limit", lower <= 1. + 1e-12);
         verify("near to it", lower >= least);
@@ -87,8 +87,8 @@ namespace
     const double     jacket = 0.7;
     Triangulation<2> mesh;
     make_rectangle(mesh, kind, 2, 0., 1., 1.5);
-    const auto conditions = on_rollers({"left", "bottom"}, {"right"});
-    PlaneBody  body       = make_body(mesh, conditions, everywhere);
+    const auto   conditions = on_rollers({"left", "bottom"}, {"right"});
+    SplitBody<2> body       = make_body(mesh, conditions, everywhere);
     press(body, 1, jacket);
     verify_bounds("Cylinder between smooth plates" + kinds.at(kind),
                   body,
@@ -123,12 +123,13 @@ namespace
   /// That a body bears the part @p safe of its limit pressure, but not more
   /// than all of it.
   void
-  verify_pressure(const std::string                                 &title,
-                  const std::function<PlaneBody(const double part)> &body_under,
-                  const double                                       safe)
+  verify_pressure(
+    const std::string                                    &title,
+    const std::function<SplitBody<2>(const double part)> &body_under,
+    const double                                          safe)
   {
-    const PlaneBody   body  = body_under(safe);
-    const StressField field = maximize_load(body, 2);
+    const SplitBody<2>   body  = body_under(safe);
+    const StressField<2> field = maximize_load(body, 2);
     output() << title << std::endl;
     verify("admissible", check_stress(body, field).largest(), 1e-9);
     print_error("Beyond its limit",
@@ -147,7 +148,7 @@ namespace
     verify_pressure(
       "Tube" + kinds.at(kind),
       [&](const double part) {
-        PlaneBody body = make_body(mesh, conditions, everywhere);
+        SplitBody<2> body = make_body(mesh, conditions, everywhere);
         press(body, 0, 2. + part * 2. * k * std::log(2.));
         press(body, 1, 2.);
         return body;
@@ -167,7 +168,7 @@ namespace
     verify_pressure(
       "Hollow sphere",
       [&](const double part) {
-        PlaneBody body = make_body(mesh, conditions, everywhere);
+        SplitBody<2> body = make_body(mesh, conditions, everywhere);
         press(body, 0, 2. + part * 2. * std::log(2.));
         press(body, 1, 2.);
         return body;
@@ -219,19 +220,17 @@ namespace
     const auto conditions = on_rollers({"bottom"}, {"left", "right"});
     for (const auto geometry :
          {ContactGeometry::normal, ContactGeometry::automatic})
-      verify_bounds("Block between inclined plates, " +
-                      Patterns::Tools::to_string(geometry),
-                    make_plane_body(make_split_mesh(mesh),
-                                    conditions,
-                                    {material()},
-                                    Kinematics::cartesian,
-                                    everywhere,
-                                    /* time = */ 0.,
-                                    SurfaceFinish::smooth,
-                                    geometry),
-                    exactly(2. * k * std::cos(angle)),
-                    1. - 1e-6,
-                    1. + 1e-6);
+      verify_bounds(
+        "Block between inclined plates, " +
+          Patterns::Tools::to_string(geometry),
+        make_split_body<2>(make_split_mesh(mesh),
+                           conditions,
+                           {material()},
+                           {everywhere, SurfaceFinish::smooth, geometry},
+                           /* time = */ 0.),
+        exactly(2. * k * std::cos(angle)),
+        1. - 1e-6,
+        1. + 1e-6);
   }
 } // namespace
 

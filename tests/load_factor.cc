@@ -14,7 +14,7 @@
 
 #include "bounds/body/growing_loads.h"
 #include "bounds/limit_load.h"
-#include "bounds/mechanism/load_power.h"
+#include "bounds/mechanism/velocity_check.h"
 #include "bounds/stress/stress_check.h"
 #include "output/columns.h"
 #include "section_body.h"
@@ -47,7 +47,7 @@ namespace
 
 
   /// Between x = inner_radius and x = 2, y = -1 and y = 0.
-  PlaneBody
+  SplitBody<2>
   make_problem(const Problem &problem, const MeshKind kind)
   {
     Triangulation<2> mesh;
@@ -66,14 +66,14 @@ namespace
         parameters.roller.push_back(name);
     const BoundaryConditions<2> conditions(parameters, names);
     const BodyForce<2>          body_force(problem.body_force);
-    SplitMesh                   split_mesh = make_split_mesh(mesh);
+    SplitMesh<2>                split_mesh = make_split_mesh(mesh);
     const Loads<2> loads = growing_loads(split_mesh, conditions, body_force);
-    return make_plane_body(std::move(split_mesh),
-                           conditions,
-                           {material()},
-                           problem.kinematics,
-                           problem.contact.empty() ? nowhere : everywhere,
-                           loads);
+    return make_split_body<2>(std::move(split_mesh),
+                              conditions,
+                              {material()},
+                              {problem.contact.empty() ? nowhere : everywhere},
+                              loads,
+                              problem.kinematics);
   }
 
 
@@ -90,8 +90,8 @@ namespace
     for (const auto &[kind, name] : kinds)
       for (const unsigned int degree : problem.degrees)
         {
-          const PlaneBody body   = make_problem(problem, kind);
-          const LimitLoad bounds = bound_limit_load(body, degree);
+          const SplitBody<2> body   = make_problem(problem, kind);
+          const LimitLoad<2> bounds = bound_limit_load(body, degree);
           output() << title << name << ", degree " << degree << std::endl;
           verify("below the exact factor",
                  bounds.lower_bound <= exact * (1. + 1e-9));

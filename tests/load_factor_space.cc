@@ -13,7 +13,8 @@
 #include <limits>
 
 #include "bounds/body/growing_loads.h"
-#include "bounds/space_limit_load.h"
+#include "bounds/limit_load.h"
+#include "bounds/stress/stress_check.h"
 #include "box_names.h"
 #include "verdict.h"
 
@@ -34,7 +35,7 @@ namespace
 
 
   /// A cube of edge length 2, with a corner in the origin, of eight cells.
-  SpaceBody
+  SplitBody<3>
   make_problem(const Problem &problem)
   {
     parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
@@ -62,14 +63,15 @@ namespace
 
     const BoundaryConditions<3> conditions(parameters, names_of_box);
     const BodyForce<3>          body_force(problem.body_force);
-    TetrahedralMesh             tetrahedra = make_split_mesh(mesh);
+    SplitMesh<3>                tetrahedra = make_split_mesh(mesh);
     const Loads<3> loads = growing_loads(tetrahedra, conditions, body_force);
-    return make_space_body(
-      std::move(tetrahedra),
-      conditions,
-      {material},
-      [](const Point<3> &) { return std::numeric_limits<double>::infinity(); },
-      loads);
+    return make_split_body<3>(std::move(tetrahedra),
+                              conditions,
+                              {material},
+                              {[](const Point<3> &) {
+                                return std::numeric_limits<double>::infinity();
+                              }},
+                              loads);
   }
 
 
@@ -79,8 +81,8 @@ namespace
   {
     constexpr double near = 1e-4;
 
-    const SpaceBody      body   = make_problem(problem);
-    const SpaceLimitLoad bounds = bound_limit_load(body);
+    const SplitBody<3> body   = make_problem(problem);
+    const LimitLoad<3> bounds = bound_limit_load(body, 1);
     output() << title << std::endl;
     verify("below the exact factor", bounds.lower_bound <= exact * (1. + 1e-9));
     verify("near to it", bounds.lower_bound >= exact * (1. - near));

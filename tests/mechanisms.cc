@@ -44,7 +44,7 @@ namespace
   /// The rectangle between x = @p left and @p left + 1, and y = -1 and 0, of 2
   /// x 2 cells. It is fixed below; the indenter reaches all of its top. The
   /// upper half is stronger.
-  PlaneBody
+  SplitBody<2>
   make_body(const Kinematics kinematics, const double left)
   {
     static BoundaryConditionParameters parameters;
@@ -61,33 +61,33 @@ namespace
                                               /* colorize = */ true);
     for (const auto &cell : mesh.active_cell_iterators())
       cell->set_material_id(cell->center()[1] > -0.5 ? 1 : 0);
-    return make_plane_body(
-      make_split_mesh(mesh),
-      conditions,
-      {material(1.), material(2.)},
-      kinematics,
-      [](const Point<2> &) { return 0.; },
-      /* time = */ 0.);
+    return make_split_body<2>(make_split_mesh(mesh),
+                              conditions,
+                              {material(1.), material(2.)},
+                              {[](const Point<2> &) {
+                                return 0.;
+                              }},
+                              /* time = */ 0.,
+                              kinematics);
   }
 
 
 
-  using Velocities = std::vector<TriangleVelocity>;
+  using Velocities = std::vector<SimplexVelocity<2>>;
 
   /// Interpolates cubic velocities.
   template <typename Function>
   Velocities
-  interpolate(const PlaneBody &body, const Function &velocity)
+  interpolate(const SplitBody<2> &body, const Function &velocity)
   {
     Velocities result;
-    for (const auto &triangle : body.mesh.triangles)
+    for (const auto &triangle : body.mesh.simplices)
       {
         const auto corners = body.mesh.corners(triangle);
-        result.push_back(
-          interpolate_cubic([&](const Bernstein::Barycentric &point) {
-            return velocity(position(corners, point),
-                            body.mesh.cells[triangle.cell].material_id);
-          }));
+        result.push_back(interpolate_cubic([&](const Barycentric<2> &point) {
+          return velocity(ElastoPlastic::interpolate(point, corners),
+                          body.mesh.cells[triangle.cell].material_id);
+        }));
       }
     return result;
   }
@@ -95,7 +95,7 @@ namespace
 
 
   double
-  total_work(const PlaneBody &body, const Velocities &velocities)
+  total_work(const SplitBody<2> &body, const Velocities &velocities)
   {
     const auto work = plastic_work(body, velocities);
     return std::accumulate(work.begin(), work.end(), 0.);
@@ -105,7 +105,7 @@ namespace
 
   /// How many lines the output of the places has where a mechanism slips.
   unsigned int
-  n_slip_lines(const PlaneBody &body, const Velocities &velocities)
+  n_slip_lines(const SplitBody<2> &body, const Velocities &velocities)
   {
     OutputParameters parameters;
     parameters.directory = ".";
@@ -123,8 +123,8 @@ namespace
   void
   test_slip()
   {
-    const PlaneBody  body = make_body(Kinematics::cartesian, 0.);
-    const Velocities velocity =
+    const SplitBody<2> body = make_body(Kinematics::cartesian, 0.);
+    const Velocities   velocity =
       interpolate(body,
                   [](const Point<2> &, const types::material_id material) {
                     return Tensor<1, 2>({material == 1 ? 0.3 : 0., 0.});
@@ -145,8 +145,8 @@ namespace
   void
   test_upsetting()
   {
-    const PlaneBody  body = make_body(Kinematics::axisymmetric, 0.);
-    const Velocities velocity =
+    const SplitBody<2> body = make_body(Kinematics::axisymmetric, 0.);
+    const Velocities   velocity =
       interpolate(body, [](const Point<2> &x, const types::material_id) {
         return Tensor<1, 2>({0.5 * x[0], -1. - x[1]});
       });
@@ -167,10 +167,10 @@ namespace
   void
   test_flux()
   {
-    const PlaneBody  body = make_body(Kinematics::axisymmetric, 1.);
-    TriangleVelocity outward;
+    const SplitBody<2> body = make_body(Kinematics::axisymmetric, 1.);
+    SimplexVelocity<2> outward;
     outward.flux[1] = -1.;
-    const Velocities velocity(body.mesh.triangles.size(), outward);
+    const Velocities velocity(body.mesh.simplices.size(), outward);
     const double     exact =
       2. * numbers::PI * (std::sqrt(4. / 3.) * std::log(2.) * 1.5 + k);
     const double work = total_work(body, velocity);
@@ -201,7 +201,7 @@ namespace
   void
   test_element(const Kinematics kinematics, const std::string &title)
   {
-    const PlaneBody     body    = make_body(kinematics, 1.);
+    const SplitBody<2>  body    = make_body(kinematics, 1.);
     const bool          is_ring = kinematics == Kinematics::axisymmetric;
     const StreamElement element(body, 3, is_ring);
     const auto          rates      = element.rates();
@@ -211,16 +211,16 @@ namespace
       {
         Vector<double> coefficients(element.n_functions());
         coefficients[f] = 1.;
-        Velocities velocity(body.mesh.triangles.size());
+        Velocities velocity(body.mesh.simplices.size());
         velocity[3] = element.velocity(coefficients);
         divergence =
           std::max(divergence, check_velocity(body, velocity).divergence);
         // The coefficient of a corner is the value there.
         for (unsigned int corner = 0; corner < 3; ++corner)
           {
-            Bernstein::Barycentric point = {};
-            point[corner]                = 1.;
-            double square                = 0;
+            Barycentric<2> point = {};
+            point[corner]        = 1.;
+            double square        = 0;
             for (unsigned int c = 0; c < n; ++c)
               square += std::pow(rates.rates(n * corner + c, f), 2);
             const double exact =
@@ -240,7 +240,7 @@ namespace
   void
   test_errors()
   {
-    const PlaneBody body = make_body(Kinematics::cartesian, 0.);
+    const SplitBody<2> body = make_body(Kinematics::cartesian, 0.);
     output() << "What is not admissible" << std::endl;
     const auto dilation =
       interpolate(body, [](const Point<2> &x, const types::material_id) {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "bounds/body/plane_body.h"
+#include "bounds/body/split_body.h"
 
 // Small bodies for tests of the equilibrium method.
 
@@ -106,40 +106,41 @@ on_rollers(const std::vector<std::string> &rollers,
 
 
 
-inline PlaneBody
+inline SplitBody<2>
 make_body(const Triangulation<2>      &mesh,
           const BoundaryConditions<2> &conditions,
           const Gap                   &gap,
           const SurfaceFinish          surface    = SurfaceFinish::smooth,
           const Kinematics             kinematics = Kinematics::axisymmetric)
 {
-  return make_plane_body(make_split_mesh(mesh),
-                         conditions,
-                         {material()},
-                         kinematics,
-                         gap,
-                         /* time = */ 0.,
-                         surface);
+  return make_split_body<2>(make_split_mesh(mesh),
+                            conditions,
+                            {material()},
+                            {gap, surface},
+                            /* time = */ 0.,
+                            kinematics);
 }
 
 
 
 /// Puts a @p pressure on a boundary, normal to its sides.
 inline void
-press(PlaneBody &body, const types::boundary_id boundary, const double pressure)
+press(SplitBody<2>            &body,
+      const types::boundary_id boundary,
+      const double             pressure)
 {
-  for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-    if (body.mesh.sides[s].boundary_id == boundary)
+  for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
+    if (body.mesh.faces[s].boundary_id == boundary)
       {
         const Tensor<1, 2> load =
-          -pressure * body.mesh.normal(body.mesh.sides[s]);
+          -pressure * normal(body.mesh.corners(body.mesh.faces[s]));
         for (unsigned int d = 0; d < 2; ++d)
           body.conditions[s].components[d] = {Point<2>::unit_vector(d),
-                                              SideConditionType::traction,
-                                              [load_d =
-                                                 load[d]](const Point<2> &) {
+                                              ConditionType::traction,
+                                              {[load_d =
+                                                  load[d]](const Point<2> &) {
                                                 return load_d;
-                                              }};
+                                              }}};
       }
 }
 

@@ -56,8 +56,8 @@ namespace SpaceBlock
 
 
 
-  inline SpaceBody
-  make_body(const TetrahedralMesh          &mesh,
+  inline SplitBody<3>
+  make_body(const SplitMesh<3>             &mesh,
             const Material<double>         &material,
             const Gap                      &gap,
             const std::vector<std::string> &rollers,
@@ -71,15 +71,15 @@ namespace SpaceBlock
     parameters.free                    = {"right", "back"};
     if (displacement.empty())
       parameters.contact = {"top"};
-    return make_space_body(mesh,
-                           BoundaryConditions<3>(parameters, names_of_box),
-                           {material},
-                           gap,
-                           /* time = */ 1.);
+    return make_split_body<3>(mesh,
+                              BoundaryConditions<3>(parameters, names_of_box),
+                              {material},
+                              {gap},
+                              /* time = */ 1.);
   }
 
-  inline SpaceBody
-  make_body(const TetrahedralMesh  &mesh,
+  inline SplitBody<3>
+  make_body(const SplitMesh<3>     &mesh,
             const Material<double> &material,
             const Gap              &gap)
   {
@@ -88,18 +88,18 @@ namespace SpaceBlock
 
 
 
-  inline SpaceQuadraticField
-  make_field(const TetrahedralMesh                               &mesh,
+  inline QuadraticField<3>
+  make_field(const SplitMesh<3>                                  &mesh,
              const std::function<Tensor<1, 3>(const Point<3> &)> &displacement)
   {
-    SpaceQuadraticField field;
+    QuadraticField<3> field;
     field.at_edges.resize(mesh.n_edges);
     for (const Point<3> &vertex : mesh.vertices)
       field.at_vertices.push_back(displacement(vertex));
-    for (const auto &tetrahedron : mesh.tetrahedra)
+    for (const auto &tetrahedron : mesh.simplices)
       for (unsigned int i = 0; i < 4; ++i)
         for (unsigned int j = i + 1; j < 4; ++j)
-          field.at_edges[tetrahedron.edges[mesh.edge_between(i, j)]] =
+          field.at_edges[tetrahedron.edges[edge_between<3>(i, j)]] =
             displacement(
               Point<3>(0.5 * (mesh.vertices[tetrahedron.vertices[i]] +
                               mesh.vertices[tetrahedron.vertices[j]])));
@@ -125,7 +125,7 @@ namespace SpaceBlock
 
 
   inline Point<3>
-  point_of(const TriangleFace &corners, const std::array<double, 3> &position)
+  point_of(const FaceCorners<3> &corners, const std::array<double, 3> &position)
   {
     return Point<3>(position[0] * corners[0] + position[1] * corners[1] +
                     position[2] * corners[2]);

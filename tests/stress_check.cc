@@ -20,34 +20,34 @@ namespace
   {
     Triangulation<2> mesh;
     make_rectangle(mesh, MeshKind::regular, 2, 0., 1., 1.);
-    const auto        conditions = on_rollers({"left", "bottom"}, {"right"});
-    const PlaneBody   body       = make_body(mesh, conditions, everywhere);
-    const StressField field      = maximize_load(body, 2);
-    const auto        error      = [&](const auto &damage) {
-      StressField damaged = field;
+    const auto           conditions = on_rollers({"left", "bottom"}, {"right"});
+    const SplitBody<2>   body       = make_body(mesh, conditions, everywhere);
+    const StressField<2> field      = maximize_load(body, 2);
+    const auto           error      = [&](const auto &damage) {
+      StressField<2> damaged = field;
       damage(damaged);
       return check_stress(body, damaged);
     };
     constexpr double change = 1e-3;
-    verify("circumferential stress", error([](StressField &f) {
+    verify("circumferential stress", error([](StressField<2> &f) {
                                        f.circumferential[0][1] += change;
                                      }).divergence > 0.1 * change);
-    verify("component 33", error([](StressField &f) {
-                             f.out_of_plane[0][2] += change;
+    verify("component 33", error([](StressField<2> &f) {
+                             f.values[0][4 * 2 + 3] += change;
                            }).circumferential > change);
-    verify("traction between the ends of a side", error([](StressField &f) {
-                                                    f.in_plane[0][3 * 3] +=
+    verify("traction between the ends of a side", error([](StressField<2> &f) {
+                                                    f.values[0][4 * 3] +=
                                                       change;
                                                   }).largest() > 0.1 * change);
-    verify("yield condition", error([](StressField &f) {
-                                for (auto &of_triangle : f.in_plane)
+    verify("yield condition", error([](StressField<2> &f) {
+                                for (auto &of_triangle : f.values)
                                   of_triangle *= 1. + change;
                               }).yield_excess > 0.1 * change);
-    verify("axis", error([](StressField &f) {
-                     for (auto &of_triangle : f.in_plane)
+    verify("axis", error([](StressField<2> &f) {
+                     for (auto &of_triangle : f.values)
                        of_triangle.add(change);
                    }).on_axis > change);
-    verify("force", error([](StressField &f) {
+    verify("force", error([](StressField<2> &f) {
                       f.force *= 1. + change;
                     }).force_difference > 0.5 * change);
   }
@@ -55,20 +55,20 @@ namespace
 
 
   // A sheet between a roller and a load on its right side.
-  PlaneBody
-  make_sheet(const SideCondition::Value &load)
+  SplitBody<2>
+  make_sheet(const std::function<double(const Point<2> &)> &load)
   {
     Triangulation<2> mesh;
     make_rectangle(mesh, MeshKind::regular, 1, 0., 1., 1.);
-    const auto conditions = on_rollers({"left", "bottom"}, {"right"});
-    PlaneBody  body       = make_body(mesh,
-                               conditions,
-                               everywhere,
-                               SurfaceFinish::smooth,
-                               Kinematics::plane_stress);
-    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-      if (body.mesh.sides[s].boundary_id == names.at("right"))
-        body.conditions[s].components[0].value = load;
+    const auto   conditions = on_rollers({"left", "bottom"}, {"right"});
+    SplitBody<2> body       = make_body(mesh,
+                                  conditions,
+                                  everywhere,
+                                  SurfaceFinish::smooth,
+                                  Kinematics::plane_stress);
+    for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
+      if (body.mesh.faces[s].boundary_id == names.at("right"))
+        body.conditions[s].components[0].value = {load};
     return body;
   }
 
@@ -77,15 +77,15 @@ namespace
   void
   test_sheet()
   {
-    const PlaneBody body  = make_sheet([](const Point<2> &) { return 0.1; });
-    StressField     field = maximize_load(body, 1);
+    const SplitBody<2> body  = make_sheet([](const Point<2> &) { return 0.1; });
+    StressField<2>     field = maximize_load(body, 1);
     verify("sheet", check_stress(body, field).largest(), 1e-8);
-    field.out_of_plane[0][0] = 1e-3;
+    field.values[0][3] = 1e-3;
     verify("stress across the sheet",
            check_stress(body, field).largest() > 0.9e-3);
 
     // zero at the ends, in the middle and at the points of the quadrature
-    const PlaneBody waves = make_sheet([](const Point<2> &x) {
+    const SplitBody<2> waves = make_sheet([](const Point<2> &x) {
       const double t = -x[1], s = 2. * t - 1.;
       return 0.1 + t * (1. - t) * s * (63. * s * s * s * s - 70. * s * s + 15.);
     });

@@ -10,18 +10,22 @@
 #include <cmath>
 
 #include "bounds/conic/local_algebra.h"
-#include "bounds/stress/tetrahedron_stress.h"
+#include "bounds/conic/yield_conditions.h"
+#include "bounds/stress/johnson_mercier.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
-using namespace ElastoPlastic::TetrahedronStress;
 
 namespace
 {
-  const Tetrahedron tetrahedron = {{Point<3>(0.3, -0.2, 0.1),
-                                    Point<3>(2.1, 0.4, -0.3),
-                                    Point<3>(1.2, 1.7, 0.2),
-                                    Point<3>(0.8, 0.5, 1.9)}};
+  using Element = JohnsonMercier<3>;
+
+  constexpr unsigned int n_values = Element::n_values(1);
+
+  const Corners<3> tetrahedron = {{Point<3>(0.3, -0.2, 0.1),
+                                   Point<3>(2.1, 0.4, -0.3),
+                                   Point<3>(1.2, 1.7, 0.2),
+                                   Point<3>(0.8, 0.5, 1.9)}};
 
 
 
@@ -32,22 +36,6 @@ namespace
     FullMatrix<double> result(a.m() + b.m(), n_values);
     result.fill(a);
     result.fill(b, a.m());
-    return result;
-  }
-
-
-
-  /// The tractions at the corners of the faces (36 x 96).
-  FullMatrix<double>
-  tractions_on_faces()
-  {
-    FullMatrix<double> result(36, n_values);
-    unsigned int       row = 0;
-    for (unsigned int k = 0; k < n_parts; ++k)
-      for (unsigned int i = 0; i < 3; ++i, row += 3)
-        result.fill(traction_matrix(outward_normal(tetrahedron, k)),
-                    row,
-                    value_index(k, corner_of_face(k, i)));
     return result;
   }
 
@@ -69,11 +57,11 @@ namespace
   values_of(const Stress &stress)
   {
     Vector<double> values(n_values);
-    for (unsigned int k = 0; k < n_parts; ++k)
+    for (unsigned int k = 0; k < Element::n_parts; ++k)
       for (unsigned int i = 0; i < 4; ++i)
-        for (unsigned int c = 0; c < n_components; ++c)
-          values[value_index(k, i, c)] =
-            stress(part_of(tetrahedron, k)[i]).access_raw_entry(c);
+        for (unsigned int c = 0; c < Element::n_components; ++c)
+          values[Element::value_index(1, k, i) + c] =
+            stress(Element::part_of(tetrahedron, k)[i]).access_raw_entry(c);
     return values;
   }
 
@@ -102,16 +90,18 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
-  const auto jumps       = jump_matrix(tetrahedron),
-             divergences = divergence_matrix(tetrahedron);
+  const auto jumps       = Element::jump_matrix(tetrahedron, 1),
+             divergences = Element::divergence_matrix(tetrahedron, 1);
   output() << "Stresses: " << LocalAlgebra::kernel(jumps).m()
            << ", without divergence: "
            << LocalAlgebra::kernel(joined(jumps, divergences)).m()
            << ", without tractions: "
-           << LocalAlgebra::kernel(joined(jumps, tractions_on_faces())).m()
+           << LocalAlgebra::kernel(
+                joined(jumps, Element::traction_matrix(tetrahedron, 1)))
+                .m()
            << std::endl;
 
-  const FullMatrix<double> basis = equilibrated_basis(tetrahedron);
+  const FullMatrix<double> basis = Element::equilibrated_basis(tetrahedron, 1);
   output() << "Basis: " << basis.n() << std::endl;
   FullMatrix<double> transposed(basis.n(), basis.m());
   transposed.copy_transposed(basis);
@@ -137,11 +127,11 @@ main(int argc, char *argv[])
                                        })) > 0.1);
 
   SymmetricTensor<2, 3> stress;
-  Vector<double>        components(n_components);
-  for (unsigned int c = 0; c < n_components; ++c)
+  Vector<double>        components(Element::n_components);
+  for (unsigned int c = 0; c < Element::n_components; ++c)
     stress.access_raw_entry(c) = components[c] = std::cos(1. + c * c);
   Vector<double> of_deviator(5);
-  deviator_matrix().vmult(of_deviator, components);
+  deviator_matrix<3>().vmult(of_deviator, components);
   verify("norm of the deviator",
          std::abs(of_deviator.l2_norm() - deviator(stress).norm()),
          1e-14);

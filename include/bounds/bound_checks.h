@@ -4,16 +4,14 @@
 #ifndef bounds_bound_checks_h
 #define bounds_bound_checks_h
 
-#include <deal.II/grid/tria.h>
-
 #include <string>
 #include <vector>
 
-#include "material/material.h"
+#include "bounds/body/split_body.h"
 
 // What can be wrong with bounds of limit loads and errors although each entry
-// is right. The rest of it, which shows when a PlaneBody or SpaceBody is put
-// together, is listed at LimitLoadAnalysis::check().
+// is right. The rest of it, which shows when a SplitBody is put together, is
+// listed at LimitLoadAnalysis::check().
 
 namespace ElastoPlastic
 {
@@ -23,17 +21,16 @@ namespace ElastoPlastic
   void
   check_materials_of_limit_load(const std::vector<Material<double>> &materials);
 
-  /// The indenter must reach a side or a face of the @p body, which is a
-  /// PlaneBody or a SpaceBody. @throws InputError
-  template <typename Body>
+  /// The indenter must reach a face of the @p body. @throws InputError
+  template <int dim>
   void
-  check_reach_of_indenter(const Body &body);
+  check_reach_of_indenter(const SplitBody<dim> &body);
 
   /// That stresses cannot press on the @p body anywhere, because the indenter
-  /// reaches only parts of its sides or faces; empty if they can.
-  template <typename Body>
+  /// reaches only parts of its faces; empty if they can.
+  template <int dim>
   std::string
-  warning_of_partial_reach(const Body &body);
+  warning_of_partial_reach(const SplitBody<dim> &body);
 
   /// Whether the loads that do not grow are too much for the body, if the load
   /// factor is between these bounds; empty if not.

@@ -9,26 +9,20 @@
 #include <vector>
 
 #include "bounds/mesh/split_mesh.h"
-#include "bounds/mesh/tetrahedral_mesh.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// What decides on the refinement of quadrilaterals: the square root of the
-  /// sum of what the first rank knows of their triangles, @p of_triangles of
-  /// @p mesh; negative numbers count as zero. Every rank receives the values of
-  /// its own active cells.
+  /// What decides on the refinement of cells: the square root of the sum of
+  /// what the first rank knows of their simplices, @p of_simplices of @p mesh;
+  /// negative numbers count as zero. Every rank receives the values of its own
+  /// active cells. Collective.
+  template <int dim>
   Vector<float>
-  cell_indicators(const SplitMesh           &mesh,
-                  const std::vector<double> &of_triangles,
-                  const Triangulation<2>    &triangulation);
-
-  /// The same for hexahedra and their tetrahedra.
-  Vector<float>
-  cell_indicators(const TetrahedralMesh     &mesh,
-                  const std::vector<double> &of_tetrahedra,
-                  const Triangulation<3>    &triangulation);
+  cell_indicators(const SplitMesh<dim>      &mesh,
+                  const std::vector<double> &of_simplices,
+                  const Triangulation<dim>  &triangulation);
 } // namespace ElastoPlastic
 
 #endif

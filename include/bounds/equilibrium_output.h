@@ -8,47 +8,36 @@
 #include <string>
 #include <vector>
 
-#include "bounds/body/plane_body.h"
-#include "bounds/stress/space_stress.h"
-#include "bounds/stress/stress_field.h"
+#include "bounds/limit_load.h"
 #include "output/vtu_series.h"
 
 namespace ElastoPlastic
 {
-  /// What there is on the triangles of a SplitMesh.
+  /// What there is on the simplices of a SplitMesh.
+  template <int dim>
   struct EquilibriumFields
   {
-    const PlaneBody   &body;
-    const StressField &stress;
-    /// A displacement, or a velocity: by triangles, at their corners and
+    const SplitBody<dim>   &body;
+    const StressField<dim> &stress;
+    /// A displacement, or a velocity: by simplices, at their corners and
     /// their centres of gravity.
-    const std::vector<std::array<Tensor<1, 2>, 4>> motion;
-    const std::vector<double>                     &errors; ///< by triangles
-    /// Of a mechanism of collapse: the plastic work per unit of volume, by
-    /// triangles. Else it is empty.
+    const std::vector<std::array<Tensor<1, dim>, dim + 2>> motion;
+    const std::vector<double>                             &errors;
+    /// Of a mechanism of collapse: the plastic work per unit of volume. Else it
+    /// is empty.
     const std::vector<double> plastic_work = {};
   };
 
-
-
-  /// What there is on the tetrahedra of a TetrahedralMesh.
-  struct SpaceFields
-  {
-    const SpaceBody        &body;
-    const SpaceStressField &stress;
-    /// A displacement, or a velocity: by tetrahedra, at their corners and
-    /// their centres of gravity.
-    const std::vector<std::array<Tensor<1, 3>, 5>> motion;
-    const std::vector<double>                     &errors; ///< by tetrahedra
-    /// See EquilibriumFields, by tetrahedra.
-    const std::vector<double> plastic_work = {};
-  };
+  /// What limit_load.pvd shows of two bounds.
+  template <int dim>
+  EquilibriumFields<dim>
+  fields_of(const SplitBody<dim> &body, const LimitLoad<dim> &bounds);
 
 
 
   /// Writes what ParaView shows of the equilibrium method, on one rank: files
-  /// with one triangle for each subtriangle, or one tetrahedron for each of the
-  /// parts of a tetrahedron, nothing smoothed, and a list of them.
+  /// with one triangle or tetrahedron for each part of a simplex, nothing
+  /// smoothed, and a list of them.
   class EquilibriumOutput
   {
   public:
@@ -58,13 +47,11 @@ namespace ElastoPlastic
                       const std::string      &name,
                       const std::string      &name_of_motion);
 
-    /// @p cycle numbers the file. @throws FileError
+    /// In the plane with a discontinuous relative of the motion, see
+    /// StressField::displacement. @p cycle numbers the file. @throws FileError
+    template <int dim>
     void
-    write(const EquilibriumFields &fields, const unsigned int cycle);
-
-    /// The same in space, without a discontinuous relative of the motion.
-    void
-    write(const SpaceFields &fields, const unsigned int cycle);
+    write(const EquilibriumFields<dim> &fields, const unsigned int cycle);
 
   private:
     VtuSeries         series;

@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <optional>
-#include <type_traits>
 
 #include "bounds/equilibrium_output.h"
 #include "bounds/error/error_bound.h"
@@ -79,17 +78,11 @@ namespace ElastoPlastic
     write_fields(const unsigned int cycle);
 
   private:
-    using Body   = std::conditional_t<dim == 2, PlaneBody, SpaceBody>;
-    using Stress = std::conditional_t<dim == 2, StressField, SpaceStressField>;
-    using Displacement =
-      std::conditional_t<dim == 2, QuadraticField, SpaceQuadraticField>;
-    using Fields = std::conditional_t<dim == 2, EquilibriumFields, SpaceFields>;
-
     /// @throws ConvergenceError
     ErrorBoundRow
     find_bound(const Solution &solution);
 
-    Stress
+    StressField<dim>
     equilibrate(const Load &load) const;
 
     /// Bounds of the force at the given depth, or of the depth under the given
@@ -115,9 +108,9 @@ namespace ElastoPlastic
     /// And its parts, on the first rank, which count for the bounds of the
     /// load.
     double
-    energy_gap(const Displacement &displacement,
-               const double        depth,
-               const Stress       &stress);
+    energy_gap(const QuadraticField<dim> &displacement,
+               const double               depth,
+               const StressField<dim>    &stress);
 
     /// What @p function returns there, on all ranks. Collective.
     double
@@ -135,10 +128,10 @@ namespace ElastoPlastic
 
     // On the first rank: the problem on the last mesh, its two solutions, and
     // the parts of the bound.
-    Body                body;
-    Stress              stress;
-    Displacement        displacement;
-    std::vector<double> errors; ///< by triangles, or tetrahedra
+    SplitBody<dim>      body;
+    StressField<dim>    stress;
+    QuadraticField<dim> displacement;
+    std::vector<double> errors; ///< by simplices
     std::vector<double> errors_of_load;
   };
 } // namespace ElastoPlastic

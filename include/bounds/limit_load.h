@@ -6,9 +6,8 @@
 
 #include <vector>
 
-#include "bounds/body/plane_body.h"
 #include "bounds/mechanism/velocity_program.h"
-#include "bounds/stress/stress_field.h"
+#include "bounds/stress/stress_problem.h"
 
 namespace ElastoPlastic
 {
@@ -16,33 +15,42 @@ namespace ElastoPlastic
   /// of perfectly plastic materials can bear: any force below that of the
   /// stresses is safe, J (1.14) in
   /// @cite johnson_1978, any force above that of the mechanism is not.
+  template <int dim>
   struct LimitLoad
   {
-    StressField   stress;
-    VelocityField velocity;
+    StressField<dim>   stress;
+    VelocityField<dim> velocity;
+    /// What the velocities are those of: see circumscribe().
+    SplitBody<dim> body_of_velocity;
 
     /// Forces of the indenter, or load factors if other loads grow.
     double lower_bound = 0;
     double upper_bound = 0;
 
-    /// By triangles, with a share of what is on their sides: plastic work of
+    /// By simplices, with a share of what is on their faces: plastic work of
     /// the mechanism less the power of the stresses,
     /// int sqrt(2/3) sigma_0 |e(v)| - tau : e(v) dx. It is never negative, and
     /// zero where the two fields belong together; all together are the
     /// difference of the bounds at most, or that by the power of the loads that
-    /// grow.
+    /// grow. (Beside the edge of a disc, where both have meshes of their own,
+    /// they are indicators.)
     std::vector<double> gaps;
   };
 
 
 
   /// Computes the gaps from stress and velocity.
+  template <int dim>
   void
-  find_gaps(const PlaneBody &body, LimitLoad &bounds);
+  find_gaps(LimitLoad<dim> &bounds);
 
-  /// @param degree of the stresses, 1 or 2. @throws ConvergenceError
-  LimitLoad
-  bound_limit_load(const PlaneBody &body, const unsigned int degree);
+  /// @param degree of the stresses, see maximize_load().
+  /// @throws ConvergenceError
+  template <int dim>
+  LimitLoad<dim>
+  bound_limit_load(const SplitBody<dim> &body,
+                   const unsigned int    degree,
+                   const double          tolerance = usual_tolerance<dim>);
 } // namespace ElastoPlastic
 
 #endif

@@ -8,13 +8,11 @@
 
 #include <functional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "bounds/equilibrium_output.h"
 #include "bounds/limit_load.h"
 #include "bounds/slip_output.h"
-#include "bounds/space_limit_load.h"
 #include "contact/gap_function.h"
 #include "input/parameters.h"
 #include "output/columns.h"
@@ -87,10 +85,6 @@ namespace ElastoPlastic
     n_cells() const;
 
   private:
-    using Body   = std::conditional_t<dim == 2, PlaneBody, SpaceBody>;
-    using Bounds = std::conditional_t<dim == 2, LimitLoad, SpaceLimitLoad>;
-    using Mesh   = decltype(Body::mesh);
-
     void
     setup_body();
 
@@ -139,11 +133,11 @@ namespace ElastoPlastic
     const GapFunction<dim>                    gap_function;
 
     /// Which tractions and body forces are there, and grow.
-    std::function<Loads<dim>(const Mesh &)> loads;
+    std::function<Loads<dim>(const SplitMesh<dim> &)> loads;
 
     // On the first rank: the problem on the present mesh, and its solution.
-    Body   body;
-    Bounds bounds;
+    SplitBody<dim> body;
+    LimitLoad<dim> bounds;
 
     // On all ranks: what limit_load.csv says of it; by active cells of this
     // rank, the square roots of LimitLoad::gaps, like other indicators.

@@ -6,7 +6,6 @@
 
 #include <vector>
 
-#include "bounds/mechanism/space_velocity.h"
 #include "bounds/mechanism/velocity_field.h"
 #include "output/vtu_series.h"
 
@@ -14,24 +13,19 @@ namespace ElastoPlastic
 {
   /// Writes where the parts of a mechanism of collapse slide along each other,
   /// along supports or a rough indenter: the files slip_lines-*.vtu with the
-  /// field slip, the jump of the velocity, on sides in the plane or faces in
-  /// space. Those with less than a thousandth of the largest velocity are left
-  /// out. On one rank.
+  /// field slip, the jump of the velocity, on faces. Those with less than a
+  /// thousandth of the largest velocity are left out. On one rank.
   class SlipOutput
   {
   public:
     explicit SlipOutput(const OutputParameters &parameters);
 
     /// @p cycle numbers the file. @throws FileError
+    template <int dim>
     void
-    write(const PlaneBody                     &body,
-          const std::vector<TriangleVelocity> &velocity,
-          const unsigned int                   cycle);
-
-    void
-    write(const SpaceBody                     &body,
-          const std::vector<CornerVelocities> &velocity,
-          const unsigned int                   cycle);
+    write(const SplitBody<dim>                    &body,
+          const std::vector<SimplexVelocity<dim>> &velocity,
+          const unsigned int                       cycle);
 
   private:
     VtuSeries series;

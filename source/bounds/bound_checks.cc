@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "base/exceptions.h"
-#include "bounds/body/plane_body.h"
-#include "bounds/body/space_body.h"
 #include "bounds/bound_checks.h"
 #include "mesh/curved_boundaries.h"
 
@@ -27,9 +25,9 @@ namespace ElastoPlastic
 
 
 
-  template <typename Body>
+  template <int dim>
   void
-  check_reach_of_indenter(const Body &body)
+  check_reach_of_indenter(const SplitBody<dim> &body)
   {
     if (std::none_of(body.conditions.begin(),
                      body.conditions.end(),
@@ -44,14 +42,16 @@ namespace ElastoPlastic
 
 
 
-  template <typename Body>
+  template <int dim>
   std::string
-  warning_of_partial_reach(const Body &body)
+  warning_of_partial_reach(const SplitBody<dim> &body)
   {
-    for (const auto &condition : body.conditions)
-      for (const auto &component : condition.components)
-        if (component.type == SideConditionType::contact)
-          return "";
+    if (std::any_of(body.conditions.begin(),
+                    body.conditions.end(),
+                    [](const auto &condition) {
+                      return condition.is_pressed();
+                    }))
+      return "";
     return "The indenter reaches parts of sides of the first mesh only. "
            "Stresses press where it reaches a whole side, and the lower bound "
            "is zero until there is one. Put the edges of the indenter on "
@@ -91,13 +91,13 @@ namespace ElastoPlastic
 
 
   template void
-  check_reach_of_indenter(const PlaneBody &);
+  check_reach_of_indenter(const SplitBody<2> &);
   template void
-  check_reach_of_indenter(const SpaceBody &);
+  check_reach_of_indenter(const SplitBody<3> &);
   template std::string
-  warning_of_partial_reach(const PlaneBody &);
+  warning_of_partial_reach(const SplitBody<2> &);
   template std::string
-  warning_of_partial_reach(const SpaceBody &);
+  warning_of_partial_reach(const SplitBody<3> &);
   template std::string
   warning_of_curved_body(const Triangulation<2> &);
   template std::string

@@ -14,54 +14,35 @@
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    /// @p simplices are those of the @p cells.
-    template <int dim, typename Simplex>
-    Vector<float>
-    root_of_sums(const std::vector<SplitMesh::Cell> &cells,
-                 const std::vector<Simplex>         &simplices,
-                 const std::vector<double>          &of_simplices,
-                 const Triangulation<dim>           &triangulation)
-    {
-      std::map<CellId, double> of_cell;
-      for (unsigned int t = 0; t < of_simplices.size(); ++t)
-        of_cell[cells[simplices[t].cell].id] += std::max(0., of_simplices[t]);
-      of_cell =
-        Utilities::MPI::broadcast(communicator_of(triangulation), of_cell);
-
-      Vector<float> indicators(triangulation.n_active_cells());
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->is_locally_owned())
-          indicators[cell->active_cell_index()] =
-            std::sqrt(of_cell.at(cell->id()));
-      return indicators;
-    }
-  } // namespace
-
-
-
+  template <int dim>
   Vector<float>
-  cell_indicators(const SplitMesh           &mesh,
-                  const std::vector<double> &of_triangles,
-                  const Triangulation<2>    &triangulation)
+  cell_indicators(const SplitMesh<dim>      &mesh,
+                  const std::vector<double> &of_simplices,
+                  const Triangulation<dim>  &triangulation)
   {
-    return root_of_sums(mesh.cells,
-                        mesh.triangles,
-                        of_triangles,
-                        triangulation);
+    std::map<CellId, double> of_cell;
+    for (unsigned int t = 0; t < of_simplices.size(); ++t)
+      of_cell[mesh.cells[mesh.simplices[t].cell].id] +=
+        std::max(0., of_simplices[t]);
+    of_cell =
+      Utilities::MPI::broadcast(communicator_of(triangulation), of_cell);
+
+    Vector<float> indicators(triangulation.n_active_cells());
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        indicators[cell->active_cell_index()] =
+          std::sqrt(of_cell.at(cell->id()));
+    return indicators;
   }
 
 
 
-  Vector<float>
-  cell_indicators(const TetrahedralMesh     &mesh,
-                  const std::vector<double> &of_tetrahedra,
-                  const Triangulation<3>    &triangulation)
-  {
-    return root_of_sums(mesh.cells,
-                        mesh.tetrahedra,
-                        of_tetrahedra,
-                        triangulation);
-  }
+  template Vector<float>
+  cell_indicators(const SplitMesh<2> &,
+                  const std::vector<double> &,
+                  const Triangulation<2> &);
+  template Vector<float>
+  cell_indicators(const SplitMesh<3> &,
+                  const std::vector<double> &,
+                  const Triangulation<3> &);
 } // namespace ElastoPlastic

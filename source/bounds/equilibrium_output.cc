@@ -3,7 +3,6 @@
 
 #include "bounds/equilibrium_output.h"
 #include "bounds/stress/johnson_mercier.h"
-#include "bounds/stress/tetrahedron_stress.h"
 #include "output/patches.h"
 
 namespace ElastoPlastic
@@ -39,107 +38,88 @@ namespace ElastoPlastic
 
 
 
-    /// What is not a vector, at vertex @p i of a @p patch: the components from
-    /// @p first on.
-    template <typename Patch>
-    void
-    set_stress(Patch                       &patch,
-               const unsigned int           first,
-               const unsigned int           i,
-               const SymmetricTensor<2, 3> &stress,
-               const double                 yield_radius)
+    /// The values at a corner of a part, in the order of the fields.
+    template <int dim>
+    std::vector<double>
+    values_at(const EquilibriumFields<dim> &fields,
+              const unsigned int            t,
+              const unsigned int            part,
+              const unsigned int            corner,
+              const Tensor<1, dim>         &motion)
     {
+      const auto         &body = fields.body;
+      std::vector<double> values;
+      const auto          add = [&](const Tensor<1, dim> &vector) {
+        for (unsigned int d = 0; d < 3; ++d)
+          values.push_back(d < dim ? vector[d] : 0.);
+      };
+      add(motion);
+      if (dim == 2)
+        add(on_part<dim>(fields.stress.displacement[t], part)[corner]);
+      const auto   stress = fields.stress.without_weight(body, t, part, corner);
       const double deviator_norm = deviator(stress).norm();
       for (unsigned int a = 0; a < 3; ++a)
         for (unsigned int b = 0; b < 3; ++b)
-          patch.data(first + 3 * a + b, i) = stress[a][b];
-      patch.data(first + 9, i)  = std::sqrt(1.5) * deviator_norm;
-      patch.data(first + 10, i) = deviator_norm / yield_radius;
+          values.push_back(stress[a][b]);
+      values.push_back(std::sqrt(1.5) * deviator_norm);
+      values.push_back(deviator_norm / body.materials[t].yield_radius);
+      values.push_back(fields.errors[t]);
+      values.push_back(
+        body.mesh.cells[body.mesh.simplices[t].cell].material_id);
+      if (!fields.plastic_work.empty())
+        values.push_back(fields.plastic_work[t]);
+      return values;
     }
 
 
 
-    DataOutBase::Patch<2, 2>
-    make_patch(const EquilibriumFields &fields,
-               const unsigned int       t,
-               const unsigned int       subtriangle)
+    template <int dim>
+    DataOutBase::Patch<dim, dim>
+    make_patch(const EquilibriumFields<dim> &fields,
+               const unsigned int            t,
+               const unsigned int            part)
     {
-      const auto &[body, stress_field, motion, errors, work] = fields;
-      const auto &triangle = body.mesh.triangles[t];
-      const auto  corners =
-        JohnsonMercier::subtriangle_of(body.mesh.corners(triangle),
-                                       subtriangle);
-      const std::array<Tensor<1, 2>, 3> motions = {
-        {motion[t][subtriangle],
-         motion[t][(subtriangle + 1) % 3],
-         motion[t][3]}};
+      const auto corners =
+        JohnsonMercier<dim>::part_of(fields.body.corners_of(t), part);
+      std::array<Tensor<1, dim>, dim + 1> motions;
+      for (unsigned int i = 0; i <= dim; ++i)
+        motions[place_in_part<dim>(part, i)] = fields.motion[t][i];
+      motions[place_of_centre<dim>(part)] = fields.motion[t][dim + 1];
 
-      const auto multipliers =
-        JohnsonMercier::on_subtriangle(stress_field.displacement[t],
-                                       subtriangle);
-
-      DataOutBase::Patch<2, 2> patch;
-      patch.reference_cell = ReferenceCells::Triangle;
+      DataOutBase::Patch<dim, dim> patch;
+      patch.reference_cell = ReferenceCells::get_simplex<dim>();
       patch.n_subdivisions = 1;
-      patch.data.reinit(6 + n_other_components + (work.empty() ? 0 : 1), 3);
-      for (unsigned int i = 0; i < 3; ++i)
+      patch.data.reinit((dim == 2 ? 6 : 3) + n_other_components +
+                          (fields.plastic_work.empty() ? 0 : 1),
+                        dim + 1);
+      for (unsigned int i = 0; i <= dim; ++i)
         {
           patch.vertices[i] = corners[i];
-          for (unsigned int d = 0; d < 2; ++d)
-            {
-              patch.data(d, i)     = motions[i][d];
-              patch.data(3 + d, i) = multipliers[i][d];
-            }
-          set_stress(patch,
-                     6,
-                     i,
-                     stress_field.without_weight(body, t, subtriangle, i),
-                     body.materials[t].yield_radius);
-          patch.data(17, i) = errors[t];
-          patch.data(18, i) = body.mesh.cells[triangle.cell].material_id;
-          if (!work.empty())
-            patch.data(19, i) = work[t];
-        }
-      return patch;
-    }
-
-
-
-    DataOutBase::Patch<3, 3>
-    make_patch(const SpaceFields &fields,
-               const unsigned int t,
-               const unsigned int part)
-    {
-      const auto &[body, stress, motion, errors, work] = fields;
-      const auto &tetrahedron = body.mesh.tetrahedra[t];
-      const auto  corners =
-        TetrahedronStress::part_of(body.mesh.corners(tetrahedron), part);
-
-      DataOutBase::Patch<3, 3> patch;
-      patch.reference_cell = ReferenceCells::Tetrahedron;
-      patch.n_subdivisions = 1;
-      patch.data.reinit(3 + n_other_components + (work.empty() ? 0 : 1), 4);
-      for (unsigned int i = 0; i < 4; ++i)
-        {
-          patch.vertices[i] = corners[i];
-          for (unsigned int d = 0; d < 3; ++d)
-            patch.data(d, i) = motion[t][i == part ? 4 : i][d];
-          set_stress(patch,
-                     3,
-                     i,
-                     stress.at(t, part, i) -
-                       body.pressure_of_body_force(corners[i],
-                                                   stress.load_factor) *
-                         unit_symmetric_tensor<3>(),
-                     body.materials[t].yield_radius);
-          patch.data(14, i) = errors[t];
-          patch.data(15, i) = body.mesh.cells[tetrahedron.cell].material_id;
-          if (!work.empty())
-            patch.data(16, i) = work[t];
+          const auto values = values_at(fields, t, part, i, motions[i]);
+          for (unsigned int c = 0; c < values.size(); ++c)
+            patch.data(c, i) = values[c];
         }
       return patch;
     }
   } // namespace
+
+
+
+  template <int dim>
+  EquilibriumFields<dim>
+  fields_of(const SplitBody<dim> &body, const LimitLoad<dim> &bounds)
+  {
+    std::vector<std::array<Tensor<1, dim>, dim + 2>> velocities;
+    std::vector<double> work = bounds.velocity.dissipation;
+    for (unsigned int t = 0; t < work.size(); ++t)
+      {
+        velocities.push_back(values_at_vertices(bounds.body_of_velocity,
+                                                bounds.velocity.velocity[t],
+                                                t));
+        work[t] /= bounds.body_of_velocity.volume(t);
+      }
+    return {body, bounds.stress, velocities, bounds.gaps, work};
+  }
 
 
 
@@ -152,29 +132,29 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   void
-  EquilibriumOutput::write(const EquilibriumFields &fields,
-                           const unsigned int       cycle)
+  EquilibriumOutput::write(const EquilibriumFields<dim> &fields,
+                           const unsigned int            cycle)
   {
-    auto triangles =
-      make_patches<2>({name_of_motion, "discontinuous_" + name_of_motion},
-                      !fields.plastic_work.empty());
-    for (unsigned int t = 0; t < fields.body.mesh.triangles.size(); ++t)
-      for (unsigned int subtriangle = 0; subtriangle < 3; ++subtriangle)
-        triangles.add(make_patch(fields, t, subtriangle));
-    series.write(triangles, cycle);
+    std::vector<std::string> motions = {name_of_motion};
+    if (dim == 2)
+      motions.push_back("discontinuous_" + name_of_motion);
+    auto patches = make_patches<dim>(motions, !fields.plastic_work.empty());
+    for (unsigned int t = 0; t < fields.body.mesh.simplices.size(); ++t)
+      for (unsigned int part = 0; part < JohnsonMercier<dim>::n_parts; ++part)
+        patches.add(make_patch(fields, t, part));
+    series.write(patches, cycle);
   }
 
 
 
-  void
-  EquilibriumOutput::write(const SpaceFields &fields, const unsigned int cycle)
-  {
-    auto tetrahedra =
-      make_patches<3>({name_of_motion}, !fields.plastic_work.empty());
-    for (unsigned int t = 0; t < fields.body.mesh.tetrahedra.size(); ++t)
-      for (unsigned int k = 0; k < TetrahedronStress::n_parts; ++k)
-        tetrahedra.add(make_patch(fields, t, k));
-    series.write(tetrahedra, cycle);
-  }
+  template EquilibriumFields<2>
+  fields_of(const SplitBody<2> &, const LimitLoad<2> &);
+  template EquilibriumFields<3>
+  fields_of(const SplitBody<3> &, const LimitLoad<3> &);
+  template void
+  EquilibriumOutput::write(const EquilibriumFields<2> &, const unsigned int);
+  template void
+  EquilibriumOutput::write(const EquilibriumFields<3> &, const unsigned int);
 } // namespace ElastoPlastic

@@ -39,60 +39,57 @@ namespace ElastoPlastic
 
 
 
-    PlaneBody
-    make_body(SplitMesh             mesh,
-              const Model<2>       &model,
-              const GapFunction<2> &gap_function,
-              const double          time)
+    /// That the loads are such as the equilibrium method can bear; in space,
+    /// make_split_body() looks at them.
+    void
+    check_loads(const SplitBody<2> &body)
     {
-      PlaneBody body = make_plane_body(
-        std::move(mesh),
-        model.boundary_conditions,
-        model.materials,
-        model.strain_model.kinematics,
-        [&gap_function](const Point<2> &x) { return gap_function.value(x); },
-        time,
-        SurfaceFinish::smooth,
-        ContactGeometry::vertical,
-        gap_function.footprint());
       require_quadratic_supports(body);
       require_polynomial_tractions(body, degree_of_stresses);
+    }
+
+    void
+    check_loads(const SplitBody<3> &)
+    {}
+
+
+
+    template <int dim>
+    SplitBody<dim>
+    make_body(SplitMesh<dim>          mesh,
+              const Model<dim>       &model,
+              const GapFunction<dim> &gap_function,
+              const double            time)
+    {
+      SplitBody<dim> body =
+        make_split_body<dim>(std::move(mesh),
+                             model.boundary_conditions,
+                             model.materials,
+                             {[&gap_function](const Point<dim> &x) {
+                                return gap_function.value(x);
+                              },
+                              SurfaceFinish::smooth,
+                              ContactGeometry::vertical,
+                              gap_function.footprint()},
+                             time,
+                             model.strain_model.kinematics);
+      check_loads(body);
       return body;
     }
 
 
 
-    SpaceBody
-    make_body(TetrahedralMesh       mesh,
-              const Model<3>       &model,
-              const GapFunction<3> &gap_function,
-              const double          time)
-    {
-      return make_space_body(
-        std::move(mesh),
-        model.boundary_conditions,
-        model.materials,
-        [&gap_function](const Point<3> &x) { return gap_function.value(x); },
-        time,
-        SurfaceFinish::smooth,
-        gap_function.footprint());
-    }
-
-
-
-    /// On each triangle or tetrahedron.
-    template <typename Mesh, typename Displacement>
+    /// On each simplex.
+    template <int dim>
     auto
-    all_values_at_vertices(const Mesh &mesh, const Displacement &displacement)
+    all_values_at_vertices(const SplitMesh<dim>      &mesh,
+                           const QuadraticField<dim> &displacement)
     {
-      std::vector<decltype(values_at_vertices(displacement,
-                                              simplices_of(mesh)[0]))>
-        values;
-      for (const auto &simplex : simplices_of(mesh))
-        values.push_back(values_at_vertices(displacement, simplex));
+      std::vector<std::array<Tensor<1, dim>, dim + 2>> values;
+      for (const auto &simplex : mesh.simplices)
+        values.push_back(values_at_vertices<dim>(displacement, simplex));
       return values;
     }
-
   } // namespace
 
 
@@ -113,7 +110,7 @@ namespace ElastoPlastic
     check_is_linear(model.materials);
     auto mesh = make_split_mesh(triangulation);
     rethrow_collectively(communicator, [&]() {
-      if (!simplices_of(mesh).empty())
+      if (!mesh.simplices.empty())
         make_body(std::move(mesh),
                   model,
                   gap_function,
@@ -124,7 +121,7 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  typename ErrorBoundAnalysis<dim>::Stress
+  StressField<dim>
   ErrorBoundAnalysis<dim>::equilibrate(const Load &load) const
   {
     if (!gap_function.has_indenter())
@@ -183,7 +180,7 @@ namespace ElastoPlastic
   ErrorBoundAnalysis<dim>::find_bound(const Solution &solution)
   {
     auto       mesh = make_split_mesh(solution.dof_handler.get_triangulation());
-    const bool has_mesh = !simplices_of(mesh).empty();
+    const bool has_mesh = !mesh.simplices.empty();
     displacement        = interpolate_displacement(mesh,
                                             solution.dof_handler,
                                             solution.displacement);
@@ -210,7 +207,7 @@ namespace ElastoPlastic
       row    = {solution.cycle,
                 static_cast<unsigned int>(body.mesh.cells.size()),
                 solution.dof_handler.n_dofs(),
-                static_cast<unsigned int>(simplices_of(body.mesh).size()),
+                static_cast<unsigned int>(body.mesh.simplices.size()),
                 solution.depth,
                 solution.force,
                 stress.depth,
@@ -289,9 +286,10 @@ namespace ElastoPlastic
   {
     try
       {
-        Displacement field = interpolate_displacement(body.mesh,
-                                                      solution.dof_handler,
-                                                      displacement_at(depth));
+        QuadraticField<dim> field =
+          interpolate_displacement(body.mesh,
+                                   solution.dof_handler,
+                                   displacement_at(depth));
         return on_first_rank([&]() {
           remove_penetration(field, body, depth);
           return energy_gap(field, depth, stress);
@@ -313,7 +311,7 @@ namespace ElastoPlastic
     try
       {
         return on_first_rank([&]() {
-          const Stress other = equilibrate_with_force(body, force);
+          const StressField<dim> other = equilibrate_with_force(body, force);
           require_admissible(body, other);
           return energy_gap(displacement, solution.depth, other);
         });
@@ -328,9 +326,9 @@ namespace ElastoPlastic
 
   template <int dim>
   double
-  ErrorBoundAnalysis<dim>::energy_gap(const Displacement &displacement,
-                                      const double        depth,
-                                      const Stress       &stress)
+  ErrorBoundAnalysis<dim>::energy_gap(const QuadraticField<dim> &displacement,
+                                      const double               depth,
+                                      const StressField<dim>    &stress)
   {
     const ErrorBound bound = bound_error(body, displacement, depth, stress);
     const std::vector<double> parts = bound.indicators(body.mesh);
@@ -348,7 +346,7 @@ namespace ElastoPlastic
   {
     double result = 0;
     rethrow_collectively(communicator, [&]() {
-      if (!simplices_of(body.mesh).empty())
+      if (!body.mesh.simplices.empty())
         result = function();
     });
     return Utilities::MPI::broadcast(communicator, result);
@@ -379,12 +377,13 @@ namespace ElastoPlastic
   ErrorBoundAnalysis<dim>::write_fields(const unsigned int cycle)
   {
     rethrow_collectively(communicator, [&]() {
-      if (simplices_of(body.mesh).empty())
+      if (body.mesh.simplices.empty())
         return;
-      output.write(Fields{body,
-                          stress,
-                          all_values_at_vertices(body.mesh, displacement),
-                          errors},
+      output.write(EquilibriumFields<dim>{body,
+                                          stress,
+                                          all_values_at_vertices(body.mesh,
+                                                                 displacement),
+                                          errors},
                    cycle);
     });
   }

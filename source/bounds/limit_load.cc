@@ -1,82 +1,68 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <numeric>
 
+#include "bounds/body/circumscribed.h"
 #include "bounds/limit_load.h"
-#include "bounds/mechanism/side_view.h"
-#include "bounds/mesh/integration.h"
+#include "bounds/mechanism/face_view.h"
 #include "bounds/stress/johnson_mercier.h"
-#include "bounds/stress/stress_problem.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// The power of the stresses in a triangle. Stresses are quadratic on each
-    /// subtriangle, strain rates quadratic at most, but for a flux.
+    /// The power of the stresses in a simplex. In the plane, stresses are
+    /// quadratic on each part at most, and so are strain rates, but for a flux;
+    /// in space both are linear at most.
+    template <int dim>
     double
-    power_inside(const PlaneBody   &body,
-                 const LimitLoad   &bounds,
-                 const unsigned int t)
+    power_inside(const LimitLoad<dim> &bounds, const unsigned int t)
     {
-      static const QGaussSimplex<2> quadrature(3);
+      constexpr unsigned int n_parts = JohnsonMercier<dim>::n_parts;
 
       double sum = 0;
-      for (unsigned int k = 0; k < 3; ++k)
-        for (unsigned int q = 0; q < quadrature.size(); ++q)
+      for (unsigned int k = 0; k < n_parts; ++k)
+        for (const auto &[inside, weight] : simplex_quadrature<dim>())
           {
-            const double x = quadrature.point(q)[0], y = quadrature.point(q)[1];
-            const auto   stress = bounds.stress.at(t, k, {{1. - x - y, x, y}});
-            Bernstein::Barycentric point;
-            point.fill(y / 3.);
-            point[k] += 1. - x - y;
-            point[(k + 1) % 3] += x;
-            sum +=
-              2. * quadrature.weight(q) / 3. *
-              (stress *
-               strain_rate_at(body, bounds.velocity.velocity[t], t, point));
+            const auto stress = bounds.stress.at(t, k, inside);
+            const auto rate   = strain_rate_at(bounds.body_of_velocity,
+                                             bounds.velocity.velocity[t],
+                                             t,
+                                             point_of_part<dim>(k, inside));
+            sum += weight / n_parts * (stress * rate);
           }
-      return area(body.mesh.corners(body.mesh.triangles[t])) * sum;
+      return volume(bounds.body_of_velocity.corners_of(t)) * sum;
     }
 
 
 
-    /// That of the shear stress in what slides along a side.
+    /// That of the shear stress in what slides along a face.
+    template <int dim>
     double
-    power_on_side(const PlaneBody &body,
-                  const LimitLoad &bounds,
-                  const SideView  &view)
+    power_on_face(const LimitLoad<dim> &bounds, const FaceView<dim> &view)
     {
-      const auto [t, k]       = view.neighbors[0];
-      const auto &side        = body.mesh.sides[view.side];
-      const bool  is_reversed = // the side, seen from the triangle
-        side.vertices[0] != body.mesh.triangles[t].vertices[k];
-      const unsigned int  degree = bounds.stress.degree;
-      std::vector<double> shear; // its coefficients, weighted
-      for (unsigned int i = 0; i <= degree; ++i)
-        shear.push_back(view.tangent *
-                        (JohnsonMercier::coefficient(
-                           bounds.stress.in_plane[t],
-                           k,
-                           JohnsonMercier::number_on_line(
-                             degree, 0, 1, is_reversed ? degree - i : i)) *
-                         view.normal));
+      const auto        &body = bounds.body_of_velocity;
+      const unsigned int t    = view.face.neighbors[0];
+      const auto         tractions =
+        bounds.stress.tractions(body.mesh,
+                                t,
+                                body.mesh.simplices[t].place_of_face(
+                                  view.number),
+                                body.outward_normal(view.number));
       double sum = 0;
-      integrate_on_side(
-        body.mesh.vertices[side.vertices[0]],
-        body.mesh.vertices[side.vertices[1]],
-        [&](const double at, const Point<2> &x, const double weight) {
-          const auto functions = Bernstein::side_functions(degree, at);
-          sum -= weight * view.length *
-                 std::inner_product(functions.begin(),
-                                    functions.end(),
-                                    shear.begin(),
-                                    0.) *
-                 (view.jump(bounds.velocity.velocity, at) * view.tangent) /
-                 body.weight(x);
+      integrate_on_face<dim>(
+        view.corners, [&](const FacePoint<dim> &point, const double weight) {
+          const auto functions =
+            Bernstein<dim - 1>::functions(bounds.stress.degree, point.position);
+          const Tensor<1, dim> traction = std::inner_product(functions.begin(),
+                                                             functions.end(),
+                                                             tractions.begin(),
+                                                             Tensor<1, dim>());
+          sum -= weight * view.area *
+                 (view.along(traction) *
+                  view.jump(bounds.velocity.velocity, point.position)) /
+                 body.weight(point.x);
         });
       return sum;
     }
@@ -84,32 +70,54 @@ namespace ElastoPlastic
 
 
 
+  // Also of stresses on another mesh, the power in a simplex or on a face is
+  // not more than the work of velocities that change no volume: that follows
+  // from the yield condition alone.
+  template <int dim>
   void
-  find_gaps(const PlaneBody &body, LimitLoad &bounds)
+  find_gaps(LimitLoad<dim> &bounds)
   {
-    bounds.gaps = bounds.velocity.dissipation;
+    const double angle = bounds.body_of_velocity.angle();
+    bounds.gaps        = bounds.velocity.dissipation;
     for (unsigned int t = 0; t < bounds.gaps.size(); ++t)
-      bounds.gaps[t] -= body.angle() * power_inside(body, bounds, t);
-    for (const SideView &view : views_of_sides(body))
-      if (view.is_inside() || view.support.resists_slip)
-        for (const auto &neighbor : view.neighbors)
-          bounds.gaps[neighbor.triangle] -= body.angle() *
-                                            power_on_side(body, bounds, view) /
-                                            view.neighbors.size();
+      bounds.gaps[t] -= angle * power_inside(bounds, t);
+    for (const auto &view : views_of_faces(bounds.body_of_velocity))
+      if (view.resists_slip())
+        {
+          const unsigned int n     = view.face.n_neighbors();
+          const double       power = angle * power_on_face(bounds, view) / n;
+          for (unsigned int i = 0; i < n; ++i)
+            bounds.gaps[view.face.neighbors[i]] -= power;
+        }
   }
 
 
 
-  LimitLoad
-  bound_limit_load(const PlaneBody &body, const unsigned int degree)
+  template <int dim>
+  LimitLoad<dim>
+  bound_limit_load(const SplitBody<dim> &body,
+                   const unsigned int    degree,
+                   const double          tolerance)
   {
-    LimitLoad bounds;
-    bounds.stress      = maximize_load(body, degree);
-    bounds.velocity    = minimize_plastic_work(body);
+    LimitLoad<dim> bounds;
+    bounds.stress           = maximize_load(body, degree, tolerance);
+    bounds.body_of_velocity = circumscribe(body);
+    bounds.velocity = minimize_plastic_work(bounds.body_of_velocity, tolerance);
     bounds.lower_bound = body.load_factor_unit > 0 ? bounds.stress.load_factor :
                                                      bounds.stress.force;
     bounds.upper_bound = bounds.velocity.bound;
-    find_gaps(body, bounds);
+    find_gaps(bounds);
     return bounds;
   }
+
+
+
+  template void
+  find_gaps(LimitLoad<2> &);
+  template void
+  find_gaps(LimitLoad<3> &);
+  template LimitLoad<2>
+  bound_limit_load(const SplitBody<2> &, const unsigned int, const double);
+  template LimitLoad<3>
+  bound_limit_load(const SplitBody<3> &, const unsigned int, const double);
 } // namespace ElastoPlastic

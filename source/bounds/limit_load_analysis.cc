@@ -18,7 +18,6 @@
 #include "bounds/cell_indicators.h"
 #include "bounds/error/support_check.h"
 #include "bounds/limit_load_analysis.h"
-#include "bounds/limit_load_fields.h"
 #include "bounds/stress/stress_check.h"
 #include "mesh/material_ids.h"
 #include "output/table_reference.h"
@@ -61,71 +60,53 @@ namespace ElastoPlastic
                ContactGeometry::automatic;
     }
 
-
-
-    PlaneBody
-    make_body(SplitMesh             mesh,
-              const Loads<2>       &loads,
-              const Model<2>       &model,
-              const GapFunction<2> &gap_function,
-              const Parameters     &parameters)
+    /// In space it always presses downwards.
+    ContactGeometry
+    contact_geometry(const Model<3> &, const Parameters &)
     {
-      PlaneBody body = make_plane_body(
-        std::move(mesh),
-        model.boundary_conditions,
-        model.materials,
-        model.strain_model.kinematics,
-        [&](const Point<2> &x) { return gap_function.value(x); },
-        loads,
-        parameters.indenter.surface,
-        contact_geometry(model, parameters),
-        gap_function.footprint());
-      require_polynomial_tractions(
-        body, parameters.limit_load.degree_of_stresses(body.is_axisymmetric()));
-      return body;
+      return ContactGeometry::vertical;
     }
 
 
 
-    SpaceBody
-    make_body(TetrahedralMesh       mesh,
-              const Loads<3>       &loads,
-              const Model<3>       &model,
-              const GapFunction<3> &gap_function,
-              const Parameters     &parameters)
+    unsigned int
+    degree_of_stresses(const SplitBody<2> &body, const Parameters &parameters)
     {
-      return make_space_body(
-        std::move(mesh),
-        model.boundary_conditions,
-        model.materials,
-        [&](const Point<3> &x) { return gap_function.value(x); },
-        loads,
-        parameters.indenter.surface,
-        gap_function.footprint());
+      return parameters.limit_load.degree_of_stresses(body.is_axisymmetric());
+    }
+
+    unsigned int
+    degree_of_stresses(const SplitBody<3> &, const Parameters &)
+    {
+      return 1;
     }
 
 
 
-    LimitLoad
-    bounds_of(const PlaneBody &body, const Parameters &parameters, const double)
+    void
+    check_loads(const SplitBody<2> &body, const Parameters &parameters)
     {
-      return bound_limit_load(
-        body, parameters.limit_load.degree_of_stresses(body.is_axisymmetric()));
+      require_polynomial_tractions(body, degree_of_stresses(body, parameters));
     }
 
+    /// In space, make_split_body() looks at them.
+    void
+    check_loads(const SplitBody<3> &, const Parameters &)
+    {}
 
 
-    // Bounds need not be much closer to the best ones of their mesh than the
-    // mesh allows, for which the last one gives an example.
-    SpaceLimitLoad
-    bounds_of(const SpaceBody &body,
-              const Parameters &,
-              const double last_difference)
+
+    /// How close bounds come to the best ones of their mesh. In space, they
+    /// need not be much closer than the mesh allows, for which the last one
+    /// gives an example.
+    template <int dim>
+    double
+    tolerance_after(const double last_difference)
     {
-      return bound_limit_load(body,
-                              std::clamp(part_of_difference * last_difference,
-                                         usual_space_tolerance,
-                                         largest_space_tolerance));
+      return dim == 2 ? usual_tolerance<dim> :
+                        std::clamp(part_of_difference * last_difference,
+                                   usual_tolerance<dim>,
+                                   largest_space_tolerance);
     }
   } // namespace
 
@@ -230,8 +211,18 @@ namespace ElastoPlastic
       if (!first_rank)
         return;
       const Loads<dim> mesh_loads = loads(mesh);
-      body =
-        make_body(std::move(mesh), mesh_loads, model, gap_function, parameters);
+      body                        = make_split_body<dim>(std::move(mesh),
+                                  model.boundary_conditions,
+                                  model.materials,
+                                  {[this](const Point<dim> &x) {
+                                     return gap_function.value(x);
+                                   },
+                                                          parameters.indenter.surface,
+                                                          contact_geometry(model, parameters),
+                                                          gap_function.footprint()},
+                                  mesh_loads,
+                                  model.strain_model.kinematics);
+      check_loads(body, parameters);
       if (model.indenter.shape)
         check_reach_of_indenter(body);
       if (!model.indenter.shape && body.load_factor_unit == 0)
@@ -260,12 +251,14 @@ namespace ElastoPlastic
     rethrow_collectively(communicator, [&]() {
       if (!first_rank)
         return;
-      bounds      = bounds_of(body, parameters, last_difference());
+      bounds      = bound_limit_load(body,
+                                degree_of_stresses(body, parameters),
+                                tolerance_after<dim>(last_difference()));
       are_optimal = bounds.stress.is_optimal && bounds.velocity.is_optimal;
       const double stress_error = require_admissible(body, bounds.stress);
       row                       = {cycle,
                                    static_cast<unsigned int>(body.mesh.cells.size()),
-                                   static_cast<unsigned int>(simplices_of(body.mesh).size()),
+                                   static_cast<unsigned int>(body.mesh.simplices.size()),
                                    bounds.lower_bound,
                                    bounds.upper_bound,
                                    bounds.stress.n_iterations,
@@ -337,7 +330,7 @@ namespace ElastoPlastic
         if (!first_rank)
           return;
         output.write(fields_of(body, bounds), cycle);
-        slip_output.write(body_of_velocity(body, bounds),
+        slip_output.write(bounds.body_of_velocity,
                           bounds.velocity.velocity,
                           cycle);
       });

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bounds/mechanism/side_view.h"
+#include "bounds/mechanism/face_view.h"
 #include "bounds/slip_output.h"
 #include "output/patches.h"
 
@@ -11,31 +11,8 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// Parts of a side, on which the velocity may be a polynomial of degree 4.
-    constexpr unsigned int n_side_parts = 4;
-
     /// Less slip counts as none, relative to the largest velocity.
     constexpr double smallest_slip = 1e-3;
-
-
-
-    /// Sets the slip at a point of a @p patch.
-    template <typename Patch, int dim>
-    void
-    set_slip(Patch &patch, const unsigned int point, const Tensor<1, dim> &slip)
-    {
-      for (unsigned int d = 0; d < dim; ++d)
-        patch.data(d, point) = slip[d];
-    }
-
-
-
-    template <int dim, int spacedim>
-    Patches<dim, spacedim>
-    make_patches()
-    {
-      return Patches<dim, spacedim>({{"slip", 3}});
-    }
   } // namespace
 
 
@@ -46,75 +23,53 @@ namespace ElastoPlastic
 
 
 
-  // On the axis, nothing slides.
+  // A patch has the points of a polynomial of the degree of the velocity, in
+  // their order on a side. On the axis, nothing slides.
+  template <int dim>
   void
-  SlipOutput::write(const PlaneBody                     &body,
-                    const std::vector<TriangleVelocity> &velocity,
-                    const unsigned int                   cycle)
+  SlipOutput::write(const SplitBody<dim>                    &body,
+                    const std::vector<SimplexVelocity<dim>> &velocity,
+                    const unsigned int                       cycle)
   {
     const double threshold = smallest_slip * largest_velocity(body, velocity);
-    auto         lines     = make_patches<1, 2>();
-    for (const SideView &view : views_of_sides(body))
+    const auto  &points    = Bernstein<dim - 1>::points(trace_degree<dim>);
+    Patches<dim - 1, dim> patches({{"slip", 3}});
+    for (const auto &view : views_of_faces(body))
       {
-        if (!(view.is_inside() || view.support.resists_slip))
+        if (!view.resists_slip())
           continue;
-        const auto              &ends = body.mesh.sides[view.side].vertices;
-        DataOutBase::Patch<1, 2> patch;
-        patch.reference_cell = ReferenceCells::Line;
-        patch.n_subdivisions = n_side_parts;
-        for (unsigned int end = 0; end < 2; ++end)
-          patch.vertices[end] = body.mesh.vertices[ends[end]];
-        patch.data.reinit(3, n_side_parts + 1);
+        DataOutBase::Patch<dim - 1, dim> patch;
+        patch.reference_cell = ReferenceCells::get_simplex<dim - 1>();
+        patch.n_subdivisions = trace_degree<dim>;
+        for (unsigned int i = 0; i < dim; ++i)
+          patch.vertices[i] = view.corners[i];
+        patch.data.reinit(3, points.size());
         double largest = 0;
-        for (unsigned int i = 0; i <= n_side_parts; ++i)
+        for (unsigned int p = 0; p < points.size(); ++p)
           {
-            const double   t = i / static_cast<double>(n_side_parts);
-            const Point<2> x(patch.vertices[0] +
-                             t * (patch.vertices[1] - patch.vertices[0]));
+            const Point<dim> x = interpolate(points[p], view.corners);
             if (body.is_on_axis(x))
               continue;
-            const double slip =
-              view.jump(velocity, t) * view.tangent / body.weight(x);
-            set_slip(patch, i, slip * view.tangent);
-            largest = std::max(largest, std::abs(slip));
-          }
-        if (largest > threshold)
-          lines.add(patch);
-      }
-    series.write(lines, cycle);
-  }
-
-
-
-  void
-  SlipOutput::write(const SpaceBody                     &body,
-                    const std::vector<CornerVelocities> &velocity,
-                    const unsigned int                   cycle)
-  {
-    const double threshold = smallest_slip * largest_velocity(body, velocity);
-    auto         faces     = make_patches<2, 3>();
-    for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
-      {
-        if (!slip_takes_work(body, f))
-          continue;
-        const auto         corners = body.mesh.corners(body.mesh.faces[f]);
-        const Tensor<1, 3> n       = normal(corners);
-        const auto         jumps   = velocity_jumps(body, velocity, f);
-        DataOutBase::Patch<2, 3> patch;
-        patch.reference_cell = ReferenceCells::Triangle;
-        patch.n_subdivisions = 1;
-        patch.data.reinit(3, 3);
-        double largest = 0;
-        for (unsigned int i = 0; i < 3; ++i)
-          {
-            const Tensor<1, 3> slip = jumps[i] - (jumps[i] * n) * n;
-            patch.vertices[i]       = corners[i];
-            set_slip(patch, i, slip);
+            const Tensor<1, dim> slip =
+              view.along(view.jump(velocity, points[p])) / body.weight(x);
+            for (unsigned int d = 0; d < dim; ++d)
+              patch.data(d, p) = slip[d];
             largest = std::max(largest, slip.norm());
           }
         if (largest > threshold)
-          faces.add(patch);
+          patches.add(patch);
       }
-    series.write(faces, cycle);
+    series.write(patches, cycle);
   }
+
+
+
+  template void
+  SlipOutput::write(const SplitBody<2> &,
+                    const std::vector<SimplexVelocity<2>> &,
+                    const unsigned int);
+  template void
+  SlipOutput::write(const SplitBody<3> &,
+                    const std::vector<SimplexVelocity<3>> &,
+                    const unsigned int);
 } // namespace ElastoPlastic

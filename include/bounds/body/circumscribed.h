@@ -4,7 +4,7 @@
 #ifndef bounds_body_circumscribed_h
 #define bounds_body_circumscribed_h
 
-#include "bounds/body/space_body.h"
+#include "bounds/body/split_body.h"
 
 namespace ElastoPlastic
 {
@@ -20,8 +20,15 @@ namespace ElastoPlastic
   /// the circle; and if moving them would change the boundary of the body or
   /// its conditions, or the material of a point, or turn over a tetrahedron.
   /// Mechanisms on either mesh give an upper bound.
-  SpaceBody
-  circumscribe(const SpaceBody &body);
+  SplitBody<3>
+  circumscribe(const SplitBody<3> &body);
+
+  /// In the plane, sides end where the indenter does.
+  inline SplitBody<2>
+  circumscribe(const SplitBody<2> &body)
+  {
+    return body;
+  }
 } // namespace ElastoPlastic
 
 #endif

@@ -20,6 +20,13 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
+  /// How close bounds of limit loads come to the best ones of their mesh,
+  /// relative, unless something else is said.
+  template <int dim>
+  constexpr double usual_tolerance = dim == 2 ? 1e-6 : 1e-5;
+
+
+
   /// The result of @p maximize(), which looks for the stresses with the largest
   /// force. @throws ConvergenceError or EquilibriumError that says why there
   /// are none.

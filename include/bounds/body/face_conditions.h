@@ -5,32 +5,34 @@
 #define bounds_body_face_conditions_h
 
 #include <map>
+#include <memory>
 #include <set>
+#include <vector>
 
-#include "bounds/body/space_body.h"
+#include "bounds/body/split_body.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
   /// Tells the conditions of faces from those of the boundaries. See
-  /// make_space_body(), whose arguments must live as long as this object.
+  /// make_split_body(), whose arguments must live as long as this object.
+  template <int dim>
   class FaceConditions
   {
   public:
-    FaceConditions(const BoundaryConditions<3>                   &conditions,
-                   const std::function<double(const Point<3> &)> &gap,
-                   const Footprint<2>                            &footprint,
-                   const Loads<3>                                &loads,
-                   const SurfaceFinish indenter_surface);
+    FaceConditions(const BoundaryConditions<dim> &conditions,
+                   const IndenterOnBody<dim>     &indenter,
+                   const Loads<dim>              &loads);
 
     /// Of a face with these corners. @throws InputError
-    FaceCondition
-    operator()(const TriangleFace &corners, const types::boundary_id id) const;
+    FaceCondition<dim>
+    operator()(const FaceCorners<dim>  &corners,
+               const types::boundary_id id) const;
 
   private:
-    using Values =
-      std::map<types::boundary_id, BoundaryConditions<3>::Components>;
+    using Values = std::map<types::boundary_id,
+                            typename BoundaryConditions<dim>::Components>;
 
     /// How much of a face the indenter can touch.
     enum class Reach
@@ -40,26 +42,37 @@ namespace ElastoPlastic
       whole
     };
 
+    /// Lets the indenter press where it can.
     void
-    press(FaceCondition &condition, const TriangleFace &corners) const;
+    add_contact(FaceCondition<dim>     &condition,
+                const FaceCorners<dim> &corners) const;
 
     void
-    prescribe(FaceCondition::Component &component,
-              const Expression<3>      &expression,
-              const TriangleFace       &corners) const;
+    prescribe(FaceCondition<dim>      &condition,
+              const ConditionType      type,
+              const Values            &values,
+              const types::boundary_id id,
+              const FaceCorners<dim>  &corners) const;
+
+    /// At the points of a lattice, but where the indenter does not reach.
+    std::vector<double>
+    gaps_of(const FaceCorners<dim> &corners) const;
 
     Reach
-    reach_of(const TriangleFace &corners) const;
+    reach_of(const FaceCorners<dim> &corners) const;
 
-    const std::set<types::boundary_id>             contact;
-    const std::set<types::boundary_id>             fixed;
-    const std::set<types::boundary_id>             rollers;
-    const Values                                  &displacements;
-    const Values                                  &tractions;
-    const std::function<double(const Point<3> &)> &gap;
-    const Footprint<2>                            &footprint;
-    const Loads<3>                                &loads;
-    const SurfaceFinish                            indenter_surface;
+    /// Whether the indenter presses across a face that it reaches. It fits the
+    /// face if the gap is the same everywhere.
+    bool
+    presses_across(const FaceCorners<dim> &corners) const;
+
+    const std::set<types::boundary_id> contact;
+    const std::set<types::boundary_id> fixed;
+    const std::set<types::boundary_id> rollers;
+    const Values                      &displacements;
+    const Values                      &tractions;
+    const IndenterOnBody<dim>         &indenter;
+    const Loads<dim>                  &loads;
   };
 } // namespace ElastoPlastic
 

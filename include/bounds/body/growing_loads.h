@@ -6,26 +6,26 @@
 
 #include <vector>
 
-#include "bounds/body/loads.h"
+#include "bounds/body/split_body.h"
 #include "loads/boundary_conditions.h"
 
 namespace ElastoPlastic
 {
   /// Tractions and body forces that grow with a load factor: it is the time, of
   /// which they are linear functions; or, if none depends on time, it
-  /// multiplies all of them. @p Mesh is a SplitMesh or a TetrahedralMesh.
+  /// multiplies all of them.
   /// @throws InputError if they are not linear in time, or all zero.
-  template <int dim, typename Mesh>
+  template <int dim>
   Loads<dim>
-  growing_loads(const Mesh                    &mesh,
+  growing_loads(const SplitMesh<dim>          &mesh,
                 const BoundaryConditions<dim> &conditions,
                 const BodyForce<dim>          &body_force);
 
   /// At which of these @p times the largest of all tractions and body forces
   /// occurs.
-  template <int dim, typename Mesh>
+  template <int dim>
   double
-  time_of_largest_load(const Mesh                    &mesh,
+  time_of_largest_load(const SplitMesh<dim>          &mesh,
                        const BoundaryConditions<dim> &conditions,
                        const BodyForce<dim>          &body_force,
                        const std::vector<double>     &times);

@@ -4,7 +4,10 @@
 #ifndef bounds_conic_yield_conditions_h
 #define bounds_conic_yield_conditions_h
 
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/full_matrix.h>
+
+#include <vector>
 
 #include "bounds/conic/conic_program.h"
 
@@ -12,22 +15,30 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// The components 11, 22, 12, 33 of a stress.
-  constexpr unsigned int n_stress_components = 4;
+  /// The components of a stress: in the plane 11, 22, 12 and 33, in space those
+  /// of SymmetricTensor, 11, 22, 33, 12, 13, 23.
+  template <int dim>
+  constexpr unsigned int n_stress_components = dim == 2 ? 4 : 6;
 
+  /// The stress with these @p components.
+  template <int dim>
+  SymmetricTensor<2, 3>
+  stress_from(const double *components);
 
-
-  /// The deviator of a stress, in an orthonormal basis (3 x 4).
+  /// The deviator of a stress, in an orthonormal basis.
+  template <int dim>
   FullMatrix<double>
   deviator_matrix();
 
-  /// Adds the cones |dev tau| <= @p radius to a @p block without any, for
-  /// the stresses tau = @p point_stresses x: four components at each of several
-  /// points.
+  /// Adds the cones |dev tau| <= @p radius times a weight to a @p block without
+  /// any, for the stresses tau = @p point_stresses x: all components at each of
+  /// several points, of which those with the weight zero have no condition.
+  template <int dim>
   void
-  add_yield_conditions(ConicBlock               &block,
-                       const FullMatrix<double> &point_stresses,
-                       const double              radius);
+  add_yield_conditions(ConicBlock                &block,
+                       const FullMatrix<double>  &point_stresses,
+                       const std::vector<double> &weights,
+                       const double               radius);
 } // namespace ElastoPlastic
 
 #endif

@@ -8,25 +8,85 @@
 #include <functional>
 #include <vector>
 
-#include "bounds/mesh/tetrahedral_mesh.h"
+#include "bounds/mesh/simplex.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// The gap g between a triangular face and the indenter, enclosed by two
-  /// functions,
+  /// The gap g between a face and the indenter, enclosed by two functions,
   ///   lower <= g <= upper,
-  /// that are linear on the small triangles of a regular lattice: what SideGap
-  /// is in two dimensions.
+  /// that are linear on many small simplices of the face.
   ///
-  /// If g is convex, this is certain: it does not exceed the linear function
-  /// between its values at the corners of a small triangle, and what that
-  /// function becomes in the point reflection about a lattice point c encloses
-  /// it from below, g(x) >= 2 g(c) - g(2c - x). The best of some c is taken.
-  /// Of other functions it is true if they change between convex and concave at
-  /// no more than some of the small triangles.
-  class FaceGap
+  /// If g is convex, this is certain. Of other functions it is true if they
+  /// change between convex and concave at no more than some of the small
+  /// simplices.
+  template <int dim>
+  class FaceGap;
+
+
+
+  /// A part of a face on which the bounds of the gap are linear.
+  template <int dim>
+  struct SmallSimplex
+  {
+    /// The corners, in barycentric coordinates of the face.
+    std::array<Barycentric<dim - 1>, dim> corners;
+    std::array<double, dim> lower; ///< at the corners; infinite where the
+                                   ///< indenter does not reach
+    std::array<double, dim> upper; ///< likewise
+    double                  part;  ///< of the area of the face
+  };
+
+
+
+  /// On a side, the bounds join values at equidistant points of the part that
+  /// the indenter reaches, all less the same distance, or more. A convex
+  /// function does not exceed its chords, and between two points it is not
+  /// below the continuations of the chords beside them.
+  template <>
+  class FaceGap<2>
+  {
+  public:
+    /// In so many intervals is the reached part divided.
+    static constexpr unsigned int n_intervals = 1024;
+
+    /// @p gap is infinite where the indenter does not reach, which must not be
+    /// between two points that it does.
+    FaceGap(const std::function<double(const Point<2> &)> &gap,
+            const FaceCorners<2>                          &corners);
+
+    /// Whether the indenter does not reach the side.
+    bool
+    is_empty() const;
+
+    std::vector<SmallSimplex<2>>
+    small_simplices() const;
+
+    /// At an end of the side; infinite if it is more than rounding away from
+    /// what the indenter reaches.
+    double
+    lower_at_corner(const unsigned int corner) const;
+
+  private:
+    /// One of the points, as a position between the ends of the side.
+    double
+    position(const unsigned int i) const;
+
+    double              begin = 0, end = 1; ///< of what the indenter reaches
+    std::vector<double> values; ///< g at the n_intervals + 1 points, or empty
+    double              below = 0, above = 0;
+  };
+
+
+
+  /// On a triangle, the small ones are those of a regular lattice. A convex
+  /// function does not exceed the linear function between its values at the
+  /// corners of a small triangle, and what that function becomes in the point
+  /// reflection about a lattice point c encloses it from below, g(x) >= 2 g(c)
+  /// - g(2c - x). The best of some c is taken.
+  template <>
+  class FaceGap<3>
   {
   public:
     /// So many small triangles are there along an edge.
@@ -37,24 +97,18 @@ namespace ElastoPlastic
     /// @throws ConvergenceError if the indenter reaches so little of the face
     /// that nothing bounds the gap from below.
     FaceGap(const std::function<double(const Point<3> &)> &gap,
-            const TriangleFace                            &corners);
+            const FaceCorners<3>                          &corners);
 
-    struct SmallTriangle
+    /// The lattice is also there if the indenter reaches nothing of it.
+    bool
+    is_empty() const
     {
-      /// The corners, in barycentric coordinates of the face.
-      std::array<std::array<double, 3>, 3> corners;
-      std::array<double, 3> lower; ///< at the corners; infinite where the
-                                   ///< indenter does not reach
-      std::array<double, 3> upper; ///< likewise
-
-      /// The point with these barycentric coordinates, in those of the face.
-      std::array<double, 3>
-      position(const std::array<double, 3> &coordinates) const;
-    };
+      return false;
+    }
 
     /// All, n_intervals^2.
-    std::vector<SmallTriangle>
-    small_triangles() const;
+    std::vector<SmallSimplex<3>>
+    small_simplices() const;
 
     /// At a corner of the face.
     double

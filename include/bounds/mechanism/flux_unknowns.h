@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "bounds/body/space_body.h"
+#include "bounds/body/split_body.h"
 
 namespace ElastoPlastic
 {
@@ -22,7 +22,7 @@ namespace ElastoPlastic
   class FluxElement
   {
   public:
-    FluxElement(const SpaceBody &body, const unsigned int tetrahedron);
+    FluxElement(const SplitBody<3> &body, const unsigned int tetrahedron);
 
     /// At corner @p v, of the function whose normal component on face @p k is 1
     /// there, in the direction of normal(), and zero on the other two faces. At
@@ -34,7 +34,7 @@ namespace ElastoPlastic
     SymmetricTensor<2, 3>
     rate(const unsigned int k, const unsigned int v) const;
 
-    const Tetrahedron corners;
+    const Corners<3> corners;
 
   private:
     const std::array<Tensor<1, 3>, 4> gradients_of_corners;
@@ -49,7 +49,7 @@ namespace ElastoPlastic
   {
   public:
     /// @p body must live as long as this object.
-    explicit FluxUnknowns(const SpaceBody &body);
+    explicit FluxUnknowns(const SplitBody<3> &body);
 
     unsigned int
     size() const;
@@ -77,8 +77,8 @@ namespace ElastoPlastic
     remove_divergence(Vector<double> &fluxes) const;
 
   private:
-    const SpaceBody          &body;
-    std::vector<unsigned int> numbering; ///< see SpaceBody::index()
+    const SplitBody<3>       &body;
+    std::vector<unsigned int> numbering; ///< by faces and their corners
     unsigned int              n_unknowns = 0;
   };
 } // namespace ElastoPlastic

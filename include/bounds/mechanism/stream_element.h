@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-#include "bounds/body/plane_body.h"
+#include "bounds/body/split_body.h"
 #include "bounds/mechanism/velocity_field.h"
 
 namespace ElastoPlastic
@@ -26,15 +26,15 @@ namespace ElastoPlastic
   /// cannot carry a flow between the axis and an indenter that does not touch
   /// it (doc/theory, "Limit loads").
   ///
-  /// The local functions are the ten Bernstein::cubics() of psi or chi, and
+  /// The local functions are the ten cubics() of psi or chi, and
   /// the three linear ones of phi. Matrices have a column for each.
   class StreamElement
   {
   public:
     /// @param has_flux whether there is a phi.
-    StreamElement(const PlaneBody   &body,
-                  const unsigned int triangle,
-                  const bool         has_flux);
+    StreamElement(const SplitBody<2> &body,
+                  const unsigned int  triangle,
+                  const bool          has_flux);
 
     unsigned int
     n_functions() const;
@@ -58,7 +58,7 @@ namespace ElastoPlastic
 
     /// The velocity of each local function, weighted like weighted_velocity().
     std::vector<Tensor<1, 2>>
-    weighted_velocities(const Bernstein::Barycentric &point) const;
+    weighted_velocities(const Barycentric<2> &point) const;
 
     /// The coefficients of the velocity in a @p direction on side @p k,
     /// weighted, in Bernstein's basis of the side.
@@ -78,7 +78,7 @@ namespace ElastoPlastic
     weights_on_side(const unsigned int k) const;
 
     /// What the local functions with these coefficients are.
-    TriangleVelocity
+    SimplexVelocity<2>
     velocity(const Vector<double> &coefficients) const;
 
   private:
@@ -95,10 +95,10 @@ namespace ElastoPlastic
                          const Values      &values) const;
 
     Tensor<1, 2>
-    velocity_of(const Bernstein::Jet &jet, const double r) const;
+    velocity_of(const Jet &jet, const double r) const;
 
     SymmetricTensor<2, 2>
-    rate_of(const Bernstein::Jet &jet, const double r) const;
+    rate_of(const Jet &jet, const double r) const;
 
     std::vector<double>
     rate_components(const SymmetricTensor<2, 2> &rate) const;
@@ -106,8 +106,8 @@ namespace ElastoPlastic
     void
     add_flux_rates(WeightedRates &result) const;
 
-    const PlaneBody                  &body;
-    const std::array<Point<2>, 3>     corners;
+    const SplitBody<2>               &body;
+    const Corners<2>                  corners;
     const std::array<Tensor<1, 2>, 3> gradients; ///< of linear functions
     const bool                        has_flux;
   };

@@ -18,8 +18,8 @@ namespace ElastoPlastic
   /// Velocities are up to a factor. The force is what has been minimised; work
   /// and errors are not yet computed.
   /// @throws ConvergenceError, UnboundedError if there is no mechanism.
-  VelocityField
-  find_stream(const PlaneBody &body);
+  VelocityField<2>
+  find_stream(const SplitBody<2> &body, const double tolerance);
 } // namespace ElastoPlastic
 
 #endif

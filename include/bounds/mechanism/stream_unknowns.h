@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "bounds/body/plane_body.h"
+#include "bounds/body/split_body.h"
 
 namespace ElastoPlastic
 {
@@ -26,7 +26,7 @@ namespace ElastoPlastic
   {
   public:
     /// @p body must live as long as this object.
-    explicit StreamUnknowns(const PlaneBody &body);
+    explicit StreamUnknowns(const SplitBody<2> &body);
 
     /// Of different unknowns that need not vanish.
     unsigned int
@@ -60,7 +60,7 @@ namespace ElastoPlastic
           const unsigned int first_vertex,
           const unsigned int i) const;
 
-    const PlaneBody &body;
+    const SplitBody<2> &body;
 
     /// The first unknown of each kind, before they have been numbered; those of
     /// vertices come before all of these. The last is zero.

@@ -9,37 +9,50 @@
 #include <array>
 #include <vector>
 
-#include "bounds/body/plane_body.h"
+#include "bounds/body/split_body.h"
 #include "bounds/stress/bernstein.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// The velocity on a triangle: a cubic polynomial, and in a body of
-  /// revolution the velocity (-b, a) / r, which changes no volume either. It is
-  /// that of a flow past the axis whose stream function has the gradient
-  /// (a, b).
-  struct TriangleVelocity
-  {
-    /// Of the polynomial, in Bernstein's basis.
-    std::array<Tensor<1, 2>, Bernstein::n_cubics> coefficients = {};
+  /// The degree of the velocity as a polynomial on a simplex, and on faces that
+  /// of the weighted one.
+  template <int dim>
+  constexpr unsigned int velocity_degree = dim == 2 ? 3 : 1;
+  template <int dim>
+  constexpr unsigned int trace_degree = dim == 2 ? 4 : 1;
 
-    /// (a, b); zero in triangles that touch the axis.
+
+
+  /// The velocity on a simplex: a polynomial, given by its coefficients in
+  /// Bernstein's basis.
+  template <int dim>
+  struct SimplexVelocity
+  {
+    std::array<Tensor<1, dim>,
+               Bernstein<dim>::n_functions(velocity_degree<dim>)>
+      coefficients = {};
+
+    /// The gradient (a, b) of the stream function of a flow past the axis of a
+    /// body of revolution: its velocity (-b, a) / r, which changes no volume
+    /// either, is added. It is zero in triangles that touch the axis, and
+    /// elsewhere.
     Tensor<1, 2> flux;
   };
 
 
 
   /// A mechanism of collapse, and the bound of the limit load that it gives.
+  template <int dim>
   struct VelocityField
   {
-    /// By triangles; the indenter moves down by 1, or 1 is the largest velocity
+    /// By simplices; the indenter moves down by 1, or 1 is the largest velocity
     /// if other loads grow. Neighbours may slide along each other.
-    std::vector<TriangleVelocity> velocity;
+    std::vector<SimplexVelocity<dim>> velocity;
 
-    /// By triangles: an upper bound of the plastic work in it and on its sides.
-    /// Neighbours share that on the side between them.
+    /// By simplices: an upper bound of the plastic work in it and on its faces.
+    /// Neighbours share that on the face between them.
     std::vector<double> dissipation;
 
     /// Plastic work less the power of the constant loads: per unit of depth, or
@@ -54,12 +67,13 @@ namespace ElastoPlastic
 
 
 
-  inline void
-  scale(VelocityField &field, const double factor)
+  template <int dim>
+  void
+  scale(VelocityField<dim> &field, const double factor)
   {
-    for (TriangleVelocity &velocity : field.velocity)
+    for (auto &velocity : field.velocity)
       {
-        for (Tensor<1, 2> &coefficient : velocity.coefficients)
+        for (auto &coefficient : velocity.coefficients)
           coefficient *= factor;
         velocity.flux *= factor;
       }
@@ -76,74 +90,78 @@ namespace ElastoPlastic
 
 
 
-  /// The cubic velocity with the values value(point) at the cubic_points().
+  /// The cubic velocity with the values value(point) at the Bernstein points.
   template <typename Value>
-  TriangleVelocity
+  SimplexVelocity<2>
   interpolate_cubic(const Value &value)
   {
-    TriangleVelocity result;
-    for (unsigned int p = 0; p < Bernstein::n_cubics; ++p)
+    SimplexVelocity<2> result;
+    for (unsigned int p = 0; p < n_cubics; ++p)
       {
-        const Tensor<1, 2> at_point = value(Bernstein::cubic_points()[p]);
-        for (unsigned int i = 0; i < Bernstein::n_cubics; ++i)
+        const Tensor<1, 2> at_point = value(Bernstein<2>::points(3)[p]);
+        for (unsigned int i = 0; i < n_cubics; ++i)
           result.coefficients[i] +=
-            Bernstein::cubic_coefficients()(i, p) * at_point;
+            Bernstein<2>::coefficients(3)(i, p) * at_point;
       }
     return result;
   }
 
-  /// The position of a @p point of a triangle.
-  Point<2>
-  position(const std::array<Point<2>, 3> &corners,
-           const Bernstein::Barycentric  &point);
-
-  /// The velocity at a @p point of a triangle; times the distance from the axis
+  /// The velocity at a @p point of a simplex; times the distance from the axis
   /// in a body of revolution, so that it is a polynomial.
-  Tensor<1, 2>
-  weighted_velocity(const PlaneBody              &body,
-                    const TriangleVelocity       &velocity,
-                    const unsigned int            triangle,
-                    const Bernstein::Barycentric &point);
+  template <int dim>
+  Tensor<1, dim>
+  weighted_velocity(const SplitBody<dim>       &body,
+                    const SimplexVelocity<dim> &velocity,
+                    const unsigned int          simplex,
+                    const Barycentric<dim>     &point);
 
-  /// The strain rate in the plane of the polynomial part of a velocity.
-  SymmetricTensor<2, 2>
-  polynomial_rate(const std::array<Point<2>, 3> &corners,
-                  const TriangleVelocity        &velocity,
-                  const Bernstein::Barycentric  &point);
+  /// The strain rate in the coordinates of the mesh of the polynomial part of a
+  /// velocity.
+  template <int dim>
+  SymmetricTensor<2, dim>
+  polynomial_rate(const Corners<dim>         &corners,
+                  const SimplexVelocity<dim> &velocity,
+                  const Barycentric<dim>     &point);
 
   /// That of the other part, times r^2.
   SymmetricTensor<2, 2>
-  weighted_flux_rate(const TriangleVelocity &velocity);
+  weighted_flux_rate(const SimplexVelocity<2> &velocity);
 
-  /// The velocity at a point of a triangle.
-  Tensor<1, 2>
-  velocity_at(const PlaneBody              &body,
-              const TriangleVelocity       &velocity,
-              const unsigned int            triangle,
-              const Bernstein::Barycentric &point);
+  /// The velocity at a point of a simplex.
+  template <int dim>
+  Tensor<1, dim>
+  velocity_at(const SplitBody<dim>       &body,
+              const SimplexVelocity<dim> &velocity,
+              const unsigned int          simplex,
+              const Barycentric<dim>     &point);
 
-  /// The largest velocity at a vertex or centre of gravity.
+  /// The velocities at the corners and at the centre of gravity of a simplex.
+  template <int dim>
+  std::array<Tensor<1, dim>, dim + 2>
+  values_at_vertices(const SplitBody<dim>       &body,
+                     const SimplexVelocity<dim> &velocity,
+                     const unsigned int          simplex);
+
+  /// The largest of all these.
+  template <int dim>
   double
-  largest_velocity(const PlaneBody                     &body,
-                   const std::vector<TriangleVelocity> &velocity);
+  largest_velocity(const SplitBody<dim>                    &body,
+                   const std::vector<SimplexVelocity<dim>> &velocity);
 
-  /// The velocities at the corners and at the centre of gravity of a triangle.
-  std::array<Tensor<1, 2>, 4>
-  values_at_vertices(const PlaneBody        &body,
-                     const TriangleVelocity &velocity,
-                     const unsigned int      triangle);
-
-  /// The strain rate at a point of a triangle; out of plane it is zero in plane
+  /// The strain rate at a point of a simplex; out of plane it is zero in plane
   /// strain, or else keeps the volume.
+  template <int dim>
   SymmetricTensor<2, 3>
-  strain_rate_at(const PlaneBody              &body,
-                 const TriangleVelocity       &velocity,
-                 const unsigned int            triangle,
-                 const Bernstein::Barycentric &point);
+  strain_rate_at(const SplitBody<dim>       &body,
+                 const SimplexVelocity<dim> &velocity,
+                 const unsigned int          simplex,
+                 const Barycentric<dim>     &point);
 
   /// The strain rate in space with these components in the plane.
+  template <int dim>
   SymmetricTensor<2, 3>
-  rate_in_space(const PlaneBody &body, const SymmetricTensor<2, 2> &rate);
+  rate_in_space(const SplitBody<dim>          &body,
+                const SymmetricTensor<2, dim> &rate);
 } // namespace ElastoPlastic
 
 #endif

@@ -4,65 +4,103 @@
 #ifndef bounds_mesh_integration_h
 #define bounds_mesh_integration_h
 
-#include <deal.II/base/quadrature_lib.h>
-
-#include <array>
 #include <vector>
+
+#include "bounds/mesh/simplex.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// Runs @p action(t, x, weight) for the points x of a quadrature of the side
-  /// from @p a to @p b, 0 < t < 1 being their positions between the two. The
-  /// weights add up to 1: they are relative to the length of the side.
-  /// Polynomials of degree 9 or less are integrated exactly.
-  template <typename Action>
-  void
-  integrate_on_side(const Point<2> &a, const Point<2> &b, const Action &action)
-  {
-    static const QGauss<1> quadrature(5);
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-      {
-        const double t = quadrature.point(q)[0];
-        action(t, Point<2>(a + t * (b - a)), quadrature.weight(q));
-      }
-  }
-
-
-
-  /// Runs @p action(t, x) for both ends of the side from @p a to @p b and for
-  /// points x between them, at the positions t: so many, and at such distances,
-  /// that a function is not taken for the polynomial with which it agrees where
-  /// a mesh or a quadrature looks at it.
-  template <typename Action>
-  void
-  look_along_side(const Point<2> &a, const Point<2> &b, const Action &action)
-  {
-    static const QGauss<1> inside(16);
-    action(0., a);
-    for (const Point<1> &t : inside.get_points())
-      action(t[0], Point<2>(a + t[0] * (b - a)));
-    action(1., b);
-  }
-
-
-
-  /// A point of a triangle and its weight in a quadrature.
+  /// A point of a simplex of dim dimensions and its weight in a quadrature.
+  template <int dim>
   struct WeightedPoint
   {
-    std::array<double, 3> position; ///< in barycentric coordinates
-    double                weight;   ///< relative to the area
+    Barycentric<dim> position;
+    double           weight; ///< relative to the size of the simplex
 
     /// The value of the linear function with these @p values at the corners.
     template <typename Value>
     Value
-    interpolate(const std::array<Value, 3> &values) const
+    interpolate(const std::array<Value, dim + 1> &values) const
     {
-      return position[0] * values[0] + position[1] * values[1] +
-             position[2] * values[2];
+      return ElastoPlastic::interpolate(position, values);
     }
   };
+
+  /// A quadrature that is exact for polynomials of the degree 3 or less, or on
+  /// a triangle 5 or less.
+  template <int dim>
+  const std::vector<WeightedPoint<dim>> &
+  simplex_quadrature();
+
+
+
+  /// A point of a face.
+  template <int dim>
+  struct FacePoint
+  {
+    Barycentric<dim - 1> position;
+    Point<dim>           x;
+  };
+
+  template <int dim>
+  FacePoint<dim>
+  point_on_face(const FaceCorners<dim>     &corners,
+                const Barycentric<dim - 1> &position)
+  {
+    Tensor<1, dim> x = corners[0];
+    for (unsigned int i = 1; i < dim; ++i)
+      x += position[i] * (corners[i] - corners[0]);
+    return {position, Point<dim>(x)};
+  }
+
+  /// A corner of a face.
+  template <int dim>
+  FacePoint<dim>
+  corner_point(const FaceCorners<dim> &corners, const unsigned int i)
+  {
+    FacePoint<dim> corner = {{}, corners[i]};
+    corner.position[i]    = 1.;
+    return corner;
+  }
+
+  /// The points for integrate_on_face(), and those between the corners for
+  /// look_over_face().
+  template <int dim>
+  const std::vector<WeightedPoint<dim - 1>> &
+  face_quadrature();
+  template <int dim>
+  const std::vector<WeightedPoint<dim - 1>> &
+  points_over_face();
+
+
+
+  /// Runs @p action(point, weight) for the points of a quadrature of a face.
+  /// The weights add up to 1: they are relative to its area. Polynomials are
+  /// integrated exactly, of degree 9 or less on a side, 7 on a triangle.
+  template <int dim, typename Action>
+  void
+  integrate_on_face(const FaceCorners<dim> &corners, const Action &action)
+  {
+    for (const auto &[position, weight] : face_quadrature<dim>())
+      action(point_on_face<dim>(corners, position), weight);
+  }
+
+
+
+  /// Runs @p action(point) for the corners of a face and for points between
+  /// them: so many, and at such distances, that a function is not taken for the
+  /// polynomial with which it agrees where a mesh or a quadrature looks at it.
+  template <int dim, typename Action>
+  void
+  look_over_face(const FaceCorners<dim> &corners, const Action &action)
+  {
+    for (unsigned int i = 0; i < dim; ++i)
+      action(corner_point<dim>(corners, i));
+    for (const auto &[position, weight] : points_over_face<dim>())
+      action(point_on_face<dim>(corners, position));
+  }
 
 
 
@@ -72,7 +110,7 @@ namespace ElastoPlastic
   /// is never too small, and little too large, if f is the square of a
   /// polynomial of degree 2 or less that is zero on the axis, or a positive
   /// quadratic form of such polynomials (doc/theory, "Guaranteed error").
-  std::vector<WeightedPoint>
+  std::vector<WeightedPoint<2>>
   quadrature_over(const std::array<double, 3> &r);
 } // namespace ElastoPlastic
 

@@ -4,18 +4,18 @@
 #ifndef bounds_mesh_split_mesh_h
 #define bounds_mesh_split_mesh_h
 
-#include <deal.II/base/point.h>
 #include <deal.II/grid/cell_id.h>
 #include <deal.II/grid/tria.h>
 
-#include <array>
 #include <vector>
+
+#include "bounds/mesh/simplex.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// The conforming triangulation that results when the centre of every
+  /// The conforming mesh of simplices that results when the centre of every
   /// quadrilateral of an adaptively refined mesh is joined to its corners and
   /// to the hanging nodes on its sides. Stresses are equilibrated on the same
   /// mesh, with the same boundaries, as displacements are computed.
@@ -26,72 +26,85 @@ namespace ElastoPlastic
   ///     |  / \  |  \|/  |   right: one with two, in the middle of its
   ///     |/     \|  /|\  |   upper and lower side
   ///     +-------+-------+
+  ///
+  /// In space, the faces of a hexahedron are cut in this way, those that are
+  /// refined on the other side as the finer faces are, and what results is
+  /// joined to the centre of the hexahedron. Without hanging nodes it becomes
+  /// 24 tetrahedra.
+  template <int dim>
   struct SplitMesh
   {
-    /// Its corners, in positive orientation; the last is the centre of the
-    /// quadrilateral. Side k joins the corners k and k + 1 (modulo 3).
-    struct Triangle
+    /// The corners of a tetrahedron are in the order of their numbers; the last
+    /// of a triangle is the centre of the quadrilateral. For faces and edges
+    /// see corner_of_face() and ends_of_edge().
+    struct Simplex
     {
-      std::array<unsigned int, 3> vertices;
-      std::array<unsigned int, 3> sides;
-      unsigned int                cell; ///< the quadrilateral, see cells
-      /// Where the corners are in the unit cell of the quadrilateral.
-      std::array<Point<2>, 3> unit_corners;
+      std::array<unsigned int, dim + 1>                vertices;
+      std::array<unsigned int, dim + 1>                faces;
+      std::array<unsigned int, edges_per_simplex<dim>> edges;
+      unsigned int                                     cell; ///< see cells
+      /// Where the corners are in the unit cell of the quadrilateral or
+      /// hexahedron.
+      Corners<dim> unit_corners;
+
+      /// Which of the corners or faces has this number.
+      unsigned int
+      place_of_vertex(const unsigned int vertex) const;
+      unsigned int
+      place_of_face(const unsigned int face) const;
     };
 
-    /// A side, in the direction of the first of its one or two triangles,
-    /// which lies to its left.
-    struct Side
+    /// A side has the direction of the first of its neighbours, which lies to
+    /// its left; the corners of a triangle are in the order of their numbers.
+    struct Face
     {
-      std::array<unsigned int, 2> vertices;
-      /// numbers::internal_face_boundary_id between two triangles
+      std::array<unsigned int, dim> vertices;
+      /// numbers::internal_face_boundary_id between two simplices
       types::boundary_id boundary_id;
+      /// The second is invalid at the boundary.
+      std::array<unsigned int, 2> neighbors;
+
+      bool
+      is_inside() const;
+
+      /// One, or two inside of the body.
+      unsigned int
+      n_neighbors() const;
     };
 
-    /// An active cell of the mesh of quadrilaterals.
+    /// An active cell of the mesh of quadrilaterals or hexahedra.
     struct Cell
     {
       CellId             id;
       types::material_id material_id;
     };
 
-    std::vector<Point<2>> vertices;
-    std::vector<Triangle> triangles;
-    std::vector<Side>     sides;
-    std::vector<Cell>     cells;
+    std::vector<Point<dim>> vertices;
+    std::vector<Simplex>    simplices;
+    std::vector<Face>       faces;
+    unsigned int            n_edges = 0;
+    std::vector<Cell>       cells;
 
-    std::array<Point<2>, 3>
-    corners(const Triangle &triangle) const;
+    Corners<dim>
+    corners(const Simplex &simplex) const;
 
-    double
-    length(const Side &side) const;
+    FaceCorners<dim>
+    corners(const Face &face) const;
 
-    /// To the right of the direction of the side: out of its first triangle.
-    Tensor<1, 2>
-    normal(const Side &side) const;
+    /// Where the corners of face @p k of a simplex, in the order of the face
+    /// itself, are in part k of the simplex.
+    std::array<unsigned int, dim>
+    places_in_part(const unsigned int simplex, const unsigned int k) const;
   };
-
-
-
-  inline const std::vector<SplitMesh::Triangle> &
-  simplices_of(const SplitMesh &mesh)
-  {
-    return mesh.triangles;
-  }
-
-
-
-  /// Twice the signed area is the cross product of two sides.
-  double
-  area(const std::array<Point<2>, 3> &corners);
 
 
 
   /// Splits the active cells of @p triangulation. Everything is gathered on the
   /// first rank, in an order that does not depend on the partition; the mesh
-  /// of the others is empty.
-  SplitMesh
-  make_split_mesh(const Triangulation<2> &triangulation);
+  /// of the others is empty. Collective.
+  template <int dim>
+  SplitMesh<dim>
+  make_split_mesh(const Triangulation<dim> &triangulation);
 } // namespace ElastoPlastic
 
 #endif

@@ -4,146 +4,145 @@
 #ifndef bounds_stress_johnson_mercier_h
 #define bounds_stress_johnson_mercier_h
 
-#include <deal.II/base/point.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <array>
-
 #include "bounds/stress/bernstein.h"
 
-/// The equilibrium element of Johnson and Mercier @cite johnson_mercier_1978:
-/// symmetric stresses on a triangle K that are linear on each of the three
-/// triangles, its subtriangles, into which its centre of gravity divides it,
-/// or, of the second degree, quadratic. The tractions are continuous across the
-/// sides of the subtriangles.
-///
-///              2             Subtriangle k has the corners k, k + 1 (of 3)
-///             /|\            and the centre of gravity c, in this order. Side
-///            / | \           k of K belongs to it.
-///         2 / .c. \ 1
-///          /.' 0 '.\         A stress is given by its Bernstein coefficients
-///         0---------1        on the subtriangles, see value_index().
-///
-/// The coefficients that come first on a subtriangle are the values at its
-/// corners; those of the first degree are these alone.
-namespace ElastoPlastic::JohnsonMercier
+namespace ElastoPlastic
 {
   using namespace dealii;
 
-  using Triangle = std::array<Point<2>, 3>;
-
-  /// Points that coefficients belong to, of each subtriangle its own: a stress
-  /// has three components at each.
-  constexpr unsigned int
-  n_points(const unsigned int degree)
+  /// The equilibrium element of Johnson and Mercier @cite johnson_mercier_1978,
+  /// in space @cite krizek_1982 @cite gopalakrishnan_guzman_lee_2024: symmetric
+  /// stresses on a simplex that are polynomials of a degree, 1 or more, on each
+  /// of the parts into which its centre of gravity divides it (see
+  /// place_in_part()). The tractions are continuous between the parts.
+  ///
+  ///              2             Part k of a triangle has the corners k, k + 1
+  ///             /|\            (of 3) and the centre of gravity c, in this
+  ///            / | \           order. Side k belongs to it.
+  ///         2 / .c. \ 1
+  ///          /.' 0 '.\         A stress is given by its Bernstein coefficients
+  ///         0---------1        on the parts, see value_index().
+  ///
+  /// The coefficients that come first on a part are the values at its corners;
+  /// those of the first degree are these alone. Matrices act on such
+  /// coefficients, or have them as columns.
+  template <int dim>
+  struct JohnsonMercier
   {
-    return 3 * Bernstein::n_functions(degree);
-  }
+    static constexpr unsigned int n_parts = dim + 1;
 
-  /// Numbers by which a stress is given.
-  constexpr unsigned int
-  n_values(const unsigned int degree)
-  {
-    return 3 * n_points(degree);
-  }
+    /// The order is that of SymmetricTensor: 11, 22, 12, or in space 11, 22,
+    /// 33, 12, 13, 23.
+    static constexpr unsigned int n_components = dim * (dim + 1) / 2;
 
-  /// Coefficients of the tractions on the three sides.
-  constexpr unsigned int
-  n_tractions(const unsigned int degree)
-  {
-    return 6 * (degree + 1);
-  }
+    /// Points that coefficients belong to, of each part its own: a stress has
+    /// all components at each.
+    static constexpr unsigned int
+    n_points(const unsigned int degree)
+    {
+      return n_parts * Bernstein<dim>::n_functions(degree);
+    }
 
-  /// Coefficients of the divergence on the subtriangles.
-  constexpr unsigned int
-  n_divergences(const unsigned int degree)
-  {
-    return 2 * n_points(degree - 1);
-  }
+    /// Numbers by which a stress is given.
+    static constexpr unsigned int
+    n_values(const unsigned int degree)
+    {
+      return n_components * n_points(degree);
+    }
 
+    /// Those of a face, at which its traction has dim components.
+    static constexpr unsigned int
+    n_face_points(const unsigned int degree)
+    {
+      return Bernstein<dim - 1>::n_functions(degree);
+    }
 
+    /// Coefficients of the tractions on all faces.
+    static constexpr unsigned int
+    n_tractions(const unsigned int degree)
+    {
+      return n_parts * dim * n_face_points(degree);
+    }
 
-  /// Where the coefficients number @p i, of the component 11, come on a
-  /// @p subtriangle; those of 22 and 12 follow.
-  constexpr unsigned int
-  value_index(const unsigned int degree,
-              const unsigned int subtriangle,
-              const unsigned int i)
-  {
-    return 3 * (Bernstein::n_functions(degree) * subtriangle + i);
-  }
+    /// Coefficients of the divergence on the parts.
+    static constexpr unsigned int
+    n_divergences(const unsigned int degree)
+    {
+      return dim * n_points(degree - 1);
+    }
 
+    /// Where the components of coefficient number @p i on a @p part begin.
+    static constexpr unsigned int
+    value_index(const unsigned int degree,
+                const unsigned int part,
+                const unsigned int i)
+    {
+      return n_components * (Bernstein<dim>::n_functions(degree) * part + i);
+    }
 
+    /// A @p component of coefficient @p i of the traction on a @p face, whose
+    /// corners are in the order of corner_of_face().
+    static constexpr unsigned int
+    traction_index(const unsigned int degree,
+                   const unsigned int face,
+                   const unsigned int i,
+                   const unsigned int component)
+    {
+      return dim * (n_face_points(degree) * face + i) + component;
+    }
 
-  /// A @p component of coefficient @p i of the traction on a @p side, on the
-  /// way from corner side to corner side + 1 of the triangle.
-  constexpr unsigned int
-  traction_index(const unsigned int degree,
-                 const unsigned int side,
-                 const unsigned int i,
-                 const unsigned int component)
-  {
-    return 2 * ((degree + 1) * side + i) + component;
-  }
+    static Corners<dim>
+    part_of(const Corners<dim> &corners, const unsigned int part);
 
+    /// The coefficient number @p i on a @p part of a stress of any degree.
+    static SymmetricTensor<2, dim>
+    coefficient(const Vector<double> &values,
+                const unsigned int    part,
+                const unsigned int    i);
 
+    /// The number, among the coefficients of a part, of coefficient @p i on the
+    /// face that joins the corners at these @p places of the part.
+    static unsigned int
+    number_on_face(const unsigned int                   degree,
+                   const std::array<unsigned int, dim> &places,
+                   const unsigned int                   i);
 
-  /// The corners of a subtriangle.
-  Triangle
-  subtriangle_of(const Triangle &triangle, const unsigned int subtriangle);
+    /// Where the corners of face @p k are in part k.
+    static std::array<unsigned int, dim>
+    places_of_face(const unsigned int k);
 
-  /// The values at the corners of a third of a function that is linear on the
-  /// triangle, and has these @p values at its corners.
-  template <typename Value>
-  std::array<Value, 3>
-  on_subtriangle(const std::array<Value, 3> &values,
-                 const unsigned int          subtriangle)
-  {
-    return {{values[subtriangle],
-             values[(subtriangle + 1) % 3],
-             (values[0] + values[1] + values[2]) / 3.}};
-  }
+    /// What the tractions of the parts @p k and @p l on the face between them
+    /// are of: where its corners are in either, the centre being the last.
+    static std::array<std::array<unsigned int, dim>, 2>
+    places_between(const unsigned int k, const unsigned int l);
 
-  /// The gradients of the linear functions that are 1 at one corner and 0 at
-  /// the others.
-  std::array<Tensor<1, 2>, 3>
-  gradients(const Triangle &triangle);
+    /// A basis of all stresses: in the plane 15 of the first and 36 of the
+    /// second degree, in space 42 of the first.
+    static FullMatrix<double>
+    basis(const Corners<dim> &corners, const unsigned int degree);
 
-  /// The coefficient number @p i on a @p subtriangle of a stress of any degree.
-  SymmetricTensor<2, 2>
-  coefficient(const Vector<double> &values,
-              const unsigned int    subtriangle,
-              const unsigned int    i);
+    /// A basis of the stresses without divergence: 9 and 18, or 30.
+    static FullMatrix<double>
+    equilibrated_basis(const Corners<dim> &corners, const unsigned int degree);
 
-  /// The number of coefficient @p i on the line from corner @p from to corner
-  /// @p to of a subtriangle.
-  unsigned int
-  number_on_line(const unsigned int degree,
-                 const unsigned int from,
-                 const unsigned int to,
-                 const unsigned int i);
+    /// What turns values into the coefficients of the tractions on the faces;
+    /// the normals point outwards.
+    static FullMatrix<double>
+    traction_matrix(const Corners<dim> &corners, const unsigned int degree);
 
-  /// A basis of all stresses, one per column: 15 of the first, 36 of the second
-  /// degree.
-  FullMatrix<double>
-  basis(const Triangle &triangle, const unsigned int degree);
+    /// The jumps of the tractions on the faces between parts.
+    static FullMatrix<double>
+    jump_matrix(const Corners<dim> &corners, const unsigned int degree);
 
-  /// A basis of the stresses without divergence: 9 of the first, 18 of the
-  /// second degree.
-  FullMatrix<double>
-  equilibrated_basis(const Triangle &triangle, const unsigned int degree);
-
-  /// What turns values into the coefficients of the tractions on the sides; the
-  /// normals point outwards.
-  FullMatrix<double>
-  traction_matrix(const Triangle &triangle, const unsigned int degree);
-
-  /// What turns values into the coefficients of the divergence on the
-  /// subtriangles, whose degree is one less: two components for each.
-  FullMatrix<double>
-  divergence_matrix(const Triangle &triangle, const unsigned int degree);
-} // namespace ElastoPlastic::JohnsonMercier
+    /// What turns values into the coefficients of the divergence on the parts,
+    /// whose degree is one less: dim components for each.
+    static FullMatrix<double>
+    divergence_matrix(const Corners<dim> &corners, const unsigned int degree);
+  };
+} // namespace ElastoPlastic
 
 #endif

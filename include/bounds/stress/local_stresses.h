@@ -8,74 +8,94 @@
 
 #include <vector>
 
-#include "bounds/body/plane_body.h"
+#include "bounds/body/split_body.h"
+#include "bounds/conic/yield_conditions.h"
 #include "bounds/stress/johnson_mercier.h"
 
-/// The stresses that the equilibrium method chooses from on one triangle. They
-/// are Johnson-Mercier stresses S of the section that the mesh shows; in a body
-/// of revolution, the stress times the distance r from the axis. With it, its
+/// The stresses that the equilibrium method chooses from on one simplex. They
+/// are Johnson-Mercier stresses S of what the mesh shows; in a body of
+/// revolution, the stress times the distance r from the axis. With it, its
 /// equations
 ///   d_r S_rr + d_z S_rz - sigma_tt = 0,   d_r S_rz + d_z S_zz = 0
 /// are those of a plane but for the circumferential stress sigma_tt. That is
-/// defined by the first of them: on each subtriangle a polynomial whose degree
-/// is one less than that of S. On the axis, S is zero, as it is for all bounded
+/// defined by the first of them: on each part a polynomial whose degree is one
+/// less than that of S. On the axis, S is zero, as it is for all bounded
 /// stresses.
 ///
 /// "Weighted" is S, with 33 for its component r sigma_tt; weights are those of
-/// PlaneBody, relative to its unit.
+/// SplitBody, relative to its unit.
 namespace ElastoPlastic::LocalStresses
 {
   using namespace dealii;
 
-  /// At the points that coefficients belong to: they are the coefficients of
-  /// the weight, which is linear.
-  std::vector<double>
-  weights(const PlaneBody   &body,
-          const unsigned int triangle,
-          const unsigned int degree);
+  /// What is known of sigma_33 in the plane: it is a field of its own, which
+  /// need not be continuous; or the mean of sigma_11 and sigma_22, with which
+  /// the yield condition of plane strain admits most; or zero; or what the
+  /// others leave to the equilibrium of a body of revolution. In space, it is
+  /// like the other components.
+  enum class OutOfPlane
+  {
+    unknown,
+    mean,
+    zero,
+    circumferential,
+    like_others
+  };
 
-  /// The points off the axis.
-  std::vector<unsigned int>
-  points_off_axis(const PlaneBody   &body,
-                  const unsigned int triangle,
-                  const unsigned int degree);
+  /// At the points that coefficients belong to: they are the coefficients of
+  /// the weight, which is linear. They are zero on the axis only.
+  template <int dim>
+  std::vector<double>
+  weights(const SplitBody<dim> &body,
+          const unsigned int    simplex,
+          const unsigned int    degree);
+
+  /// At the centre of gravity.
+  template <int dim>
+  double
+  weight_of_centre(const SplitBody<dim> &body, const unsigned int simplex);
 
   /// All weighted stresses, by values: see JohnsonMercier::basis(). There are
-  /// less where the triangle touches the axis.
+  /// less where the simplex touches the axis.
+  template <int dim>
   FullMatrix<double>
-  basis(const PlaneBody   &body,
-        const unsigned int triangle,
-        const unsigned int degree);
+  basis(const SplitBody<dim> &body,
+        const unsigned int    simplex,
+        const unsigned int    degree);
 
-  /// Those that are in equilibrium: 9 of the first, 18 of the second degree in
-  /// the plane; 12 and 27 in a body of revolution, less at the axis.
+  /// Those that are in equilibrium, see JohnsonMercier::equilibrated_basis();
+  /// in a body of revolution 12 of the first and 27 of the second degree, less
+  /// at the axis.
+  template <int dim>
   FullMatrix<double>
-  equilibrated_basis(const PlaneBody   &body,
-                     const unsigned int triangle,
-                     const unsigned int degree);
+  equilibrated_basis(const SplitBody<dim> &body,
+                     const unsigned int    simplex,
+                     const unsigned int    degree);
 
-  /// The coefficients of the circumferential stress on the subtriangles that
-  /// goes with weighted stresses given by values, in the units of the body.
+  /// What turns @p n unknowns, the first of which are those of this @p basis,
+  /// into the coefficients of the weighted stresses, all components at each
+  /// point. If sigma_33 is unknown, its coefficients come next.
+  template <int dim>
   FullMatrix<double>
-  circumferential_matrix(const PlaneBody   &body,
-                         const unsigned int triangle,
-                         const unsigned int degree);
+  point_stresses(const SplitBody<dim>     &body,
+                 const unsigned int        simplex,
+                 const unsigned int        degree,
+                 const FullMatrix<double> &basis,
+                 const OutOfPlane          out_of_plane,
+                 const unsigned int        n);
+
+  /// The coefficients of the circumferential stress on the parts that goes with
+  /// weighted stresses given by values, in the units of the body.
+  FullMatrix<double>
+  circumferential_matrix(const SplitBody<2> &body,
+                         const unsigned int  triangle,
+                         const unsigned int  degree);
 
   /// What turns these coefficients into those of the weighted component 33.
   FullMatrix<double>
-  weighting_matrix(const PlaneBody   &body,
-                   const unsigned int triangle,
-                   const unsigned int degree);
-
-  /// What turns weighted stresses, four components at each point, into the
-  /// stresses for which the yield condition is asked for: a coefficient over
-  /// that of the weight, at the points off the axis. If these satisfy it, all
-  /// of the body does: with coefficients S_a of S and r_a of r,
-  ///   |dev S| <= sum_a B_a |dev S_a| <= sum_a B_a r_a R = r R.
-  FullMatrix<double>
-  yield_points(const PlaneBody   &body,
-               const unsigned int triangle,
-               const unsigned int degree);
+  weighting_matrix(const SplitBody<2> &body,
+                   const unsigned int  triangle,
+                   const unsigned int  degree);
 } // namespace ElastoPlastic::LocalStresses
 
 #endif

@@ -5,7 +5,6 @@
 #define bounds_stress_stress_check_h
 
 #include "bounds/body/evaluated_bounds.h"
-#include "bounds/body/plane_body.h"
 #include "bounds/stress/stress_field.h"
 
 namespace ElastoPlastic
@@ -17,13 +16,13 @@ namespace ElastoPlastic
   /// from that.
   struct StressErrors
   {
-    /// What is missing to equilibrium, times the size of the triangle.
+    /// What is missing to equilibrium, times the size of the simplex.
     double divergence = 0;
     double on_axis    = 0; ///< weighted stress, over the size of the triangle
     /// The component 33 against the circumferential stress times r.
     double circumferential = 0;
     double out_of_plane    = 0; ///< the component 33 of a sheet
-    double traction_jump   = 0; ///< between subtriangles and between triangles
+    double traction_jump   = 0; ///< between parts and between simplices
     double boundary_force =
       0;                ///< given tractions, and shear under the indenter
     double tension = 0; ///< under the indenter
@@ -38,10 +37,11 @@ namespace ElastoPlastic
 
 
 
-  /// Looks at every subtriangle and every side of the mesh, using nothing but
-  /// the stresses themselves.
+  /// Looks at every part of a simplex and every face of the mesh, using nothing
+  /// but the stresses themselves.
+  template <int dim>
   StressErrors
-  check_stress(const PlaneBody &body, const StressField &field);
+  check_stress(const SplitBody<dim> &body, const StressField<dim> &field);
 } // namespace ElastoPlastic
 
 #endif

@@ -7,52 +7,45 @@
 #include <array>
 #include <vector>
 
-#include "bounds/body/plane_body.h"
 #include "bounds/conic/conic_program.h"
+#include "bounds/stress/local_stresses.h"
 #include "bounds/stress/stress_field.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// A minimisation over Johnson-Mercier stresses of the first or second degree
-  /// in equilibrium that satisfy the yield condition everywhere, as a
-  /// ConicProgram in the units of the body.
+  /// A minimisation over Johnson-Mercier stresses in equilibrium that satisfy
+  /// the yield condition everywhere, as a ConicProgram in the units of the
+  /// body.
   ///
   /// Stresses, tractions and pressures are polynomials, given by their
-  /// Bernstein coefficients: those of the first degree are values at corners
-  /// and ends of sides. "Points" are what the coefficients belong to.
+  /// Bernstein coefficients: those of the first degree are values at corners.
+  /// "Points" are what the coefficients belong to.
   ///
-  /// Each triangle is a block. Its unknowns are those of the equilibrated basis
-  /// (see LocalStresses); the coefficients of sigma_33, in plane strain; and
+  /// Each simplex is a block. Its unknowns are those of the equilibrated basis
+  /// (see LocalStresses); the coefficients of sigma_33, if that is unknown; and
   /// those of zeta, off the axis, the growth of the yield surface, if the
-  /// material hardens. Each point of a side under the indenter is a block, too;
-  /// its unknown is the force q >= 0, the coefficient of the pressure times its
-  /// share of the side. The equations, two at each point of the sides, say that
-  /// the tractions of the two triangles, or of triangle and indenter, add up to
+  /// material hardens. Each point of a face under the indenter is a block, too;
+  /// its unknown is the coefficient of the pressure (see contact_unit()). The
+  /// equations, one for each component at each point of the faces, say that the
+  /// tractions of the two simplices, or of simplex and indenter, add up to
   /// zero, or to what is prescribed. There are none on the axis of a body of
   /// revolution, where nothing acts. The yield condition holds everywhere if
-  /// the coefficients satisfy it, because the set of admissible stresses is
-  /// convex (see LocalStresses::yield_points()).
+  /// the coefficients over those of the weight satisfy it, because the set of
+  /// admissible stresses is convex: with coefficients S_a of S and r_a of r,
+  ///   |dev S| <= sum_a B_a |dev S_a| <= sum_a B_a r_a R = r R.
+  template <int dim>
   class StressProgram
   {
   public:
-    /// What is known of sigma_33: it is a field of its own, which need not be
-    /// continuous; or the mean of sigma_11 and sigma_22, with which the yield
-    /// condition of plane strain admits most; or zero; or what the others
-    /// leave to the equilibrium of a body of revolution.
-    enum class OutOfPlaneStress
-    {
-      unknown,
-      mean,
-      zero,
-      circumferential
-    };
+    using OutOfPlane = LocalStresses::OutOfPlane;
 
-    /// @p body must live as long as this object. There is no cost yet.
-    StressProgram(const PlaneBody       &body,
-                  const OutOfPlaneStress out_of_plane,
-                  const unsigned int     degree);
+    /// @p body must live as long as this object. There is no cost yet, except
+    /// that of a load factor.
+    StressProgram(const SplitBody<dim> &body,
+                  const OutOfPlane      out_of_plane,
+                  const unsigned int    degree);
 
     /// Add the energy int W*(tau) dx, with
     ///   W* = 1/2 tau : C^-1 tau + zeta^2 / (2 h),
@@ -63,7 +56,7 @@ namespace ElastoPlastic
     add_energy();
 
     /// Add int g p ds, with the gap g and the vertical part p of the indenter's
-    /// pressure.
+    /// pressure, by integrate_on_face().
     void
     add_gap();
 
@@ -76,157 +69,173 @@ namespace ElastoPlastic
     void
     prescribe_force(const double force);
 
-    /// @throws ConvergenceError
-    StressField
-    solve(const double tolerance) const;
+    /// Can be called once: the program goes to the solver, which frees its
+    /// memory. @throws ConvergenceError
+    StressField<dim>
+    solve(const double tolerance);
 
   private:
-    /// Something for each point of a side, and each component of its condition.
-    template <typename Value>
-    using ByPoints = std::vector<std::array<Value, 2>>;
+    using Element = JohnsonMercier<dim>;
 
-    /// A side as a triangle sees it: the forces of its outward tractions in
-    /// the directions of the condition, as linear functions of the unknowns.
-    struct SideOfTriangle
+    /// Of the components of a stress, what makes a number out of it.
+    using StressFunctional = std::array<double, Element::n_components>;
+
+    struct PointOfFace
     {
-      unsigned int             side;
-      ByPoints<Vector<double>> forces;
+      unsigned int face;
+      unsigned int point;
     };
 
+    // What concerns the simplices.
+    void
+    add_block(const unsigned int simplex);
+    unsigned int
+    n_growths(const unsigned int simplex) const;
+    FullMatrix<double>
+    point_stresses(const unsigned int simplex) const;
+
+    /// int C^-1 sigma B dx for all functions B, the shear components counting
+    /// twice, if @p stresses has coefficients of stresses sigma as columns.
+    FullMatrix<double>
+    strain_moments(const unsigned int        simplex,
+                   const FullMatrix<double> &stresses) const;
+
+    /// int u v / r dx as a bilinear form of functions u, v on one of the parts,
+    /// by their coefficients; with r = 1 in the plane and in space. In units of
+    /// the energy.
+    FullMatrix<double>
+    weighted_mass(const unsigned int simplex, const unsigned int part) const;
+
+    /// Adds int zeta^2 / (2 h) to the cost of a simplex.
+    void
+    add_hardening_energy(const unsigned int simplex);
+
+    /// Subtracts that of the prescribed displacements.
+    void
+    add_work_of_supports(const unsigned int        simplex,
+                         const FullMatrix<double> &stresses);
+
+    // What concerns the faces.
     void
     number_equations();
-    /// The share of a side in the integral of a polynomial that each of its
-    /// coefficients has, in the unit of length.
+    /// The number of a point among those of all faces.
+    unsigned int
+    index(const PointOfFace &point) const;
+
+    /// The share of a face in the integral of a polynomial that each of its
+    /// coefficients has, in units of the body.
     double
-    share_of_side(const unsigned int side) const;
-    /// The forces at the points of a side of the traction that has the same
-    /// moments as a @p load.
+    share_of_face(const unsigned int face) const;
+
+    /// int f B ds for Bernstein's functions B of a face, relative to its share
+    /// of the area.
+    template <typename Function>
     std::vector<double>
-    point_forces(const unsigned int                             side,
-                 const std::function<double(const Point<2> &)> &load) const;
-    /// Whether nothing acts on a point of a side because it is on the axis.
+    moments(const unsigned int face, const Function &f) const;
+
+    /// The forces at the points of a face of the traction that has the same
+    /// moments as a @p load.
+    template <typename Load>
+    std::vector<double>
+    point_forces(const unsigned int face, const Load &load) const;
+
+    /// Whether nothing acts on a point of a face because it is on the axis.
     bool
-    is_on_axis(const unsigned int side, const unsigned int point) const;
+    is_on_axis(const PointOfFace &point) const;
+
     void
-    add_block(const unsigned int triangle);
-    /// Of the stresses of a @p basis.
-    void
-    add_circumferential_stress(const unsigned int        triangle,
-                               const FullMatrix<double> &basis);
-    void
-    add_yield_conditions(const unsigned int triangle);
-    void
-    add_sides(const unsigned int triangle);
+    add_tractions(const unsigned int        simplex,
+                  const FullMatrix<double> &stresses);
+
+    /// The force at point @p i of face @p k of a simplex, along a @p component
+    /// of its condition: what it is of the stress at the point of the simplex
+    /// with the number @p value.
+    struct PointForce
+    {
+      StressFunctional functional;
+      unsigned int     value;
+    };
+    PointForce
+    point_force(const unsigned int simplex,
+                const unsigned int k,
+                const unsigned int i,
+                const unsigned int component) const;
+
+    /// As a linear function of the unknowns.
+    Vector<double>
+    row_of(const PointForce &force, const FullMatrix<double> &stresses) const;
+
+    // What concerns the indenter.
     void
     add_indenter();
-
-    /// The force at a @p point of side @p k of a triangle, along a @p component
-    /// of its condition, as a linear function of the tractions (see
-    /// JohnsonMercier::traction_index()).
-    Vector<double>
-    force_of_tractions(const unsigned int triangle,
-                       const unsigned int k,
-                       const unsigned int point,
-                       const unsigned int component) const;
-
-    /// Pressure and force of the indenter, from those of its blocks.
+    /// The block of a point under the indenter.
+    ConicBlock &
+    contact_block(const unsigned int i);
+    /// What the unknown there is multiplied by to be a force: 1 in the plane,
+    /// where it is the force; in space, it is the pressure.
+    double
+    contact_unit(const unsigned int face) const;
+    /// What the force there is multiplied by to be vertical.
+    double
+    vertical_part(const unsigned int i) const;
+    /// Adds the work of the vertical part along this @p distance.
     void
-    set_pressure(StressField &field, const double *forces) const;
+    add_contact_cost(const unsigned int i, const double distance);
 
-    /// Adds the weighted stress of the next triangle, given by its @p values,
-    /// four components at each point.
+    // What concerns the solution.
+    /// Pressure and force of the indenter, from the unknowns of its blocks.
     void
-    add_stress(StressField &field, const Vector<double> &values) const;
+    set_pressure(StressField<dim> &field, const double *unknowns) const;
 
-    /// What int u v / r dx is as a bilinear form of functions u, v on the
-    /// subtriangles, by their coefficients; with r = 1 in the plane.
-    FullMatrix<double>
-    weighted_mass(const unsigned int triangle) const;
-
-    /// What int C^-1 sigma : tau is as a bilinear form of the coefficients of
-    /// the weighted stresses.
-    FullMatrix<double>
-    elastic_energy(const unsigned int triangle) const;
-
-    /// Adds int zeta^2 / (2 h) to the cost of a triangle.
+    /// Adds the stress of the next simplex, given by its @p values in units of
+    /// the body.
     void
-    add_hardening_energy(const unsigned int triangle);
+    add_stress(StressField<dim> &field, const Vector<double> &values) const;
 
     /// The derivative of cost and yield conditions with respect to the
-    /// coefficients of the components 11, 22, 12: moments of the strain.
-    /// @p stress and the multipliers @p z of the yield conditions are those of
-    /// the solution.
+    /// coefficients of the element: moments of the strain. @p values are those
+    /// of the stress, @p z the multipliers of the yield conditions.
     Vector<double>
-    strain_moments(const unsigned int    triangle,
-                   const Vector<double> &stress,
-                   const double         *z) const;
+    strain_moments_of_solution(const unsigned int    simplex,
+                               const Vector<double> &values,
+                               const double         *z) const;
 
-    /// What the force at a point of a side is multiplied by in the Lagrange
+    /// What the force at a point of a face is multiplied by in the Lagrange
     /// function, a displacement with the opposite sign: the multiplier @p y of
     /// its equation, or that of a prescribed displacement.
     double
-    multiplier(const unsigned int    side,
-               const unsigned int    point,
+    multiplier(const PointOfFace    &point,
                const unsigned int    component,
                const Vector<double> &y) const;
 
     /// That of a prescribed displacement.
     double
-    given_multiplier(const unsigned int side,
-                     const unsigned int point,
+    given_multiplier(const PointOfFace &point,
                      const unsigned int component) const;
 
     /// See StressField::displacement. @p y are the multipliers of the
     /// equations.
-    std::array<Tensor<1, 2>, 3>
-    displacement_of(const unsigned int    triangle,
+    std::array<Tensor<1, dim>, dim + 1>
+    displacement_of(const unsigned int    simplex,
                     const Vector<double> &strain_moments,
                     const Vector<double> &y) const;
 
-    /// The block of a point under the indenter.
-    ConicBlock &
-    contact_block(const unsigned int i);
+    const SplitBody<dim> &body;
+    const OutOfPlane      out_of_plane;
+    const unsigned int    degree;
+    ConicProgram          program;
+    bool                  has_energy = false;
 
-    /// What the force there is multiplied by to be vertical.
-    double
-    vertical_part(const unsigned int i) const;
+    /// By simplices of a body of revolution, where it takes long to find them:
+    /// the equilibrated bases.
+    std::vector<FullMatrix<double>> bases;
 
-    /// The work of the vertical part along this @p distance.
-    void
-    add_contact_cost(const unsigned int i, const double distance);
-
-    double
-    force_unit() const;
-
-    /// int f B ds for Bernstein's functions B of a side, relative to its share
-    /// of the length.
-    std::vector<double>
-    moments(const unsigned int                             side,
-            const std::function<double(const Point<2> &)> &f) const;
-
-    const PlaneBody       &body;
-    const OutOfPlaneStress out_of_plane;
-    const unsigned int     degree;
-    ConicProgram           program;
-    bool                   has_energy = false;
-
-    /// By sides; invalid where there is none.
-    std::vector<ByPoints<unsigned int>> equations;
-
-    /// By triangles: the coefficients of the weighted stress, four components
-    /// at each point, as functions of the unknowns; and the three sides.
-    std::vector<FullMatrix<double>>            point_stresses;
-    std::vector<std::array<SideOfTriangle, 3>> sides;
-
-    struct PointOfSide
-    {
-      unsigned int side;
-      unsigned int point;
-    };
+    /// By points of the faces; invalid where there is none.
+    std::vector<std::array<unsigned int, dim>> equations;
 
     /// Under the indenter, in the order of their blocks, which come after those
-    /// of the triangles.
-    std::vector<PointOfSide> contact_points;
+    /// of the simplices.
+    std::vector<PointOfFace> contact_points;
   };
 } // namespace ElastoPlastic
 

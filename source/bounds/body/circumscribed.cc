@@ -23,12 +23,12 @@ namespace ElastoPlastic
     /// are 1 / cos(a) times: then no point of it is nearer than the radius, nor
     /// is any if its ends are still farther away.
     std::map<unsigned int, double>
-    necessary_stretches(const SpaceBody &body)
+    necessary_stretches(const SplitBody<3> &body)
     {
       std::map<unsigned int, double> stretches;
       for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
         {
-          const TriangleFace corners = body.mesh.corners(body.mesh.faces[f]);
+          const FaceCorners<3> corners = body.mesh.corners(body.mesh.faces[f]);
           if (!body.conditions[f].is_reached ||
               contains(*body.footprint.disc, corners))
             continue;
@@ -55,7 +55,7 @@ namespace ElastoPlastic
 
 
     Displacements
-    necessary_displacements(const SpaceBody &body)
+    necessary_displacements(const SplitBody<3> &body)
     {
       Displacements displacements;
       for (const auto &[vertex, stretch] : necessary_stretches(body))
@@ -72,7 +72,7 @@ namespace ElastoPlastic
 
     /// The faces at the boundary around each vertex that moves.
     std::map<unsigned int, std::vector<unsigned int>>
-    faces_around(const Displacements &displacements, const SpaceBody &body)
+    faces_around(const Displacements &displacements, const SplitBody<3> &body)
     {
       std::map<unsigned int, std::vector<unsigned int>> faces;
       for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
@@ -86,16 +86,13 @@ namespace ElastoPlastic
 
 
     bool
-    has_values(const FaceCondition &condition)
+    has_values(const FaceCondition<3> &condition)
     {
-      const auto is_zero = [](const std::array<double, 3> &values) {
-        return values == std::array<double, 3>();
-      };
       return !std::all_of(condition.components.begin(),
                           condition.components.end(),
                           [&](const auto &component) {
-                            return is_zero(component.values) &&
-                                   is_zero(component.growths);
+                            return component.value.is_zero() &&
+                                   component.growth.is_zero();
                           });
     }
 
@@ -105,7 +102,7 @@ namespace ElastoPlastic
     /// leaves its plane or has values of its own, and no vertex moves between
     /// two boundaries in one plane.
     bool
-    keep_boundary(const Displacements &displacements, const SpaceBody &body)
+    keep_boundary(const Displacements &displacements, const SplitBody<3> &body)
     {
       const auto normal_of = [&](const unsigned int f) {
         return normal(body.mesh.corners(body.mesh.faces[f]));
@@ -130,11 +127,11 @@ namespace ElastoPlastic
 
     /// Whether no point gets into another material.
     bool
-    keep_materials(const Displacements &displacements, const SpaceBody &body)
+    keep_materials(const Displacements &displacements, const SplitBody<3> &body)
     {
       std::map<unsigned int, double> yield_radii;
-      for (unsigned int t = 0; t < body.mesh.tetrahedra.size(); ++t)
-        for (const unsigned int v : body.mesh.tetrahedra[t].vertices)
+      for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
+        for (const unsigned int v : body.mesh.simplices[t].vertices)
           if (displacements.count(v) > 0 &&
               yield_radii.emplace(v, body.materials[t].yield_radius)
                   .first->second != body.materials[t].yield_radius)
@@ -145,7 +142,7 @@ namespace ElastoPlastic
 
 
     double
-    signed_volume(const Tetrahedron &x)
+    signed_volume(const Corners<3> &x)
     {
       return cross_product_3d(x[1] - x[0], x[2] - x[0]) * (x[3] - x[0]);
     }
@@ -154,10 +151,10 @@ namespace ElastoPlastic
 
     /// Whether all tetrahedra are the same way round in both meshes.
     bool
-    keep_orientation(const TetrahedralMesh &moved, const TetrahedralMesh &mesh)
+    keep_orientation(const SplitMesh<3> &moved, const SplitMesh<3> &mesh)
     {
-      return std::all_of(mesh.tetrahedra.begin(),
-                         mesh.tetrahedra.end(),
+      return std::all_of(mesh.simplices.begin(),
+                         mesh.simplices.end(),
                          [&](const auto &tetrahedron) {
                            return signed_volume(moved.corners(tetrahedron)) *
                                     signed_volume(mesh.corners(tetrahedron)) >
@@ -168,13 +165,13 @@ namespace ElastoPlastic
 
 
 
-  SpaceBody
-  circumscribe(const SpaceBody &body)
+  SplitBody<3>
+  circumscribe(const SplitBody<3> &body)
   {
     if (!body.footprint.disc)
       return body;
     const Displacements displacements = necessary_displacements(body);
-    SpaceBody           result        = body;
+    SplitBody<3>        result        = body;
     for (const auto &[vertex, displacement] : displacements)
       result.mesh.vertices[vertex] += displacement;
     if (!keep_boundary(displacements, body) ||

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/patterns.h>
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "base/exceptions.h"
+#include "base/largest_error.h"
 #include "bounds/body/face_conditions.h"
 #include "bounds/body/from_inside.h"
 
@@ -16,54 +15,115 @@ namespace ElastoPlastic
 {
   namespace
   {
-    FaceCondition
-    along_axes(const std::array<SideConditionType, 3> &types)
+    /// The gap is looked at on a lattice with so many intervals along each side
+    /// of a face.
+    constexpr unsigned int n_intervals = 8;
+
+    template <int dim>
+    std::vector<Barycentric<dim - 1>>
+    lattice_points()
     {
-      FaceCondition condition;
-      for (unsigned int d = 0; d < 3; ++d)
-        condition.components[d] = {Point<3>::unit_vector(d), types[d]};
+      std::vector<Barycentric<dim - 1>> points;
+      for (unsigned int i = 0; i <= n_intervals; ++i)
+        for (unsigned int j = 0; j <= (dim == 3 ? n_intervals - i : 0); ++j)
+          {
+            Barycentric<dim - 1> point = {};
+            point[0]                   = 1. - (i + j) / double(n_intervals);
+            point[1]                   = i / double(n_intervals);
+            point[dim - 1] += dim == 3 ? j / double(n_intervals) : 0.;
+            points.push_back(point);
+          }
+      return points;
+    }
+
+
+
+    /// The same condition in the directions of all axes.
+    template <int dim>
+    FaceCondition<dim>
+    along_axes(const ConditionType type)
+    {
+      FaceCondition<dim> condition;
+      for (unsigned int d = 0; d < dim; ++d)
+        condition.components[d] = {Point<dim>::unit_vector(d), type};
       return condition;
     }
 
 
 
-    FaceCondition
-    on_roller(const TriangleFace &corners)
+    /// Gives the components the directions along the face, and across it the
+    /// component number @p across.
+    template <int dim>
+    void
+    turn(FaceCondition<dim>     &condition,
+         const FaceCorners<dim> &corners,
+         const unsigned int      across)
     {
-      const auto    across = tangents(corners);
-      FaceCondition condition;
-      condition.components = {
-        {{normal(corners), SideConditionType::displacement},
-         {across[0], SideConditionType::traction},
-         {across[1], SideConditionType::traction}}};
+      const auto   along = tangents(corners);
+      unsigned int i     = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        condition.components[d].direction =
+          d == across ? normal(corners) : along[i++];
+    }
+
+
+
+    template <int dim>
+    FaceCondition<dim>
+    on_roller(const FaceCorners<dim> &corners)
+    {
+      auto condition               = along_axes<dim>(ConditionType::traction);
+      condition.components[0].type = ConditionType::displacement;
+      turn<dim>(condition, corners, 0);
       return condition;
     }
 
 
 
-    /// Whether @p function is linear on a face, with these @p values at its
-    /// @p corners.
+    template <int dim>
+    Point<dim>
+    centre_of_face(const FaceCorners<dim> &corners)
+    {
+      Tensor<1, dim> sum;
+      for (const Point<dim> &corner : corners)
+        sum += corner;
+      return Point<dim>(sum / double(dim));
+    }
+
+
+
+    /// A function of the position as it is on a face: at its ends what it is
+    /// inside.
+    FaceValue<2>
+    value_on_face(const FaceCorners<2>                          &corners,
+                  const std::function<double(const Point<2> &)> &function)
+    {
+      return {
+        [function, centre = centre_of_face<2>(corners)](const Point<2> &x) {
+          return function(from_inside(x, centre));
+        }};
+    }
+
+
+
+    /// Whether @p function is what the linear @p value says, neither at the
+    /// points of a regular mesh, nor of one that is finer.
     bool
-    is_linear(const TriangleFace                            &corners,
-              const std::array<double, 3>                   &values,
+    is_linear(const FaceCorners<3>                          &corners,
+              const FaceValue<3>                            &value,
               const std::function<double(const Point<3> &)> &function)
     {
       constexpr double rounding = 1e-9;
 
-      const double largest = std::max(
-        {std::abs(values[0]), std::abs(values[1]), std::abs(values[2])});
-      // Neither of a regular mesh, nor of one that is finer.
-      static const QWitherdenVincentSimplex<2> inside(4);
-      for (const Point<2> &x : inside.get_points())
+      double largest = 0;
+      for (const double at_corner : value.at_corners)
+        enlarge(largest, std::abs(at_corner));
+      for (const auto &[position, weight] : points_over_face<3>())
         {
-          const double   rest = 1. - x[0] - x[1];
-          const Point<3> point(rest * corners[0] + x[0] * corners[1] +
-                               x[1] * corners[2]);
-          const double   linear =
-            rest * values[0] + x[0] * values[1] + x[1] * values[2];
-          const double value = function(point);
-          if (!(std::abs(value - linear) <=
-                rounding * std::max(largest, std::abs(value))))
+          const auto   point = point_on_face<3>(corners, position);
+          const double exact = function(point.x);
+          if (!(std::abs(exact - value(point)) <=
+                rounding * std::max(largest, std::abs(exact))))
             return false;
         }
       return true;
@@ -71,17 +131,18 @@ namespace ElastoPlastic
 
 
 
-    /// From inside where the function jumps at a corner.
-    std::array<double, 3>
-    values_at_corners(const TriangleFace                            &corners,
-                      const std::function<double(const Point<3> &)> &function)
+    /// The same in space; from inside where the function jumps at a corner.
+    FaceValue<3>
+    value_on_face(const FaceCorners<3>                          &corners,
+                  const std::function<double(const Point<3> &)> &function)
     {
-      const Point<3>        centre((corners[0] + corners[1] + corners[2]) / 3.);
-      std::array<double, 3> values, values_inside;
+      const Point<3> centre = centre_of_face<3>(corners);
+      FaceValue<3>   values, values_inside;
       for (unsigned int i = 0; i < 3; ++i)
         {
-          values[i]        = function(corners[i]);
-          values_inside[i] = function(from_inside(corners[i], centre));
+          values.at_corners[i] = function(corners[i]);
+          values_inside.at_corners[i] =
+            function(from_inside(corners[i], centre));
         }
       if (is_linear(corners, values, function))
         return values;
@@ -99,128 +160,162 @@ namespace ElastoPlastic
 
 
 
-  FaceConditions::FaceConditions(
-    const BoundaryConditions<3>                   &conditions,
-    const std::function<double(const Point<3> &)> &gap,
-    const Footprint<2>                            &footprint,
-    const Loads<3>                                &loads,
-    const SurfaceFinish                            indenter_surface)
+  template <int dim>
+  FaceConditions<dim>::FaceConditions(const BoundaryConditions<dim> &conditions,
+                                      const IndenterOnBody<dim>     &indenter,
+                                      const Loads<dim>              &loads)
     : contact(conditions.ids(BoundaryConditionType::contact))
     , fixed(conditions.ids(BoundaryConditionType::fixed))
     , rollers(conditions.ids(BoundaryConditionType::roller))
     , displacements(conditions.prescribed_displacements())
     , tractions(conditions.tractions())
-    , gap(gap)
-    , footprint(footprint)
+    , indenter(indenter)
     , loads(loads)
-    , indenter_surface(indenter_surface)
   {}
 
 
 
-  FaceCondition
-  FaceConditions::operator()(const TriangleFace      &corners,
-                             const types::boundary_id id) const
+  template <int dim>
+  FaceCondition<dim>
+  FaceConditions<dim>::operator()(const FaceCorners<dim>  &corners,
+                                  const types::boundary_id id) const
   {
-    using Type = SideConditionType;
     if (id == numbers::internal_face_boundary_id)
-      return along_axes(
-        {{Type::continuous, Type::continuous, Type::continuous}});
+      return along_axes<dim>(ConditionType::continuous);
     if (fixed.count(id) > 0)
-      return along_axes(
-        {{Type::displacement, Type::displacement, Type::displacement}});
-    if (rollers.count(id) > 0)
-      return on_roller(corners);
-    FaceCondition condition =
-      along_axes({{Type::traction, Type::traction, Type::traction}});
+      return along_axes<dim>(ConditionType::displacement);
+    auto condition = rollers.count(id) > 0 ?
+                       on_roller<dim>(corners) :
+                       along_axes<dim>(ConditionType::traction);
     if (contact.count(id) > 0)
-      press(condition, corners);
-    for (const auto &[type, values] :
-         {std::pair(Type::displacement, &displacements),
-          std::pair(Type::traction, &tractions)})
-      if (const auto found = values->find(id); found != values->end())
-        for (unsigned int d = 0; d < 3; ++d)
-          if (found->second[d])
-            {
-              condition.components[d].type = type;
-              prescribe(condition.components[d], *found->second[d], corners);
-            }
+      add_contact(condition, corners);
+    prescribe(
+      condition, ConditionType::displacement, displacements, id, corners);
+    prescribe(condition, ConditionType::traction, tractions, id, corners);
     return condition;
   }
 
 
 
+  template <int dim>
   void
-  FaceConditions::press(FaceCondition      &condition,
-                        const TriangleFace &corners) const
+  FaceConditions<dim>::add_contact(FaceCondition<dim>     &condition,
+                                   const FaceCorners<dim> &corners) const
   {
-    const Reach reach    = reach_of(corners);
-    condition.is_reached = reach != Reach::none;
-    const bool is_rough  = indenter_surface == SurfaceFinish::rough;
-    if (condition.is_reached && is_rough &&
-        std::hypot(normal(corners)[0], normal(corners)[1]) > small_angle)
+    const Reach reach         = reach_of(corners);
+    condition.is_reached      = reach != Reach::none;
+    const bool     is_rough   = indenter.surface == SurfaceFinish::rough;
+    Tensor<1, dim> horizontal = normal(corners);
+    horizontal[dim - 1]       = 0.;
+    if (condition.is_reached && is_rough && horizontal.norm() > small_angle)
       throw InputError("Indenter/Surface",
                        "rough",
                        "the bounds of a rough indenter are for contact "
                        "boundaries that are level where it can touch. "
                        "Choose 'smooth', or reduce 'Indenter/Reach'.");
+    if (condition.is_reached && presses_across(corners))
+      turn<dim>(condition, corners, dim - 1);
     if (reach != Reach::whole)
       return;
-    condition.components[2].type = SideConditionType::contact;
+    condition.components[dim - 1].type = ConditionType::contact;
     if (is_rough)
-      for (unsigned int d = 0; d < 2; ++d)
-        condition.components[d].type = SideConditionType::displacement;
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        condition.components[d].type = ConditionType::displacement;
   }
 
 
 
+  template <int dim>
   void
-  FaceConditions::prescribe(FaceCondition::Component &component,
-                            const Expression<3>      &expression,
-                            const TriangleFace       &corners) const
+  FaceConditions<dim>::prescribe(FaceCondition<dim>      &condition,
+                                 const ConditionType      type,
+                                 const Values            &values,
+                                 const types::boundary_id id,
+                                 const FaceCorners<dim>  &corners) const
   {
-    const auto at = [&](const Point<3> &x) {
-      return [&expression, x](const double time) {
-        return expression.value(x, time);
-      };
-    };
-    component.values = values_at_corners(corners, [&](const auto &x) {
-      return loads.constant_part(at(x));
-    });
-    if (component.type == SideConditionType::traction)
-      component.growths = values_at_corners(corners, [&](const auto &x) {
-        return loads.growing_part(at(x));
-      });
+    const auto found = values.find(id);
+    if (found == values.end())
+      return;
+    for (unsigned int d = 0; d < dim; ++d)
+      if (found->second[d])
+        {
+          const auto at = [expression = found->second[d]](const auto &x) {
+            return [expression, x](const double time) {
+              return expression->value(x, time);
+            };
+          };
+          auto &component = condition.components[d];
+          component       = {Point<dim>::unit_vector(d), type};
+          component.value =
+            value_on_face(corners, [at, loads = loads](const Point<dim> &x) {
+              return loads.constant_part(at(x));
+            });
+          if (type == ConditionType::traction)
+            component.growth =
+              value_on_face(corners, [at, loads = loads](const Point<dim> &x) {
+                return loads.growing_part(at(x));
+              });
+        }
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  FaceConditions<dim>::gaps_of(const FaceCorners<dim> &corners) const
+  {
+    constexpr double inset = 2e-6;
+
+    const Point<dim>    centre = centre_of_face<dim>(corners);
+    std::vector<double> gaps;
+    static const auto   points = lattice_points<dim>();
+    for (const auto &lattice_point : points)
+      {
+        const Point<dim> x = point_on_face<dim>(corners, lattice_point).x;
+        if (const double value =
+              indenter.gap(Point<dim>(x + inset * (centre - x)));
+            std::isfinite(value))
+          gaps.push_back(value);
+      }
+    return gaps;
   }
 
 
 
   // Points of the face must do where nothing else is known than the gap at
   // points.
-  FaceConditions::Reach
-  FaceConditions::reach_of(const TriangleFace &corners) const
+  template <int dim>
+  typename FaceConditions<dim>::Reach
+  FaceConditions<dim>::reach_of(const FaceCorners<dim> &corners) const
   {
+    const auto &footprint = indenter.footprint;
     if (footprint.is_known())
       return contains(footprint, corners) ? Reach::whole :
              overlaps(footprint, corners) ? Reach::part :
                                             Reach::none;
-
-    constexpr unsigned int n_intervals = 8;
-    constexpr double       inset       = 1e-6;
-
-    const Point<3> center((corners[0] + corners[1] + corners[2]) / 3.);
-    unsigned int   n_finite = 0, n_points = 0;
-    for (unsigned int i = 0; i <= n_intervals; ++i)
-      for (unsigned int j = 0; i + j <= n_intervals; ++j, ++n_points)
-        {
-          const double a = i / double(n_intervals), b = j / double(n_intervals);
-          const Point<3> x(corners[0] + a * (corners[1] - corners[0]) +
-                           b * (corners[2] - corners[0]));
-          if (std::isfinite(gap(Point<3>(x + inset * (center - x)))))
-            ++n_finite;
-        }
-    return n_finite == 0       ? Reach::none :
-           n_finite < n_points ? Reach::part :
-                                 Reach::whole;
+    const auto n_finite = gaps_of(corners).size();
+    return n_finite == 0                           ? Reach::none :
+           n_finite < lattice_points<dim>().size() ? Reach::part :
+                                                     Reach::whole;
   }
+
+
+
+  template <int dim>
+  bool
+  FaceConditions<dim>::presses_across(const FaceCorners<dim> &corners) const
+  {
+    constexpr double rounding = 1e-6;
+
+    if (indenter.geometry != ContactGeometry::automatic)
+      return indenter.geometry == ContactGeometry::normal;
+    const auto gaps = gaps_of(corners);
+    return !gaps.empty() && std::abs(gaps.front() - gaps.back()) <=
+                              rounding * corners[0].distance(corners[1]);
+  }
+
+
+
+  template class FaceConditions<2>;
+  template class FaceConditions<3>;
 } // namespace ElastoPlastic

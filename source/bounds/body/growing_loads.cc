@@ -10,54 +10,22 @@
 #include "base/largest_error.h"
 #include "bounds/body/from_inside.h"
 #include "bounds/body/growing_loads.h"
-#include "bounds/mesh/split_mesh.h"
-#include "bounds/mesh/tetrahedral_mesh.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// The diameter of the mesh or so: body forces by it are as large as the
-    /// stresses that they cause.
-    template <typename Mesh>
-    double
-    size_of(const Mesh &mesh)
-    {
-      double size = 0;
-      for (const auto &vertex : mesh.vertices)
-        size = std::max(size, vertex.distance(mesh.vertices.front()));
-      return size;
-    }
-
-
-
-    const std::vector<SplitMesh::Side> &
-    sides_of(const SplitMesh &mesh)
-    {
-      return mesh.sides;
-    }
-
-
-
-    const std::vector<TetrahedralMesh::Face> &
-    sides_of(const TetrahedralMesh &mesh)
-    {
-      return mesh.faces;
-    }
-
-
-
     /// As stresses: the tractions at the corners of all sides, and body forces
     /// at all vertices.
-    template <int dim, typename Mesh>
+    template <int dim>
     Vector<double>
-    all_loads(const Mesh                    &mesh,
+    all_loads(const SplitMesh<dim>          &mesh,
               const BoundaryConditions<dim> &conditions,
               const BodyForce<dim>          &body_force,
               const double                   time)
     {
       std::vector<double> values;
-      for (const auto &side : sides_of(mesh))
+      for (const auto &side : mesh.faces)
         if (const auto traction = conditions.tractions().find(side.boundary_id);
             traction != conditions.tractions().end())
           {
@@ -80,9 +48,9 @@ namespace ElastoPlastic
 
 
 
-  template <int dim, typename Mesh>
+  template <int dim>
   Loads<dim>
-  growing_loads(const Mesh                    &mesh,
+  growing_loads(const SplitMesh<dim>          &mesh,
                 const BoundaryConditions<dim> &conditions,
                 const BodyForce<dim>          &body_force)
   {
@@ -125,9 +93,9 @@ namespace ElastoPlastic
 
 
 
-  template <int dim, typename Mesh>
+  template <int dim>
   double
-  time_of_largest_load(const Mesh                    &mesh,
+  time_of_largest_load(const SplitMesh<dim>          &mesh,
                        const BoundaryConditions<dim> &conditions,
                        const BodyForce<dim>          &body_force,
                        const std::vector<double>     &times)
@@ -145,20 +113,20 @@ namespace ElastoPlastic
 
 
   template Loads<2>
-  growing_loads(const SplitMesh &,
+  growing_loads(const SplitMesh<2> &,
                 const BoundaryConditions<2> &,
                 const BodyForce<2> &);
   template Loads<3>
-  growing_loads(const TetrahedralMesh &,
+  growing_loads(const SplitMesh<3> &,
                 const BoundaryConditions<3> &,
                 const BodyForce<3> &);
   template double
-  time_of_largest_load(const SplitMesh &,
+  time_of_largest_load(const SplitMesh<2> &,
                        const BoundaryConditions<2> &,
                        const BodyForce<2> &,
                        const std::vector<double> &);
   template double
-  time_of_largest_load(const TetrahedralMesh &,
+  time_of_largest_load(const SplitMesh<3> &,
                        const BoundaryConditions<3> &,
                        const BodyForce<3> &,
                        const std::vector<double> &);

@@ -2,125 +2,61 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "base/tensors.h"
 #include "bounds/body/hencky_material.h"
 #include "bounds/error/error_bound.h"
-#include "bounds/error/side_gap.h"
+#include "bounds/error/face_gap.h"
 #include "bounds/error/support_check.h"
-#include "bounds/mesh/integration.h"
 #include "bounds/stress/johnson_mercier.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    double
-    sum(const std::vector<double> &values)
+    /// What integrates a positive quadratic form of linear functions over r,
+    /// which is linear with these values at the corners of a part, never too
+    /// small.
+    std::vector<WeightedPoint<2>>
+    quadrature_of_part(const std::array<double, 3> &r)
     {
-      return std::accumulate(values.begin(), values.end(), 0.);
+      return quadrature_over(r);
+    }
+
+    const std::vector<WeightedPoint<3>> &
+    quadrature_of_part(const std::array<double, 4> &)
+    {
+      return simplex_quadrature<3>();
     }
 
 
 
-    /// A component of the displacement of a side, at its ends and in its
-    /// middle.
-    struct OnSide
-    {
-      double a, b, middle;
-
-      double
-      linear(const double t) const
-      {
-        return (1. - t) * a + t * b;
-      }
-
-      double
-      bubble() const
-      {
-        return middle - 0.5 * (a + b);
-      }
-
-      double
-      operator()(const double t) const
-      {
-        return linear(t) + 4. * t * (1. - t) * bubble();
-      }
-    };
-
-
-
-    OnSide
-    vertical(const QuadraticField  &displacement,
-             const SplitMesh::Side &side,
-             const unsigned int     s)
-    {
-      return {displacement.at_vertices[side.vertices[0]][1],
-              displacement.at_vertices[side.vertices[1]][1],
-              displacement.at_sides[s][1]};
-    }
-
-
-
-    SideGap
-    gap_of(const PlaneBody &body, const SplitMesh::Side &side)
-    {
-      return {body.gap,
-              body.mesh.vertices[side.vertices[0]],
-              body.mesh.vertices[side.vertices[1]]};
-    }
-
-
-
-    /// The largest factor c for which the indenter, moved down by @p depth, is
-    /// not penetrated by linear(t) + 4 t (1 - t) c; the ends do not penetrate.
-    /// In an interval of SideGap, what is left above the linear part is linear.
-    /// If at both ends that is r times 4 t (1 - t), it is not less than r times
-    /// the chord of this function, which is above (1 - 2 / n_intervals) times
-    /// the function itself, and below the function.
-    double
-    largest_bubble(const SideGap &gap, const OnSide &v, const double depth)
-    {
-      double ratio = std::numeric_limits<double>::max();
-      for (unsigned int i = 0; i <= SideGap::n_intervals; ++i)
-        if (const double t = gap.position(i); t > 0. && t < 1.)
-          ratio = std::min(ratio,
-                           (gap.values[i] - gap.below - depth - v.linear(t)) /
-                             (4. * t * (1. - t)));
-      return ratio * (ratio > 0. ? 1. - 2. / SideGap::n_intervals : 1.);
-    }
-
-
-
-    /// A triangle's subtriangle. Fields are weighted, see LocalStresses:
-    /// stress, plastic strain and growth of the yield surface are linear then.
-    class Subtriangle
+    /// A part of a simplex. Fields are weighted, see LocalStresses: stress,
+    /// plastic strain and growth of the yield surface are linear then.
+    template <int dim>
+    class PartOfSimplex
     {
     public:
-      Subtriangle(const PlaneBody      &body,
-                  const QuadraticField &displacement,
-                  const StressField    &stress,
-                  const unsigned int    t,
-                  const unsigned int    k)
+      /// @p strains are those at the corners of the simplex.
+      PartOfSimplex(const SplitBody<dim>      &body,
+                    const QuadraticField<dim> &displacement,
+                    const StressField<dim>    &stress_field,
+                    const std::array<SymmetricTensor<2, dim>, dim + 1> &strains,
+                    const unsigned int                                  t,
+                    const unsigned int                                  k)
         : body(body)
         , material(body.materials[t])
         , displacement(displacement)
-        , triangle(body.mesh.triangles[t])
+        , simplex(body.mesh.simplices[t])
         , k(k)
-        , strain(
-            JohnsonMercier::on_subtriangle(strains(body.mesh, displacement, t),
-                                           k))
-        , stress({{stress.coefficient(t, k, 0),
-                   stress.coefficient(t, k, 1),
-                   stress.coefficient(t, k, 2)}})
+        , strain(on_part<dim>(strains, k))
       {
         const auto corners =
-          JohnsonMercier::subtriangle_of(body.mesh.corners(triangle), k);
-        for (unsigned int i = 0; i < 3; ++i)
+          JohnsonMercier<dim>::part_of(body.corners_of(t), k);
+        for (unsigned int i = 0; i <= dim; ++i)
           {
+            stress[i] = stress_field.coefficient(t, k, i);
             r[i] = body.is_on_axis(corners[i]) ? 0. : body.weight(corners[i]);
             split(i);
           }
@@ -134,12 +70,12 @@ namespace ElastoPlastic
         double result = 0;
         if (HenckyMaterial::yields(material))
           for (const auto &plastic : plastic_strain)
-            result += material.yield_radius * plastic.norm() / 3.;
-        for (const WeightedPoint &point : quadrature_over(r))
+            result += material.yield_radius * plastic.norm() / (dim + 1.);
+        for (const WeightedPoint<dim> &point : quadrature_of_part(r))
           result +=
             point.weight *
             HenckyMaterial::quadratic_gap(material,
-                                          strain_at(point),
+                                          strain_at(point.position),
                                           point.interpolate(plastic_strain),
                                           point.interpolate(stress),
                                           point.interpolate(zeta));
@@ -153,113 +89,112 @@ namespace ElastoPlastic
       void
       split(const unsigned int i)
       {
+        using HenckyMaterial::split_strain;
         if (HenckyMaterial::yields(material))
           zeta[i] =
             std::max(0.,
                      deviator(stress[i]).norm() - r[i] * material.yield_radius);
-        if (!body.is_axisymmetric())
+        if (body.is_axisymmetric())
+          {
+            Barycentric<dim> corner = {};
+            corner[i]               = 1.;
+            if (r[i] > 0)
+              plastic_strain[i] =
+                r[i] * split_strain(material, strain_at(corner) / r[i]).plastic;
+          }
+        else if constexpr (dim == 3)
+          plastic_strain[i] = split_strain(material, strain[i]).plastic;
+        else
           {
             const auto [elastic, plastic] =
-              HenckyMaterial::split_strain(material,
-                                           strain[i],
-                                           body.kinematics);
+              split_strain(material, strain[i], body.kinematics);
             plastic_strain[i] = plastic;
             out_of_plane[i]   = elastic[2][2] + plastic[2][2];
-          }
-        else if (r[i] > 0)
-          {
-            std::array<double, 3> corner = {};
-            corner[i]                    = 1.;
-            const auto [elastic, plastic] =
-              HenckyMaterial::split_strain(material,
-                                           strain_at({corner, 0.}) / r[i]);
-            plastic_strain[i] = r[i] * plastic;
           }
       }
 
       /// The weighted strain, whose circumferential component is the radial
       /// displacement.
       SymmetricTensor<2, 3>
-      strain_at(const WeightedPoint &point) const
+      strain_at(const Barycentric<dim> &point) const
       {
-        const double weight = point.interpolate(r);
-        return in_space<2>(weight * point.interpolate(strain),
-                           body.is_axisymmetric() ?
-                             radial_displacement(point) :
-                             weight * point.interpolate(out_of_plane));
+        const double weight = interpolate(point, r);
+        return in_space<dim>(weight * interpolate(point, strain),
+                             body.is_axisymmetric() ?
+                               radial_displacement(point) :
+                               weight * interpolate(point, out_of_plane));
       }
 
       double
-      radial_displacement(const WeightedPoint &point) const
+      radial_displacement(const Barycentric<dim> &point) const
       {
-        std::array<double, 3> position;
-        position.fill(point.position[2] / 3.);
-        position[k] += point.position[0];
-        position[(k + 1) % 3] += point.position[1];
-        return value(displacement, triangle, position)[0];
+        return value<dim>(displacement,
+                          simplex,
+                          point_of_part<dim>(k, point))[0];
       }
 
-      const PlaneBody                           &body;
-      const Material<double>                    &material;
-      const QuadraticField                      &displacement;
-      const SplitMesh::Triangle                 &triangle;
-      const unsigned int                         k;
-      const std::array<SymmetricTensor<2, 2>, 3> strain; ///< not weighted
-      const std::array<SymmetricTensor<2, 3>, 3> stress;
-      std::array<double, 3>                      r            = {};
-      std::array<double, 3>                      out_of_plane = {};
-      std::array<double, 3>                      zeta         = {};
-      std::array<SymmetricTensor<2, 3>, 3>       plastic_strain;
+      using Strains = std::array<SymmetricTensor<2, dim>, dim + 1>;
+      using Tensors = std::array<SymmetricTensor<2, 3>, dim + 1>;
+
+      const SplitBody<dim>                   &body;
+      const Material<double>                 &material;
+      const QuadraticField<dim>              &displacement;
+      const typename SplitMesh<dim>::Simplex &simplex;
+      const unsigned int                      k;
+      const Strains                           strain; ///< not weighted
+      Tensors                                 stress;
+      std::array<double, dim + 1>             r            = {};
+      std::array<double, dim + 1>             out_of_plane = {};
+      std::array<double, dim + 1>             zeta         = {};
+      Tensors                                 plastic_strain;
     };
 
 
 
+    template <int dim>
     double
-    bound_on_triangle(const PlaneBody      &body,
-                      const QuadraticField &displacement,
-                      const StressField    &stress,
-                      const unsigned int    t)
+    bound_on_simplex(const SplitBody<dim>      &body,
+                     const QuadraticField<dim> &displacement,
+                     const StressField<dim>    &stress,
+                     const unsigned int         t)
     {
-      double result = 0;
-      for (unsigned int k = 0; k < 3; ++k)
-        result += Subtriangle(body, displacement, stress, t, k).bound();
-      return body.angle() * area(body.mesh.corners(body.mesh.triangles[t])) /
-             3. * result;
+      constexpr unsigned int n_parts = JohnsonMercier<dim>::n_parts;
+      const auto             strain  = strains(body.mesh, displacement, t);
+      double                 result  = 0;
+      for (unsigned int k = 0; k < n_parts; ++k)
+        result +=
+          PartOfSimplex<dim>(body, displacement, stress, strain, t, k).bound();
+      return body.angle() * volume(body.corners_of(t)) / n_parts * result;
     }
 
 
 
-    /// int p (g - V - v_2) ds, the weighted p being linear. With the upper
-    /// bound of g, this is a cubic function on each interval, which Simpson's
-    /// rule integrates.
+    /// int p (g - V - v_d) ds with the upper bound of g; the weighted p is
+    /// linear. All is at most cubic on the small simplices.
+    template <int dim>
     double
-    bound_on_side(const PlaneBody           &body,
-                  const QuadraticField      &displacement,
+    bound_on_face(const SplitBody<dim>      &body,
+                  const QuadraticField<dim> &displacement,
                   const double               depth,
                   const std::vector<double> &pressure,
-                  const unsigned int         s)
+                  const unsigned int         f)
     {
-      const SplitMesh::Side &side = body.mesh.sides[s];
-      const SideGap          gap  = gap_of(body, side);
-      const OnSide           v    = vertical(displacement, side, s);
-      const auto             end  = [&](const unsigned int e) {
-        return body.weight(body.mesh.vertices[side.vertices[e]]) * pressure[e];
-      };
-      const auto density = [&](const double t, const double gap_at_t) {
-        return ((1. - t) * end(0) + t * end(1)) *
-               (gap_at_t + gap.above - depth - v(t));
-      };
+      const auto              corners = body.corners_of_face(f);
+      const auto              v = values_on_face(body.mesh, displacement, f);
+      std::array<double, dim> weighted;
+      for (unsigned int i = 0; i < dim; ++i)
+        weighted[i] = body.weight(corners[i]) * pressure[i];
       double sum = 0;
-      for (unsigned int i = 0; i + 1 < gap.values.size(); ++i)
-        {
-          const double t0 = gap.position(i), t1 = gap.position(i + 1),
-                       g0 = gap.values[i], g1 = gap.values[i + 1];
-          sum +=
-            (t1 - t0) / 6. *
-            (density(t0, g0) + 4. * density(0.5 * (t0 + t1), 0.5 * (g0 + g1)) +
-             density(t1, g1));
-        }
-      return body.angle() * body.mesh.length(side) * sum;
+      for (const auto &small :
+           FaceGap<dim>(body.gap, corners).small_simplices())
+        for (const auto &[inside, weight] : simplex_quadrature<dim - 1>())
+          {
+            const auto position = interpolate(inside, small.corners);
+            sum += small.part * weight * interpolate(position, weighted) *
+                   (interpolate(inside, small.upper) - depth -
+                    v.value(position)[dim - 1]);
+          }
+      return body.angle() * area(corners) * sum;
     }
   } // namespace
 
@@ -268,7 +203,7 @@ namespace ElastoPlastic
   double
   ErrorBound::of_body() const
   {
-    return sum(of_simplices);
+    return std::accumulate(of_simplices.begin(), of_simplices.end(), 0.);
   }
 
 
@@ -276,7 +211,7 @@ namespace ElastoPlastic
   double
   ErrorBound::of_contact() const
   {
-    return sum(of_faces);
+    return std::accumulate(of_faces.begin(), of_faces.end(), 0.);
   }
 
 
@@ -289,84 +224,55 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   std::vector<double>
-  ErrorBound::indicators(const SplitMesh &mesh) const
+  ErrorBound::indicators(const SplitMesh<dim> &mesh) const
   {
     std::vector<double> result = of_simplices;
     for (unsigned int t = 0; t < result.size(); ++t)
-      for (const unsigned int side : mesh.triangles[t].sides)
-        result[t] += of_faces[side];
-    return result;
-  }
-
-
-
-  std::vector<double>
-  ErrorBound::indicators(const TetrahedralMesh &mesh) const
-  {
-    std::vector<double> result = of_simplices;
-    for (unsigned int t = 0; t < result.size(); ++t)
-      for (const unsigned int face : mesh.tetrahedra[t].faces)
+      for (const unsigned int face : mesh.simplices[t].faces)
         result[t] += of_faces[face];
     return result;
   }
 
 
 
-  // First the ends of the sides, if the indenter reaches them but for rounding,
-  // then their middles: the quadratic function of the middle, 4 t (1 - t), is
-  // zero at the ends.
-  void
-  remove_penetration(QuadraticField  &displacement,
-                     const PlaneBody &body,
-                     const double     depth)
-  {
-    std::vector<std::pair<unsigned int, SideGap>> gaps;
-    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-      if (body.conditions[s].is_reached)
-        if (SideGap gap = gap_of(body, body.mesh.sides[s]); !gap.values.empty())
-          gaps.emplace_back(s, std::move(gap));
-
-    for (const auto &[s, gap] : gaps)
-      {
-        const auto &ends  = body.mesh.sides[s].vertices;
-        const auto  lower = [&](const unsigned int vertex, const double value) {
-          double &v = displacement.at_vertices[vertex][1];
-          v         = std::min(v, value - gap.below - depth);
-        };
-        if (gap.begin < 1. / SideGap::n_intervals)
-          lower(ends[0], gap.values.front());
-        if (gap.end > 1. - 1. / SideGap::n_intervals)
-          lower(ends[1], gap.values.back());
-      }
-    for (const auto &[s, gap] : gaps)
-      {
-        const OnSide v = vertical(displacement, body.mesh.sides[s], s);
-        displacement.at_sides[s][1] -=
-          std::max(0., v.bubble() - largest_bubble(gap, v, depth));
-      }
-  }
-
-
-
+  template <int dim>
   ErrorBound
-  bound_error(const PlaneBody      &body,
-              const QuadraticField &displacement,
-              const double          depth,
-              const StressField    &stress)
+  bound_error(const SplitBody<dim>      &body,
+              const QuadraticField<dim> &displacement,
+              const double               depth,
+              const StressField<dim>    &stress)
   {
     AssertDimension(stress.degree, 1);
     require_supported(body, displacement);
     ErrorBound bound;
-    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+    for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
       bound.of_simplices.push_back(
-        bound_on_triangle(body, displacement, stress, t));
+        bound_on_simplex(body, displacement, stress, t));
 
-    bound.of_faces.resize(body.mesh.sides.size());
-    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-      if (body.conditions[s].components[1].type == SideConditionType::contact)
-        bound.of_faces[s] =
-          bound_on_side(body, displacement, depth, stress.pressure[s], s);
+    bound.of_faces.resize(body.mesh.faces.size());
+    for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
+      if (body.conditions[f].is_pressed())
+        bound.of_faces[f] =
+          bound_on_face(body, displacement, depth, stress.pressure[f], f);
     return bound;
   }
+
+
+
+  template std::vector<double>
+  ErrorBound::indicators(const SplitMesh<2> &) const;
+  template std::vector<double>
+  ErrorBound::indicators(const SplitMesh<3> &) const;
+  template ErrorBound
+  bound_error(const SplitBody<2> &,
+              const QuadraticField<2> &,
+              const double,
+              const StressField<2> &);
+  template ErrorBound
+  bound_error(const SplitBody<3> &,
+              const QuadraticField<3> &,
+              const double,
+              const StressField<3> &);
 } // namespace ElastoPlastic

@@ -11,7 +11,6 @@
 #include "base/largest_error.h"
 #include "base/to_text.h"
 #include "bounds/error/support_check.h"
-#include "bounds/mesh/integration.h"
 
 namespace ElastoPlastic
 {
@@ -45,53 +44,67 @@ namespace ElastoPlastic
 
 
 
-    /// The quadratic function with these values at the ends and in the middle.
-    double
-    quadratic(const double t,
-              const double begin,
-              const double end,
-              const double middle)
+    template <int dim>
+    Differences
+    differences(const SplitBody<dim>      &body,
+                const QuadraticField<dim> &displacement)
     {
-      return (1. - t) * (1. - 2. * t) * begin + t * (2. * t - 1.) * end +
-             4. * t * (1. - t) * middle;
+      Differences result;
+      for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
+        for (const auto &component : body.conditions[f].components)
+          if (component.type == ConditionType::displacement)
+            {
+              const auto v = values_on_face(body.mesh, displacement, f);
+              look_over_face<dim>(body.corners_of_face(f),
+                                  [&](const FacePoint<dim> &point) {
+                                    result.add(v.value(point.position) *
+                                                 component.direction,
+                                               component.value(point));
+                                  });
+            }
+      for (const auto &v : displacement.at_vertices)
+        enlarge(result.largest_displacement, v.norm());
+      return result;
     }
 
 
 
-    /// Calls @p action(component, a, b) for what is prescribed on the side
-    /// number @p s from a to b.
-    template <typename Action>
-    void
-    for_each_support(const PlaneBody   &body,
-                     const unsigned int s,
-                     const Action      &action)
+    /// The polynomial of the degree 1 or 2 with which a @p function on a side
+    /// agrees at the ends and, if it can, in the middle.
+    template <typename Function>
+    FaceValues<2>
+    polynomial_on_side(const FaceCorners<2> &corners,
+                       const unsigned int    degree,
+                       const Function       &function)
     {
-      const auto &ends = body.mesh.sides[s].vertices;
-      for (const auto &component : body.conditions[s].components)
-        if (component.type == SideConditionType::displacement)
-          action(component,
-                 body.mesh.vertices[ends[0]],
-                 body.mesh.vertices[ends[1]]);
+      FaceValues<2> result;
+      const auto    at = [&](const Barycentric<1> &position) {
+        return Tensor<1, 2>(
+          {function(point_on_face<2>(corners, position)), 0.});
+      };
+      result.at_corners = {{at({{1., 0.}}), at({{0., 1.}})}};
+      result.at_edges[0] =
+        degree == 1 ? 0.5 * (result.at_corners[0] + result.at_corners[1]) :
+                      at({{0.5, 0.5}});
+      return result;
     }
 
 
 
-    /// How far a @p load on the side from @p a to @p b is from the polynomial
-    /// of the @p degree 1 or 2 with which it agrees at the ends and, if it can,
-    /// in the middle.
-    template <typename Load>
+    /// How far the @p function is from it.
+    template <typename Function>
     double
-    distance_to_polynomial(const Point<2>    &a,
-                           const Point<2>    &b,
-                           const unsigned int degree,
-                           const Load        &load)
+    distance_to_polynomial(const FaceCorners<2> &corners,
+                           const unsigned int    degree,
+                           const Function       &function)
     {
-      const double begin = load(a), end = load(b),
-                   middle = degree == 1 ? 0.5 * (begin + end) :
-                                          load(Point<2>(0.5 * (a + b)));
-      double largest      = 0;
-      look_along_side(a, b, [&](const double t, const Point<2> &x) {
-        enlarge(largest, std::abs(load(x) - quadratic(t, begin, end, middle)));
+      const FaceValues<2> polynomial =
+        polynomial_on_side(corners, degree, function);
+      double largest = 0;
+      look_over_face<2>(corners, [&](const FacePoint<2> &point) {
+        enlarge(largest,
+                std::abs(function(point) -
+                         polynomial.value(point.position)[0]));
       });
       return largest;
     }
@@ -99,20 +112,20 @@ namespace ElastoPlastic
 
 
     [[noreturn]] void
-    reject_tractions(const PlaneBody   &body,
-                     const unsigned int side,
-                     const unsigned int degree)
+    reject_tractions(const SplitBody<2> &body,
+                     const unsigned int  side,
+                     const unsigned int  degree)
     {
-      const auto &ends = body.mesh.sides[side].vertices;
-      const bool  is_heavy =
+      const auto ends = body.corners_of_face(side);
+      const bool is_heavy =
         body.body_force.norm() + body.body_force_growth.norm() > 0.;
       throw InputError(
         "The tractions of 'Boundary conditions/Traction'" +
         std::string(is_heavy ? ", and the pressure of 'Body force'," : "") +
         " do not fit stresses of the equilibrium method on the side of the "
         "mesh from (" +
-        Patterns::Tools::to_string(body.mesh.vertices[ends[0]]) + ") to (" +
-        Patterns::Tools::to_string(body.mesh.vertices[ends[1]]) +
+        Patterns::Tools::to_string(ends[0]) + ") to (" +
+        Patterns::Tools::to_string(ends[1]) +
         "): there they must be polynomials of degree " +
         std::to_string(degree) +
         (body.is_axisymmetric() ? " when multiplied by r" : "") +
@@ -124,37 +137,34 @@ namespace ElastoPlastic
 
 
 
-    /// One of the loads of a PlaneBody, load() or growth().
-    using LoadOnSide = double (PlaneBody::*)(const SideCondition::Component &,
-                                             const Tensor<1, 2> &,
-                                             const Point<2> &) const;
+    /// One of the loads of a SplitBody, load() or growth().
+    using LoadOnSide = double (SplitBody<2>::*)(const unsigned int,
+                                                const unsigned int,
+                                                const FacePoint<2> &) const;
 
 
 
     void
-    require_polynomials(const PlaneBody   &body,
-                        const unsigned int degree,
-                        const LoadOnSide   load_on_side)
+    require_polynomials(const SplitBody<2> &body,
+                        const unsigned int  degree,
+                        const LoadOnSide    load_on_side)
     {
       constexpr double rounding = 1e-6;
 
       double       largest = 0, largest_distance = 0;
       unsigned int worst_side = 0;
-      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-        for (const auto &component : body.conditions[s].components)
-          if (component.type == SideConditionType::traction)
+      for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
+        for (unsigned int c = 0; c < 2; ++c)
+          if (body.conditions[s].components[c].type == ConditionType::traction)
             {
-              const auto        &ends   = body.mesh.sides[s].vertices;
-              const Tensor<1, 2> normal = body.mesh.normal(body.mesh.sides[s]);
-              const auto         weighted_load = [&](const Point<2> &x) {
+              const auto weighted_load = [&](const FacePoint<2> &point) {
                 const double load =
-                  body.weight(x) * (body.*load_on_side)(component, normal, x);
+                  body.weight(point.x) * (body.*load_on_side)(s, c, point);
                 enlarge(largest, std::abs(load));
                 return load;
               };
               const double distance =
-                distance_to_polynomial(body.mesh.vertices[ends[0]],
-                                       body.mesh.vertices[ends[1]],
+                distance_to_polynomial(body.corners_of_face(s),
                                        degree,
                                        weighted_load);
               if (distance > largest_distance)
@@ -169,100 +179,66 @@ namespace ElastoPlastic
 
 
   void
-  require_quadratic_supports(const PlaneBody &body)
+  require_quadratic_supports(const SplitBody<2> &body)
   {
     constexpr double rounding = 1e-9;
 
-    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-      for_each_support(
-        body,
-        s,
-        [](const auto &component, const Point<2> &a, const Point<2> &b) {
-          const double begin = component.value(a), end = component.value(b),
-                       middle = component.value(Point<2>(0.5 * (a + b)));
-          double largest = 0, difference = 0;
-          look_along_side(a, b, [&](const double t, const Point<2> &x) {
-            const double value = component.value(x);
-            largest            = std::max(largest, std::abs(value));
-            enlarge(difference,
-                    std::abs(value - quadratic(t, begin, end, middle)));
-          });
-          if (difference > rounding * largest)
-            throw InputError(
-              "A displacement of 'Boundary conditions/Prescribed displacement' "
-              "is not quadratic on the sides of the mesh, near the point (" +
-              Patterns::Tools::to_string(Point<2>(0.5 * (a + b))) +
-              "). An error bound is for displacements that are polynomials of "
-              "degree 2 or less of x and y. Prescribe such, or choose "
-              "'Analysis = contact'.");
-        });
-  }
-
-
-
-  void
-  require_polynomial_tractions(const PlaneBody &body, const unsigned int degree)
-  {
-    require_polynomials(body, degree, &PlaneBody::load);
-    require_polynomials(body, degree, &PlaneBody::growth);
-  }
-
-
-
-  void
-  require_supported(const PlaneBody &body, const QuadraticField &displacement)
-  {
-    Differences differences;
-    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
-      for_each_support(
-        body,
-        s,
-        [&](const auto &component, const Point<2> &a, const Point<2> &b) {
-          const auto  &ends  = body.mesh.sides[s].vertices;
-          const double begin = displacement.at_vertices[ends[0]] *
-                               component.direction,
-                       end = displacement.at_vertices[ends[1]] *
-                             component.direction,
-                       middle = displacement.at_sides[s] * component.direction;
-          look_along_side(a, b, [&](const double t, const Point<2> &x) {
-            differences.add(quadratic(t, begin, end, middle),
-                            component.value(x));
-          });
-        });
-    for (const auto &v : displacement.at_vertices)
-      enlarge(differences.largest_displacement, v.norm());
-    differences.require_rounding_errors(
-      "The equilibrium method needs straight rollers, boundaries whose "
-      "prescribed displacements agree where they meet, and cells that are "
-      "parallelograms or quadratic elements where a prescribed displacement "
-      "depends on the position.");
-  }
-
-
-
-  void
-  require_supported(const SpaceBody           &body,
-                    const SpaceQuadraticField &displacement)
-  {
-    Differences differences;
-    for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
-      for (const auto &component : body.conditions[f].components)
-        if (component.type == SideConditionType::displacement)
+    for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
+      for (const auto &component : body.conditions[s].components)
+        if (component.type == ConditionType::displacement)
           {
-            const FaceValues v = values_on_face(body.mesh, displacement, f);
-            const auto      &u = component.values;
-            for (unsigned int i = 0; i < 3; ++i)
-              {
-                differences.add(v.at_corners[i] * component.direction, u[i]);
-                differences.add(v.at_edges[i] * component.direction,
-                                0.5 * (u[i] + u[(i + 1) % 3]));
-              }
+            const auto corners = body.corners_of_face(s);
+            double     largest = 0;
+            const auto value   = [&](const FacePoint<2> &point) {
+              enlarge(largest, std::abs(component.value(point)));
+              return component.value(point);
+            };
+            if (distance_to_polynomial(corners, 2, value) > rounding * largest)
+              throw InputError(
+                "A displacement of 'Boundary conditions/Prescribed "
+                "displacement' "
+                "is not quadratic on the sides of the mesh, near the point (" +
+                Patterns::Tools::to_string(
+                  Point<2>(0.5 * (corners[0] + corners[1]))) +
+                "). An error bound is for displacements that are polynomials "
+                "of degree 2 or less of x and y. Prescribe such, or choose "
+                "'Analysis = contact'.");
           }
-    for (const auto &v : displacement.at_vertices)
-      enlarge(differences.largest_displacement, v.norm());
-    differences.require_rounding_errors(
-      "In space, the equilibrium method needs flat rollers, and cells "
-      "whose faces are parallelograms where a prescribed displacement "
-      "depends on the position.");
   }
+
+
+
+  void
+  require_polynomial_tractions(const SplitBody<2> &body,
+                               const unsigned int  degree)
+  {
+    require_polynomials(body, degree, &SplitBody<2>::load);
+    require_polynomials(body, degree, &SplitBody<2>::growth);
+  }
+
+
+
+  template <int dim>
+  void
+  require_supported(const SplitBody<dim>      &body,
+                    const QuadraticField<dim> &displacement)
+  {
+    differences(body, displacement)
+      .require_rounding_errors(
+        dim == 2 ?
+          "The equilibrium method needs straight rollers, boundaries whose "
+          "prescribed displacements agree where they meet, and cells that are "
+          "parallelograms or quadratic elements where a prescribed "
+          "displacement depends on the position." :
+          "In space, the equilibrium method needs flat rollers, and cells "
+          "whose faces are parallelograms where a prescribed displacement "
+          "depends on the position.");
+  }
+
+
+
+  template void
+  require_supported(const SplitBody<2> &, const QuadraticField<2> &);
+  template void
+  require_supported(const SplitBody<3> &, const QuadraticField<3> &);
 } // namespace ElastoPlastic

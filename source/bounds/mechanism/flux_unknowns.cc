@@ -9,15 +9,15 @@
 
 namespace ElastoPlastic
 {
-  FluxElement::FluxElement(const SpaceBody &body, const unsigned int t)
-    : corners(body.mesh.corners(body.mesh.tetrahedra[t]))
+  FluxElement::FluxElement(const SplitBody<3> &body, const unsigned int t)
+    : corners(body.mesh.corners(body.mesh.simplices[t]))
     , gradients_of_corners(gradients(corners))
   {
     for (unsigned int k = 0; k < 4; ++k)
       normal_derivatives[k] =
         gradients_of_corners[k] *
         normal(
-          body.mesh.corners(body.mesh.faces[body.mesh.tetrahedra[t].faces[k]]));
+          body.mesh.corners(body.mesh.faces[body.mesh.simplices[t].faces[k]]));
   }
 
 
@@ -38,7 +38,7 @@ namespace ElastoPlastic
 
 
 
-  FluxUnknowns::FluxUnknowns(const SpaceBody &body)
+  FluxUnknowns::FluxUnknowns(const SplitBody<3> &body)
     : body(body)
   {
     for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
@@ -65,8 +65,7 @@ namespace ElastoPlastic
                    const unsigned int k,
                    const unsigned int v) const
   {
-    return numbering[body.index(body.mesh.tetrahedra[t].faces[k],
-                                v < k ? v : v - 1)];
+    return numbering[3 * body.mesh.simplices[t].faces[k] + (v < k ? v : v - 1)];
   }
 
 
@@ -78,7 +77,7 @@ namespace ElastoPlastic
   {
     constexpr unsigned int n_repetitions = 3;
 
-    const unsigned int     n = body.mesh.tetrahedra.size();
+    const unsigned int     n = body.mesh.simplices.size();
     DynamicSparsityPattern couplings(n, n_unknowns), neighbors(n, n);
     for (unsigned int t = 0; t < n; ++t)
       for_each(t, [&](unsigned int, unsigned int, const unsigned int unknown) {

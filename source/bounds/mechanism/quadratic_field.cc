@@ -3,42 +3,71 @@
 
 #include "bounds/body/gathered_solution.h"
 #include "bounds/mechanism/quadratic_field.h"
-#include "bounds/stress/johnson_mercier.h"
 
 namespace ElastoPlastic
 {
-  std::array<Tensor<1, 2>, 6>
-  shape_gradients(const std::array<Point<2>, 3> &corners,
-                  const unsigned int             corner)
+  namespace
   {
-    const auto                  linear = JohnsonMercier::gradients(corners);
-    std::array<Tensor<1, 2>, 6> result;
-    for (unsigned int i = 0; i < 3; ++i)
-      result[i] = (i == corner ? 3. : -1.) * linear[i];
-    result[3 + corner]           = 4. * linear[(corner + 1) % 3];
-    result[3 + (corner + 2) % 3] = 4. * linear[(corner + 2) % 3];
+    /// The quadratic function with these values at the corners of a simplex and
+    /// in the middle of its edges.
+    template <int dim, typename Value>
+    Value
+    quadratic(const std::array<Value, dim + 1>                &at_corners,
+              const std::array<Value, edges_per_simplex<dim>> &at_edges,
+              const Barycentric<dim>                          &position)
+    {
+      Value result = Value();
+      for (unsigned int i = 0; i <= dim; ++i)
+        result += position[i] * (2. * position[i] - 1.) * at_corners[i];
+      for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
+        {
+          const auto [a, b] = ends_of_edge<dim>(e);
+          result += 4. * position[a] * position[b] * at_edges[e];
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  // At a corner, of the functions of edges only those of the edges that begin
+  // there have a gradient.
+  template <int dim>
+  std::array<Tensor<1, dim>, dim + 1 + edges_per_simplex<dim>>
+  shape_gradients(const Corners<dim> &corners, const unsigned int corner)
+  {
+    const auto linear = gradients(corners);
+    std::array<Tensor<1, dim>, dim + 1 + edges_per_simplex<dim>> result;
+    for (unsigned int i = 0; i <= dim; ++i)
+      {
+        result[i] = (i == corner ? 3. : -1.) * linear[i];
+        if (i != corner)
+          result[dim + 1 + edge_between<dim>(i, corner)] = 4. * linear[i];
+      }
     return result;
   }
 
 
 
-  std::array<SymmetricTensor<2, 2>, 3>
-  strains(const SplitMesh      &mesh,
-          const QuadraticField &field,
-          const unsigned int    t)
+  template <int dim>
+  std::array<SymmetricTensor<2, dim>, dim + 1>
+  strains(const SplitMesh<dim>      &mesh,
+          const QuadraticField<dim> &field,
+          const unsigned int         t)
   {
-    const auto                          &triangle = mesh.triangles[t];
-    const auto                           corners  = mesh.corners(triangle);
-    std::array<SymmetricTensor<2, 2>, 3> result;
-    for (unsigned int corner = 0; corner < 3; ++corner)
+    const auto &simplex = mesh.simplices[t];
+    const auto  corners = mesh.corners(simplex);
+    std::array<SymmetricTensor<2, dim>, dim + 1> result;
+    for (unsigned int corner = 0; corner <= dim; ++corner)
       {
-        const auto   gradients = shape_gradients(corners, corner);
-        Tensor<2, 2> gradient;
-        for (unsigned int i = 0; i < 3; ++i)
+        const auto     shapes = shape_gradients<dim>(corners, corner);
+        Tensor<2, dim> gradient;
+        for (unsigned int i = 0; i <= dim; ++i)
           gradient +=
-            outer_product(field.at_vertices[triangle.vertices[i]],
-                          gradients[i]) +
-            outer_product(field.at_sides[triangle.sides[i]], gradients[3 + i]);
+            outer_product(field.at_vertices[simplex.vertices[i]], shapes[i]);
+        for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
+          gradient += outer_product(field.at_edges[simplex.edges[e]],
+                                    shapes[dim + 1 + e]);
         result[corner] = symmetrize(gradient);
       }
     return result;
@@ -46,56 +75,138 @@ namespace ElastoPlastic
 
 
 
-  Tensor<1, 2>
-  value(const QuadraticField        &field,
-        const SplitMesh::Triangle   &triangle,
-        const std::array<double, 3> &position)
+  template <int dim>
+  Tensor<1, dim>
+  value(const QuadraticField<dim>              &field,
+        const typename SplitMesh<dim>::Simplex &simplex,
+        const Barycentric<dim>                 &position)
   {
-    Tensor<1, 2> result;
-    for (unsigned int i = 0; i < 3; ++i)
-      result += position[i] * (2. * position[i] - 1.) *
-                  field.at_vertices[triangle.vertices[i]] +
-                4. * position[i] * position[(i + 1) % 3] *
-                  field.at_sides[triangle.sides[i]];
+    std::array<Tensor<1, dim>, dim + 1>                at_corners;
+    std::array<Tensor<1, dim>, edges_per_simplex<dim>> at_edges;
+    for (unsigned int i = 0; i <= dim; ++i)
+      at_corners[i] = field.at_vertices[simplex.vertices[i]];
+    for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
+      at_edges[e] = field.at_edges[simplex.edges[e]];
+    return quadratic<dim>(at_corners, at_edges, position);
+  }
+
+
+
+  template <int dim>
+  std::array<Tensor<1, dim>, dim + 2>
+  values_at_vertices(const QuadraticField<dim>              &field,
+                     const typename SplitMesh<dim>::Simplex &simplex)
+  {
+    std::array<Tensor<1, dim>, dim + 2> result;
+    Barycentric<dim>                    centre;
+    centre.fill(1. / (dim + 1.));
+    for (unsigned int i = 0; i <= dim; ++i)
+      result[i] = field.at_vertices[simplex.vertices[i]];
+    result[dim + 1] = value<dim>(field, simplex, centre);
     return result;
   }
 
 
 
-  std::array<Tensor<1, 2>, 4>
-  values_at_vertices(const QuadraticField      &field,
-                     const SplitMesh::Triangle &triangle)
+  template <int dim>
+  Tensor<1, dim>
+  FaceValues<dim>::value(const Barycentric<dim - 1> &position) const
   {
-    return {{value(field, triangle, {{1., 0., 0.}}),
-             value(field, triangle, {{0., 1., 0.}}),
-             value(field, triangle, {{0., 0., 1.}}),
-             value(field, triangle, {{1. / 3., 1. / 3., 1. / 3.}})}};
+    return quadratic<dim - 1>(at_corners, at_edges, position);
   }
 
 
 
-  QuadraticField
-  interpolate_displacement(const SplitMesh     &mesh,
-                           const DoFHandler<2> &dof_handler,
-                           const VectorType    &displacement)
+  template <int dim>
+  FaceValues<dim>
+  values_on_face(const SplitMesh<dim>      &mesh,
+                 const QuadraticField<dim> &field,
+                 const unsigned int         f)
   {
-    const GatheredSolution<2> solution(dof_handler, displacement);
-    QuadraticField            field;
-    field.at_vertices.resize(mesh.vertices.size());
-    field.at_sides.resize(mesh.sides.size());
-    for (const auto &triangle : mesh.triangles)
+    const auto     &vertices = mesh.faces[f].vertices;
+    const auto     &simplex  = mesh.simplices[mesh.faces[f].neighbors[0]];
+    FaceValues<dim> values;
+    for (unsigned int i = 0; i < dim; ++i)
+      values.at_corners[i] = field.at_vertices[vertices[i]];
+    for (unsigned int e = 0; e < edges_per_simplex<dim - 1>; ++e)
       {
-        const CellId &cell = mesh.cells[triangle.cell].id;
-        for (unsigned int i = 0; i < 3; ++i)
+        const auto [a, b] = ends_of_edge<dim - 1>(e);
+        values.edges[e] =
+          simplex
+            .edges[edge_between<dim>(simplex.place_of_vertex(vertices[a]),
+                                     simplex.place_of_vertex(vertices[b]))];
+        values.at_edges[e] = field.at_edges[values.edges[e]];
+      }
+    return values;
+  }
+
+
+
+  template <int dim>
+  QuadraticField<dim>
+  interpolate_displacement(const SplitMesh<dim>  &mesh,
+                           const DoFHandler<dim> &dof_handler,
+                           const VectorType      &displacement)
+  {
+    const GatheredSolution<dim> solution(dof_handler, displacement);
+    QuadraticField<dim>         field;
+    field.at_vertices.resize(mesh.vertices.size());
+    field.at_edges.resize(mesh.n_edges);
+    for (const auto &simplex : mesh.simplices)
+      {
+        const CellId &cell = mesh.cells[simplex.cell].id;
+        const auto   &unit = simplex.unit_corners;
+        for (unsigned int i = 0; i <= dim; ++i)
+          field.at_vertices[simplex.vertices[i]] =
+            solution.value(cell, unit[i]);
+        for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
           {
-            const Point<2> &here  = triangle.unit_corners[i],
-                           &there = triangle.unit_corners[(i + 1) % 3];
-            field.at_vertices[triangle.vertices[i]] =
-              solution.value(cell, here);
-            field.at_sides[triangle.sides[i]] =
-              solution.value(cell, here + 0.5 * (there - here));
+            const auto [a, b] = ends_of_edge<dim>(e);
+            field.at_edges[simplex.edges[e]] =
+              solution.value(cell, unit[a] + 0.5 * (unit[b] - unit[a]));
           }
       }
     return field;
   }
+
+
+
+  template std::array<Tensor<1, 2>, 6>
+  shape_gradients<2>(const Corners<2> &, const unsigned int);
+  template std::array<SymmetricTensor<2, 2>, 3>
+  strains(const SplitMesh<2> &, const QuadraticField<2> &, const unsigned int);
+  template std::array<SymmetricTensor<2, 3>, 4>
+  strains(const SplitMesh<3> &, const QuadraticField<3> &, const unsigned int);
+  template Tensor<1, 2>
+  value<2>(const QuadraticField<2> &,
+           const SplitMesh<2>::Simplex &,
+           const Barycentric<2> &);
+  template Tensor<1, 3>
+  value<3>(const QuadraticField<3> &,
+           const SplitMesh<3>::Simplex &,
+           const Barycentric<3> &);
+  template std::array<Tensor<1, 2>, 4>
+  values_at_vertices<2>(const QuadraticField<2> &,
+                        const SplitMesh<2>::Simplex &);
+  template std::array<Tensor<1, 3>, 5>
+  values_at_vertices<3>(const QuadraticField<3> &,
+                        const SplitMesh<3>::Simplex &);
+  template struct FaceValues<2>;
+  template struct FaceValues<3>;
+  template FaceValues<2>
+  values_on_face(const SplitMesh<2> &,
+                 const QuadraticField<2> &,
+                 const unsigned int);
+  template FaceValues<3>
+  values_on_face(const SplitMesh<3> &,
+                 const QuadraticField<3> &,
+                 const unsigned int);
+  template QuadraticField<2>
+  interpolate_displacement(const SplitMesh<2> &,
+                           const DoFHandler<2> &,
+                           const VectorType &);
+  template QuadraticField<3>
+  interpolate_displacement(const SplitMesh<3> &,
+                           const DoFHandler<3> &,
+                           const VectorType &);
 } // namespace ElastoPlastic

@@ -8,14 +8,11 @@
 #include "bounds/conic/yield_conditions.h"
 #include "bounds/mechanism/quadratic_field.h"
 #include "bounds/mechanism/sheet_program.h"
-#include "bounds/mesh/integration.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    constexpr double gap_tolerance = 1e-6;
-
     /// Stresses at the corners of a triangle: 11, 22, 12.
     constexpr unsigned int n_stresses = 9;
 
@@ -62,10 +59,10 @@ namespace ElastoPlastic
     class SheetProgram
     {
     public:
-      explicit SheetProgram(const PlaneBody &body);
+      explicit SheetProgram(const SplitBody<2> &body);
 
-      VelocityField
-      solve() const;
+      VelocityField<2>
+      solve(const double tolerance) const;
 
     private:
       /// No velocity of a side in this direction.
@@ -84,24 +81,24 @@ namespace ElastoPlastic
       /// Those of the triangle's sides, each vertex being counted once.
       std::vector<ContactForce>
       contact_forces(const unsigned int triangle);
-      TriangleVelocity
+      SimplexVelocity<2>
       velocity_of(const unsigned int               triangle,
                   const std::vector<Tensor<1, 2>> &velocities) const;
 
-      const PlaneBody  &body;
-      std::vector<Node> nodes;
-      ConicProgram      program;
-      std::vector<bool> vertex_is_pressed;
+      const SplitBody<2> &body;
+      std::vector<Node>   nodes;
+      ConicProgram        program;
+      std::vector<bool>   vertex_is_pressed;
     };
 
 
 
     /// Of a triangle: its corners, then the middles of its sides.
     std::array<unsigned int, 6>
-    nodes_of(const SplitMesh &mesh, const unsigned int t)
+    nodes_of(const SplitMesh<2> &mesh, const unsigned int t)
     {
-      const auto        &vertices = mesh.triangles[t].vertices;
-      const auto        &sides    = mesh.triangles[t].sides;
+      const auto        &vertices = mesh.simplices[t].vertices;
+      const auto        &sides    = mesh.simplices[t].faces;
       const unsigned int n        = mesh.vertices.size();
       return {{vertices[0],
                vertices[1],
@@ -113,14 +110,14 @@ namespace ElastoPlastic
 
 
 
-    SheetProgram::SheetProgram(const PlaneBody &body)
+    SheetProgram::SheetProgram(const SplitBody<2> &body)
       : body(body)
-      , nodes(body.mesh.vertices.size() + body.mesh.sides.size())
+      , nodes(body.mesh.vertices.size() + body.mesh.faces.size())
       , vertex_is_pressed(body.mesh.vertices.size(), false)
     {
       number_equations();
       add_tractions();
-      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+      for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         add_block(t);
     }
 
@@ -129,7 +126,7 @@ namespace ElastoPlastic
     void
     SheetProgram::fix(const unsigned int s, const Tensor<1, 2> &direction)
     {
-      for (const unsigned int vertex : body.mesh.sides[s].vertices)
+      for (const unsigned int vertex : body.mesh.faces[s].vertices)
         nodes[vertex].fix(direction);
       nodes[body.mesh.vertices.size() + s].fix(direction);
     }
@@ -139,10 +136,10 @@ namespace ElastoPlastic
     void
     SheetProgram::number_equations()
     {
-      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
         {
           for (const auto &component : body.conditions[s].components)
-            if (component.type == SideConditionType::displacement)
+            if (component.type == ConditionType::displacement)
               fix(s, component.direction);
           if (body.conditions[s].is_reached &&
               body.indenter_surface == SurfaceFinish::rough)
@@ -168,14 +165,14 @@ namespace ElastoPlastic
     {
       const double unit        = body.stress_unit * body.length_unit;
       const double growth_unit = body.load_factor_unit / unit;
-      for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+      for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
         for (const auto &component : body.conditions[s].components)
           {
-            if (component.type != SideConditionType::traction)
+            if (component.type != ConditionType::traction)
               continue;
-            const SplitMesh::Side &side   = body.mesh.sides[s];
-            const unsigned int     middle = body.mesh.vertices.size() + s;
-            const auto             add    = [&](Vector<double>    &loads,
+            const auto        &side   = body.mesh.faces[s];
+            const unsigned int middle = body.mesh.vertices.size() + s;
+            const auto         add    = [&](Vector<double>    &loads,
                                  const unsigned int n,
                                  const double       force) {
               for (unsigned int c = 0; c < 2; ++c)
@@ -189,18 +186,18 @@ namespace ElastoPlastic
                 add(loads, side.vertices[1], t * (2. * t - 1.) * force);
                 add(loads, middle, 4. * t * (1. - t) * force);
               };
-            integrate_on_side(
-              body.mesh.vertices[side.vertices[0]],
-              body.mesh.vertices[side.vertices[1]],
-              [&](const double t, const Point<2> &x, const double weight) {
-                const double length = weight * body.mesh.length(side);
+            integrate_on_face<2>(
+              body.mesh.corners(side),
+              [&](const FacePoint<2> &point, const double weight) {
+                const double t      = point.position[1];
+                const double length = weight * area(body.mesh.corners(side));
                 add_all(program.right_hand_side,
                         t,
-                        length * component.value(x) / unit);
+                        length * component.value(point) / unit);
                 if (body.load_factor_unit > 0)
                   add_all(program.growth,
                           t,
-                          length * growth_unit * component.growth(x));
+                          length * growth_unit * component.growth(point));
               });
           }
     }
@@ -214,11 +211,11 @@ namespace ElastoPlastic
     SheetProgram::contact_forces(const unsigned int t)
     {
       std::vector<ContactForce> forces;
-      for (const unsigned int s : body.mesh.triangles[t].sides)
+      for (const unsigned int s : body.mesh.simplices[t].faces)
         {
           if (!body.conditions[s].is_reached)
             continue;
-          const auto        &vertices = body.mesh.sides[s].vertices;
+          const auto        &vertices = body.mesh.faces[s].vertices;
           const unsigned int middle   = body.mesh.vertices.size() + s;
           forces.push_back(
             {{middle, 2.}, {vertices[0], -0.5}, {vertices[1], -0.5}});
@@ -239,15 +236,17 @@ namespace ElastoPlastic
     {
       const auto         forces = contact_forces(t);
       const unsigned int n      = n_stresses + forces.size();
-      FullMatrix<double> stresses(3 * n_stress_components, n);
+      FullMatrix<double> stresses(3 * n_stress_components<2>, n);
       for (unsigned int corner = 0; corner < 3; ++corner)
         for (unsigned int c = 0; c < 3; ++c)
-          stresses(n_stress_components * corner + c, 3 * corner + c) = 1.;
+          stresses(n_stress_components<2> * corner + c, 3 * corner + c) = 1.;
 
       ConicBlock &block = program.blocks.emplace_back(n);
-      add_yield_conditions(block,
-                           stresses,
-                           body.materials[t].yield_radius / body.stress_unit);
+      add_yield_conditions<2>(block,
+                              stresses,
+                              {1., 1., 1.},
+                              body.materials[t].yield_radius /
+                                body.stress_unit);
       for (unsigned int f = 0; f < forces.size(); ++f)
         {
           block.linear_cost[n_stresses + f] = body.indenter_velocity[1];
@@ -256,11 +255,11 @@ namespace ElastoPlastic
           block.add_inequality(row);
         }
 
-      const auto   corners = body.mesh.corners(body.mesh.triangles[t]);
-      const double weight  = area(corners) / (3. * body.length_unit);
+      const auto   corners = body.mesh.corners(body.mesh.simplices[t]);
+      const double weight  = volume(corners) / (3. * body.length_unit);
       std::array<std::array<Tensor<1, 2>, 6>, 3> gradients;
       for (unsigned int corner = 0; corner < 3; ++corner)
-        gradients[corner] = shape_gradients(corners, corner);
+        gradients[corner] = shape_gradients<2>(corners, corner);
 
       unsigned int i = 0;
       for (const unsigned int node : nodes_of(body.mesh, t))
@@ -289,10 +288,10 @@ namespace ElastoPlastic
 
 
 
-    VelocityField
-    SheetProgram::solve() const
+    VelocityField<2>
+    SheetProgram::solve(const double tolerance) const
     {
-      const ConicSolution solution = minimize(program, gap_tolerance);
+      const ConicSolution solution = minimize(program, tolerance);
 
       std::vector<Tensor<1, 2>> velocities(nodes.size());
       for (unsigned int i = 0; i < nodes.size(); ++i)
@@ -301,8 +300,8 @@ namespace ElastoPlastic
             velocities[i] -=
               solution.y[nodes[i].equations[c]] * nodes[i].directions[c];
 
-      VelocityField field;
-      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+      VelocityField<2> field;
+      for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         field.velocity.push_back(velocity_of(t, velocities));
       field.bound        = -solution.cost * (body.load_factor_unit > 0 ?
                                                body.load_factor_unit :
@@ -314,12 +313,12 @@ namespace ElastoPlastic
 
 
 
-    TriangleVelocity
+    SimplexVelocity<2>
     SheetProgram::velocity_of(const unsigned int               t,
                               const std::vector<Tensor<1, 2>> &velocities) const
     {
       const auto at_nodes = nodes_of(body.mesh, t);
-      return interpolate_cubic([&](const Bernstein::Barycentric &point) {
+      return interpolate_cubic([&](const Barycentric<2> &point) {
         Tensor<1, 2> value;
         for (unsigned int i = 0; i < 3; ++i)
           value +=
@@ -332,9 +331,9 @@ namespace ElastoPlastic
 
 
 
-  VelocityField
-  find_motion_of_sheet(const PlaneBody &body)
+  VelocityField<2>
+  find_motion_of_sheet(const SplitBody<2> &body, const double tolerance)
   {
-    return SheetProgram(body).solve();
+    return SheetProgram(body).solve(tolerance);
   }
 } // namespace ElastoPlastic

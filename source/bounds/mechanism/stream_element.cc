@@ -6,12 +6,9 @@
 
 #include "bounds/mechanism/stream_element.h"
 #include "bounds/stress/inverse_square.h"
-#include "bounds/stress/johnson_mercier.h"
 
 namespace ElastoPlastic
 {
-  using namespace Bernstein;
-
   namespace
   {
     /// On triangles of a size h that are far from the axis, r^2 chi is close to
@@ -23,12 +20,12 @@ namespace ElastoPlastic
 
 
 
-  StreamElement::StreamElement(const PlaneBody   &body,
-                               const unsigned int triangle,
-                               const bool         has_flux)
+  StreamElement::StreamElement(const SplitBody<2> &body,
+                               const unsigned int  triangle,
+                               const bool          has_flux)
     : body(body)
-    , corners(body.mesh.corners(body.mesh.triangles[triangle]))
-    , gradients(JohnsonMercier::gradients(corners))
+    , corners(body.mesh.corners(body.mesh.simplices[triangle]))
+    , gradients(ElastoPlastic::gradients(corners))
     , has_flux(has_flux)
   {}
 
@@ -112,19 +109,19 @@ namespace ElastoPlastic
     FullMatrix<double> values(n_points * n_components, n_functions());
     for (unsigned int p = 0; p < n_points; ++p)
       {
-        const Barycentric &point = quadratic_points()[p];
-        const auto         jets  = cubics(gradients, point);
+        const Barycentric<2> &point = Bernstein<2>::points(2)[p];
+        const auto            jets  = cubics(gradients, point);
         for (unsigned int i = 0; i < n_cubics; ++i)
           {
             const auto components =
-              rate_components(rate_of(jets[i], position(corners, point)[0]));
+              rate_components(rate_of(jets[i], interpolate(point, corners)[0]));
             for (unsigned int c = 0; c < n_components; ++c)
               values(p * n_components + c, i) = components[c];
           }
       }
 
     WeightedRates result;
-    const double  size = area(corners);
+    const double  size = volume(corners);
     if (!body.is_axisymmetric())
       return {values, std::vector<double>(3, size / 3.)};
 
@@ -134,7 +131,8 @@ namespace ElastoPlastic
         for (unsigned int c = 0; c < n_components; ++c)
           for (unsigned int i = 0; i < n_cubics; ++i)
             result.rates(p * n_components + c, i) +=
-              quadratic_coefficients()(p, q) * values(q * n_components + c, i);
+              Bernstein<2>::coefficients(2)(p, q) *
+              values(q * n_components + c, i);
     for (const double moment :
          quadratic_moments({{corners[0][0], corners[1][0], corners[2][0]}}))
       result.weights.push_back(size * moment);
@@ -159,7 +157,7 @@ namespace ElastoPlastic
     rates.fill(result.rates);
     for (unsigned int f = 0; f < 3; ++f)
       {
-        TriangleVelocity velocity;
+        SimplexVelocity<2> velocity;
         velocity.flux         = gradients[f];
         const auto components = rate_components(weighted_flux_rate(velocity));
         for (unsigned int c = 0; c < n_components; ++c)
@@ -167,15 +165,16 @@ namespace ElastoPlastic
             for (unsigned int p = 0; p < n_quadratics; ++p)
               for (unsigned int q = 0; q < n_quadratics; ++q)
                 rates(p * n_components + c, n_cubics + f) +=
-                  quadratic_coefficients()(p, q) *
-                  inverse_square(position(corners, quadratic_points()[q])[0]) *
+                  Bernstein<2>::coefficients(2)(p, q) *
+                  inverse_square(
+                    interpolate(Bernstein<2>::points(2)[q], corners)[0]) *
                   components[c];
             rates(n_quadratics * n_components + c, n_cubics + f) =
               components[c];
           }
       }
     result.rates      = rates;
-    const double size = area(corners);
+    const double size = volume(corners);
     const double r    = (corners[0][0] + corners[1][0] + corners[2][0]) / 3.;
     result.weights.push_back(
       size * r *
@@ -185,9 +184,9 @@ namespace ElastoPlastic
 
 
   std::vector<Tensor<1, 2>>
-  StreamElement::weighted_velocities(const Barycentric &point) const
+  StreamElement::weighted_velocities(const Barycentric<2> &point) const
   {
-    const Point<2>            x = position(corners, point);
+    const Point<2>            x = interpolate(point, corners);
     std::vector<Tensor<1, 2>> result;
     for (const Jet &jet : cubics(gradients, point))
       result.push_back(body.weight(x) * velocity_of(jet, x[0]));
@@ -210,14 +209,14 @@ namespace ElastoPlastic
       result(n_points, n_columns);
     for (unsigned int p = 0; p < n_points; ++p)
       {
-        const double t     = p / static_cast<double>(side_degree());
-        Barycentric  point = {};
-        point[k]           = 1. - t;
-        point[(k + 1) % 3] = t;
-        const auto row     = values(point, t);
+        const double   t     = p / static_cast<double>(side_degree());
+        Barycentric<2> point = {};
+        point[k]             = 1. - t;
+        point[(k + 1) % 3]   = t;
+        const auto row       = values(point, t);
         std::copy(row.begin(), row.end(), &at_points(p, 0));
       }
-    side_coefficients(side_degree()).mmult(result, at_points);
+    Bernstein<1>::coefficients(side_degree()).mmult(result, at_points);
     return result;
   }
 
@@ -228,7 +227,7 @@ namespace ElastoPlastic
                                     const Tensor<1, 2> &direction) const
   {
     return coefficients_on_side(
-      k, n_functions(), [&](const Barycentric &point, const double) {
+      k, n_functions(), [&](const Barycentric<2> &point, const double) {
         std::vector<double> row;
         for (const Tensor<1, 2> &velocity : weighted_velocities(point))
           row.push_back(velocity * direction);
@@ -243,8 +242,8 @@ namespace ElastoPlastic
                                const Tensor<1, 2> &direction) const
   {
     return coefficients_on_side(
-      k, n_functions() + 9, [&](const Barycentric &point, const double t) {
-        const double        r = body.weight(position(corners, point));
+      k, n_functions() + 9, [&](const Barycentric<2> &point, const double t) {
+        const double        r = body.weight(interpolate(point, corners));
         std::vector<double> row;
         for (const Jet &jet : cubics(gradients, point))
           row.push_back(r * r * (velocity_of_stream(jet.gradient) * direction));
@@ -252,7 +251,7 @@ namespace ElastoPlastic
           for (const Tensor<1, 2> &gradient : gradients)
             row.push_back(velocity_of_stream(gradient) * direction);
         row.resize(n_functions() + 3 * k, 0.);
-        for (const double function : side_functions(2, t))
+        for (const double function : Bernstein<1>::functions(2, {{1. - t, t}}))
           row.push_back(-r * r * function);
         row.resize(n_functions() + 9, 0.);
         return row;
@@ -264,9 +263,9 @@ namespace ElastoPlastic
   std::vector<double>
   StreamElement::weights_on_side(const unsigned int k) const
   {
-    const auto coefficients =
-      coefficients_on_side(k, 1, [&](const Barycentric &point, const double) {
-        return std::vector<double>{body.weight(position(corners, point))};
+    const auto coefficients = coefficients_on_side(
+      k, 1, [&](const Barycentric<2> &point, const double) {
+        return std::vector<double>{body.weight(interpolate(point, corners))};
       });
     std::vector<double> result;
     for (unsigned int p = 0; p < coefficients.m(); ++p)
@@ -276,17 +275,18 @@ namespace ElastoPlastic
 
 
 
-  TriangleVelocity
+  SimplexVelocity<2>
   StreamElement::velocity(const Vector<double> &coefficients) const
   {
-    TriangleVelocity result = interpolate_cubic([&](const Barycentric &point) {
-      const auto   jets = cubics(gradients, point);
-      Tensor<1, 2> value;
-      for (unsigned int i = 0; i < n_cubics; ++i)
-        value +=
-          coefficients[i] * velocity_of(jets[i], position(corners, point)[0]);
-      return value;
-    });
+    SimplexVelocity<2> result =
+      interpolate_cubic([&](const Barycentric<2> &point) {
+        const auto   jets = cubics(gradients, point);
+        Tensor<1, 2> value;
+        for (unsigned int i = 0; i < n_cubics; ++i)
+          value += coefficients[i] *
+                   velocity_of(jets[i], interpolate(point, corners)[0]);
+        return value;
+      });
     if (has_flux)
       for (unsigned int f = 0; f < 3; ++f)
         result.flux += coefficients[n_cubics + f] * gradients[f];

@@ -4,20 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bounds/body/side_support.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/power_block.h"
+#include "bounds/mechanism/face_view.h"
 #include "bounds/mechanism/stream_element.h"
 #include "bounds/mechanism/stream_program.h"
 #include "bounds/mechanism/stream_unknowns.h"
-#include "bounds/mesh/integration.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    constexpr double work_tolerance = 1e-6;
-
     /// Relative to the largest of their kind: coefficients that vanish on the
     /// axis.
     constexpr double relative_zero = 1e-12;
@@ -46,10 +43,10 @@ namespace ElastoPlastic
     class StreamProgram
     {
     public:
-      explicit StreamProgram(const PlaneBody &body);
+      explicit StreamProgram(const SplitBody<2> &body);
 
-      VelocityField
-      solve() const;
+      VelocityField<2>
+      solve(const double tolerance) const;
 
     private:
       void
@@ -70,7 +67,7 @@ namespace ElastoPlastic
                 const unsigned int               triangle,
                 const unsigned int               k);
 
-      const PlaneBody     &body;
+      const SplitBody<2>  &body;
       const StreamUnknowns unknowns;
       const double         work_unit;
       ConicProgram         program;
@@ -78,7 +75,7 @@ namespace ElastoPlastic
 
 
 
-    StreamProgram::StreamProgram(const PlaneBody &body)
+    StreamProgram::StreamProgram(const SplitBody<2> &body)
       : body(body)
       , unknowns(body)
       , work_unit(body.stress_unit * body.length_unit * body.weight_unit())
@@ -86,7 +83,7 @@ namespace ElastoPlastic
       program.right_hand_side.reinit(unknowns.size());
       if (body.load_factor_unit > 0)
         program.growth.reinit(unknowns.size());
-      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+      for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         add_block(t);
     }
 
@@ -124,15 +121,14 @@ namespace ElastoPlastic
                             const unsigned int   t,
                             const unsigned int   k) const
     {
-      const unsigned int s       = body.mesh.triangles[t].sides[k];
-      const auto        &side    = body.mesh.sides[s];
-      const SideSupport  support = support_of(body, s);
-      const bool         is_inside =
-        side.boundary_id == numbers::internal_face_boundary_id;
+      const unsigned int   s         = body.mesh.simplices[t].faces[k];
+      const auto          &side      = body.mesh.faces[s];
+      const FaceSupport<2> support   = body.support_of(s);
+      const bool           is_inside = side.is_inside();
       if (!is_inside && !support.resists_slip)
         return;
 
-      const Tensor<1, 2> tangent = -cross_product_2d(body.mesh.normal(side));
+      const Tensor<1, 2> tangent = tangents(body.mesh.corners(side))[0];
       const auto         slips = is_inside ? element.slips_on_side(k, tangent) :
                                              element.velocities_on_side(k, tangent);
       const auto         weights = element.weights_on_side(k);
@@ -140,8 +136,8 @@ namespace ElastoPlastic
         block.add_norm(slips,
                        i,
                        1,
-                       body.mesh.length(side) / slips.m() * body.stress_unit /
-                         work_unit,
+                       area(body.mesh.corners(side)) / slips.m() *
+                         body.stress_unit / work_unit,
                        std::sqrt(0.5) * body.materials[t].yield_radius /
                          body.stress_unit,
                        weights[i] * (support.velocity * tangent));
@@ -155,7 +151,7 @@ namespace ElastoPlastic
                                 const unsigned int   t,
                                 const unsigned int   k) const
     {
-      const unsigned int s = body.mesh.triangles[t].sides[k];
+      const unsigned int s = body.mesh.simplices[t].faces[k];
       if (!body.conditions[s].is_reached)
         return;
       const auto &direction  = body.conditions[s].components[1].direction;
@@ -166,7 +162,7 @@ namespace ElastoPlastic
                             i,
                             1. / body.weight_unit(),
                             weights[i] *
-                              (support_of(body, s).velocity * direction));
+                              (body.support_of(s).velocity * direction));
     }
 
 
@@ -180,52 +176,45 @@ namespace ElastoPlastic
                              const unsigned int               t,
                              const unsigned int               k)
     {
-      const auto        &triangle = body.mesh.triangles[t];
-      const auto         corners  = body.mesh.corners(triangle);
-      const unsigned int next     = (k + 1) % 3;
-      const double       length   = corners[k].distance(corners[next]);
-      const unsigned int s        = triangle.sides[k];
-      const Tensor<1, 2> normal   = body.mesh.normal(body.mesh.sides[s]);
-      for (const auto &component : body.conditions[s].components)
-        if (component.type == SideConditionType::traction ||
-            component.type == SideConditionType::contact)
-          integrate_on_side(
-            corners[k],
-            corners[next],
-            [&](const double position, const Point<2> &x, const double weight) {
-              Bernstein::Barycentric point = {};
-              point[k]                     = 1. - position;
-              point[next]                  = position;
-              const auto velocities        = element.weighted_velocities(point);
+      const unsigned int s = body.mesh.simplices[t].faces[k];
+      const FaceView<2>  view(body, s);
+      if (view.face.is_inside())
+        return;
+      for (unsigned int c = 0; c < 2; ++c)
+        if (view.condition.components[c].type != ConditionType::displacement)
+          integrate_on_face<2>(
+            view.corners, [&](const FacePoint<2> &point, const double weight) {
+              const auto velocities =
+                element.weighted_velocities(view.point(point.position));
               for (unsigned int f = 0; f < velocities.size(); ++f)
                 if (equations[f] != numbers::invalid_unsigned_int)
                   {
                     const double velocity =
-                      weight * length / work_unit *
-                      (velocities[f] * component.direction);
+                      weight * view.area / work_unit *
+                      (velocities[f] * view.condition.components[c].direction);
                     program.right_hand_side[equations[f]] +=
-                      velocity * body.load(component, normal, x);
+                      velocity * body.load(s, c, point);
                     if (body.load_factor_unit > 0)
-                      program.growth[equations[f]] +=
-                        velocity * body.load_factor_unit *
-                        body.growth(component, normal, x);
+                      program.growth[equations[f]] += velocity *
+                                                      body.load_factor_unit *
+                                                      body.growth(s, c, point);
                   }
             });
     }
 
 
 
-    VelocityField
-    StreamProgram::solve() const
+    VelocityField<2>
+    StreamProgram::solve(const double tolerance) const
     {
-      const ConicSolution solution = minimize(program, work_tolerance);
-      VelocityField       field;
+      const ConicSolution solution = minimize(program, tolerance);
+      VelocityField<2>    field;
       field.bound =
         -solution.cost * (body.load_factor_unit > 0 ? body.load_factor_unit :
                                                       body.angle() * work_unit);
       field.n_iterations = solution.n_iterations;
       field.is_optimal   = solution.is_optimal;
-      for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+      for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         {
           const StreamElement element(body, t, unknowns.has_flux(t));
           const auto          equations = unknowns.on_triangle(t);
@@ -241,9 +230,9 @@ namespace ElastoPlastic
 
 
 
-  VelocityField
-  find_stream(const PlaneBody &body)
+  VelocityField<2>
+  find_stream(const SplitBody<2> &body, const double tolerance)
   {
-    return StreamProgram(body).solve();
+    return StreamProgram(body).solve(tolerance);
   }
 } // namespace ElastoPlastic

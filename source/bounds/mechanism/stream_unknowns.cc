@@ -5,18 +5,18 @@
 #include <cmath>
 #include <map>
 
-#include "bounds/body/side_support.h"
+#include "bounds/body/split_body.h"
 #include "bounds/mechanism/stream_unknowns.h"
 
 namespace ElastoPlastic
 {
-  StreamUnknowns::StreamUnknowns(const PlaneBody &body)
+  StreamUnknowns::StreamUnknowns(const SplitBody<2> &body)
     : body(body)
     , first_on_sides(body.mesh.vertices.size())
-    , first_inside(first_on_sides + 2 * body.mesh.sides.size())
-    , first_flux(first_inside + body.mesh.triangles.size())
+    , first_inside(first_on_sides + 2 * body.mesh.faces.size())
+    , first_flux(first_inside + body.mesh.simplices.size())
     , first_velocity(first_flux + body.mesh.vertices.size())
-    , zero(first_velocity + 3 * body.mesh.sides.size())
+    , zero(first_velocity + 3 * body.mesh.faces.size())
     , vertex_has_flux(body.mesh.vertices.size(), body.is_axisymmetric())
   {
     find_flux();
@@ -39,7 +39,7 @@ namespace ElastoPlastic
     const auto is_on_axis = [this](const unsigned int v) {
       return body.is_on_axis(body.mesh.vertices[v]);
     };
-    for (const auto &triangle : body.mesh.triangles)
+    for (const auto &triangle : body.mesh.simplices)
       if (std::any_of(triangle.vertices.begin(),
                       triangle.vertices.end(),
                       is_on_axis))
@@ -52,7 +52,7 @@ namespace ElastoPlastic
   bool
   StreamUnknowns::has_flux(const unsigned int t) const
   {
-    const auto &vertices = body.mesh.triangles[t].vertices;
+    const auto &vertices = body.mesh.simplices[t].vertices;
     return std::any_of(vertices.begin(),
                        vertices.end(),
                        [this](const unsigned int v) {
@@ -67,7 +67,7 @@ namespace ElastoPlastic
                         const unsigned int first_vertex,
                         const unsigned int i) const
   {
-    const auto        &vertices = body.mesh.sides[s].vertices;
+    const auto        &vertices = body.mesh.faces[s].vertices;
     const unsigned int k        = vertices[0] == first_vertex ? i : 3 - i;
     return k == 0 ? vertices[0] :
            k == 3 ? vertices[1] :
@@ -83,7 +83,7 @@ namespace ElastoPlastic
   {
     constexpr double rounding = 1e-12;
 
-    const auto    &vertices = body.mesh.sides[s].vertices;
+    const auto    &vertices = body.mesh.faces[s].vertices;
     const Point<2> a        = body.mesh.vertices[vertices[0]],
                    b        = body.mesh.vertices[vertices[1]];
     if (body.is_on_axis(a) && body.is_on_axis(b))
@@ -101,12 +101,11 @@ namespace ElastoPlastic
   StreamUnknowns::number()
   {
     Sets sets(zero + 1);
-    for (unsigned int s = 0; s < body.mesh.sides.size(); ++s)
+    for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
       {
-        if (support_of(body, s).is_closed)
+        if (body.support_of(s).is_closed)
           close_side(sets, s);
-        if (body.mesh.sides[s].boundary_id !=
-            numbers::internal_face_boundary_id)
+        if (!body.mesh.faces[s].is_inside())
           for (unsigned int i = 0; i < 3; ++i)
             sets.union_set(first_velocity + 3 * s + i, zero);
       }
@@ -137,21 +136,21 @@ namespace ElastoPlastic
   std::vector<unsigned int>
   StreamUnknowns::on_triangle(const unsigned int t) const
   {
-    const auto               &triangle = body.mesh.triangles[t];
+    const auto               &triangle = body.mesh.simplices[t];
     std::vector<unsigned int> unknowns(triangle.vertices.begin(),
                                        triangle.vertices.end());
     for (unsigned int k = 0; k < 3; ++k)
       for (unsigned int i = 1; i < 3; ++i)
-        unknowns.push_back(cubic(triangle.sides[k], triangle.vertices[k], i));
+        unknowns.push_back(cubic(triangle.faces[k], triangle.vertices[k], i));
     unknowns.push_back(first_inside + t);
     if (has_flux(t))
       for (const unsigned int v : triangle.vertices)
         unknowns.push_back(first_flux + v);
     for (unsigned int k = 0; k < 3; ++k)
       {
-        const unsigned int s = triangle.sides[k];
+        const unsigned int s = triangle.faces[k];
         const bool         same_direction =
-          body.mesh.sides[s].vertices[0] == triangle.vertices[k];
+          body.mesh.faces[s].vertices[0] == triangle.vertices[k];
         for (unsigned int i = 0; i < 3; ++i)
           unknowns.push_back(first_velocity + 3 * s +
                              (same_direction ? i : 2 - i));

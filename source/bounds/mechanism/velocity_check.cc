@@ -3,240 +3,103 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/largest_error.h"
-#include "bounds/mechanism/side_view.h"
+#include "bounds/mechanism/face_view.h"
 #include "bounds/mechanism/velocity_check.h"
-#include "bounds/stress/inverse_square.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    using namespace Bernstein;
-
-    /// Sides of a triangle are divided into so many parts.
-    constexpr unsigned int n_side_parts = 4;
-
-    /// Of the weighted velocity on sides.
-    constexpr unsigned int trace_degree = 4;
-
-    using Velocities = std::vector<TriangleVelocity>;
-
-    /// The corners of a part of a triangle.
-    using Part = std::array<Barycentric, 3>;
+    template <int dim>
+    using Velocities = std::vector<SimplexVelocity<dim>>;
 
 
 
-    Barycentric
-    combination(const Part &part, const Barycentric &point)
+    /// The coefficients on a face of the velocity in the direction of the
+    /// indenter, and of its own.
+    struct AgainstIndenter
     {
-      Barycentric result = {};
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          result[j] += point[i] * part[i][j];
-      return result;
-    }
+      std::vector<double> of_body, of_indenter;
+    };
 
-
-
-    std::vector<Part>
-    parts_of_triangle()
-    {
-      const auto at = [](const unsigned int i, const unsigned int j) {
-        const double step = 1. / n_side_parts;
-        return Barycentric{{1. - (i + j) * step, i * step, j * step}};
-      };
-      std::vector<Part> parts;
-      for (unsigned int i = 0; i < n_side_parts; ++i)
-        for (unsigned int j = 0; i + j < n_side_parts; ++j)
-          {
-            parts.push_back({{at(i, j), at(i + 1, j), at(i, j + 1)}});
-            if (i + j + 1 < n_side_parts)
-              parts.push_back({{at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}});
-          }
-      return parts;
-    }
-
-
-
-    /// An upper bound of int w |e| dx over a part of a triangle, for the strain
-    /// rate e and the weight w of the body.
-    double
-    integral_of_rate(const PlaneBody               &body,
-                     const std::array<Point<2>, 3> &corners,
-                     const TriangleVelocity        &velocity,
-                     const Part                    &part)
-    {
-      std::array<double, 3> weights, radii;
-      for (unsigned int i = 0; i < 3; ++i)
-        {
-          const Point<2> corner = position(corners, part[i]);
-          radii[i]              = corner[0];
-          weights[i]            = body.weight(corner);
-        }
-      std::array<SymmetricTensor<2, 2>, n_quadratics> rates;
-      for (unsigned int p = 0; p < n_quadratics; ++p)
-        rates[p] = polynomial_rate(corners,
-                                   velocity,
-                                   combination(part, quadratic_points()[p]));
-      double sum = 0;
-      if (velocity.flux.norm() > 0)
-        {
-          const auto [r_min, r_max] =
-            std::minmax({radii[0], radii[1], radii[2]});
-          const InverseSquare inverse_square(r_min, r_max);
-          const auto          rate = weighted_flux_rate(velocity);
-          for (unsigned int p = 0; p < n_quadratics; ++p)
-            {
-              const auto &[a, b, c] = quadratic_points()[p];
-              rates[p] +=
-                inverse_square(a * radii[0] + b * radii[1] + c * radii[2]) *
-                rate;
-            }
-          sum += (weights[0] + weights[1] + weights[2]) / 3. *
-                 inverse_square.error() * rate_in_space(body, rate).norm();
-        }
-      const auto moments = quadratic_moments(weights);
-      for (unsigned int p = 0; p < n_quadratics; ++p)
-        {
-          SymmetricTensor<2, 2> coefficient;
-          for (unsigned int q = 0; q < n_quadratics; ++q)
-            coefficient += quadratic_coefficients()(p, q) * rates[q];
-          sum += moments[p] * rate_in_space(body, coefficient).norm();
-        }
-      return area(corners) / (n_side_parts * n_side_parts) * sum;
-    }
-
-
-
-    /// Of a triangle, without its sides.
-    double
-    work_inside(const PlaneBody        &body,
-                const TriangleVelocity &velocity,
-                const unsigned int      t)
-    {
-      static const std::vector<Part> parts = parts_of_triangle();
-
-      const auto corners = body.mesh.corners(body.mesh.triangles[t]);
-      double     sum     = 0;
-      for (const Part &part : parts)
-        sum += integral_of_rate(body, corners, velocity, part);
-      return body.materials[t].yield_radius * sum;
-    }
-
-
-
-    /// The coefficients of a polynomial of the position on the interval from
-    /// @p begin to @p end of a side.
-    template <typename Function>
-    std::array<double, trace_degree + 1>
-    on_interval(const double begin, const double end, const Function &function)
-    {
-      std::array<double, trace_degree + 1> result = {};
-      for (unsigned int p = 0; p <= trace_degree; ++p)
-        {
-          const double value =
-            function(begin + (end - begin) * p / trace_degree);
-          for (unsigned int i = 0; i <= trace_degree; ++i)
-            result[i] += side_coefficients(trace_degree)(i, p) * value;
-        }
-      return result;
-    }
-
-
-
-    double
-    work_of_slip(const SideView &view, const Velocities &velocity)
-    {
-      double sum = 0;
-      for (unsigned int part = 0; part < n_side_parts; ++part)
-        for (const double coefficient :
-             on_interval(part / static_cast<double>(n_side_parts),
-                         (part + 1.) / n_side_parts,
-                         [&](const double t) {
-                           return view.jump(velocity, t) * view.tangent;
-                         }))
-          sum += std::abs(coefficient);
-      return view.shear_strength() * view.length /
-             (n_side_parts * (trace_degree + 1.)) * sum;
-    }
-
-
-
-    /// The velocity in the direction of the indenter, and its own: the
-    /// coefficients on a side.
-    using AgainstIndenter = std::pair<std::array<double, trace_degree + 1>,
-                                      std::array<double, trace_degree + 1>>;
-
+    template <int dim>
     AgainstIndenter
-    against_indenter(const PlaneBody  &body,
-                     const SideView   &view,
-                     const Velocities &velocity)
+    against_indenter(const SplitBody<dim>  &body,
+                     const FaceView<dim>   &view,
+                     const Velocities<dim> &velocity)
     {
-      const auto &direction =
-        body.conditions[view.side].components[1].direction;
-      const unsigned int t       = view.neighbors[0].triangle;
-      const auto         corners = body.mesh.corners(body.mesh.triangles[t]);
-      return {on_interval(0.,
-                          1.,
-                          [&](const double position) {
-                            return -weighted_velocity(body,
-                                                      velocity[t],
-                                                      t,
-                                                      view.point(position)) *
-                                   direction;
-                          }),
-              on_interval(0., 1., [&](const double at) {
-                return -body.weight(position(corners, view.point(at))) *
-                       (view.support.velocity * direction);
-              })};
+      const auto &points = Bernstein<dim - 1>::points(trace_degree<dim>);
+      const auto &coefficients =
+        Bernstein<dim - 1>::coefficients(trace_degree<dim>);
+      const auto     &direction = view.condition.contact().direction;
+      AgainstIndenter result    = {std::vector<double>(points.size()),
+                                   std::vector<double>(points.size())};
+      for (unsigned int p = 0; p < points.size(); ++p)
+        {
+          const double here =
+            -view.velocity_of(0, velocity, points[p]) * direction;
+          const double there =
+            -body.weight(interpolate(points[p], view.corners)) *
+            (view.support.velocity * direction);
+          for (unsigned int i = 0; i < points.size(); ++i)
+            {
+              result.of_body[i] += coefficients(i, p) * here;
+              result.of_indenter[i] += coefficients(i, p) * there;
+            }
+        }
+      return result;
     }
 
 
 
+    template <int dim>
     void
-    check_divergence(VelocityErrors         &errors,
-                     const PlaneBody        &body,
-                     const TriangleVelocity &velocity,
-                     const unsigned int      t)
+    check_divergence(VelocityErrors             &errors,
+                     const SplitBody<dim>       &body,
+                     const SimplexVelocity<dim> &velocity,
+                     const unsigned int          t)
     {
-      TriangleVelocity polynomial = velocity; // the flux has no divergence
-      polynomial.flux             = Tensor<1, 2>();
-      const auto corners          = body.mesh.corners(body.mesh.triangles[t]);
-      for (const Barycentric &point : quadratic_points())
+      SimplexVelocity<dim> polynomial = velocity; // the flux has no divergence
+      polynomial.flux                 = Tensor<1, 2>();
+      const auto   corners            = body.corners_of(t);
+      const double size               = std::pow(volume(corners), 1. / dim);
+      for (const auto &point : Bernstein<dim>::points(2))
         {
-          const Point<2> x = position(corners, point);
+          const Point<dim> x = interpolate(point, corners);
           if (body.is_on_axis(x))
             continue;
-          double divergence = trace(polynomial_rate(corners, velocity, point));
+          double divergence =
+            trace(polynomial_rate<dim>(corners, velocity, point));
           if (body.is_axisymmetric())
-            divergence += velocity_at(body, polynomial, t, point)[0] / x[0];
-          enlarge(errors.divergence,
-                  std::abs(divergence) * std::sqrt(area(corners)));
+            divergence +=
+              weighted_velocity(body, polynomial, t, point)[0] / (x[0] * x[0]);
+          enlarge(errors.divergence, std::abs(divergence) * size);
         }
     }
 
 
 
+    template <int dim>
     void
-    check_side(VelocityErrors   &errors,
-               const PlaneBody  &body,
-               const SideView   &view,
-               const Velocities &velocity)
+    check_face(VelocityErrors        &errors,
+               const SplitBody<dim>  &body,
+               const FaceView<dim>   &view,
+               const Velocities<dim> &velocity)
     {
       const bool slips = body.kinematics != Kinematics::plane_stress;
-      for (unsigned int p = 0; p <= trace_degree; ++p)
+      for (const auto &point : Bernstein<dim - 1>::points(trace_degree<dim>))
         {
-          const Tensor<1, 2> jump =
-            view.jump(velocity, p / static_cast<double>(trace_degree)) /
-            body.weight_unit();
-          if (view.is_inside() || view.support.is_closed)
+          const Tensor<1, dim> jump =
+            view.jump(velocity, point) / body.weight_unit();
+          if (view.face.is_inside() || view.support.is_closed)
             enlarge(errors.separation, std::abs(jump * view.normal));
-          if (!slips && (view.is_inside() || view.support.resists_slip))
-            enlarge(errors.separation, std::abs(jump * view.tangent));
+          if (!slips && view.resists_slip())
+            enlarge(errors.separation, view.along(jump).norm());
         }
-      if (body.conditions[view.side].is_reached)
+      if (view.condition.is_reached)
         {
           const auto [of_body, of_indenter] =
             against_indenter(body, view, velocity);
@@ -244,6 +107,58 @@ namespace ElastoPlastic
             enlarge(errors.penetration,
                     (of_indenter[i] - of_body[i]) / body.weight_unit());
         }
+    }
+
+
+
+    /// Adds that of a force for each unit of the weighted velocity.
+    void
+    add(LoadPower &power, const double constant, const double growing)
+    {
+      power.constant += constant;
+      power.growing += growing;
+    }
+
+
+
+    /// The power of the given tractions on a face.
+    template <int dim>
+    void
+    add_tractions(LoadPower             &power,
+                  const SplitBody<dim>  &body,
+                  const Velocities<dim> &velocity,
+                  const FaceView<dim>   &view)
+    {
+      for (const auto &component : view.condition.components)
+        if (component.type == ConditionType::traction &&
+            !(component.value.is_zero() && component.growth.is_zero()))
+          integrate_on_face<dim>(
+            view.corners,
+            [&](const FacePoint<dim> &point, const double weight) {
+              const double along =
+                body.angle() * weight * view.area *
+                (view.velocity_of(0, velocity, point.position) *
+                 component.direction);
+              add(power,
+                  along * component.value(point),
+                  along * component.growth(point));
+            });
+    }
+
+
+
+    /// int v dx over a simplex, or 2 pi int r v. In the plane, weighted
+    /// velocities are polynomials of degree 4.
+    template <int dim>
+    Tensor<1, dim>
+    integral_of_velocity(const SplitBody<dim>       &body,
+                         const SimplexVelocity<dim> &velocity,
+                         const unsigned int          t)
+    {
+      Tensor<1, dim> sum;
+      for (const auto &[point, weight] : simplex_quadrature<dim>())
+        sum += weight * weighted_velocity(body, velocity, t, point);
+      return body.angle() * volume(body.corners_of(t)) * sum;
     }
   } // namespace
 
@@ -257,28 +172,30 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   VelocityErrors
-  check_velocity(const PlaneBody &body, const Velocities &velocity)
+  check_velocity(const SplitBody<dim> &body, const Velocities<dim> &velocity)
   {
     VelocityErrors errors;
     if (body.kinematics != Kinematics::plane_stress)
       for (unsigned int t = 0; t < velocity.size(); ++t)
         check_divergence(errors, body, velocity[t], t);
-    for (const SideView &view : views_of_sides(body))
-      check_side(errors, body, view, velocity);
+    for (const auto &view : views_of_faces(body))
+      check_face(errors, body, view, velocity);
     return errors;
   }
 
 
 
+  template <int dim>
   double
-  lowest_depth(const PlaneBody &body, const Velocities &velocity)
+  lowest_depth(const SplitBody<dim> &body, const Velocities<dim> &velocity)
   {
     constexpr double rounding = 1e-12;
 
     double depth = std::numeric_limits<double>::infinity();
-    for (const SideView &view : views_of_sides(body))
-      if (body.conditions[view.side].is_reached)
+    for (const auto &view : views_of_faces(body))
+      if (view.condition.is_reached)
         {
           const auto [of_body, of_indenter] =
             against_indenter(body, view, velocity);
@@ -291,20 +208,35 @@ namespace ElastoPlastic
 
 
 
-  std::vector<double>
-  plastic_work(const PlaneBody &body, const Velocities &velocity)
+  template <int dim>
+  LoadPower
+  power_of_loads(const SplitBody<dim> &body, const Velocities<dim> &velocity)
   {
-    std::vector<double> work;
+    LoadPower power;
+    for (const auto &view : views_of_faces(body))
+      add_tractions(power, body, velocity, view);
     for (unsigned int t = 0; t < velocity.size(); ++t)
-      work.push_back(body.angle() * work_inside(body, velocity[t], t));
-    if (body.kinematics == Kinematics::plane_stress)
-      return work;
-    for (const SideView &view : views_of_sides(body))
-      if (view.is_inside() || view.support.resists_slip)
-        for (const auto &neighbor : view.neighbors)
-          work[neighbor.triangle] +=
-            body.angle() * work_of_slip(view, velocity) / view.neighbors.size();
-    return work;
+      {
+        const auto integral = integral_of_velocity(body, velocity[t], t);
+        add(power,
+            body.body_force * integral,
+            body.body_force_growth * integral);
+      }
+    return power;
   }
 
+
+
+  template VelocityErrors
+  check_velocity(const SplitBody<2> &, const Velocities<2> &);
+  template VelocityErrors
+  check_velocity(const SplitBody<3> &, const Velocities<3> &);
+  template double
+  lowest_depth(const SplitBody<2> &, const Velocities<2> &);
+  template double
+  lowest_depth(const SplitBody<3> &, const Velocities<3> &);
+  template LoadPower
+  power_of_loads(const SplitBody<2> &, const Velocities<2> &);
+  template LoadPower
+  power_of_loads(const SplitBody<3> &, const Velocities<3> &);
 } // namespace ElastoPlastic

@@ -1,118 +1,131 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "base/largest_error.h"
 #include "base/tensors.h"
 #include "bounds/mechanism/velocity_field.h"
-#include "bounds/stress/johnson_mercier.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    using Bernstein::Barycentric;
-
-
-
-    Tensor<1, 2>
-    polynomial_velocity(const std::array<Point<2>, 3> &corners,
-                        const TriangleVelocity        &velocity,
-                        const Barycentric             &point)
+    template <int dim>
+    Tensor<1, dim>
+    polynomial_velocity(const SimplexVelocity<dim> &velocity,
+                        const Barycentric<dim>     &point)
     {
       const auto functions =
-        Bernstein::cubics(JohnsonMercier::gradients(corners), point);
-      Tensor<1, 2> sum;
+        Bernstein<dim>::functions(velocity_degree<dim>, point);
+      Tensor<1, dim> sum;
       for (unsigned int i = 0; i < functions.size(); ++i)
-        sum += functions[i].value * velocity.coefficients[i];
+        sum += functions[i] * velocity.coefficients[i];
       return sum;
     }
   } // namespace
 
 
 
-  Point<2>
-  position(const std::array<Point<2>, 3> &corners, const Barycentric &point)
+  template <int dim>
+  Tensor<1, dim>
+  weighted_velocity(const SplitBody<dim>       &body,
+                    const SimplexVelocity<dim> &velocity,
+                    const unsigned int          t,
+                    const Barycentric<dim>     &point)
   {
-    Point<2> sum;
-    for (unsigned int i = 0; i < 3; ++i)
-      sum += point[i] * corners[i];
-    return sum;
+    Tensor<1, dim> result =
+      body.weight(interpolate(point, body.corners_of(t))) *
+      polynomial_velocity(velocity, point);
+    if constexpr (dim == 2)
+      result += velocity_of_stream(velocity.flux);
+    return result;
   }
 
 
 
-  Tensor<1, 2>
-  weighted_velocity(const PlaneBody        &body,
-                    const TriangleVelocity &velocity,
-                    const unsigned int      t,
-                    const Barycentric      &point)
+  template <int dim>
+  Tensor<1, dim>
+  velocity_at(const SplitBody<dim>       &body,
+              const SimplexVelocity<dim> &velocity,
+              const unsigned int          t,
+              const Barycentric<dim>     &point)
   {
-    const auto corners = body.mesh.corners(body.mesh.triangles[t]);
-    return body.weight(position(corners, point)) *
-             polynomial_velocity(corners, velocity, point) +
-           velocity_of_stream(velocity.flux);
+    Tensor<1, dim> result = polynomial_velocity(velocity, point);
+    if constexpr (dim == 2)
+      if (velocity.flux.norm() > 0)
+        result += velocity_of_stream(velocity.flux) /
+                  interpolate(point, body.corners_of(t))[0];
+    return result;
   }
 
 
 
-  Tensor<1, 2>
-  velocity_at(const PlaneBody        &body,
-              const TriangleVelocity &velocity,
-              const unsigned int      t,
-              const Barycentric      &point)
+  template <int dim>
+  std::array<Tensor<1, dim>, dim + 2>
+  values_at_vertices(const SplitBody<dim>       &body,
+                     const SimplexVelocity<dim> &velocity,
+                     const unsigned int          t)
   {
-    const auto corners = body.mesh.corners(body.mesh.triangles[t]);
-    const auto value   = polynomial_velocity(corners, velocity, point);
-    return velocity.flux.norm() == 0 ?
-             value :
-             value +
-               velocity_of_stream(velocity.flux) / position(corners, point)[0];
+    std::array<Tensor<1, dim>, dim + 2> result;
+    for (unsigned int i = 0; i <= dim; ++i)
+      {
+        Barycentric<dim> corner = {};
+        corner[i]               = 1.;
+        result[i]               = velocity_at(body, velocity, t, corner);
+      }
+    Barycentric<dim> centre;
+    centre.fill(1. / (dim + 1.));
+    result[dim + 1] = velocity_at(body, velocity, t, centre);
+    return result;
   }
 
 
 
-  std::array<Tensor<1, 2>, 4>
-  values_at_vertices(const PlaneBody        &body,
-                     const TriangleVelocity &velocity,
-                     const unsigned int      t)
-  {
-    return {{velocity_at(body, velocity, t, {{1., 0., 0.}}),
-             velocity_at(body, velocity, t, {{0., 1., 0.}}),
-             velocity_at(body, velocity, t, {{0., 0., 1.}}),
-             velocity_at(body, velocity, t, {{1. / 3., 1. / 3., 1. / 3.}})}};
-  }
-
-
-
+  template <int dim>
   double
-  largest_velocity(const PlaneBody                     &body,
-                   const std::vector<TriangleVelocity> &velocity)
+  largest_velocity(const SplitBody<dim>                    &body,
+                   const std::vector<SimplexVelocity<dim>> &velocity)
   {
     double largest = 0;
     for (unsigned int t = 0; t < velocity.size(); ++t)
-      for (const Tensor<1, 2> &v : values_at_vertices(body, velocity[t], t))
+      for (const auto &v : values_at_vertices(body, velocity[t], t))
         largest = std::max(largest, v.norm());
     return largest;
   }
 
 
 
-  SymmetricTensor<2, 2>
-  polynomial_rate(const std::array<Point<2>, 3> &corners,
-                  const TriangleVelocity        &velocity,
-                  const Barycentric             &point)
+  // The gradient of sum_a c_a B_a is n sum_b (sum_i c_{b + e_i} grad lambda_i)
+  // B_b over the functions of degree n - 1.
+  template <int dim>
+  SymmetricTensor<2, dim>
+  polynomial_rate(const Corners<dim>         &corners,
+                  const SimplexVelocity<dim> &velocity,
+                  const Barycentric<dim>     &point)
   {
-    const auto functions =
-      Bernstein::cubics(JohnsonMercier::gradients(corners), point);
-    Tensor<2, 2> sum;
-    for (unsigned int i = 0; i < functions.size(); ++i)
-      sum += outer_product(velocity.coefficients[i], functions[i].gradient);
+    constexpr unsigned int n       = velocity_degree<dim>;
+    const auto            &lower   = Bernstein<dim>::exponents(n - 1);
+    const auto             weights = Bernstein<dim>::functions(n - 1, point);
+    const auto             by      = gradients(corners);
+    Tensor<2, dim>         sum;
+    for (unsigned int i = 0; i <= dim; ++i)
+      {
+        Tensor<1, dim> change;
+        for (unsigned int b = 0; b < lower.size(); ++b)
+          {
+            auto raised = lower[b];
+            ++raised[i];
+            change += 1. * n * weights[b] *
+                      velocity.coefficients[Bernstein<dim>::number_of(raised)];
+          }
+        sum += outer_product(change, by[i]);
+      }
     return symmetrize(sum);
   }
 
 
 
   SymmetricTensor<2, 2>
-  weighted_flux_rate(const TriangleVelocity &velocity)
+  weighted_flux_rate(const SimplexVelocity<2> &velocity)
   {
     SymmetricTensor<2, 2> rate;
     rate[0][0] = velocity.flux[1];
@@ -122,27 +135,83 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   SymmetricTensor<2, 3>
-  strain_rate_at(const PlaneBody        &body,
-                 const TriangleVelocity &velocity,
-                 const unsigned int      t,
-                 const Barycentric      &point)
+  strain_rate_at(const SplitBody<dim>       &body,
+                 const SimplexVelocity<dim> &velocity,
+                 const unsigned int          t,
+                 const Barycentric<dim>     &point)
   {
-    const auto corners = body.mesh.corners(body.mesh.triangles[t]);
-    auto       rate    = polynomial_rate(corners, velocity, point);
-    if (velocity.flux.norm() > 0)
-      rate += weighted_flux_rate(velocity) /
-              Utilities::fixed_power<2>(position(corners, point)[0]);
+    const auto corners = body.corners_of(t);
+    auto       rate    = polynomial_rate<dim>(corners, velocity, point);
+    if constexpr (dim == 2)
+      if (velocity.flux.norm() > 0)
+        rate += weighted_flux_rate(velocity) /
+                Utilities::fixed_power<2>(interpolate(point, corners)[0]);
     return rate_in_space(body, rate);
   }
 
 
 
+  template <int dim>
   SymmetricTensor<2, 3>
-  rate_in_space(const PlaneBody &body, const SymmetricTensor<2, 2> &rate)
+  rate_in_space(const SplitBody<dim> &body, const SymmetricTensor<2, dim> &rate)
   {
-    return in_space<2>(rate,
-                       body.kinematics == Kinematics::cartesian ? 0. :
-                                                                  -trace(rate));
+    return in_space<dim>(
+      rate, body.kinematics == Kinematics::cartesian ? 0. : -trace(rate));
   }
+
+
+
+  template Tensor<1, 2>
+  weighted_velocity(const SplitBody<2> &,
+                    const SimplexVelocity<2> &,
+                    const unsigned int,
+                    const Barycentric<2> &);
+  template Tensor<1, 3>
+  weighted_velocity(const SplitBody<3> &,
+                    const SimplexVelocity<3> &,
+                    const unsigned int,
+                    const Barycentric<3> &);
+  template Tensor<1, 2>
+  velocity_at(const SplitBody<2> &,
+              const SimplexVelocity<2> &,
+              const unsigned int,
+              const Barycentric<2> &);
+  template std::array<Tensor<1, 2>, 4>
+  values_at_vertices(const SplitBody<2> &,
+                     const SimplexVelocity<2> &,
+                     const unsigned int);
+  template std::array<Tensor<1, 3>, 5>
+  values_at_vertices(const SplitBody<3> &,
+                     const SimplexVelocity<3> &,
+                     const unsigned int);
+  template double
+  largest_velocity(const SplitBody<2> &,
+                   const std::vector<SimplexVelocity<2>> &);
+  template double
+  largest_velocity(const SplitBody<3> &,
+                   const std::vector<SimplexVelocity<3>> &);
+  template SymmetricTensor<2, 2>
+  polynomial_rate<2>(const Corners<2> &,
+                     const SimplexVelocity<2> &,
+                     const Barycentric<2> &);
+  template SymmetricTensor<2, 3>
+  polynomial_rate<3>(const Corners<3> &,
+                     const SimplexVelocity<3> &,
+                     const Barycentric<3> &);
+  template SymmetricTensor<2, 3>
+  strain_rate_at(const SplitBody<2> &,
+                 const SimplexVelocity<2> &,
+                 const unsigned int,
+                 const Barycentric<2> &);
+  template SymmetricTensor<2, 3>
+  strain_rate_at(const SplitBody<3> &,
+                 const SimplexVelocity<3> &,
+                 const unsigned int,
+                 const Barycentric<3> &);
+  template SymmetricTensor<2, 3>
+  rate_in_space(const SplitBody<2> &, const SymmetricTensor<2, 2> &);
+  template SymmetricTensor<2, 3>
+  rate_in_space(const SplitBody<3> &, const SymmetricTensor<2, 3> &);
 } // namespace ElastoPlastic

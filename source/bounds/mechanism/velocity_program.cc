@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <string>
+
 #include "bounds/body/evaluated_bounds.h"
-#include "bounds/mechanism/load_power.h"
+#include "bounds/mechanism/flux_program.h"
 #include "bounds/mechanism/sheet_program.h"
 #include "bounds/mechanism/stream_program.h"
 #include "bounds/mechanism/velocity_check.h"
@@ -12,37 +14,53 @@ namespace ElastoPlastic
 {
   namespace
   {
-    VelocityField
-    find_mechanism(const PlaneBody &body)
+    VelocityField<2>
+    find_mechanism(const SplitBody<2> &body, const double tolerance)
     {
-      try
-        {
-          return body.kinematics == Kinematics::plane_stress ?
-                   find_motion_of_sheet(body) :
-                   find_stream(body);
-        }
-      catch (const UnboundedError &)
-        {
-          throw ConvergenceError(
-            body.load_factor_unit > 0 ?
-              "No velocity lets the loads that grow do work: the supports "
-              "enclose the body. (Mechanisms that change the volume of a hole "
-              "are not looked for.)" :
-              "No velocity moves the whole indenter down: it reaches a point "
-              "that is held, or the supports enclose the body. Let "
-              "'Indenter/Reach' end before what is held. (Mechanisms that "
-              "change the volume of a hole are not looked for.)");
-        }
+      return body.kinematics == Kinematics::plane_stress ?
+               find_motion_of_sheet(body, tolerance) :
+               find_stream(body, tolerance);
+    }
+
+    VelocityField<3>
+    find_mechanism(const SplitBody<3> &body, const double tolerance)
+    {
+      return find_flux(body, tolerance);
     }
   } // namespace
 
 
 
-  VelocityField
-  minimize_plastic_work(const PlaneBody &body)
+  template <int dim>
+  VelocityField<dim>
+  minimize_plastic_work(const SplitBody<dim> &body, const double tolerance)
   {
-    VelocityField field = find_mechanism(body);
-    evaluate_mechanism(body, field);
-    return field;
+    try
+      {
+        VelocityField<dim> field = find_mechanism(body, tolerance);
+        evaluate_mechanism(body, field);
+        return field;
+      }
+    catch (const UnboundedError &)
+      {
+        throw ConvergenceError(
+          std::string(
+            body.load_factor_unit > 0 ?
+              "No velocity lets the loads that grow do work: the supports "
+              "enclose the body." :
+              "No velocity moves the whole indenter down: it reaches a point "
+              "that is held, or the supports enclose the body. Let "
+              "'Indenter/Reach' end before what is held.") +
+          (dim == 2 ? " (Mechanisms that change the volume of a hole are not "
+                      "looked for.)" :
+                      ""));
+      }
   }
+
+
+
+  template VelocityField<2>
+  minimize_plastic_work(const SplitBody<2> &, const double);
+  template VelocityField<3>
+  minimize_plastic_work(const SplitBody<3> &, const double);
 } // namespace ElastoPlastic

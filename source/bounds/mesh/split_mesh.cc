@@ -1,227 +1,227 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_q.h>
-
-#include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
-
 #include <algorithm>
 #include <map>
-#include <utility>
 
-#include "base/compatibility.h"
+#include "bounds/mesh/cut_cells.h"
 #include "bounds/mesh/split_mesh.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// A point of the boundary of a quadrilateral, with the boundary that
-    /// begins there.
-    struct Corner
-    {
-      types::global_dof_index number; ///< the same for all cells around it
-      Point<2>                position;
-      Point<2>                unit_position;
-      types::boundary_id      boundary_id;
-
-      template <typename Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &number &position &unit_position &boundary_id;
-      }
-    };
-
-    /// A quadrilateral with its corners and hanging nodes, in positive
-    /// orientation.
-    struct Polygon
-    {
-      CellId              id;
-      types::material_id  material_id;
-      Point<2>            center;
-      std::vector<Corner> corners;
-
-      template <typename Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &id &material_id &center &corners;
-      }
-    };
-
-
-
-    // deal.II numbers vertices and faces lexicographically: around the cell,
-    // one passes the vertices 0, 1, 3, 2 and the faces 2 (below), 1, 3, 0.
-    Polygon
-    polygon_of(const DoFHandler<2>::active_cell_iterator &cell)
-    {
-      constexpr std::array<unsigned int, 4> vertices = {{0, 1, 3, 2}};
-      constexpr std::array<unsigned int, 4> faces    = {{2, 1, 3, 0}};
-      const auto unit_vertex = [&vertices](const unsigned int i) {
-        return ReferenceCells::Quadrilateral.template vertex<2>(vertices[i]);
-      };
-
-      Polygon polygon;
-      polygon.id          = cell->id();
-      polygon.material_id = cell->material_id();
-      polygon.center      = cell->center();
-      for (unsigned int i = 0; i < 4; ++i)
-        {
-          const auto face = cell->face(faces[i]);
-          polygon.corners.push_back({cell->vertex_dof_index(vertices[i], 0),
-                                     cell->vertex(vertices[i]),
-                                     unit_vertex(i),
-                                     face->boundary_id()});
-          if (face->has_children())
-            polygon.corners.push_back(
-              {face->child(0)->vertex_dof_index(1, 0),
-               face->child(0)->vertex(1),
-               unit_vertex(i) +
-                 0.5 * (unit_vertex((i + 1) % 4) - unit_vertex(i)),
-               face->boundary_id()});
-        }
-      return polygon;
-    }
-
-
-
-    /// Of all ranks, on the first of them.
-    std::vector<Polygon>
-    gather_polygons(const Triangulation<2> &triangulation)
-    {
-      const FE_Q<2> fe(1);
-      DoFHandler<2> dof_handler(triangulation);
-      dof_handler.distribute_dofs(fe);
-
-      std::vector<Polygon> own;
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          own.push_back(polygon_of(cell));
-
-      std::vector<Polygon> all;
-      for (const auto &polygons :
-           Utilities::MPI::gather(communicator_of(triangulation), own))
-        all.insert(all.end(), polygons.begin(), polygons.end());
-      std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
-        return a.id < b.id;
-      });
-      return all;
-    }
-
-
-
-    /// Puts triangles together, one after the other.
+    /// Puts simplices together, one after the other.
+    template <int dim>
     class Assembler
     {
     public:
       void
-      add(const Polygon &polygon)
+      add(const CutCell<dim> &cell)
       {
-        mesh.cells.push_back({polygon.id, polygon.material_id});
-        const unsigned int center = mesh.vertices.size();
-        mesh.vertices.push_back(polygon.center);
-
-        for (unsigned int i = 0; i < polygon.corners.size(); ++i)
+        mesh.cells.push_back({cell.id, cell.material_id});
+        const unsigned int centre = mesh.vertices.size();
+        mesh.vertices.push_back(cell.centre);
+        Point<dim> unit_centre;
+        for (unsigned int d = 0; d < dim; ++d)
+          unit_centre[d] = 0.5;
+        for (const Facet<dim> &facet : cell.facets)
           {
-            const Corner &first = polygon.corners[i];
-            const Corner &last =
-              polygon.corners[(i + 1) % polygon.corners.size()];
-            const unsigned int a = vertex(first), b = vertex(last);
-
-            SplitMesh::Triangle triangle;
-            triangle.vertices = {{a, b, center}};
-            triangle.sides    = {
-                 {side(a, b, first.boundary_id),
-                  side(b, center, numbers::internal_face_boundary_id),
-                  side(center, a, numbers::internal_face_boundary_id)}};
-            triangle.cell         = mesh.cells.size() - 1;
-            triangle.unit_corners = {
-              {first.unit_position, last.unit_position, Point<2>(0.5, 0.5)}};
-            mesh.triangles.push_back(triangle);
+            std::array<Corner, dim + 1> corners;
+            for (unsigned int i = 0; i < dim; ++i)
+              corners[i] = {vertex(facet.corners[i]),
+                            facet.corners[i].unit_position};
+            corners[dim] = {centre, unit_centre};
+            add_simplex(corners, facet.boundary_id);
           }
       }
 
-      SplitMesh mesh;
+      SplitMesh<dim> mesh;
 
     private:
       unsigned int
-      vertex(const Corner &corner)
+      vertex(const FacetCorner<dim> &corner)
       {
         const auto [entry, is_new] =
-          vertex_numbers.try_emplace(corner.number, mesh.vertices.size());
+          vertices.try_emplace(corner.key, mesh.vertices.size());
         if (is_new)
           mesh.vertices.push_back(corner.position);
         return entry->second;
       }
 
+      /// A vertex of the mesh, and where it is in the unit cell.
+      struct Corner
+      {
+        unsigned int vertex;
+        Point<dim>   unit_position;
+      };
+
+      // The last of the corners is the centre of the cell. In the plane, they
+      // are in positive orientation.
+      void
+      add_simplex(std::array<Corner, dim + 1> corners,
+                  const types::boundary_id    outer_boundary)
+      {
+        const unsigned int centre = corners[dim].vertex;
+        if (dim == 3)
+          std::sort(corners.begin(),
+                    corners.end(),
+                    [](const Corner &a, const Corner &b) {
+                      return a.vertex < b.vertex;
+                    });
+        typename SplitMesh<dim>::Simplex simplex;
+        for (unsigned int i = 0; i <= dim; ++i)
+          {
+            simplex.vertices[i]     = corners[i].vertex;
+            simplex.unit_corners[i] = corners[i].unit_position;
+          }
+        simplex.cell = mesh.cells.size() - 1;
+        for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
+          {
+            const auto [a, b] = ends_of_edge<dim>(e);
+            simplex.edges[e]  = edge(simplex.vertices[a], simplex.vertices[b]);
+          }
+        for (unsigned int k = 0; k <= dim; ++k)
+          {
+            std::array<unsigned int, dim> ends;
+            for (unsigned int i = 0; i < dim; ++i)
+              ends[i] = simplex.vertices[corner_of_face<dim>(k, i)];
+            simplex.faces[k] =
+              face(ends,
+                   simplex.vertices[opposite_corner<dim>(k)] == centre ?
+                     outer_boundary :
+                     numbers::internal_face_boundary_id);
+          }
+        mesh.simplices.push_back(simplex);
+      }
+
       unsigned int
-      side(const unsigned int       a,
-           const unsigned int       b,
-           const types::boundary_id boundary_id)
+      edge(const unsigned int a, const unsigned int b)
       {
         const auto [entry, is_new] =
-          side_numbers.try_emplace(std::minmax(a, b), mesh.sides.size());
+          edges.try_emplace(std::minmax(a, b), mesh.n_edges);
         if (is_new)
-          mesh.sides.push_back({{{a, b}}, boundary_id});
+          ++mesh.n_edges;
         return entry->second;
       }
 
-      std::map<types::global_dof_index, unsigned int> vertex_numbers;
-      std::map<std::pair<unsigned int, unsigned int>, unsigned int>
-        side_numbers;
+      unsigned int
+      face(const std::array<unsigned int, dim> &corners,
+           const types::boundary_id             boundary_id)
+      {
+        auto sorted = corners;
+        std::sort(sorted.begin(), sorted.end());
+        const unsigned int here = mesh.simplices.size();
+        const auto [entry, is_new] =
+          faces.try_emplace(sorted, mesh.faces.size());
+        if (is_new)
+          mesh.faces.push_back(
+            {corners, boundary_id, {{here, numbers::invalid_unsigned_int}}});
+        else
+          mesh.faces[entry->second].neighbors[1] = here;
+        return entry->second;
+      }
+
+      std::map<CutVertex, unsigned int>                             vertices;
+      std::map<std::pair<unsigned int, unsigned int>, unsigned int> edges;
+      std::map<std::array<unsigned int, dim>, unsigned int>         faces;
     };
   } // namespace
 
 
 
-  std::array<Point<2>, 3>
-  SplitMesh::corners(const Triangle &triangle) const
+  template <int dim>
+  unsigned int
+  SplitMesh<dim>::Simplex::place_of_vertex(const unsigned int vertex) const
   {
-    return {{vertices[triangle.vertices[0]],
-             vertices[triangle.vertices[1]],
-             vertices[triangle.vertices[2]]}};
+    return std::find(vertices.begin(), vertices.end(), vertex) -
+           vertices.begin();
   }
 
 
 
-  double
-  SplitMesh::length(const Side &side) const
+  template <int dim>
+  unsigned int
+  SplitMesh<dim>::Simplex::place_of_face(const unsigned int face) const
   {
-    return vertices[side.vertices[0]].distance(vertices[side.vertices[1]]);
+    return std::find(faces.begin(), faces.end(), face) - faces.begin();
   }
 
 
 
-  Tensor<1, 2>
-  SplitMesh::normal(const Side &side) const
+  template <int dim>
+  bool
+  SplitMesh<dim>::Face::is_inside() const
   {
-    return cross_product_2d(vertices[side.vertices[1]] -
-                            vertices[side.vertices[0]]) /
-           length(side);
+    return boundary_id == numbers::internal_face_boundary_id;
   }
 
 
 
-  double
-  area(const std::array<Point<2>, 3> &corners)
+  template <int dim>
+  unsigned int
+  SplitMesh<dim>::Face::n_neighbors() const
   {
-    return 0.5 * (cross_product_2d(corners[1] - corners[0]) *
-                  (corners[0] - corners[2]));
+    return is_inside() ? 2 : 1;
   }
 
 
 
-  SplitMesh
-  make_split_mesh(const Triangulation<2> &triangulation)
+  template <int dim>
+  Corners<dim>
+  SplitMesh<dim>::corners(const Simplex &simplex) const
   {
-    Assembler assembler;
-    for (const Polygon &polygon : gather_polygons(triangulation))
-      assembler.add(polygon);
+    Corners<dim> result;
+    for (unsigned int i = 0; i <= dim; ++i)
+      result[i] = vertices[simplex.vertices[i]];
+    return result;
+  }
+
+
+
+  template <int dim>
+  FaceCorners<dim>
+  SplitMesh<dim>::corners(const Face &face) const
+  {
+    FaceCorners<dim> result;
+    for (unsigned int i = 0; i < dim; ++i)
+      result[i] = vertices[face.vertices[i]];
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::array<unsigned int, dim>
+  SplitMesh<dim>::places_in_part(const unsigned int t,
+                                 const unsigned int k) const
+  {
+    const auto                   &face = faces[simplices[t].faces[k]];
+    std::array<unsigned int, dim> places;
+    for (unsigned int i = 0; i < dim; ++i)
+      places[i] =
+        place_in_part<dim>(k, simplices[t].place_of_vertex(face.vertices[i]));
+    return places;
+  }
+
+
+
+  template <int dim>
+  SplitMesh<dim>
+  make_split_mesh(const Triangulation<dim> &triangulation)
+  {
+    Assembler<dim> assembler;
+    for (const auto &cell : gather_cut_cells(triangulation))
+      assembler.add(cell);
     return assembler.mesh;
   }
+
+
+
+  template struct SplitMesh<2>;
+  template struct SplitMesh<3>;
+  template SplitMesh<2>
+  make_split_mesh(const Triangulation<2> &);
+  template SplitMesh<3>
+  make_split_mesh(const Triangulation<3> &);
 } // namespace ElastoPlastic

@@ -4,71 +4,114 @@
 #include <boost/math/special_functions/binomial.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
 #include "bounds/stress/bernstein.h"
 
-namespace ElastoPlastic::Bernstein
+namespace ElastoPlastic
 {
   namespace
   {
-    constexpr unsigned int max_side_degree = 4;
+    constexpr unsigned int max_degree = 4;
 
-    constexpr std::array<Exponents, n_cubics> cubic_exponents = {{{{3, 0, 0}},
-                                                                  {{0, 3, 0}},
-                                                                  {{0, 0, 3}},
-                                                                  {{2, 1, 0}},
-                                                                  {{1, 2, 0}},
-                                                                  {{0, 2, 1}},
-                                                                  {{0, 1, 2}},
-                                                                  {{1, 0, 2}},
-                                                                  {{2, 0, 1}},
-                                                                  {{1, 1, 1}}}};
+    template <typename Value>
+    using ByDegrees = std::array<Value, max_degree + 1>;
 
-    constexpr std::array<Exponents, n_quadratics> quadratic_exponents = {
-      {{{2, 0, 0}},
-       {{0, 2, 0}},
-       {{0, 0, 2}},
-       {{1, 1, 0}},
-       {{0, 1, 1}},
-       {{1, 0, 1}}}};
+    /// make(n) for all degrees n from @p first on.
+    template <typename Make>
+    auto
+    by_degrees(const unsigned int first, const Make &make)
+    {
+      ByDegrees<decltype(make(0))> result;
+      for (unsigned int n = first; n <= max_degree; ++n)
+        result[n] = make(n);
+      return result;
+    }
 
 
 
-    /// The powers 0 to 3 of the barycentric coordinates of a point, over their
+    template <int dim>
+    std::vector<typename Bernstein<dim>::Exponents>
+    make_exponents(const int degree)
+    {
+      std::vector<typename Bernstein<dim>::Exponents> result;
+      const auto                                      add = [&](
+                         const typename Bernstein<dim>::Exponents &exponents) {
+        if (std::find(result.begin(), result.end(), exponents) == result.end())
+          result.push_back(exponents);
+      };
+      const auto between =
+        [degree](const unsigned int a, const unsigned int b, const int i) {
+          typename Bernstein<dim>::Exponents exponents = {};
+          exponents[a] += degree - i;
+          exponents[b] += i;
+          return exponents;
+        };
+      for (unsigned int i = 0; dim > 1 && i <= dim; ++i)
+        add(between(i, i, 0));
+      for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
+        for (int i = 0; i <= degree; ++i)
+          add(between(ends_of_edge<dim>(e)[0], ends_of_edge<dim>(e)[1], i));
+      // (the others: all exponents but the last may be anything up to degree)
+      for (typename Bernstein<dim>::Exponents all = {}; all[dim] == 0;)
+        {
+          typename Bernstein<dim>::Exponents exponents = all;
+          exponents[dim] = degree - std::accumulate(all.begin(), all.end(), 0);
+          if (exponents[dim] >= 0)
+            add(exponents);
+          unsigned int i = 0;
+          while (i < dim && all[i] == degree)
+            all[i++] = 0;
+          ++all[i];
+        }
+      return result;
+    }
+
+
+
+    /// The powers of the barycentric coordinates of a point, over their
     /// factorials.
+    template <int dim>
     class Powers
     {
     public:
-      explicit Powers(const Barycentric &point)
+      explicit Powers(const Barycentric<dim> &point)
       {
-        for (unsigned int i = 0; i < 3; ++i)
-          values[i] = {{1.,
-                        point[i],
-                        point[i] * point[i] / 2.,
-                        point[i] * point[i] * point[i] / 6.}};
+        for (unsigned int i = 0; i <= dim; ++i)
+          {
+            double power = 1.;
+            for (unsigned int p = 0; p <= max_degree; ++p)
+              {
+                values[i][p] = power / factorials[p];
+                power *= point[i];
+              }
+          }
       }
 
       /// The multinomial function of these exponents; zero if one of them is
       /// negative, as derivatives have it.
       double
-      function(const Exponents &exponents) const
+      function(const typename Bernstein<dim>::Exponents &exponents) const
       {
-        constexpr std::array<double, 4> factorials = {{1., 1., 2., 6.}};
-        const auto [i, j, k]                       = exponents;
-        return i < 0 || j < 0 || k < 0 ? 0. :
-                                         factorials[i + j + k] * values[0][i] *
-                                           values[1][j] * values[2][k];
+        if (*std::min_element(exponents.begin(), exponents.end()) < 0)
+          return 0.;
+        double result =
+          factorials[std::accumulate(exponents.begin(), exponents.end(), 0)];
+        for (unsigned int i = 0; i <= dim; ++i)
+          result *= values[i][exponents[i]];
+        return result;
       }
 
     private:
-      std::array<std::array<double, 4>, 3> values;
+      static constexpr ByDegrees<double> factorials = {{1., 1., 2., 6., 24.}};
+
+      std::array<ByDegrees<double>, dim + 1> values;
     };
 
 
 
-    Exponents
-    lowered(Exponents exponents, const unsigned int i)
+    Bernstein<2>::Exponents
+    lowered(Bernstein<2>::Exponents exponents, const unsigned int i)
     {
       --exponents[i];
       return exponents;
@@ -76,111 +119,146 @@ namespace ElastoPlastic::Bernstein
 
 
 
-    template <std::size_t n>
-    std::array<Barycentric, n>
-    points_of(const std::array<Exponents, n> &exponents, const double degree)
+    FullMatrix<double>
+    inverse(FullMatrix<double> matrix)
     {
-      std::array<Barycentric, n> points;
-      for (unsigned int p = 0; p < n; ++p)
-        for (unsigned int i = 0; i < 3; ++i)
-          points[p][i] = exponents[p][i] / degree;
-      return points;
+      matrix.gauss_jordan();
+      return matrix;
     }
 
 
 
-    template <std::size_t n>
+    template <int dim>
     FullMatrix<double>
-    inverse_of_values(const std::array<Exponents, n>   &exponents,
-                      const std::array<Barycentric, n> &points)
+    values_at_points(const unsigned int degree)
     {
+      const unsigned int n = Bernstein<dim>::n_functions(degree);
       FullMatrix<double> values(n, n);
       for (unsigned int p = 0; p < n; ++p)
-        for (unsigned int i = 0; i < n; ++i)
-          values(p, i) = Powers(points[p]).function(exponents[i]);
-      values.gauss_jordan();
-      return values;
-    }
-
-
-
-    // int B_i B_j dt = binom(n, i) binom(n, j) / (binom(2n, i + j) (2n + 1))
-    FullMatrix<double>
-    inverse_of_side_products(const unsigned int degree)
-    {
-      using boost::math::binomial_coefficient;
-      FullMatrix<double> products(degree + 1, degree + 1);
-      for (unsigned int i = 0; i <= degree; ++i)
-        for (unsigned int j = 0; j <= degree; ++j)
-          products(i, j) = binomial_coefficient<double>(degree, i) *
-                           binomial_coefficient<double>(degree, j) /
-                           binomial_coefficient<double>(2 * degree, i + j) /
-                           (2. * degree + 1.);
-      products.gauss_jordan();
-      return products;
-    }
-
-
-
-    FullMatrix<double>
-    inverse_of_side_values(const unsigned int degree)
-    {
-      FullMatrix<double> values(degree + 1, degree + 1);
-      for (unsigned int p = 0; p <= degree; ++p)
         {
-          const auto functions =
-            side_functions(degree, p / static_cast<double>(degree));
-          for (unsigned int i = 0; i <= degree; ++i)
-            values(p, i) = functions[i];
+          const auto at_point =
+            Bernstein<dim>::functions(degree,
+                                      Bernstein<dim>::points(degree)[p]);
+          std::copy(at_point.begin(), at_point.end(), &values(p, 0));
         }
-      values.gauss_jordan();
       return values;
     }
   } // namespace
 
 
 
-  const std::vector<Exponents> &
-  exponents(const unsigned int degree)
+  template <int dim>
+  const std::vector<typename Bernstein<dim>::Exponents> &
+  Bernstein<dim>::exponents(const unsigned int degree)
   {
-    static const std::array<std::vector<Exponents>, 3> by_degrees = {
-      {{{{0, 0, 0}}},
-       {{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}},
-       {quadratic_exponents.begin(), quadratic_exponents.end()}}};
-    AssertIndexRange(degree, by_degrees.size());
-    return by_degrees[degree];
+    static const auto all = by_degrees(0, make_exponents<dim>);
+    AssertIndexRange(degree, all.size());
+    return all[degree];
   }
 
 
 
+  template <int dim>
   unsigned int
-  number_of(const Exponents &of_function)
+  Bernstein<dim>::number_of(const Exponents &of_function)
   {
     const auto &all =
-      exponents(of_function[0] + of_function[1] + of_function[2]);
+      exponents(std::accumulate(of_function.begin(), of_function.end(), 0));
     return std::find(all.begin(), all.end(), of_function) - all.begin();
   }
 
 
 
-  Barycentric
-  point_of(const Exponents &exponents)
+  template <int dim>
+  Barycentric<dim>
+  Bernstein<dim>::point_of(const Exponents &exponents)
   {
-    const double degree = exponents[0] + exponents[1] + exponents[2];
-    return {
-      {exponents[0] / degree, exponents[1] / degree, exponents[2] / degree}};
+    const double degree =
+      std::accumulate(exponents.begin(), exponents.end(), 0);
+    Barycentric<dim> point;
+    for (unsigned int i = 0; i <= dim; ++i)
+      point[i] = exponents[i] / degree;
+    return point;
   }
 
 
 
-  std::vector<double>
-  functions(const unsigned int degree, const Barycentric &point)
+  template <int dim>
+  const std::vector<Barycentric<dim>> &
+  Bernstein<dim>::points(const unsigned int degree)
   {
-    const Powers        powers(point);
+    static const auto all = by_degrees(1, [](const unsigned int n) {
+      std::vector<Barycentric<dim>> result;
+      for (const auto &of_function : exponents(n))
+        result.push_back(point_of(of_function));
+      return result;
+    });
+    AssertIndexRange(degree, all.size());
+    return all[degree];
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  Bernstein<dim>::functions(const unsigned int      degree,
+                            const Barycentric<dim> &point)
+  {
+    const Powers<dim>   powers(point);
     std::vector<double> values;
-    for (const Exponents &of_function : exponents(degree))
+    for (const auto &of_function : exponents(degree))
       values.push_back(powers.function(of_function));
     return values;
+  }
+
+
+
+  template <int dim>
+  const FullMatrix<double> &
+  Bernstein<dim>::coefficients(const unsigned int degree)
+  {
+    static const auto all = by_degrees(1, [](const unsigned int n) {
+      return inverse(values_at_points<dim>(n));
+    });
+    AssertIndexRange(degree, all.size());
+    return all[degree];
+  }
+
+
+
+  template <int dim>
+  const FullMatrix<double> &
+  Bernstein<dim>::coefficients_of_moments(const unsigned int degree)
+  {
+    static const auto all = by_degrees(1, [](const unsigned int n) {
+      return inverse(mass_matrix(n));
+    });
+    AssertIndexRange(degree, all.size());
+    return all[degree];
+  }
+
+
+
+  // The product of two functions is a function of twice the degree n times the
+  // product of all binom(i + j, i), i and j being their exponents, over
+  // binom(2n, n). All functions of a degree have the same integral.
+  template <int dim>
+  FullMatrix<double>
+  Bernstein<dim>::mass_matrix(const unsigned int degree)
+  {
+    using boost::math::binomial_coefficient;
+    const auto        &all = exponents(degree);
+    FullMatrix<double> mass(all.size(), all.size());
+    for (unsigned int a = 0; a < all.size(); ++a)
+      for (unsigned int b = 0; b < all.size(); ++b)
+        {
+          mass(a, b) = 1. / binomial_coefficient<double>(2 * degree, degree) /
+                       n_functions(2 * degree);
+          for (unsigned int i = 0; i <= dim; ++i)
+            mass(a, b) *=
+              binomial_coefficient<double>(all[a][i] + all[b][i], all[a][i]);
+        }
+    return mass;
   }
 
 
@@ -188,17 +266,19 @@ namespace ElastoPlastic::Bernstein
   // The derivative of a function of degree n by a barycentric coordinate is n
   // times one of degree n - 1.
   std::array<Jet, n_cubics>
-  cubics(const std::array<Tensor<1, 2>, 3> &gradients, const Barycentric &point)
+  cubics(const std::array<Tensor<1, 2>, 3> &gradients,
+         const Barycentric<2>              &point)
   {
-    const Powers              powers(point);
+    const Powers<2>           powers(point);
     std::array<Jet, n_cubics> jets;
     for (unsigned int f = 0; f < n_cubics; ++f)
       {
-        const Exponents &exponents = cubic_exponents[f];
-        jets[f].value              = powers.function(exponents);
+        const Bernstein<2>::Exponents &of_function =
+          Bernstein<2>::exponents(3)[f];
+        jets[f].value = powers.function(of_function);
         for (unsigned int i = 0; i < 3; ++i)
           {
-            const Exponents once = lowered(exponents, i);
+            const Bernstein<2>::Exponents once = lowered(of_function, i);
             if (once[i] < 0)
               continue;
             jets[f].gradient += 3. * powers.function(once) * gradients[i];
@@ -208,24 +288,6 @@ namespace ElastoPlastic::Bernstein
           }
       }
     return jets;
-  }
-
-
-
-  const std::array<Barycentric, n_cubics> &
-  cubic_points()
-  {
-    static const auto points = points_of(cubic_exponents, 3.);
-    return points;
-  }
-
-
-
-  const std::array<Barycentric, n_quadratics> &
-  quadratic_points()
-  {
-    static const auto points = points_of(quadratic_exponents, 2.);
-    return points;
   }
 
 
@@ -246,60 +308,7 @@ namespace ElastoPlastic::Bernstein
 
 
 
-  const FullMatrix<double> &
-  cubic_coefficients()
-  {
-    static const auto matrix =
-      inverse_of_values(cubic_exponents, cubic_points());
-    return matrix;
-  }
-
-
-
-  const FullMatrix<double> &
-  quadratic_coefficients()
-  {
-    static const auto matrix =
-      inverse_of_values(quadratic_exponents, quadratic_points());
-    return matrix;
-  }
-
-
-
-  const FullMatrix<double> &
-  side_coefficients(const unsigned int degree)
-  {
-    static const auto matrices = []() {
-      std::array<FullMatrix<double>, max_side_degree + 1> result;
-      for (unsigned int n = 1; n <= max_side_degree; ++n)
-        result[n] = inverse_of_side_values(n);
-      return result;
-    }();
-    AssertIndexRange(degree, matrices.size());
-    return matrices[degree];
-  }
-
-
-
-  std::vector<double>
-  side_functions(const unsigned int degree, const double t)
-  {
-    std::vector<double> values;
-    for (unsigned int i = 0; i <= degree; ++i)
-      values.push_back(boost::math::binomial_coefficient<double>(degree, i) *
-                       std::pow(t, static_cast<int>(i)) *
-                       std::pow(1. - t, static_cast<int>(degree - i)));
-    return values;
-  }
-
-
-
-  const FullMatrix<double> &
-  side_coefficients_of_moments(const unsigned int degree)
-  {
-    static const std::array<FullMatrix<double>, 2> matrices = {
-      {inverse_of_side_products(1), inverse_of_side_products(2)}};
-    AssertIndexRange(degree - 1, matrices.size());
-    return matrices[degree - 1];
-  }
-} // namespace ElastoPlastic::Bernstein
+  template struct Bernstein<1>;
+  template struct Bernstein<2>;
+  template struct Bernstein<3>;
+} // namespace ElastoPlastic

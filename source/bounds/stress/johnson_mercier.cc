@@ -1,66 +1,43 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <map>
+
 #include "bounds/conic/local_algebra.h"
-#include "bounds/mesh/split_mesh.h"
 #include "bounds/stress/johnson_mercier.h"
 
-namespace ElastoPlastic::JohnsonMercier
+namespace ElastoPlastic
 {
   namespace
   {
-    /// Adds the traction of a coefficient, whose component 11 is in column
-    /// @p value, on a plane with this @p normal to two rows of @p matrix.
+    /// The number of a component of a symmetric tensor.
+    template <int dim>
+    unsigned int
+    component(const unsigned int d, const unsigned int e)
+    {
+      return SymmetricTensor<2, dim>::component_to_unrolled_index(
+        TableIndices<2>(d, e));
+    }
+
+
+
+    /// Adds the traction of a coefficient, whose components begin in column
+    /// @p value, on a plane with this @p normal to rows of @p matrix.
+    template <int dim>
     void
-    add_traction(FullMatrix<double> &matrix,
-                 const unsigned int  row,
-                 const unsigned int  value,
-                 const Tensor<1, 2> &normal)
+    add_traction(FullMatrix<double>   &matrix,
+                 const unsigned int    row,
+                 const unsigned int    value,
+                 const Tensor<1, dim> &normal)
     {
-      matrix(row, value) += normal[0];
-      matrix(row, value + 2) += normal[1];
-      matrix(row + 1, value + 2) += normal[0];
-      matrix(row + 1, value + 1) += normal[1];
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int e = 0; e < dim; ++e)
+          matrix(row + d, value + component<dim>(d, e)) += normal[e];
     }
 
 
 
-    Tensor<1, 2>
-    normal(const Point<2> &begin, const Point<2> &end)
-    {
-      return cross_product_2d(end - begin) / begin.distance(end);
-    }
-
-
-
-    /// The jumps of the tractions on the three lines between subtriangles. The
-    /// line to corner k is side 1 of the subtriangle before and side 2 of
-    /// subtriangle k.
-    FullMatrix<double>
-    jump_matrix(const Triangle &triangle, const unsigned int degree)
-    {
-      FullMatrix<double> jumps(n_tractions(degree), n_values(degree));
-      for (unsigned int k = 0; k < 3; ++k)
-        {
-          const Triangle     subtriangle = subtriangle_of(triangle, k);
-          const Tensor<1, 2> n      = normal(subtriangle[0], subtriangle[2]);
-          const unsigned int before = (k + 2) % 3;
-          for (unsigned int i = 0; i <= degree; ++i)
-            {
-              const unsigned int row   = traction_index(degree, k, i, 0);
-              const unsigned int here  = number_on_line(degree, 0, 2, i),
-                                 there = number_on_line(degree, 1, 2, i);
-              add_traction(jumps, row, value_index(degree, k, here), n);
-              add_traction(jumps, row, value_index(degree, before, there), -n);
-            }
-        }
-      return jumps;
-    }
-
-
-
-    /// A basis of the kernel of @p conditions on the reference triangle, one
-    /// per column.
+    /// A basis of the kernel of @p conditions, one per column.
     FullMatrix<double>
     kernel_of(const FullMatrix<double> &conditions)
     {
@@ -72,16 +49,20 @@ namespace ElastoPlastic::JohnsonMercier
 
 
 
-    /// The bases of the reference triangle.
+    /// The bases of the reference simplex.
+    template <int dim>
     struct ReferenceBases
     {
       FullMatrix<double> all, equilibrated;
 
       explicit ReferenceBases(const unsigned int degree)
       {
-        const Triangle     triangle   = {{Point<2>(0, 0), {1, 0}, {0, 1}}};
-        const auto         jumps      = jump_matrix(triangle, degree);
-        const auto         divergence = divergence_matrix(triangle, degree);
+        Corners<dim> corners;
+        for (unsigned int d = 0; d < dim; ++d)
+          corners[d + 1][d] = 1.;
+        const auto jumps = JohnsonMercier<dim>::jump_matrix(corners, degree);
+        const auto divergence =
+          JohnsonMercier<dim>::divergence_matrix(corners, degree);
         FullMatrix<double> conditions(jumps.m() + divergence.m(), jumps.n());
         conditions.fill(jumps, 0, 0);
         conditions.fill(divergence, jumps.m(), 0);
@@ -92,45 +73,48 @@ namespace ElastoPlastic::JohnsonMercier
 
 
 
-    const ReferenceBases &
+    template <int dim>
+    const ReferenceBases<dim> &
     reference_bases(const unsigned int degree)
     {
-      static const std::array<ReferenceBases, 2> by_degrees = {
-        {ReferenceBases(1), ReferenceBases(2)}};
-      AssertIndexRange(degree - 1, by_degrees.size());
-      return by_degrees[degree - 1];
+      static std::map<unsigned int, ReferenceBases<dim>> by_degrees;
+      return by_degrees.try_emplace(degree, degree).first->second;
     }
 
 
 
-    // Piola's transformation B tau B^T carries stresses with continuous
-    // tractions, and those without divergence, from the reference triangle to
+    // Piola's transformation F tau F^T carries stresses with continuous
+    // tractions, and those without divergence, from the reference simplex to
     // any other.
+    template <int dim>
     FullMatrix<double>
-    transform(const FullMatrix<double> &reference, const Triangle &triangle)
+    transform(const FullMatrix<double> &reference, const Corners<dim> &corners)
     {
-      const Tensor<1, 2> b0 = triangle[1] - triangle[0],
-                         b1 = triangle[2] - triangle[0];
-      const double scale = 1. / std::sqrt(b0.norm_square() + b1.norm_square());
-      Tensor<2, 2> piola;
-      for (unsigned int d = 0; d < 2; ++d)
+      constexpr unsigned int n = JohnsonMercier<dim>::n_components;
+
+      double         square = 0;
+      Tensor<2, dim> piola;
+      for (unsigned int j = 0; j < dim; ++j)
         {
-          piola[d][0] = scale * b0[d];
-          piola[d][1] = scale * b1[d];
+          const Tensor<1, dim> way = corners[j + 1] - corners[0];
+          square += way.norm_square();
+          for (unsigned int d = 0; d < dim; ++d)
+            piola[d][j] = way[d];
         }
+      piola *= 1. / std::sqrt(square);
 
       FullMatrix<double> basis(reference.m(), reference.n());
-      for (unsigned int i = 0; i < basis.m(); i += 3)
+      for (unsigned int i = 0; i < basis.m(); i += n)
         for (unsigned int j = 0; j < basis.n(); ++j)
           {
-            Tensor<2, 2> stress;
-            stress[0][0] = reference(i, j);
-            stress[1][1] = reference(i + 1, j);
-            stress[0][1] = stress[1][0] = reference(i + 2, j);
-            stress                      = piola * stress * transpose(piola);
-            basis(i, j)                 = stress[0][0];
-            basis(i + 1, j)             = stress[1][1];
-            basis(i + 2, j)             = stress[0][1];
+            Tensor<2, dim> stress;
+            for (unsigned int d = 0; d < dim; ++d)
+              for (unsigned int e = 0; e < dim; ++e)
+                stress[d][e] = reference(i + component<dim>(d, e), j);
+            stress = piola * stress * transpose(piola);
+            for (unsigned int d = 0; d < dim; ++d)
+              for (unsigned int e = d; e < dim; ++e)
+                basis(i + component<dim>(d, e), j) = stress[d][e];
           }
       return basis;
     }
@@ -138,110 +122,193 @@ namespace ElastoPlastic::JohnsonMercier
 
 
 
-  Triangle
-  subtriangle_of(const Triangle &triangle, const unsigned int subtriangle)
+  template <int dim>
+  Corners<dim>
+  JohnsonMercier<dim>::part_of(const Corners<dim> &corners,
+                               const unsigned int  part)
   {
-    return {{triangle[subtriangle],
-             triangle[(subtriangle + 1) % 3],
-             Point<2>((triangle[0] + triangle[1] + triangle[2]) / 3.)}};
-  }
-
-
-
-  std::array<Tensor<1, 2>, 3>
-  gradients(const Triangle &triangle)
-  {
-    std::array<Tensor<1, 2>, 3> result;
-    for (unsigned int i = 0; i < 3; ++i)
-      result[i] =
-        -cross_product_2d(triangle[(i + 2) % 3] - triangle[(i + 1) % 3]) /
-        (2. * area(triangle));
+    Corners<dim> result;
+    for (unsigned int i = 0; i <= dim; ++i)
+      result[place_in_part<dim>(part, i)] = corners[i];
+    result[place_of_centre<dim>(part)] = centre_of<dim>(corners);
     return result;
   }
 
 
 
-  SymmetricTensor<2, 2>
-  coefficient(const Vector<double> &values,
-              const unsigned int    subtriangle,
-              const unsigned int    i)
+  template <int dim>
+  SymmetricTensor<2, dim>
+  JohnsonMercier<dim>::coefficient(const Vector<double> &values,
+                                   const unsigned int    part,
+                                   const unsigned int    i)
   {
-    const unsigned int    first = values.size() / 3 * subtriangle + 3 * i;
-    SymmetricTensor<2, 2> stress;
-    stress[0][0] = values[first];
-    stress[1][1] = values[first + 1];
-    stress[0][1] = values[first + 2];
+    const unsigned int first =
+      values.size() / n_parts * part + n_components * i;
+    SymmetricTensor<2, dim> stress;
+    for (unsigned int c = 0; c < n_components; ++c)
+      stress.access_raw_entry(c) = values[first + c];
     return stress;
   }
 
 
 
+  template <int dim>
   unsigned int
-  number_on_line(const unsigned int degree,
-                 const unsigned int from,
-                 const unsigned int to,
-                 const unsigned int i)
+  JohnsonMercier<dim>::number_on_face(
+    const unsigned int                   degree,
+    const std::array<unsigned int, dim> &places,
+    const unsigned int                   i)
   {
-    Bernstein::Exponents exponents = {};
-    exponents[from]                = degree - i;
-    exponents[to]                  = i;
-    return Bernstein::number_of(exponents);
+    const auto &on_face = Bernstein<dim - 1>::exponents(degree)[i];
+    typename Bernstein<dim>::Exponents exponents = {};
+    for (unsigned int j = 0; j < dim; ++j)
+      exponents[places[j]] = on_face[j];
+    return Bernstein<dim>::number_of(exponents);
   }
 
 
 
-  FullMatrix<double>
-  basis(const Triangle &triangle, const unsigned int degree)
+  template <int dim>
+  std::array<unsigned int, dim>
+  JohnsonMercier<dim>::places_of_face(const unsigned int k)
   {
-    return transform(reference_bases(degree).all, triangle);
+    std::array<unsigned int, dim> places;
+    for (unsigned int j = 0; j < dim; ++j)
+      places[j] = place_in_part<dim>(k, corner_of_face<dim>(k, j));
+    return places;
   }
 
 
 
-  FullMatrix<double>
-  equilibrated_basis(const Triangle &triangle, const unsigned int degree)
+  template <int dim>
+  std::array<std::array<unsigned int, dim>, 2>
+  JohnsonMercier<dim>::places_between(const unsigned int k,
+                                      const unsigned int l)
   {
-    return transform(reference_bases(degree).equilibrated, triangle);
+    std::array<std::array<unsigned int, dim>, 2> places;
+    unsigned int                                 j = 0;
+    for (unsigned int i = 0; i <= dim; ++i)
+      if (i != opposite_corner<dim>(k) && i != opposite_corner<dim>(l))
+        {
+          places[0][j]   = place_in_part<dim>(k, i);
+          places[1][j++] = place_in_part<dim>(l, i);
+        }
+    places[0][j] = place_of_centre<dim>(k);
+    places[1][j] = place_of_centre<dim>(l);
+    return places;
   }
 
 
 
+  template <int dim>
   FullMatrix<double>
-  traction_matrix(const Triangle &triangle, const unsigned int degree)
+  JohnsonMercier<dim>::basis(const Corners<dim> &corners,
+                             const unsigned int  degree)
+  {
+    return transform<dim>(reference_bases<dim>(degree).all, corners);
+  }
+
+
+
+  template <int dim>
+  FullMatrix<double>
+  JohnsonMercier<dim>::equilibrated_basis(const Corners<dim> &corners,
+                                          const unsigned int  degree)
+  {
+    return transform<dim>(reference_bases<dim>(degree).equilibrated, corners);
+  }
+
+
+
+  template <int dim>
+  FullMatrix<double>
+  JohnsonMercier<dim>::traction_matrix(const Corners<dim> &corners,
+                                       const unsigned int  degree)
   {
     FullMatrix<double> tractions(n_tractions(degree), n_values(degree));
-    for (unsigned int side = 0; side < 3; ++side)
-      for (unsigned int i = 0; i <= degree; ++i)
+    for (unsigned int k = 0; k < n_parts; ++k)
+      for (unsigned int i = 0; i < n_face_points(degree); ++i)
         add_traction(tractions,
-                     traction_index(degree, side, i, 0),
-                     value_index(degree, side, number_on_line(degree, 0, 1, i)),
-                     normal(triangle[side], triangle[(side + 1) % 3]));
+                     traction_index(degree, k, i, 0),
+                     value_index(degree,
+                                 k,
+                                 number_on_face(degree, places_of_face(k), i)),
+                     outward_normal<dim>(corners, k));
     return tractions;
+  }
+
+
+
+  // The face between parts k and l is that of part k which is opposite to where
+  // part l has its centre.
+  template <int dim>
+  FullMatrix<double>
+  JohnsonMercier<dim>::jump_matrix(const Corners<dim> &corners,
+                                   const unsigned int  degree)
+  {
+    FullMatrix<double> jumps(dim * edges_per_simplex<dim> *
+                               n_face_points(degree),
+                             n_values(degree));
+    unsigned int       row = 0;
+    for (unsigned int k = 0; k < n_parts; ++k)
+      for (unsigned int l = k + 1; l < n_parts; ++l)
+        {
+          Tensor<1, dim> normal = gradients(
+            part_of(corners,
+                    k))[place_in_part<dim>(k, opposite_corner<dim>(l))];
+          normal /= normal.norm();
+          const auto [here, there] = places_between(k, l);
+          for (unsigned int i = 0; i < n_face_points(degree); ++i, row += dim)
+            {
+              add_traction(jumps,
+                           row,
+                           value_index(degree,
+                                       k,
+                                       number_on_face(degree, here, i)),
+                           normal);
+              add_traction(jumps,
+                           row,
+                           value_index(degree,
+                                       l,
+                                       number_on_face(degree, there, i)),
+                           -normal);
+            }
+        }
+    return jumps;
   }
 
 
 
   // The gradient of sum_a c_a B_a is n sum_b (sum_i c_{b + e_i} grad lambda_i)
   // B_b over the functions of degree n - 1.
+  template <int dim>
   FullMatrix<double>
-  divergence_matrix(const Triangle &triangle, const unsigned int degree)
+  JohnsonMercier<dim>::divergence_matrix(const Corners<dim> &corners,
+                                         const unsigned int  degree)
   {
     FullMatrix<double> divergence(n_divergences(degree), n_values(degree));
-    const auto        &lower = Bernstein::exponents(degree - 1);
-    for (unsigned int k = 0; k < 3; ++k)
+    const auto        &lower = Bernstein<dim>::exponents(degree - 1);
+    for (unsigned int k = 0; k < n_parts; ++k)
       {
-        const auto gradient = gradients(subtriangle_of(triangle, k));
+        const auto gradient = gradients(part_of(corners, k));
         for (unsigned int b = 0; b < lower.size(); ++b)
-          for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int i = 0; i <= dim; ++i)
             {
-              Bernstein::Exponents raised = lower[b];
+              auto raised = lower[b];
               ++raised[i];
-              add_traction(divergence,
-                           2 * (lower.size() * k + b),
-                           value_index(degree, k, Bernstein::number_of(raised)),
-                           1. * degree * gradient[i]);
+              add_traction<dim>(divergence,
+                                dim * (lower.size() * k + b),
+                                value_index(degree,
+                                            k,
+                                            Bernstein<dim>::number_of(raised)),
+                                1. * degree * gradient[i]);
             }
       }
     return divergence;
   }
-} // namespace ElastoPlastic::JohnsonMercier
+
+
+
+  template struct JohnsonMercier<2>;
+  template struct JohnsonMercier<3>;
+} // namespace ElastoPlastic

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "base/largest_error.h"
+#include "base/tensors.h"
 #include "bounds/body/hencky_material.h"
-#include "bounds/mesh/integration.h"
 #include "bounds/stress/johnson_mercier.h"
 #include "bounds/stress/stress_check.h"
 
@@ -15,44 +15,72 @@ namespace ElastoPlastic
 {
   namespace
   {
-    using namespace JohnsonMercier;
-
     /// 1 / weight off the axis, 0 on it.
+    template <int dim>
     double
-    inverse_weight(const PlaneBody &body, const Point<2> &x)
+    inverse_weight(const SplitBody<dim> &body, const Point<dim> &x)
     {
       return body.is_on_axis(x) ? 0. : 1. / body.weight(x);
     }
 
 
 
-    /// The coefficients of the divergence of the weighted stress on a
-    /// subtriangle, by differences between those of the stress on the ways from
-    /// its first corner.
-    std::vector<Tensor<1, 2>>
-    divergence(const Triangle       &corners,
-               const Vector<double> &values,
-               const unsigned int    subtriangle,
-               const unsigned int    degree)
+    /// That of the point that coefficient @p i on a face belongs to.
+    template <int dim>
+    double
+    inverse_weight(const SplitBody<dim>   &body,
+                   const FaceCorners<dim> &corners,
+                   const unsigned int      degree,
+                   const unsigned int      i)
     {
-      const Tensor<2, 2>        ways = invert(Tensor<2, 2>(
-        {{corners[1][0] - corners[0][0], corners[1][1] - corners[0][1]},
-                {corners[2][0] - corners[0][0], corners[2][1] - corners[0][1]}}));
-      std::vector<Tensor<1, 2>> result;
-      for (const auto &exponents : Bernstein::exponents(degree - 1))
+      return inverse_weight(
+        body,
+        point_on_face<dim>(corners, Bernstein<dim - 1>::points(degree)[i]).x);
+    }
+
+
+
+    template <int dim>
+    double
+    size_of_simplex(const Corners<dim> &corners)
+    {
+      return std::pow(volume(corners), 1. / dim);
+    }
+
+
+
+    /// The coefficients of the divergence of the weighted stress on a part with
+    /// these @p corners, by differences between those of the stress on the ways
+    /// from its first corner.
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    divergence(const Corners<dim>     &corners,
+               const StressField<dim> &field,
+               const unsigned int      t,
+               const unsigned int      part)
+    {
+      Tensor<2, dim> ways;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int d = 0; d < dim; ++d)
+          ways[i][d] = corners[i + 1][d] - corners[0][d];
+      const Tensor<2, dim>        inverse = invert(ways);
+      std::vector<Tensor<1, dim>> result;
+      for (const auto &exponents : Bernstein<dim>::exponents(field.degree - 1))
         {
           const auto beside = [&](const unsigned int corner) {
-            Bernstein::Exponents raised = exponents;
+            auto raised = exponents;
             ++raised[corner];
-            return coefficient(values,
-                               subtriangle,
-                               Bernstein::number_of(raised));
+            return in_plane<dim>(
+              field.coefficient(t, part, Bernstein<dim>::number_of(raised)));
           };
-          Tensor<1, 2> sum;
-          for (unsigned int i = 0; i < 2; ++i)
-            for (unsigned int d = 0; d < 2; ++d)
-              sum += 1. * degree * ways[d][i] *
-                     ((beside(i + 1) - beside(0)) * Point<2>::unit_vector(d));
+          Tensor<1, dim> sum;
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              const auto change = beside(i + 1) - beside(0);
+              for (unsigned int d = 0; d < dim; ++d)
+                sum += 1. * field.degree * inverse[d][i] *
+                       (change * Point<dim>::unit_vector(d));
+            }
           result.push_back(sum);
         }
       return result;
@@ -60,123 +88,77 @@ namespace ElastoPlastic
 
 
 
-    /// The coefficients of the weighted traction of a triangle, in the
-    /// direction of the side, on a plane with the normal of the side.
-    std::vector<Tensor<1, 2>>
-    tractions(const PlaneBody   &body,
-              const StressField &field,
-              const unsigned int t,
-              const unsigned int k)
-    {
-      const auto               &triangle = body.mesh.triangles[t];
-      const auto               &side     = body.mesh.sides[triangle.sides[k]];
-      const Tensor<1, 2>        normal   = body.mesh.normal(side);
-      std::vector<Tensor<1, 2>> result;
-      for (unsigned int i = 0; i <= field.degree; ++i)
-        result.push_back(coefficient(field.in_plane[t],
-                                     k,
-                                     number_on_line(field.degree, 0, 1, i)) *
-                         normal);
-      if (side.vertices[0] != triangle.vertices[k])
-        std::reverse(result.begin(), result.end());
-      return result;
-    }
-
-
-
-    /// The point of a line that a coefficient belongs to.
-    Point<2>
-    point_on_line(const Point<2>    &a,
-                  const Point<2>    &b,
-                  const unsigned int i,
-                  const unsigned int degree)
-    {
-      return Point<2>(a + 1. * i / degree * (b - a));
-    }
-
-
-
-    Point<2>
-    point_on_side(const PlaneBody   &body,
-                  const unsigned int s,
-                  const unsigned int i,
-                  const unsigned int degree)
-    {
-      const auto &vertices = body.mesh.sides[s].vertices;
-      return point_on_line(body.mesh.vertices[vertices[0]],
-                           body.mesh.vertices[vertices[1]],
-                           i,
-                           degree);
-    }
-
-
-
     /// That S has the divergence that the circumferential stress asks for.
+    template <int dim>
     void
-    check_equilibrium(StressErrors      &errors,
-                      const PlaneBody   &body,
-                      const StressField &field,
-                      const unsigned int t)
+    check_equilibrium(StressErrors           &errors,
+                      const SplitBody<dim>   &body,
+                      const StressField<dim> &field,
+                      const unsigned int      t)
     {
-      const auto   corners = body.mesh.corners(body.mesh.triangles[t]);
-      const double size    = std::sqrt(area(corners));
-      for (unsigned int k = 0; k < 3; ++k)
+      const auto   corners = body.corners_of(t);
+      const double size    = size_of_simplex<dim>(corners);
+      for (unsigned int k = 0; k < JohnsonMercier<dim>::n_parts; ++k)
         {
-          const Triangle subtriangle = subtriangle_of(corners, k);
-          auto           missing =
-            divergence(subtriangle, field.in_plane[t], k, field.degree);
+          const auto part    = JohnsonMercier<dim>::part_of(corners, k);
+          auto       missing = divergence(part, field, t, k);
           for (unsigned int i = 0; i < missing.size(); ++i)
             {
               if (body.is_axisymmetric())
                 missing[i][0] -=
                   field.circumferential[t][missing.size() * k + i];
               enlarge(errors.divergence,
-                      size * missing[i].norm() / body.weight(subtriangle[2]));
+                      size * missing[i].norm() /
+                        body.weight(part[place_of_centre<dim>(k)]));
             }
         }
     }
 
 
 
-    /// That the tractions are continuous between the subtriangles.
+    /// That the tractions are continuous between the parts k and l.
+    template <int dim>
     void
-    check_lines_inside(StressErrors      &errors,
-                       const PlaneBody   &body,
-                       const StressField &field,
-                       const unsigned int t)
+    check_between_parts(StressErrors           &errors,
+                        const SplitBody<dim>   &body,
+                        const StressField<dim> &field,
+                        const unsigned int      t,
+                        const unsigned int      k,
+                        const unsigned int      l)
     {
-      const auto  corners = body.mesh.corners(body.mesh.triangles[t]);
-      const auto &values  = field.in_plane[t];
-      for (unsigned int k = 0; k < 3; ++k)
+      using Element            = JohnsonMercier<dim>;
+      const auto part          = Element::part_of(body.corners_of(t), k);
+      const auto [here, there] = Element::places_between(k, l);
+      FaceCorners<dim> corners;
+      for (unsigned int j = 0; j < dim; ++j)
+        corners[j] = part[here[j]];
+      const Tensor<1, dim> n = normal(corners);
+      for (unsigned int i = 0; i < Element::n_face_points(field.degree); ++i)
         {
-          const Point<2>     center = subtriangle_of(corners, k)[2];
-          const Tensor<1, 2> line   = center - corners[k];
-          const Tensor<1, 2> normal = cross_product_2d(line) / line.norm();
-          for (unsigned int i = 0; i <= field.degree; ++i)
-            {
-              const auto jump =
-                coefficient(values, k, number_on_line(field.degree, 0, 2, i)) -
-                coefficient(values,
-                            (k + 2) % 3,
-                            number_on_line(field.degree, 1, 2, i));
-              const Point<2> point =
-                point_on_line(corners[k], center, i, field.degree);
-              enlarge(errors.traction_jump,
-                      inverse_weight(body, point) * (jump * normal).norm());
-            }
+          const auto jump = in_plane<dim>(
+            field.coefficient(t,
+                              k,
+                              Element::number_on_face(field.degree, here, i)) -
+            field.coefficient(t,
+                              l,
+                              Element::number_on_face(field.degree, there, i)));
+          enlarge(errors.traction_jump,
+                  inverse_weight<dim>(body, corners, field.degree, i) *
+                    (jump * n).norm());
         }
     }
 
 
 
-    /// The circumferential stress at a @p point of a subtriangle.
+    /// The circumferential stress at a @p point of a part.
+    template <int dim>
     double
-    circumferential_at(const StressField            &field,
-                       const unsigned int            t,
-                       const unsigned int            k,
-                       const Bernstein::Barycentric &point)
+    circumferential_at(const StressField<dim> &field,
+                       const unsigned int      t,
+                       const unsigned int      k,
+                       const Barycentric<dim> &point)
     {
-      const auto functions = Bernstein::functions(field.degree - 1, point);
+      const auto functions = Bernstein<dim>::functions(field.degree - 1, point);
       return std::inner_product(functions.begin(),
                                 functions.end(),
                                 field.circumferential[t].begin() +
@@ -189,123 +171,165 @@ namespace ElastoPlastic
     /// The yield condition, which holds everywhere if it does for the
     /// coefficients over those of the weight, and what makes it hold for the
     /// circumferential stress and on the axis.
+    template <int dim>
     void
-    check_points(StressErrors      &errors,
-                 const PlaneBody   &body,
-                 const StressField &field,
-                 const unsigned int t)
+    check_points(StressErrors           &errors,
+                 const SplitBody<dim>   &body,
+                 const StressField<dim> &field,
+                 const unsigned int      t)
     {
-      const auto  corners = body.mesh.corners(body.mesh.triangles[t]);
-      const auto &all     = Bernstein::exponents(field.degree);
-      for (unsigned int k = 0; k < 3; ++k)
-        for (unsigned int i = 0; i < all.size(); ++i)
-          {
-            const auto     subtriangle = subtriangle_of(corners, k);
-            const auto     position    = Bernstein::point_of(all[i]);
-            const Point<2> point(position[0] * subtriangle[0] +
-                                 position[1] * subtriangle[1] +
-                                 position[2] * subtriangle[2]);
-            const auto     weighted = field.coefficient(t, k, i);
-            if (body.is_on_axis(point))
-              enlarge(errors.on_axis,
-                      weighted.norm() / std::sqrt(area(corners)));
-            else if (body.is_axisymmetric())
-              enlarge(errors.circumferential,
-                      std::abs(field.at(t, k, position)[2][2] / point[0] -
-                               circumferential_at(field, t, k, position)));
-            if (body.kinematics == Kinematics::plane_stress)
-              enlarge(errors.out_of_plane, std::abs(weighted[2][2]));
-            if (!HenckyMaterial::hardens(body.materials[t]))
-              enlarge(errors.yield_excess,
-                      inverse_weight(body, point) * deviator(weighted).norm() -
-                        body.materials[t].yield_radius);
-          }
+      const auto  corners = body.corners_of(t);
+      const auto &points  = Bernstein<dim>::points(field.degree);
+      for (unsigned int k = 0; k < JohnsonMercier<dim>::n_parts; ++k)
+        {
+          const auto part = JohnsonMercier<dim>::part_of(corners, k);
+          for (unsigned int i = 0; i < points.size(); ++i)
+            {
+              const Point<dim> x        = interpolate(points[i], part);
+              const auto       weighted = field.coefficient(t, k, i);
+              if (body.is_on_axis(x))
+                enlarge(errors.on_axis,
+                        weighted.norm() / size_of_simplex<dim>(corners));
+              else if (body.is_axisymmetric())
+                enlarge(errors.circumferential,
+                        std::abs(
+                          field.at(t, k, points[i])[2][2] / x[0] -
+                          circumferential_at<dim>(field, t, k, points[i])));
+              if (body.kinematics == Kinematics::plane_stress)
+                enlarge(errors.out_of_plane, std::abs(weighted[2][2]));
+              if (!HenckyMaterial::hardens(body.materials[t]))
+                enlarge(errors.yield_excess,
+                        inverse_weight(body, x) * deviator(weighted).norm() -
+                          body.materials[t].yield_radius);
+            }
+        }
     }
 
 
 
-    /// Of a side at the boundary, where the pressure of body forces counts.
+    /// Of a face at the boundary, where the pressure of body forces counts.
+    template <int dim>
     void
-    check_given_tractions(StressErrors                    &errors,
-                          const PlaneBody                 &body,
-                          const StressField               &field,
-                          const unsigned int               s,
-                          const std::vector<Tensor<1, 2>> &tractions)
+    check_given_tractions(StressErrors                      &errors,
+                          const SplitBody<dim>              &body,
+                          const StressField<dim>            &field,
+                          const unsigned int                 f,
+                          const Tensor<1, dim>              &normal,
+                          const std::vector<Tensor<1, dim>> &tractions)
     {
-      const SplitMesh::Side &side = body.mesh.sides[s];
-      look_along_side(
-        body.mesh.vertices[side.vertices[0]],
-        body.mesh.vertices[side.vertices[1]],
-        [&](const double t, const Point<2> &x) {
-          if (body.is_on_axis(x))
+      look_over_face<dim>(
+        body.corners_of_face(f), [&](const FacePoint<dim> &point) {
+          if (body.is_on_axis(point.x))
             return;
-          const auto functions = Bernstein::side_functions(field.degree, t);
-          const Tensor<1, 2> traction =
-            inverse_weight(body, x) * std::inner_product(functions.begin(),
-                                                         functions.end(),
-                                                         tractions.begin(),
-                                                         Tensor<1, 2>()) -
-            body.pressure_of_body_force(x, field.load_factor) *
-              body.mesh.normal(side);
-          for (const auto &component : body.conditions[s].components)
-            if (component.type == SideConditionType::traction)
+          const auto functions =
+            Bernstein<dim - 1>::functions(field.degree, point.position);
+          const Tensor<1, dim> traction =
+            inverse_weight(body, point.x) *
+              std::inner_product(functions.begin(),
+                                 functions.end(),
+                                 tractions.begin(),
+                                 Tensor<1, dim>()) -
+            body.pressure_of_body_force(point.x, field.load_factor) * normal;
+          for (const auto &component : body.conditions[f].components)
+            if (component.type == ConditionType::traction)
               enlarge(errors.boundary_force,
                       std::abs(traction * component.direction -
-                               component.value(x) -
-                               field.load_factor * component.growth(x)));
+                               component.value(point) -
+                               field.load_factor * component.growth(point)));
         });
     }
 
 
 
     /// The coefficient of the pressure of the body forces, multiplied by the
-    /// weight: both are linear along a side.
+    /// weight: both are linear on a face. With the degree 1, their product
+    /// counts where it is at the corners.
+    template <int dim>
     double
-    weighted_pressure(const PlaneBody   &body,
-                      const StressField &field,
-                      const unsigned int s,
-                      const unsigned int coefficient)
+    weighted_pressure(const SplitBody<dim>   &body,
+                      const StressField<dim> &field,
+                      const unsigned int      f,
+                      const unsigned int      coefficient)
     {
+      const auto corners = body.corners_of_face(f);
       const auto product = [&](const unsigned int i, const unsigned int j) {
-        return body.weight(point_on_side(body, s, i, 1)) *
-               body.pressure_of_body_force(point_on_side(body, s, j, 1),
-                                           field.load_factor);
+        return body.weight(corners[i]) *
+               body.pressure_of_body_force(corners[j], field.load_factor);
       };
-      const unsigned int i = coefficient == field.degree;
-      const unsigned int j = coefficient > 0;
-      return 0.5 * (product(i, j) + product(j, i));
+      std::vector<unsigned int> factors; // corners, as often as they count
+      for (unsigned int i = 0; i < dim; ++i)
+        factors.insert(factors.end(),
+                       Bernstein<dim - 1>::exponents(
+                         field.degree)[coefficient][i],
+                       i);
+      return 0.5 * (product(factors.front(), factors.back()) +
+                    product(factors.back(), factors.front()));
     }
 
 
 
     /// That no coefficient of the pressure of the indenter is a tension.
     /// @return its force.
+    template <int dim>
     double
-    check_indenter(StressErrors                    &errors,
-                   const PlaneBody                 &body,
-                   const StressField               &field,
-                   const unsigned int               s,
-                   const std::vector<Tensor<1, 2>> &tractions)
+    check_indenter(StressErrors                      &errors,
+                   const SplitBody<dim>              &body,
+                   const StressField<dim>            &field,
+                   const unsigned int                 f,
+                   const Tensor<1, dim>              &normal,
+                   const std::vector<Tensor<1, dim>> &tractions)
     {
-      const auto &contact = body.conditions[s].components[1];
-      if (contact.type != SideConditionType::contact)
-        return 0.;
-      const Tensor<1, 2> direction = contact.direction;
-      const double cosine = body.mesh.normal(body.mesh.sides[s]) * direction;
-      const double part =
-        body.mesh.length(body.mesh.sides[s]) / (field.degree + 1.);
-      double force = 0;
-      for (unsigned int i = 0; i <= field.degree; ++i)
+      const Tensor<1, dim> direction = body.conditions[f].contact().direction;
+      const auto           corners   = body.corners_of_face(f);
+      const double         cosine    = normal * direction;
+      double               force     = 0;
+      for (unsigned int i = 0; i < tractions.size(); ++i)
         {
           const double weighted = tractions[i] * direction -
-                                  cosine * weighted_pressure(body, field, s, i);
+                                  cosine * weighted_pressure(body, field, f, i);
           enlarge(errors.tension,
-                  inverse_weight(body,
-                                 point_on_side(body, s, i, field.degree)) *
+                  inverse_weight<dim>(body, corners, field.degree, i) *
                     weighted);
-          force -= body.angle() * part * weighted * direction[1];
+          force -= body.angle() * area(corners) / tractions.size() * weighted *
+                   direction[dim - 1];
         }
       return force;
+    }
+
+
+
+    /// @return the force of the indenter.
+    template <int dim>
+    double
+    check_face(StressErrors           &errors,
+               const SplitBody<dim>   &body,
+               const StressField<dim> &field,
+               const unsigned int      f)
+    {
+      const auto          &face   = body.mesh.faces[f];
+      const Tensor<1, dim> normal = body.outward_normal(f);
+      const auto           of     = [&](const unsigned int i) {
+        const unsigned int t = face.neighbors[i];
+        return field.tractions(body.mesh,
+                               t,
+                               body.mesh.simplices[t].place_of_face(f),
+                               normal);
+      };
+      const auto here = of(0);
+      if (face.is_inside())
+        {
+          const auto there = of(1);
+          for (unsigned int i = 0; i < here.size(); ++i)
+            enlarge(errors.traction_jump,
+                    inverse_weight<dim>(
+                      body, body.corners_of_face(f), field.degree, i) *
+                      (there[i] - here[i]).norm());
+          return 0.;
+        }
+      check_given_tractions(errors, body, field, f, normal, here);
+      return body.conditions[f].is_pressed() ?
+               check_indenter(errors, body, field, f, normal, here) :
+               0.;
     }
   } // namespace
 
@@ -327,39 +351,22 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   StressErrors
-  check_stress(const PlaneBody &body, const StressField &field)
+  check_stress(const SplitBody<dim> &body, const StressField<dim> &field)
   {
-    StressErrors                           errors;
-    double                                 force = 0;
-    std::vector<std::vector<Tensor<1, 2>>> first(body.mesh.sides.size());
-    std::vector<bool>                      seen(body.mesh.sides.size(), false);
-    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+    StressErrors errors;
+    for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
       {
         check_equilibrium(errors, body, field, t);
-        check_lines_inside(errors, body, field, t);
+        for (unsigned int k = 0; k < JohnsonMercier<dim>::n_parts; ++k)
+          for (unsigned int l = k + 1; l < JohnsonMercier<dim>::n_parts; ++l)
+            check_between_parts(errors, body, field, t, k, l);
         check_points(errors, body, field, t);
-        for (unsigned int k = 0; k < 3; ++k)
-          {
-            const unsigned int s    = body.mesh.triangles[t].sides[k];
-            const auto         here = tractions(body, field, t, k);
-            if (body.mesh.sides[s].boundary_id !=
-                numbers::internal_face_boundary_id)
-              {
-                check_given_tractions(errors, body, field, s, here);
-                force += check_indenter(errors, body, field, s, here);
-              }
-            else if (!seen[s])
-              first[s] = here;
-            else
-              for (unsigned int i = 0; i <= field.degree; ++i)
-                enlarge(errors.traction_jump,
-                        inverse_weight(
-                          body, point_on_side(body, s, i, field.degree)) *
-                          (here[i] - first[s][i]).norm());
-            seen[s] = true;
-          }
       }
+    double force = 0;
+    for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
+      force += check_face(errors, body, field, f);
 
     for (double *error : {&errors.divergence,
                           &errors.on_axis,
@@ -371,9 +378,14 @@ namespace ElastoPlastic
                           &errors.yield_excess})
       *error /= body.stress_unit;
     errors.force_difference = std::abs(force - field.force) /
-                              std::max(std::abs(force),
-                                       body.stress_unit * body.length_unit *
-                                         body.weight_unit() * body.angle());
+                              std::max(std::abs(force), body.force_unit());
     return errors;
   }
+
+
+
+  template StressErrors
+  check_stress(const SplitBody<2> &, const StressField<2> &);
+  template StressErrors
+  check_stress(const SplitBody<3> &, const StressField<3> &);
 } // namespace ElastoPlastic

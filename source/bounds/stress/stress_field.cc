@@ -1,80 +1,102 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
-
+#include "base/largest_error.h"
 #include "base/tensors.h"
-#include "bounds/stress/johnson_mercier.h"
+#include "bounds/stress/local_stresses.h"
 #include "bounds/stress/stress_field.h"
 
 namespace ElastoPlastic
 {
+  template <int dim>
   SymmetricTensor<2, 3>
-  StressField::coefficient(const unsigned int triangle,
-                           const unsigned int subtriangle,
-                           const unsigned int i) const
+  StressField<dim>::coefficient(const unsigned int t,
+                                const unsigned int part,
+                                const unsigned int i) const
   {
-    return in_space<2>(
-      JohnsonMercier::coefficient(in_plane[triangle], subtriangle, i),
-      out_of_plane[triangle][Bernstein::n_functions(degree) * subtriangle + i]);
+    return stress_from<dim>(values[t].begin() +
+                            n_stress_components<dim> *
+                              (Bernstein<dim>::n_functions(degree) * part + i));
   }
 
 
 
+  template <int dim>
   SymmetricTensor<2, 3>
-  StressField::at(const unsigned int            triangle,
-                  const unsigned int            subtriangle,
-                  const Bernstein::Barycentric &point) const
+  StressField<dim>::at(const unsigned int      t,
+                       const unsigned int      part,
+                       const Barycentric<dim> &point) const
   {
-    const auto            functions = Bernstein::functions(degree, point);
+    const auto            functions = Bernstein<dim>::functions(degree, point);
     SymmetricTensor<2, 3> stress;
     for (unsigned int i = 0; i < functions.size(); ++i)
-      stress += functions[i] * coefficient(triangle, subtriangle, i);
+      stress += functions[i] * coefficient(t, part, i);
     return stress;
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  StressField<dim>::tractions(const SplitMesh<dim> &mesh,
+                              const unsigned int    t,
+                              const unsigned int    k,
+                              const Tensor<1, dim> &normal) const
+  {
+    using Element                      = JohnsonMercier<dim>;
+    const auto                  places = mesh.places_in_part(t, k);
+    std::vector<Tensor<1, dim>> result;
+    for (unsigned int i = 0; i < Element::n_face_points(degree); ++i)
+      result.push_back(
+        in_plane<dim>(
+          coefficient(t, k, Element::number_on_face(degree, places, i))) *
+        normal);
+    return result;
   }
 
 
 
   // On the axis, it is the quotient of the derivatives of weighted stress and
   // weight, to which the coefficients beside those of the corner contribute.
+  template <int dim>
   SymmetricTensor<2, 3>
-  StressField::without_weight(const PlaneBody   &body,
-                              const unsigned int triangle,
-                              const unsigned int subtriangle,
-                              const unsigned int corner) const
+  StressField<dim>::without_weight(const SplitBody<dim> &body,
+                                   const unsigned int    t,
+                                   const unsigned int    part,
+                                   const unsigned int    corner) const
   {
-    const auto corners = JohnsonMercier::subtriangle_of(
-      body.mesh.corners(body.mesh.triangles[triangle]), subtriangle);
+    const auto corners = JohnsonMercier<dim>::part_of(body.corners_of(t), part);
     const auto pressure =
       body.pressure_of_body_force(corners[corner], load_factor) *
       unit_symmetric_tensor<3>();
     if (!body.is_on_axis(corners[corner]))
-      return coefficient(triangle, subtriangle, corner) /
-               body.weight(corners[corner]) -
+      return coefficient(t, part, corner) / body.weight(corners[corner]) -
              pressure;
     SymmetricTensor<2, 3> derivative;
     double                of_weight = 0;
-    for (const unsigned int other : {(corner + 1) % 3, (corner + 2) % 3})
-      {
-        derivative +=
-          1. * degree *
-          coefficient(triangle,
-                      subtriangle,
-                      JohnsonMercier::number_on_line(degree, corner, other, 1));
-        of_weight += body.weight(corners[other]);
-      }
+    for (unsigned int other = 0; other <= dim; ++other)
+      if (other != corner)
+        {
+          typename Bernstein<dim>::Exponents beside = {};
+          beside[corner]                            = degree - 1;
+          beside[other]                             = 1;
+          derivative += 1. * degree *
+                        coefficient(t, part, Bernstein<dim>::number_of(beside));
+          of_weight += body.weight(corners[other]);
+        }
     return derivative / of_weight - pressure;
   }
 
 
 
+  template <int dim>
   double
-  StressField::max_pressure() const
+  StressField<dim>::max_pressure() const
   {
     double largest = 0;
-    for (const auto &of_side : pressure)
-      for (const double coefficient : of_side)
-        largest = std::max(largest, coefficient);
+    for (const auto &of_face : pressure)
+      for (const double coefficient : of_face)
+        enlarge(largest, coefficient);
     return largest;
   }
 
@@ -82,24 +104,30 @@ namespace ElastoPlastic
 
   // An interior point leaves a little pressure everywhere. From the end that is
   // pressed to one that is not, the pressure falls to zero; so the part of such
-  // a side counts whose coefficients do not vanish.
+  // a face counts whose coefficients do not vanish: of a side in a body of
+  // revolution, they have equal parts in their order.
+  template <int dim>
   double
-  StressField::contact_area(const PlaneBody &body) const
+  StressField<dim>::contact_area(const SplitBody<dim> &body) const
   {
     const double threshold = 1e-4 * max_pressure();
-    double       area      = 0;
-    for (unsigned int s = 0; s < pressure.size(); ++s)
-      for (unsigned int i = 0; i <= degree; ++i)
-        if (pressure[s][i] > threshold)
+    double       result    = 0;
+    for (unsigned int f = 0; f < pressure.size(); ++f)
+      for (unsigned int i = 0; i < pressure[f].size(); ++i)
+        if (pressure[f][i] > threshold)
           {
-            const SplitMesh::Side &side = body.mesh.sides[s];
-            const Point<2>         a    = body.mesh.vertices[side.vertices[0]],
-                           b            = body.mesh.vertices[side.vertices[1]];
-            const double   part         = 1. / (degree + 1.);
-            const Point<2> middle       = a + part * (i + 0.5) * (b - a);
-            area += body.angle() * body.weight(middle) * part *
-                    body.mesh.length(side);
+            const auto       corners = body.corners_of_face(f);
+            const double     share   = 1. / pressure[f].size();
+            const Point<dim> middle =
+              corners[0] + share * (i + 0.5) * (corners[1] - corners[0]);
+            result +=
+              body.angle() * body.weight(middle) * share * area(corners);
           }
-    return area;
+    return result;
   }
+
+
+
+  template struct StressField<2>;
+  template struct StressField<3>;
 } // namespace ElastoPlastic

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "bounds/body/evaluated_bounds.h"
-#include "bounds/stress/space_stress_program.h"
 #include "bounds/stress/stress_problem.h"
 #include "bounds/stress/stress_program.h"
 
@@ -13,26 +12,28 @@ namespace ElastoPlastic
     /// Of the gap between cost and dual cost. Without compliance, the linear
     /// systems are singular, and rounding errors larger.
     constexpr double energy_tolerance = 1e-9;
-    constexpr double limit_tolerance  = 1e-6;
 
     /// Of the stresses with the least energy: ErrorBound is for linear ones.
     constexpr unsigned int energy_degree = 1;
 
-    using OutOfPlaneStress = StressProgram::OutOfPlaneStress;
+    using LocalStresses::OutOfPlane;
 
 
 
     /// @p in_plane_strain says what is known of it in plane strain.
-    OutOfPlaneStress
-    out_of_plane_stress(const Kinematics       kinematics,
-                        const OutOfPlaneStress in_plane_strain)
+    template <int dim>
+    OutOfPlane
+    out_of_plane_stress(const Kinematics kinematics,
+                        const OutOfPlane in_plane_strain)
     {
+      if (dim == 3)
+        return OutOfPlane::like_others;
       switch (kinematics)
         {
           case Kinematics::plane_stress:
-            return OutOfPlaneStress::zero;
+            return OutOfPlane::zero;
           case Kinematics::axisymmetric:
-            return OutOfPlaneStress::circumferential;
+            return OutOfPlane::circumferential;
           default:
             return in_plane_strain;
         }
@@ -40,135 +41,80 @@ namespace ElastoPlastic
 
 
 
-    StressProgram
-    program_for_energy(const PlaneBody &body)
+    template <int dim>
+    StressProgram<dim>
+    complementary_energy(const SplitBody<dim> &body)
     {
-      return {body,
-              out_of_plane_stress(body.kinematics, OutOfPlaneStress::unknown),
-              energy_degree};
-    }
-
-
-
-    SpaceStressProgram
-    program_for_energy(const SpaceBody &body)
-    {
-      return SpaceStressProgram(body);
-    }
-
-
-
-    template <typename Body>
-    auto
-    complementary_energy(const Body &body)
-    {
-      auto program = program_for_energy(body);
+      StressProgram<dim> program(body,
+                                 out_of_plane_stress<dim>(body.kinematics,
+                                                          OutOfPlane::unknown),
+                                 energy_degree);
       program.add_energy();
       program.add_gap();
       return program;
-    }
-
-
-
-    template <typename Body>
-    auto
-    least_energy_with_force(const Body &body, const double force)
-    {
-      auto program = complementary_energy(body);
-      program.prescribe_force(force);
-      return program.solve(energy_tolerance);
-    }
-
-
-
-    template <typename Body>
-    auto
-    least_energy_with_depth(const Body &body, const double depth)
-    {
-      auto program = complementary_energy(body);
-      program.add_force(-depth);
-      auto field  = program.solve(energy_tolerance);
-      field.depth = depth;
-      return field;
-    }
-
-
-
-    /// The depth that costs 1 in the units of the body.
-    template <typename Body>
-    double
-    depth_unit(const Body &body)
-    {
-      return body.strain_unit * body.length_unit;
-    }
-
-
-
-    template <typename Program, typename Body>
-    auto
-    largest_load(Program program, const Body &body, const double tolerance)
-    {
-      if (body.load_factor_unit == 0)
-        program.add_force(-depth_unit(body));
-      return explain_missing_limit([&]() { return program.solve(tolerance); });
     }
   } // namespace
 
 
 
-  StressField
-  equilibrate_with_force(const PlaneBody &body, const double force)
+  template <int dim>
+  StressField<dim>
+  equilibrate_with_force(const SplitBody<dim> &body, const double force)
   {
-    return least_energy_with_force(body, force);
+    auto program = complementary_energy(body);
+    program.prescribe_force(force);
+    return program.solve(energy_tolerance);
   }
 
 
 
-  SpaceStressField
-  equilibrate_with_force(const SpaceBody &body, const double force)
+  template <int dim>
+  StressField<dim>
+  equilibrate_with_depth(const SplitBody<dim> &body, const double depth)
   {
-    return least_energy_with_force(body, force);
-  }
-
-
-
-  StressField
-  equilibrate_with_depth(const PlaneBody &body, const double depth)
-  {
-    return least_energy_with_depth(body, depth);
-  }
-
-
-
-  SpaceStressField
-  equilibrate_with_depth(const SpaceBody &body, const double depth)
-  {
-    return least_energy_with_depth(body, depth);
-  }
-
-
-
-  StressField
-  maximize_load(const PlaneBody &body, const unsigned int degree)
-  {
-    StressField field =
-      largest_load(StressProgram(body,
-                                 out_of_plane_stress(body.kinematics,
-                                                     OutOfPlaneStress::mean),
-                                 degree),
-                   body,
-                   limit_tolerance);
-    for (auto &velocities : field.displacement)
-      for (Tensor<1, 2> &velocity : velocities)
-        velocity /= depth_unit(body);
+    auto program = complementary_energy(body);
+    program.add_force(-depth);
+    auto field  = program.solve(energy_tolerance);
+    field.depth = depth;
     return field;
   }
 
 
 
-  SpaceStressField
-  maximize_load(const SpaceBody &body, const double tolerance)
+  template <int dim>
+  StressField<dim>
+  maximize_load(const SplitBody<dim> &body,
+                const unsigned int    degree,
+                const double          tolerance)
   {
-    return largest_load(SpaceStressProgram(body), body, tolerance);
+    const double depth_unit = body.strain_unit * body.length_unit;
+
+    StressProgram<dim> program(body,
+                               out_of_plane_stress<dim>(body.kinematics,
+                                                        OutOfPlane::mean),
+                               degree);
+    if (body.load_factor_unit == 0)
+      program.add_force(-depth_unit);
+    StressField<dim> field =
+      explain_missing_limit([&]() { return program.solve(tolerance); });
+    for (auto &velocities : field.displacement)
+      for (auto &velocity : velocities)
+        velocity /= depth_unit;
+    return field;
   }
+
+
+
+  template StressField<2>
+  equilibrate_with_force(const SplitBody<2> &, const double);
+  template StressField<3>
+  equilibrate_with_force(const SplitBody<3> &, const double);
+  template StressField<2>
+  equilibrate_with_depth(const SplitBody<2> &, const double);
+  template StressField<3>
+  equilibrate_with_depth(const SplitBody<3> &, const double);
+  template StressField<2>
+  maximize_load(const SplitBody<2> &, const unsigned int, const double);
+  template StressField<3>
+  maximize_load(const SplitBody<3> &, const unsigned int, const double);
 } // namespace ElastoPlastic

@@ -2,261 +2,269 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <cmath>
 
 #include "bounds/body/hencky_material.h"
+#include "bounds/conic/interior_point.h"
 #include "bounds/conic/local_algebra.h"
-#include "bounds/conic/yield_conditions.h"
-#include "bounds/mesh/integration.h"
-#include "bounds/stress/johnson_mercier.h"
-#include "bounds/stress/local_stresses.h"
 #include "bounds/stress/stress_program.h"
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    using namespace JohnsonMercier;
-    using namespace HenckyMaterial;
-    using namespace LocalAlgebra;
+  using namespace HenckyMaterial;
 
-    constexpr unsigned int n_components = n_stress_components;
-
-
-
-    /// C^-1 for the components 11, 22, 12, 33; the shear stress counts twice.
-    FullMatrix<double>
-    compliance_matrix(const Material<double> &material)
-    {
-      constexpr std::array<std::array<unsigned int, 2>, n_components> indices =
-        {{{{0, 0}}, {{1, 1}}, {{0, 1}}, {{2, 2}}}};
-      FullMatrix<double> c(n_components, n_components);
-      for (unsigned int j = 0; j < n_components; ++j)
-        {
-          SymmetricTensor<2, 3> stress;
-          stress[indices[j][0]][indices[j][1]] = 1.;
-          const auto strain                    = compliance(material, stress);
-          for (unsigned int i = 0; i < n_components; ++i)
-            c(i, j) = (i == 2 ? 2. : 1.) * strain[indices[i][0]][indices[i][1]];
-        }
-      return c;
-    }
-
-
-
-    /// The area of a subtriangle, with what turns compliances into the units of
-    /// the body.
-    double
-    energy_weight(const PlaneBody &body, const unsigned int t)
-    {
-      return area(body.mesh.corners(body.mesh.triangles[t])) /
-             (3. * body.length_unit * body.length_unit) * body.stress_unit /
-             body.strain_unit;
-    }
-
-
-
-    /// The multipliers of the yield conditions are moments of the plastic
-    /// strain: like the area, where that is smooth, or nearly the same on all
-    /// triangles, where it concentrates and they are refined. A power in
-    /// between takes half as many iterations as equal scales do.
-    ConeScale
-    yield_scale(const PlaneBody   &body,
-                const unsigned int t,
-                const unsigned int degree)
-    {
-      const double part =
-        area(body.mesh.corners(body.mesh.triangles[t])) *
-        LocalStresses::weights(body, t, /* degree = */ 1)[2] /
-        (n_points(degree) * body.length_unit * body.length_unit);
-      return {body.materials[t].yield_radius / body.stress_unit,
-              std::pow(part, 0.75)};
-    }
-
-  } // namespace
-
-
-
-  StressProgram::StressProgram(const PlaneBody       &body,
-                               const OutOfPlaneStress out_of_plane,
-                               const unsigned int     degree)
+  template <int dim>
+  StressProgram<dim>::StressProgram(const SplitBody<dim> &body,
+                                    const OutOfPlane      out_of_plane,
+                                    const unsigned int    degree)
     : body(body)
     , out_of_plane(out_of_plane)
     , degree(degree)
   {
+    if (body.is_axisymmetric())
+      for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
+        bases.push_back(LocalStresses::equilibrated_basis(body, t, degree));
     number_equations();
-    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
-      {
-        add_block(t);
-        add_yield_conditions(t);
-        add_sides(t);
-      }
+    for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
+      add_block(t);
     add_indenter();
   }
 
 
 
-  void
-  StressProgram::add_block(const unsigned int t)
+  template <int dim>
+  unsigned int
+  StressProgram<dim>::n_growths(const unsigned int t) const
   {
-    const bool own_unknown = out_of_plane == OutOfPlaneStress::unknown;
-    const FullMatrix<double> basis =
-      LocalStresses::equilibrated_basis(body, t, degree);
-    const unsigned int n =
-      basis.n() + (own_unknown ? n_points(degree) : 0) +
-      (hardens(body.materials[t]) ?
-         LocalStresses::points_off_axis(body, t, degree).size() :
-         0);
-
-    FullMatrix<double> &stress =
-      point_stresses.emplace_back(n_components * n_points(degree), n);
-    for (unsigned int p = 0; p < n_points(degree); ++p)
-      {
-        const unsigned int row = n_components * p;
-        for (unsigned int j = 0; j < basis.n(); ++j)
-          {
-            for (unsigned int c = 0; c < 3; ++c)
-              stress(row + c, j) = basis(3 * p + c, j);
-            if (out_of_plane == OutOfPlaneStress::mean)
-              stress(row + 3, j) =
-                0.5 * (basis(3 * p, j) + basis(3 * p + 1, j));
-          }
-        if (own_unknown)
-          stress(row + 3, basis.n() + p) = 1.;
-      }
-    if (out_of_plane == OutOfPlaneStress::circumferential)
-      add_circumferential_stress(t, basis);
-
-    program.blocks.emplace_back(n);
+    if (!hardens(body.materials[t]))
+      return 0;
+    const auto weights = LocalStresses::weights(body, t, degree);
+    return weights.size() - std::count(weights.begin(), weights.end(), 0.);
   }
 
 
 
-  void
-  StressProgram::add_circumferential_stress(const unsigned int        t,
-                                            const FullMatrix<double> &basis)
+  template <int dim>
+  FullMatrix<double>
+  StressProgram<dim>::point_stresses(const unsigned int t) const
   {
-    const auto coefficients =
-      LocalStresses::circumferential_matrix(body, t, degree);
-    const auto weighting = LocalStresses::weighting_matrix(body, t, degree);
-    FullMatrix<double> of_subtriangles(coefficients.m(), basis.n()),
-      weighted(weighting.m(), basis.n());
-    coefficients.mmult(of_subtriangles, basis);
-    weighting.mmult(weighted, of_subtriangles);
-    for (unsigned int p = 0; p < weighted.m(); ++p)
-      for (unsigned int j = 0; j < basis.n(); ++j)
-        point_stresses[t](n_components * p + 3, j) = weighted(p, j);
+    const FullMatrix<double> &basis =
+      bases.empty() ? LocalStresses::equilibrated_basis(body, t, degree) :
+                      bases[t];
+    const unsigned int n_unknown =
+      out_of_plane == OutOfPlane::unknown ? Element::n_points(degree) : 0;
+    return LocalStresses::point_stresses(body,
+                                         t,
+                                         degree,
+                                         basis,
+                                         out_of_plane,
+                                         basis.n() + n_unknown + n_growths(t));
   }
 
 
 
   // |dev tau| <= R + zeta
+  template <int dim>
   void
-  StressProgram::add_yield_conditions(const unsigned int t)
+  StressProgram<dim>::add_block(const unsigned int t)
   {
-    const Material<double> &material = body.materials[t];
-    if (!yields(material))
-      return;
-    ConicBlock              &block = program.blocks[t];
-    const FullMatrix<double> points =
-      LocalStresses::yield_points(body, t, degree);
-    FullMatrix<double> stress(points.m(), point_stresses[t].n());
-    points.mmult(stress, point_stresses[t]);
-    ElastoPlastic::add_yield_conditions(
-      block, stress, material.yield_radius / body.stress_unit);
+    const FullMatrix<double> stresses = point_stresses(t);
+    const Material<double>  &material = body.materials[t];
+    ConicBlock              &block = program.blocks.emplace_back(stresses.n());
+    if (yields(material))
+      add_yield_conditions<dim>(block,
+                                stresses,
+                                LocalStresses::weights(body, t, degree),
+                                material.yield_radius / body.stress_unit);
     if (hardens(material))
-      for (unsigned int i = 0, n = block.cone_sizes.size(); i < n; ++i)
-        block.cone_matrix(4 * i, block.cone_matrix.n() - n + i) = -1.;
+      for (unsigned int i = 0, n = n_growths(t); i < n; ++i)
+        block.cone_matrix(n_stress_components<dim> * i,
+                          block.cone_matrix.n() - n + i) = -1.;
+    add_tractions(t, stresses);
   }
 
 
 
-  FullMatrix<double>
-  StressProgram::weighted_mass(const unsigned int t) const
+  template <int dim>
+  StressField<dim>
+  StressProgram<dim>::solve(const double tolerance)
   {
-    const auto   weights = LocalStresses::weights(body, t, /* degree = */ 1);
-    const double unit    = energy_weight(body, t);
-    const unsigned int n = Bernstein::n_functions(degree);
-    FullMatrix<double> mass(3 * n, 3 * n);
-    for (unsigned int k = 0; k < 3; ++k)
-      for (const WeightedPoint &point : quadrature_over(
-             {{weights[3 * k], weights[3 * k + 1], weights[3 * k + 2]}}))
-        {
-          const auto functions = Bernstein::functions(degree, point.position);
-          for (unsigned int i = 0; i < n; ++i)
-            for (unsigned int j = 0; j < n; ++j)
-              mass(n * k + i, n * k + j) +=
-                unit * point.weight * functions[i] * functions[j];
-        }
-    return mass;
-  }
+    const ConicLayout   layout(program);
+    const bool          force_is_given = program.n_dense_rows > 0;
+    const ConicSolution solution = minimize(std::move(program), tolerance);
+    const double        length   = body.length_unit;
 
-
-
-  FullMatrix<double>
-  StressProgram::elastic_energy(const unsigned int t) const
-  {
-    const FullMatrix<double> c    = compliance_matrix(body.materials[t]);
-    const FullMatrix<double> mass = weighted_mass(t);
-    FullMatrix<double> energy(n_components * mass.m(), n_components * mass.n());
-    for (unsigned int p = 0; p < mass.m(); ++p)
-      for (unsigned int q = 0; q < mass.n(); ++q)
-        for (unsigned int i = 0; i < n_components; ++i)
-          for (unsigned int k = 0; k < n_components; ++k)
-            energy(n_components * p + i, n_components * q + k) =
-              mass(p, q) * c(i, k);
-    return energy;
-  }
-
-
-
-  // zeta is weighted like the stresses.
-  void
-  StressProgram::add_hardening_energy(const unsigned int t)
-  {
-    const auto weights = LocalStresses::weights(body, t, degree);
-    const auto points  = LocalStresses::points_off_axis(body, t, degree);
-    const FullMatrix<double> mass  = weighted_mass(t);
-    FullMatrix<double>      &cost  = program.blocks[t].quadratic_cost;
-    const unsigned int       first = cost.n() - points.size();
-    for (unsigned int i = 0; i < points.size(); ++i)
-      for (unsigned int j = 0; j < points.size(); ++j)
-        cost(first + i, first + j) += weights[points[i]] * weights[points[j]] *
-                                      mass(points[i], points[j]) /
-                                      hardening(body.materials[t]);
-  }
-
-
-
-  void
-  StressProgram::add_energy()
-  {
-    has_energy = true;
-    for (unsigned int t = 0; t < body.mesh.triangles.size(); ++t)
+    StressField<dim> field;
+    field.degree                   = degree;
+    const unsigned int n_simplices = body.mesh.simplices.size();
+    for (unsigned int t = 0; t < n_simplices; ++t)
       {
-        ConicBlock        &block = program.blocks[t];
-        const unsigned int n     = block.linear_cost.size();
-        block.quadratic_cost.reinit(n, n);
-        FullMatrix<double> strain(point_stresses[t].m(), n);
-        elastic_energy(t).mmult(strain, point_stresses[t]);
-        point_stresses[t].Tmmult(block.quadratic_cost, strain);
-        if (yields(body.materials[t]))
-          std::fill(block.cone_scales.begin(),
-                    block.cone_scales.end(),
-                    yield_scale(body, t, degree));
-        if (hardens(body.materials[t]))
-          add_hardening_energy(t);
-
-        for (const SideOfTriangle &side : sides[t])
-          for (unsigned int c = 0; c < 2; ++c)
-            {
-              if (body.conditions[side.side].components[c].type !=
-                  SideConditionType::displacement)
-                continue;
-              for (unsigned int i = 0; i <= degree; ++i)
-                block.linear_cost.add(given_multiplier(side.side, i, c),
-                                      side.forces[i][c]);
-            }
+        const FullMatrix<double> stresses = point_stresses(t);
+        Vector<double>           values(stresses.m());
+        LocalAlgebra::add_product(values.begin(),
+                                  stresses,
+                                  solution.x.begin() + layout.unknowns[t]);
+        if (dim == 2)
+          field.displacement.push_back(
+            displacement_of(t,
+                            strain_moments_of_solution(
+                              t, values, solution.z.begin() + layout.rows[t]),
+                            solution.y));
+        add_stress(field, values);
       }
+    set_pressure(field, solution.x.begin() + layout.unknowns[n_simplices]);
+    if (force_is_given)
+      field.depth =
+        -body.strain_unit * length * solution.y[solution.y.size() - 1];
+    field.load_factor = body.load_factor_unit * solution.load_factor;
+    field.cost = solution.cost * body.force_unit() * body.strain_unit * length;
+    field.n_iterations = solution.n_iterations;
+    field.is_optimal   = solution.is_optimal;
+    return field;
   }
+
+
+
+  // The circumferential stress is a derivative of S, with rounding errors that
+  // grow as triangles become small: the component 33 follows from it.
+  template <int dim>
+  void
+  StressProgram<dim>::add_stress(StressField<dim>     &field,
+                                 const Vector<double> &values) const
+  {
+    const unsigned int t      = field.values.size();
+    Vector<double>    &stress = field.values.emplace_back(values);
+    stress *= body.stress_unit * body.weight_unit();
+    if constexpr (dim == 2)
+      if (out_of_plane == OutOfPlane::circumferential)
+        {
+          const unsigned int n_points = Element::n_points(degree);
+          Vector<double>     of_element(Element::n_values(degree)),
+            hoop(Element::n_points(degree - 1)), weighted(n_points);
+          for (unsigned int i = 0; i < of_element.size(); ++i)
+            of_element[i] = stress[n_stress_components<2> * (i / 3) + i % 3];
+          LocalStresses::circumferential_matrix(body, t, degree)
+            .vmult(hoop, of_element);
+          LocalStresses::weighting_matrix(body, t, degree)
+            .vmult(weighted, hoop);
+          hoop /= body.length_unit;
+          weighted *= body.weight_unit() / body.length_unit;
+          field.circumferential.emplace_back(hoop.begin(), hoop.end());
+          for (unsigned int p = 0; p < n_points; ++p)
+            stress[n_stress_components<2> * p + 3] = weighted[p];
+        }
+  }
+
+
+
+  // sigma_33 follows the others where it is their mean; where it is an unknown,
+  // its own derivative vanishes; where it is the circumferential stress, its
+  // derivative is the mean of u_h along r, which displacement_of() finds from
+  // the others.
+  template <int dim>
+  Vector<double>
+  StressProgram<dim>::strain_moments_of_solution(const unsigned int    t,
+                                                 const Vector<double> &values,
+                                                 const double         *z) const
+  {
+    constexpr unsigned int n_components = n_stress_components<dim>;
+
+    Vector<double> all(values.size());
+    if (has_energy)
+      {
+        FullMatrix<double> column(values.size(), 1);
+        for (unsigned int i = 0; i < values.size(); ++i)
+          column(i, 0) = values[i];
+        const auto strains = strain_moments(t, column);
+        for (unsigned int i = 0; i < values.size(); ++i)
+          all[i] = strains(i, 0);
+      }
+    if (yields(body.materials[t]))
+      {
+        ConicBlock               block(values.size());
+        const FullMatrix<double> identity{IdentityMatrix(values.size())};
+        add_yield_conditions<dim>(block,
+                                  identity,
+                                  LocalStresses::weights(body, t, degree),
+                                  /* radius = */ 1.);
+        LocalAlgebra::add_transposed_product(all.begin(), block.cone_matrix, z);
+      }
+
+    Vector<double> of_element(Element::n_values(degree));
+    for (unsigned int p = 0; p < Element::n_points(degree); ++p)
+      {
+        const double *const of_point = &all[n_components * p];
+        for (unsigned int c = 0; c < Element::n_components; ++c)
+          of_element[Element::n_components * p + c] = of_point[c];
+        if (out_of_plane == OutOfPlane::mean)
+          for (unsigned int c = 0; c < 2; ++c)
+            of_element[Element::n_components * p + c] += 0.5 * of_point[3];
+      }
+    return of_element;
+  }
+
+
+
+  // For all stresses tau of the simplex, with the traces w of the displacement
+  // on its faces,
+  //   (strain, tau) + (u_h, div tau) - <w, tau n> = 0.
+  // Of these (in the plane at most 15 or 36) equations, those of the unknowns
+  // have been solved; least squares take out of the others the moments of u_h
+  // for the coefficients of div tau, and thus its means over the parts. With
+  // the sum s of a linear function at the n corners, which that of its means is
+  // also, the mean over a part is (s + s / n - u) / n if u is the value at the
+  // corner opposite to the part's face.
+  template <int dim>
+  std::array<Tensor<1, dim>, dim + 1>
+  StressProgram<dim>::displacement_of(const unsigned int    t,
+                                      const Vector<double> &strain_moments,
+                                      const Vector<double> &y) const
+  {
+    constexpr unsigned int   n_corners = dim + 1;
+    const auto               corners   = body.corners_of(t);
+    const FullMatrix<double> shapes    = LocalStresses::basis(body, t, degree);
+    const unsigned int       n         = Element::n_divergences(degree);
+    FullMatrix<double>       divergence(n, shapes.n());
+    Element::divergence_matrix(corners, degree).mmult(divergence, shapes);
+    divergence *= volume(corners) / (n_corners * body.length_unit);
+
+    Vector<double> moments = strain_moments;
+    for (unsigned int k = 0; k < Element::n_parts; ++k)
+      for (unsigned int i = 0; i < Element::n_face_points(degree); ++i)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const auto [functional, value] = point_force(t, k, i, c);
+            const double factor =
+              multiplier({body.mesh.simplices[t].faces[k], i}, c, y);
+            for (unsigned int e = 0; e < Element::n_components; ++e)
+              moments[Element::n_components * value + e] +=
+                factor * functional[e];
+          }
+    Vector<double> residual(shapes.n());
+    shapes.Tvmult(residual, moments);
+
+    FullMatrix<double> normal_matrix(n, n);
+    divergence.mTmult(normal_matrix, divergence);
+    normal_matrix.gauss_jordan();
+    Vector<double> weighted(n), of_coefficients(n);
+    divergence.vmult(weighted, residual);
+    normal_matrix.vmult(of_coefficients, weighted);
+
+    std::array<Tensor<1, dim>, n_corners> means;
+    Tensor<1, dim>                        sum;
+    for (unsigned int i = 0; i < n; ++i)
+      means[i / (n / n_corners)][i % dim] -=
+        body.strain_unit * body.length_unit * of_coefficients[i];
+    for (const auto &mean : means)
+      sum += mean;
+    std::array<Tensor<1, dim>, n_corners> at_corners;
+    for (unsigned int k = 0; k < n_corners; ++k)
+      at_corners[opposite_corner<dim>(k)] =
+        (n_corners + 1.) / n_corners * sum - double(n_corners) * means[k];
+    return at_corners;
+  }
+
+
+
+  template class StressProgram<2>;
+  template class StressProgram<3>;
 } // namespace ElastoPlastic

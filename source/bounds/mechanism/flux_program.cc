@@ -5,22 +5,23 @@
 
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/power_block.h"
+#include "bounds/conic/yield_conditions.h"
+#include "bounds/mechanism/face_view.h"
+#include "bounds/mechanism/flux_program.h"
 #include "bounds/mechanism/flux_unknowns.h"
-#include "bounds/mechanism/space_velocity.h"
-#include "bounds/stress/tetrahedron_stress.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
     /// In the units of the body, as the dual of a PowerBlock's.
-    class SpaceVelocityProgram
+    class FluxProgram
     {
     public:
-      explicit SpaceVelocityProgram(const SpaceBody &body);
+      explicit FluxProgram(const SplitBody<3> &body);
 
       /// Can be called once.
-      SpaceVelocityField
+      VelocityField<3>
       solve(const double tolerance);
 
     private:
@@ -46,27 +47,27 @@ namespace ElastoPlastic
                const unsigned int neighbor,
                const unsigned int corner) const;
 
-      const SpaceBody   &body;
-      const FluxUnknowns unknowns;
-      ConicProgram       program;
+      const SplitBody<3> &body;
+      const FluxUnknowns  unknowns;
+      ConicProgram        program;
     };
 
 
 
-    SpaceVelocityProgram::SpaceVelocityProgram(const SpaceBody &body)
+    FluxProgram::FluxProgram(const SplitBody<3> &body)
       : body(body)
       , unknowns(body)
     {
       program.right_hand_side.reinit(unknowns.size());
       if (body.load_factor_unit > 0)
         program.growth.reinit(unknowns.size());
-      for (unsigned int t = 0; t < body.mesh.tetrahedra.size(); ++t)
+      for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         add_work(t);
       for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
         {
           for (unsigned int i = 0; i < 3; ++i)
             {
-              if (slip_takes_work(body, f))
+              if (FaceView<3>(body, f).resists_slip())
                 add_slip(f, i);
               if (body.conditions[f].is_reached)
                 add_indenter(f, i);
@@ -81,11 +82,10 @@ namespace ElastoPlastic
     // Of stresses, the deviator is limited and does the work; the mean stress
     // is not, and asks for velocities that change no volume.
     void
-    SpaceVelocityProgram::add_work(const unsigned int t)
+    FluxProgram::add_work(const unsigned int t)
     {
-      static const FullMatrix<double> deviator =
-        TetrahedronStress::deviator_matrix();
-      const unsigned int n = deviator.m();
+      static const FullMatrix<double> deviator = deviator_matrix<3>();
+      const unsigned int              n        = deviator.m();
 
       ConicBlock &block = program.blocks.emplace_back(n + 1);
       block.cone_matrix.reinit(n + 1, n + 1);
@@ -115,21 +115,19 @@ namespace ElastoPlastic
 
 
 
-    SpaceVelocityProgram::Trace
-    SpaceVelocityProgram::trace_at(const unsigned int f,
-                                   const unsigned int neighbor,
-                                   const unsigned int corner) const
+    FluxProgram::Trace
+    FluxProgram::trace_at(const unsigned int f,
+                          const unsigned int neighbor,
+                          const unsigned int corner) const
     {
       const unsigned int t = body.mesh.faces[f].neighbors[neighbor];
       const FluxElement  element(body, t);
-      unsigned int       v = 0;
-      while (body.mesh.tetrahedra[t].vertices[v] !=
-             body.mesh.faces[f].vertices[corner])
-        ++v;
+      const unsigned int v = body.mesh.simplices[t].place_of_vertex(
+        body.mesh.faces[f].vertices[corner]);
       Trace result;
       for (unsigned int i = 0; i < 3; ++i)
         {
-          const unsigned int k = corner_of_face(v, i);
+          const unsigned int k = corner_of_face<3>(v, i);
           result.velocities[i] = element.velocity(k, v);
           result.unknowns[i]   = unknowns.at(t, k, v);
         }
@@ -139,12 +137,11 @@ namespace ElastoPlastic
 
 
     void
-    SpaceVelocityProgram::add_slip(const unsigned int f,
-                                   const unsigned int corner)
+    FluxProgram::add_slip(const unsigned int f, const unsigned int corner)
     {
       const auto directions = tangents(body.mesh.corners(body.mesh.faces[f]));
-      const unsigned int n_neighbors = body.mesh.faces[f].is_inside() ? 2 : 1;
-      FullMatrix<double> slips(2, 3 * n_neighbors);
+      const unsigned int        n_neighbors = body.mesh.faces[f].n_neighbors();
+      FullMatrix<double>        slips(2, 3 * n_neighbors);
       std::vector<unsigned int> equations;
       for (unsigned int n = 0; n < n_neighbors; ++n)
         {
@@ -161,7 +158,7 @@ namespace ElastoPlastic
       block.add_norm(slips,
                      0,
                      2,
-                     body.area_of_corner(f),
+                     body.relative_area(f) / 3.,
                      body.shear_strength(f) / body.stress_unit);
       program.blocks.push_back(block.make(equations));
     }
@@ -169,8 +166,7 @@ namespace ElastoPlastic
 
 
     void
-    SpaceVelocityProgram::add_indenter(const unsigned int f,
-                                       const unsigned int corner)
+    FluxProgram::add_indenter(const unsigned int f, const unsigned int corner)
     {
       const Trace        at_corner = trace_at(f, 0, corner);
       FullMatrix<double> vertical(1, 3);
@@ -179,7 +175,7 @@ namespace ElastoPlastic
       PowerBlock block(3);
       block.add_condition(vertical,
                           0,
-                          body.area_of_corner(f),
+                          body.relative_area(f) / 3.,
                           body.indenter_velocity[2]);
       program.blocks.push_back(
         block.make(std::vector<unsigned int>(at_corner.unknowns.begin(),
@@ -191,8 +187,11 @@ namespace ElastoPlastic
     // Velocities and loads are linear on the face. Where the body is held, they
     // do no work.
     void
-    SpaceVelocityProgram::add_loads(const unsigned int f)
+    FluxProgram::add_loads(const unsigned int f)
     {
+      std::array<FacePoint<3>, 3> points;
+      for (unsigned int i = 0; i < 3; ++i)
+        points[i] = corner_point<3>(body.corners_of_face(f), i);
       for (unsigned int i = 0; i < 3; ++i)
         {
           const Trace at_corner = trace_at(f, 0, i);
@@ -201,20 +200,20 @@ namespace ElastoPlastic
               {
                 const auto        &component = body.conditions[f].components[c];
                 const unsigned int unknown   = at_corner.unknowns[k];
-                if (component.type == SideConditionType::displacement ||
+                if (component.type == ConditionType::displacement ||
                     unknown == numbers::invalid_unsigned_int)
                   continue;
                 const double along =
-                  body.area_of_corner(f) / body.stress_unit *
+                  body.relative_area(f) / 3. / body.stress_unit *
                   (at_corner.velocities[k] * component.direction);
                 for (unsigned int j = 0; j < 3; ++j)
                   {
                     const double part = (i == j ? 0.5 : 0.25) * along;
                     program.right_hand_side[unknown] +=
-                      part * body.load(f, c, j);
+                      part * body.load(f, c, points[j]);
                     if (body.load_factor_unit > 0)
-                      program.growth[unknown] +=
-                        part * body.load_factor_unit * body.growth(f, c, j);
+                      program.growth[unknown] += part * body.load_factor_unit *
+                                                 body.growth(f, c, points[j]);
                   }
               }
         }
@@ -222,27 +221,26 @@ namespace ElastoPlastic
 
 
 
-    SpaceVelocityField
-    SpaceVelocityProgram::solve(const double tolerance)
+    VelocityField<3>
+    FluxProgram::solve(const double tolerance)
     {
       const ConicSolution solution = minimize(std::move(program), tolerance);
-      SpaceVelocityField  field;
-      field.bound = -solution.cost *
-                    (body.load_factor_unit > 0 ?
-                       body.load_factor_unit :
-                       body.stress_unit * body.length_unit * body.length_unit);
+      VelocityField<3>    field;
+      field.bound =
+        -solution.cost *
+        (body.load_factor_unit > 0 ? body.load_factor_unit : body.force_unit());
       field.n_iterations = solution.n_iterations;
       field.is_optimal   = solution.is_optimal;
 
       Vector<double> fluxes = solution.y;
       fluxes *= -1.;
       unknowns.remove_divergence(fluxes);
-      for (unsigned int t = 0; t < body.mesh.tetrahedra.size(); ++t)
+      for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         {
           const FluxElement element(body, t);
-          CornerVelocities &velocity = field.velocity.emplace_back();
+          auto             &velocity = field.velocity.emplace_back();
           unknowns.for_each(t, [&](const auto k, const auto v, const auto i) {
-            velocity[v] += fluxes[i] * element.velocity(k, v);
+            velocity.coefficients[v] += fluxes[i] * element.velocity(k, v);
           });
         }
       return field;
@@ -251,9 +249,9 @@ namespace ElastoPlastic
 
 
 
-  SpaceVelocityField
-  find_motion_in_space(const SpaceBody &body, const double tolerance)
+  VelocityField<3>
+  find_flux(const SplitBody<3> &body, const double tolerance)
   {
-    return SpaceVelocityProgram(body).solve(tolerance);
+    return FluxProgram(body).solve(tolerance);
   }
 } // namespace ElastoPlastic

@@ -23,8 +23,8 @@ namespace ElastoPlastic
 
 
 
-  FaceGap::FaceGap(const std::function<double(const Point<3> &)> &g,
-                   const TriangleFace                            &corners)
+  FaceGap<3>::FaceGap(const std::function<double(const Point<3> &)> &g,
+                      const FaceCorners<3>                          &corners)
   {
     constexpr int      width  = n_intervals + 2 * margin + 1;
     const Tensor<1, 3> first  = (corners[1] - corners[0]) / n_intervals,
@@ -42,7 +42,7 @@ namespace ElastoPlastic
 
 
   std::size_t
-  FaceGap::index(const LatticePoint &point)
+  FaceGap<3>::index(const LatticePoint &point)
   {
     return (n_intervals + 2 * margin + 1) * (margin + point.i) + margin +
            point.j;
@@ -52,7 +52,7 @@ namespace ElastoPlastic
 
   template <typename Action>
   void
-  FaceGap::for_small_triangles(const Action &action)
+  FaceGap<3>::for_small_triangles(const Action &action)
   {
     using Corners = std::array<LatticePoint, 3>;
     for (int i = 0; i < n_intervals; ++i)
@@ -68,7 +68,7 @@ namespace ElastoPlastic
 
   // The bounds at a lattice point must do for all small triangles around it.
   void
-  FaceGap::enclose(const std::array<LatticePoint, 3> &corners)
+  FaceGap<3>::enclose(const std::array<LatticePoint, 3> &corners)
   {
     constexpr int         distance = 2; // of c
     std::array<double, 3> values, below, above;
@@ -118,25 +118,13 @@ namespace ElastoPlastic
 
 
 
-  std::array<double, 3>
-  FaceGap::SmallTriangle::position(
-    const std::array<double, 3> &coordinates) const
+  std::vector<SmallSimplex<3>>
+  FaceGap<3>::small_simplices() const
   {
-    std::array<double, 3> result = {};
-    for (unsigned int k = 0; k < 3; ++k)
-      for (unsigned int d = 0; d < 3; ++d)
-        result[d] += coordinates[k] * corners[k][d];
-    return result;
-  }
-
-
-
-  std::vector<FaceGap::SmallTriangle>
-  FaceGap::small_triangles() const
-  {
-    std::vector<SmallTriangle> result;
+    std::vector<SmallSimplex<3>> result;
     for_small_triangles([&](const std::array<LatticePoint, 3> &points) {
-      SmallTriangle triangle;
+      SmallSimplex<3> triangle;
+      triangle.part = 1. / (n_intervals * n_intervals);
       for (unsigned int k = 0; k < 3; ++k)
         {
           const double first  = points[k].i / double(n_intervals),
@@ -153,7 +141,7 @@ namespace ElastoPlastic
 
 
   double
-  FaceGap::lower_at_corner(const unsigned int corner) const
+  FaceGap<3>::lower_at_corner(const unsigned int corner) const
   {
     return lower[index(
       {corner == 1 ? n_intervals : 0, corner == 2 ? n_intervals : 0})];

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "bounds/error/side_gap.h"
+#include "bounds/error/face_gap.h"
 
 namespace ElastoPlastic
 {
@@ -28,12 +29,11 @@ namespace ElastoPlastic
 
 
 
-  SideGap::SideGap(const std::function<double(const Point<2> &)> &gap,
-                   const Point<2>                                &a,
-                   const Point<2>                                &b)
+  FaceGap<2>::FaceGap(const std::function<double(const Point<2> &)> &gap,
+                      const FaceCorners<2>                          &corners)
   {
     const auto g = [&](const double t) {
-      return gap(Point<2>(a + t * (b - a)));
+      return gap(Point<2>(corners[0] + t * (corners[1] - corners[0])));
     };
     const auto is_finite = [&](const double t) {
       return std::isfinite(g(t));
@@ -73,8 +73,49 @@ namespace ElastoPlastic
 
 
   double
-  SideGap::position(const unsigned int i) const
+  FaceGap<2>::position(const unsigned int i) const
   {
     return begin + (end - begin) * i / n_intervals;
+  }
+
+
+
+  bool
+  FaceGap<2>::is_empty() const
+  {
+    return values.empty();
+  }
+
+
+
+  std::vector<SmallSimplex<2>>
+  FaceGap<2>::small_simplices() const
+  {
+    std::vector<SmallSimplex<2>> result;
+    for (unsigned int i = 0; i + 1 < values.size(); ++i)
+      {
+        SmallSimplex<2> interval;
+        for (unsigned int k = 0; k < 2; ++k)
+          {
+            const double t      = position(i + k);
+            interval.corners[k] = {{1. - t, t}};
+            interval.lower[k]   = values[i + k] - below;
+            interval.upper[k]   = values[i + k] + above;
+          }
+        interval.part = position(i + 1) - position(i);
+        result.push_back(interval);
+      }
+    return result;
+  }
+
+
+
+  double
+  FaceGap<2>::lower_at_corner(const unsigned int corner) const
+  {
+    constexpr double rounding = 1. / n_intervals;
+    if (corner == 0 ? begin >= rounding : end <= 1. - rounding)
+      return std::numeric_limits<double>::infinity();
+    return (corner == 0 ? values.front() : values.back()) - below;
   }
 } // namespace ElastoPlastic

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef bounds_body_split_body_h
+#define bounds_body_split_body_h
+
+#include <functional>
+#include <vector>
+
+#include "base/kinematics.h"
+#include "bounds/body/loads.h"
+#include "bounds/mesh/integration.h"
+#include "bounds/mesh/split_mesh.h"
+#include "contact/contact_geometry.h"
+#include "contact/footprint.h"
+#include "indenter/surface_finish.h"
+#include "loads/boundary_conditions.h"
+#include "material/material.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// Cosine and sine below which directions are at right angles or parallel.
+  constexpr double small_angle = 1e-10;
+
+
+
+  /// What holds for one component of displacement and traction on a face.
+  enum class ConditionType
+  {
+    continuous,   ///< between two simplices
+    traction,     ///< the traction is given, maybe zero
+    displacement, ///< the displacement is given, maybe zero; as it is across
+                  ///< the direction in which a rough indenter presses
+    contact       ///< the indenter presses, if it touches, in this direction
+  };
+
+
+
+  /// A given traction or displacement on a face: in the plane any function of
+  /// the position, zero if there is none; in space a linear one.
+  template <int dim>
+  struct FaceValue;
+
+  template <>
+  struct FaceValue<2>
+  {
+    std::function<double(const Point<2> &)> function;
+
+    double
+    operator()(const FacePoint<2> &point) const
+    {
+      return function ? function(point.x) : 0.;
+    }
+
+    bool
+    is_zero() const
+    {
+      return !function;
+    }
+  };
+
+  template <>
+  struct FaceValue<3>
+  {
+    std::array<double, 3> at_corners = {};
+
+    double
+    operator()(const FacePoint<3> &point) const
+    {
+      return interpolate(point.position, at_corners);
+    }
+
+    bool
+    is_zero() const
+    {
+      return at_corners == std::array<double, 3>();
+    }
+  };
+
+
+
+  /// The condition of a face: for each of dim directions at right angles.
+  template <int dim>
+  struct FaceCondition
+  {
+    struct Component
+    {
+      Tensor<1, dim> direction;
+      ConditionType  type;
+      FaceValue<dim> value  = {};
+      FaceValue<dim> growth = {}; ///< what a load factor adds to a traction
+    };
+
+    std::array<Component, dim> components;
+
+    /// Whether the indenter can touch any point of the face. If it can touch
+    /// some only, it presses on none: the stresses stay admissible. But no
+    /// point of the face may penetrate, nor slide along a rough indenter, so
+    /// that motions are admissible, too.
+    bool is_reached = false;
+
+    /// The component in which the indenter presses.
+    const Component &
+    contact() const
+    {
+      return components[dim - 1];
+    }
+
+    /// Whether it can press on all of the face.
+    bool
+    is_pressed() const
+    {
+      return contact().type == ConditionType::contact;
+    }
+  };
+
+
+
+  /// What the condition of a face at the boundary demands of a mechanism.
+  template <int dim>
+  struct FaceSupport
+  {
+    /// Nothing moves through the face.
+    bool is_closed = false;
+    /// To slide along the face, or along the indenter, takes plastic work.
+    bool resists_slip = false;
+    /// Of what the body slides along, see SplitBody::indenter_velocity.
+    Tensor<1, dim> velocity;
+  };
+
+
+
+  /// The largest distance of a vertex from the first one: with it, body forces
+  /// are as large as the stresses that they cause.
+  template <int dim>
+  double
+  size_of(const SplitMesh<dim> &mesh);
+
+
+
+  /// The problem of a body in space, of a plane section in plane strain, of a
+  /// sheet, or of the half section x = r >= 0 of a body of revolution, as the
+  /// equilibrium method needs it: the mesh, the materials, what acts on the
+  /// faces, and the units in which it computes.
+  template <int dim>
+  struct SplitBody
+  {
+    SplitMesh<dim>                  mesh;
+    std::vector<FaceCondition<dim>> conditions; ///< by faces
+    std::vector<Material<double>>   materials;  ///< by simplices
+    Kinematics                      kinematics       = Kinematics::cartesian;
+    SurfaceFinish                   indenter_surface = SurfaceFinish::smooth;
+    /// The gap between indenter and body, where the indenter can touch.
+    std::function<double(const Point<dim> &)> gap;
+    Footprint<dim - 1>                        footprint;
+    /// Of the indenter, in a mechanism of collapse: down, or zero if it is
+    /// other loads that grow.
+    Tensor<1, dim> indenter_velocity = -Point<dim>::unit_vector(dim - 1);
+
+    /// What acts on the volume, and what a load factor adds to it.
+    Tensor<1, dim> body_force;
+    Tensor<1, dim> body_force_growth;
+
+    /// A typical stress: the smallest yield stress, or a modulus of elasticity.
+    double stress_unit;
+    /// A typical strain: this stress by Young's modulus.
+    double strain_unit;
+    double length_unit = 0; ///< of the size of the body
+    /// A typical load factor, with which tractions or body forces are as large
+    /// as stresses are; 0 if no load grows.
+    double load_factor_unit = 0;
+
+    Corners<dim>
+    corners_of(const unsigned int simplex) const;
+
+    FaceCorners<dim>
+    corners_of_face(const unsigned int face) const;
+
+    bool
+    is_axisymmetric() const;
+
+    /// Of a body of revolution, with rounding errors.
+    bool
+    is_on_axis(const Point<dim> &x) const;
+
+    /// What stresses are multiplied by to be in equilibrium like those of a
+    /// plane section: the distance r from the axis of a body of revolution, or
+    /// 1.
+    double
+    weight(const Point<dim> &x) const;
+
+    /// A typical value of it.
+    double
+    weight_unit() const;
+
+    /// What weighted stresses, integrated over the mesh, are multiplied by to
+    /// be those of the body: 2 pi, or 1.
+    double
+    angle() const;
+
+    /// The size of a simplex and of a face in units of the body.
+    double
+    relative_volume(const unsigned int simplex) const;
+    double
+    relative_area(const unsigned int face) const;
+
+    /// Of the indenter, and of other forces, on the whole body of revolution.
+    double
+    force_unit() const;
+
+    /// Of the ring whose section is a triangle, or of the triangle by unit of
+    /// thickness, or of a tetrahedron.
+    double
+    volume(const unsigned int simplex) const;
+
+    /// The body force f is that of a pressure f . (x - x_0) in the body, which
+    /// is taken out of all stresses: so they have no divergence. The load that
+    /// then acts at a point of a face, and what a load factor adds to it, in
+    /// the direction of a component of its condition.
+    double
+    load(const unsigned int    face,
+         const unsigned int    component,
+         const FacePoint<dim> &point) const;
+    double
+    growth(const unsigned int    face,
+           const unsigned int    component,
+           const FacePoint<dim> &point) const;
+
+    /// That pressure.
+    double
+    pressure_of_body_force(const Point<dim> &x, const double load_factor) const;
+
+    /// If a face is held in a direction oblique to it, it is taken to be
+    /// closed, and rough if it is held in any direction along it: such a
+    /// mechanism is admissible as well.
+    FaceSupport<dim>
+    support_of(const unsigned int face) const;
+
+    /// Out of the first neighbour of a face.
+    Tensor<1, dim>
+    outward_normal(const unsigned int face) const;
+
+    /// The yield stress in shear of the weaker of the simplices at a face.
+    double
+    shear_strength(const unsigned int face) const;
+
+  private:
+    /// What a pressure on a face at the boundary has in the direction of a
+    /// component; within the body, both neighbours bear the same one.
+    double
+    pressed_part(const unsigned int face, const unsigned int component) const;
+  };
+
+
+
+  /// How an indenter touches a body: the gap between them, and what is known of
+  /// the points that it can touch; how it presses, and whether it is rough.
+  template <int dim>
+  struct IndenterOnBody
+  {
+    std::function<double(const Point<dim> &)> gap;
+    SurfaceFinish                             surface = SurfaceFinish::smooth;
+    ContactGeometry    geometry  = ContactGeometry::vertical;
+    Footprint<dim - 1> footprint = {};
+  };
+
+  /// Puts a SplitBody together. Prescribed displacements are those at the time
+  /// at which the loads begin. The indenter can touch a face of the contact
+  /// boundary where the gap is finite in all of it, which it is in the
+  /// footprint if that is known. It presses downwards, or with the geometry
+  /// normal across the face, or automatic across the faces that it fits. If
+  /// there is one material only, all cells are of it. @throws InputError for a
+  /// body force that depends on the position; in space for cells that cannot be
+  /// cut into tetrahedra, and for tractions or displacements that are not
+  /// linear on the faces.
+  template <int dim>
+  SplitBody<dim>
+  make_split_body(SplitMesh<dim>                       mesh,
+                  const BoundaryConditions<dim>       &conditions,
+                  const std::vector<Material<double>> &materials,
+                  const IndenterOnBody<dim>           &indenter,
+                  const Loads<dim>                    &loads,
+                  const Kinematics kinematics = Kinematics::cartesian);
+} // namespace ElastoPlastic
+
+#endif

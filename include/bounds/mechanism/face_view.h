@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef bounds_mechanism_face_view_h
+#define bounds_mechanism_face_view_h
+
+#include <vector>
+
+#include "bounds/mechanism/velocity_field.h"
+
+namespace ElastoPlastic
+{
+  /// A face with the simplices beside it: how a mechanism moves there.
+  template <int dim>
+  class FaceView
+  {
+  public:
+    /// @p body must live as long as this object.
+    FaceView(const SplitBody<dim> &body, const unsigned int face);
+
+    const unsigned int                   number; ///< of the face
+    const typename SplitMesh<dim>::Face &face;
+    const FaceCondition<dim>            &condition;
+    const FaceSupport<dim>               support;
+    const FaceCorners<dim>               corners;
+    const Tensor<1, dim>                 normal;
+    const double                         area;
+
+    /// Whether the neighbours, or the body and what is beside it, pay for
+    /// sliding along the face.
+    bool
+    resists_slip() const;
+
+    /// The point of the first neighbour (or the @p i th) at a @p position on
+    /// the face.
+    Barycentric<dim>
+    point(const Barycentric<dim - 1> &position, const unsigned int i = 0) const;
+
+    /// The velocity of a neighbour, weighted like weighted_velocity().
+    Tensor<1, dim>
+    velocity_of(const unsigned int                       i,
+                const std::vector<SimplexVelocity<dim>> &velocity,
+                const Barycentric<dim - 1>              &position) const;
+
+    /// That of the first neighbour less that of the second one, or of what the
+    /// body slides along.
+    Tensor<1, dim>
+    jump(const std::vector<SimplexVelocity<dim>> &velocity,
+         const Barycentric<dim - 1>              &position) const;
+
+    /// The part of a velocity along the face.
+    Tensor<1, dim>
+    along(const Tensor<1, dim> &velocity) const;
+
+  private:
+    const SplitBody<dim> &body;
+  };
+
+
+
+  /// All faces of the mesh.
+  template <int dim>
+  std::vector<FaceView<dim>>
+  views_of_faces(const SplitBody<dim> &body);
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,387 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/exceptions.h"
+#include "base/largest_error.h"
+#include "bounds/body/face_conditions.h"
+#include "bounds/body/hencky_material.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// That the two tetrahedra at a face are on different sides of it. Of a
+    /// hexahedron whose faces cannot all be seen from its centre, some are not.
+    void
+    check_orientation(const SplitMesh<3> &mesh)
+    {
+      for (const auto &face : mesh.faces)
+        if (face.is_inside())
+          {
+            const FaceCorners<3>  corners = mesh.corners(face);
+            const Tensor<1, 3>    n       = normal(corners);
+            std::array<double, 2> heights = {};
+            for (unsigned int i = 0; i < 2; ++i)
+              for (const unsigned int v :
+                   mesh.simplices[face.neighbors[i]].vertices)
+                if (const double height = (mesh.vertices[v] - corners[0]) * n;
+                    std::abs(height) > std::abs(heights[i]))
+                  heights[i] = height;
+            if (heights[0] * heights[1] >= 0)
+              throw InputError(
+                "A cell of the mesh near the point (" +
+                Patterns::Tools::to_string(corners[0]) +
+                ") is so distorted that the equilibrium method cannot cut it "
+                "into tetrahedra: not all of its faces can be seen from its "
+                "centre. Improve the mesh.");
+          }
+    }
+
+
+
+    template <int dim>
+    void
+    set_body_force(SplitBody<dim> &body, const Loads<dim> &loads)
+    {
+      const auto at = [&](const double time) {
+        return loads.constant_body_force(body.mesh.vertices, time);
+      };
+      body.body_force        = loads.constant_part(at);
+      body.body_force_growth = loads.growing_part(at);
+    }
+
+
+
+    /// The largest load that grows, as a stress.
+    template <int dim>
+    double
+    largest_growth(const SplitBody<dim> &body)
+    {
+      double largest = body.body_force_growth.norm() * body.length_unit;
+      for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
+        for (const auto &component : body.conditions[f].components)
+          if (!component.growth.is_zero())
+            for (unsigned int i = 0; i < dim; ++i)
+              enlarge(largest,
+                      std::abs(component.growth(
+                        corner_point<dim>(body.corners_of_face(f), i))));
+      return largest;
+    }
+
+
+
+    template <int dim>
+    void
+    choose_units(SplitBody<dim>                      &body,
+                 const std::vector<Material<double>> &materials)
+    {
+      const auto [stress, strain] = HenckyMaterial::units_of(materials);
+      body.stress_unit            = stress;
+      body.strain_unit            = strain;
+      body.length_unit            = size_of(body.mesh);
+      if (const double growth = largest_growth(body); growth > 0)
+        {
+          body.load_factor_unit  = body.stress_unit / growth;
+          body.indenter_velocity = Tensor<1, dim>();
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  size_of(const SplitMesh<dim> &mesh)
+  {
+    double size = 0;
+    for (const auto &vertex : mesh.vertices)
+      enlarge(size, vertex.distance(mesh.vertices.front()));
+    return size;
+  }
+
+
+
+  template <int dim>
+  Corners<dim>
+  SplitBody<dim>::corners_of(const unsigned int simplex) const
+  {
+    return mesh.corners(mesh.simplices[simplex]);
+  }
+
+
+
+  template <int dim>
+  FaceCorners<dim>
+  SplitBody<dim>::corners_of_face(const unsigned int face) const
+  {
+    return mesh.corners(mesh.faces[face]);
+  }
+
+
+
+  template <int dim>
+  bool
+  SplitBody<dim>::is_axisymmetric() const
+  {
+    return kinematics == Kinematics::axisymmetric;
+  }
+
+
+
+  template <int dim>
+  bool
+  SplitBody<dim>::is_on_axis(const Point<dim> &x) const
+  {
+    constexpr double rounding = 1e-12;
+    return is_axisymmetric() && x[0] <= rounding * length_unit;
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::weight(const Point<dim> &x) const
+  {
+    return is_axisymmetric() ? x[0] : 1.;
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::weight_unit() const
+  {
+    return is_axisymmetric() ? length_unit : 1.;
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::angle() const
+  {
+    return is_axisymmetric() ? 2. * numbers::PI : 1.;
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::relative_volume(const unsigned int simplex) const
+  {
+    return ElastoPlastic::volume(corners_of(simplex)) /
+           Utilities::fixed_power<dim>(length_unit);
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::relative_area(const unsigned int face) const
+  {
+    return area(corners_of_face(face)) /
+           Utilities::fixed_power<dim - 1>(length_unit);
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::force_unit() const
+  {
+    return stress_unit * Utilities::fixed_power<dim - 1>(length_unit) *
+           weight_unit() * angle();
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::volume(const unsigned int simplex) const
+  {
+    const auto corners = corners_of(simplex);
+    double     weights = 0;
+    for (const Point<dim> &corner : corners)
+      weights += weight(corner);
+    return angle() * ElastoPlastic::volume(corners) * weights / (dim + 1.);
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::pressed_part(const unsigned int face,
+                               const unsigned int component) const
+  {
+    return outward_normal(face) *
+           conditions[face].components[component].direction;
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::load(const unsigned int    face,
+                       const unsigned int    component,
+                       const FacePoint<dim> &point) const
+  {
+    return mesh.faces[face].is_inside() ?
+             0. :
+             conditions[face].components[component].value(point) +
+               pressed_part(face, component) *
+                 pressure_of_body_force(point.x, 0.);
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::growth(const unsigned int    face,
+                         const unsigned int    component,
+                         const FacePoint<dim> &point) const
+  {
+    return mesh.faces[face].is_inside() ?
+             0. :
+             conditions[face].components[component].growth(point) +
+               pressed_part(face, component) *
+                 (pressure_of_body_force(point.x, 1.) -
+                  pressure_of_body_force(point.x, 0.));
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::pressure_of_body_force(const Point<dim> &x,
+                                         const double      load_factor) const
+  {
+    return (body_force + load_factor * body_force_growth) *
+           (x - mesh.vertices.front());
+  }
+
+
+
+  template <int dim>
+  FaceSupport<dim>
+  SplitBody<dim>::support_of(const unsigned int face) const
+  {
+    const FaceCondition<dim> &condition = conditions[face];
+    FaceSupport<dim>          support;
+    if (condition.is_reached)
+      {
+        support.resists_slip = indenter_surface == SurfaceFinish::rough;
+        support.velocity     = indenter_velocity;
+        return support;
+      }
+    const auto corners = corners_of_face(face);
+    if (std::all_of(corners.begin(), corners.end(), [this](const auto &x) {
+          return is_on_axis(x);
+        }))
+      return support;
+    const Tensor<1, dim> n = normal(corners);
+    for (const auto &component : condition.components)
+      if (component.type == ConditionType::displacement)
+        {
+          const double across = component.direction * n;
+          if (std::abs(across) > small_angle)
+            support.is_closed = true;
+          if ((component.direction - across * n).norm() > small_angle)
+            support.resists_slip = true;
+        }
+    return support;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  SplitBody<dim>::outward_normal(const unsigned int face) const
+  {
+    const auto           corners = corners_of_face(face);
+    const Tensor<1, dim> n       = normal(corners);
+    if (dim == 2)
+      return n;
+    const auto  &inside = mesh.simplices[mesh.faces[face].neighbors[0]];
+    const double height =
+      n *
+      (mesh.corners(inside)[opposite_corner<dim>(inside.place_of_face(face))] -
+       corners[0]);
+    return height < 0. ? n : -n;
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::shear_strength(const unsigned int face) const
+  {
+    double radius = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i < mesh.faces[face].n_neighbors(); ++i)
+      radius =
+        std::min(radius, materials[mesh.faces[face].neighbors[i]].yield_radius);
+    return std::sqrt(0.5) * radius;
+  }
+
+
+
+  template <int dim>
+  SplitBody<dim>
+  make_split_body(SplitMesh<dim>                       mesh,
+                  const BoundaryConditions<dim>       &conditions,
+                  const std::vector<Material<double>> &materials,
+                  const IndenterOnBody<dim>           &indenter,
+                  const Loads<dim>                    &loads,
+                  const Kinematics                     kinematics)
+  {
+    if constexpr (dim == 3)
+      check_orientation(mesh);
+    SplitBody<dim> body;
+    body.mesh             = std::move(mesh);
+    body.kinematics       = kinematics;
+    body.indenter_surface = indenter.surface;
+    body.gap              = indenter.gap;
+    body.footprint        = indenter.footprint;
+    set_body_force(body, loads);
+
+    const FaceConditions<dim> condition_of(conditions, indenter, loads);
+    for (const auto &face : body.mesh.faces)
+      body.conditions.push_back(
+        condition_of(body.mesh.corners(face), face.boundary_id));
+    for (const auto &simplex : body.mesh.simplices)
+      body.materials.push_back(
+        materials.size() == 1 ?
+          materials.front() :
+          materials[body.mesh.cells[simplex.cell].material_id]);
+    choose_units(body, materials);
+    return body;
+  }
+
+
+
+  template double
+  size_of(const SplitMesh<2> &);
+  template double
+  size_of(const SplitMesh<3> &);
+  template struct SplitBody<2>;
+  template struct SplitBody<3>;
+  template SplitBody<2>
+  make_split_body(SplitMesh<2>,
+                  const BoundaryConditions<2> &,
+                  const std::vector<Material<double>> &,
+                  const IndenterOnBody<2> &,
+                  const Loads<2> &,
+                  const Kinematics);
+  template SplitBody<3>
+  make_split_body(SplitMesh<3>,
+                  const BoundaryConditions<3> &,
+                  const std::vector<Material<double>> &,
+                  const IndenterOnBody<3> &,
+                  const Loads<3> &,
+                  const Kinematics);
+} // namespace ElastoPlastic

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+
+#include "bounds/mechanism/face_view.h"
+#include "bounds/mechanism/velocity_check.h"
+#include "bounds/stress/inverse_square.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// Sides of a triangle are divided into so many parts.
+    constexpr unsigned int n_side_parts = 4;
+
+    /// The corners of a part of a triangle.
+    using Part = std::array<Barycentric<2>, 3>;
+
+
+
+    std::vector<Part>
+    parts_of_triangle()
+    {
+      const auto at = [](const unsigned int i, const unsigned int j) {
+        const double step = 1. / n_side_parts;
+        return Barycentric<2>{{1. - (i + j) * step, i * step, j * step}};
+      };
+      std::vector<Part> parts;
+      for (unsigned int i = 0; i < n_side_parts; ++i)
+        for (unsigned int j = 0; i + j < n_side_parts; ++j)
+          {
+            parts.push_back({{at(i, j), at(i + 1, j), at(i, j + 1)}});
+            if (i + j + 1 < n_side_parts)
+              parts.push_back({{at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}});
+          }
+      return parts;
+    }
+
+
+
+    /// An upper bound of int w |e| dx over a part of a triangle, for the strain
+    /// rate e and the weight w of the body.
+    double
+    integral_of_rate(const SplitBody<2>       &body,
+                     const Corners<2>         &corners,
+                     const SimplexVelocity<2> &velocity,
+                     const Part               &part)
+    {
+      std::array<double, 3> weights, radii;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const Point<2> corner = interpolate(part[i], corners);
+          radii[i]              = corner[0];
+          weights[i]            = body.weight(corner);
+        }
+      std::array<SymmetricTensor<2, 2>, n_quadratics> rates;
+      for (unsigned int p = 0; p < n_quadratics; ++p)
+        rates[p] =
+          polynomial_rate<2>(corners,
+                             velocity,
+                             interpolate(Bernstein<2>::points(2)[p], part));
+      double sum = 0;
+      if (velocity.flux.norm() > 0)
+        {
+          const auto [r_min, r_max] =
+            std::minmax({radii[0], radii[1], radii[2]});
+          const InverseSquare inverse_square(r_min, r_max);
+          const auto          rate = weighted_flux_rate(velocity);
+          for (unsigned int p = 0; p < n_quadratics; ++p)
+            {
+              const auto &[a, b, c] = Bernstein<2>::points(2)[p];
+              rates[p] +=
+                inverse_square(a * radii[0] + b * radii[1] + c * radii[2]) *
+                rate;
+            }
+          sum += (weights[0] + weights[1] + weights[2]) / 3. *
+                 inverse_square.error() * rate_in_space(body, rate).norm();
+        }
+      const auto moments = quadratic_moments(weights);
+      for (unsigned int p = 0; p < n_quadratics; ++p)
+        {
+          SymmetricTensor<2, 2> coefficient;
+          for (unsigned int q = 0; q < n_quadratics; ++q)
+            coefficient += Bernstein<2>::coefficients(2)(p, q) * rates[q];
+          sum += moments[p] * rate_in_space(body, coefficient).norm();
+        }
+      return volume(corners) / (n_side_parts * n_side_parts) * sum;
+    }
+
+
+
+    /// Of a triangle, without its sides.
+    double
+    work_inside(const SplitBody<2>       &body,
+                const SimplexVelocity<2> &velocity,
+                const unsigned int        t)
+    {
+      static const std::vector<Part> parts = parts_of_triangle();
+
+      const auto corners = body.corners_of(t);
+      double     sum     = 0;
+      for (const Part &part : parts)
+        sum += integral_of_rate(body, corners, velocity, part);
+      return body.angle() * body.materials[t].yield_radius * sum;
+    }
+
+
+
+    /// The strain rate is constant.
+    double
+    work_inside(const SplitBody<3>       &body,
+                const SimplexVelocity<3> &velocity,
+                const unsigned int        t)
+    {
+      return volume(body.corners_of(t)) * body.materials[t].yield_radius *
+             strain_rate_at(body, velocity, t, {}).norm();
+    }
+
+
+
+    /// The parts into which a face is divided, by their corners.
+    template <int dim>
+    std::vector<std::array<Barycentric<dim - 1>, dim>>
+    parts_of_face();
+
+    template <>
+    std::vector<std::array<Barycentric<1>, 2>>
+    parts_of_face<2>()
+    {
+      std::vector<std::array<Barycentric<1>, 2>> parts;
+      for (unsigned int i = 0; i < n_side_parts; ++i)
+        {
+          const double begin = i / static_cast<double>(n_side_parts),
+                       end   = (i + 1.) / n_side_parts;
+          parts.push_back({{{{1. - begin, begin}}, {{1. - end, end}}}});
+        }
+      return parts;
+    }
+
+    template <>
+    std::vector<std::array<Barycentric<2>, 3>>
+    parts_of_face<3>()
+    {
+      return {{{{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}}}};
+    }
+
+
+
+    /// Of the slip, whose norm is convex: its mean is at most that of its
+    /// coefficients.
+    template <int dim>
+    double
+    work_of_slip(const SplitBody<dim>                    &body,
+                 const FaceView<dim>                     &view,
+                 const std::vector<SimplexVelocity<dim>> &velocity)
+    {
+      static const auto parts  = parts_of_face<dim>();
+      const auto       &points = Bernstein<dim - 1>::points(trace_degree<dim>);
+      const auto       &coefficients =
+        Bernstein<dim - 1>::coefficients(trace_degree<dim>);
+
+      double sum = 0;
+      for (const auto &part : parts)
+        {
+          std::vector<Tensor<1, dim>> slips;
+          for (const auto &point : points)
+            slips.push_back(
+              view.along(view.jump(velocity, interpolate(point, part))));
+          for (unsigned int i = 0; i < slips.size(); ++i)
+            {
+              Tensor<1, dim> coefficient;
+              for (unsigned int p = 0; p < slips.size(); ++p)
+                coefficient += coefficients(i, p) * slips[p];
+              sum += coefficient.norm();
+            }
+        }
+      return body.angle() * body.shear_strength(view.number) * view.area /
+             (parts.size() * points.size()) * sum;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<double>
+  plastic_work(const SplitBody<dim>                    &body,
+               const std::vector<SimplexVelocity<dim>> &velocity)
+  {
+    std::vector<double> work;
+    for (unsigned int t = 0; t < velocity.size(); ++t)
+      work.push_back(work_inside(body, velocity[t], t));
+    if (body.kinematics == Kinematics::plane_stress)
+      return work;
+    for (const auto &view : views_of_faces(body))
+      if (view.resists_slip())
+        {
+          const unsigned int n    = view.face.n_neighbors();
+          const double       slip = work_of_slip(body, view, velocity);
+          for (unsigned int i = 0; i < n; ++i)
+            work[view.face.neighbors[i]] += slip / n;
+        }
+    return work;
+  }
+
+
+
+  template std::vector<double>
+  plastic_work(const SplitBody<2> &, const std::vector<SimplexVelocity<2>> &);
+  template std::vector<double>
+  plastic_work(const SplitBody<3> &, const std::vector<SimplexVelocity<3>> &);
+} // namespace ElastoPlastic
