@@ -120,7 +120,7 @@ def creep_sphere(runner):
 
 def creep_contact(runner):
     """A sphere on a viscous half-space under a constant force: the radius of the contact (Lee and Radok)."""
-    force, shear_modulus, viscosity, radius = 0.02, 1000.0, 1.0, 1.0
+    force, shear_modulus, viscosity, radius = 0.02, 100.0, 1.0, 1.0
     for step in runner.history("creep/sphere_hold.prm"):
         if step["time"] < 0.2:
             continue
