@@ -188,13 +188,7 @@ main(int argc, char *argv[])
   const auto gap        = [](const Point<2> &x) {
     return x[0] <= 1. ? 0. : std::numeric_limits<double>::infinity();
   };
-<<<<<<< HEAD
-  const SplitMesh mesh = make_split_mesh(triangulation);
-=======
   const SplitMesh<2> mesh = make_split_mesh(triangulation);
-  if (mesh.simplices.empty())
-    return 0; // not the first rank
->>>>>>> 40a22784a556b87e0b161157ef80e9ba2a20af45
 
   test_mesh(mesh);
   const auto body_with = [&](const Kinematics    kinematics,

@@ -313,17 +313,9 @@ main(int argc, char *argv[])
   box.circle_radius  = 1.;
   make_box(box, block_with_circle);
 
-<<<<<<< HEAD
-  const TetrahedralMesh mesh_of_cube     = make_split_mesh(cube),
-                        mesh_of_block    = make_split_mesh(block),
-                        mesh_with_circle = make_split_mesh(block_with_circle);
-=======
   const SplitMesh<3> mesh_of_cube     = make_split_mesh(cube),
                      mesh_of_block    = make_split_mesh(block),
                      mesh_with_circle = make_split_mesh(block_with_circle);
-  if (mesh_of_cube.simplices.empty())
-    return 0; // not the first rank
->>>>>>> 40a22784a556b87e0b161157ef80e9ba2a20af45
   verify_mesh(mesh_of_cube, 1.);
   verify_mesh(mesh_of_block, 8.);
   test_plates(mesh_of_cube);

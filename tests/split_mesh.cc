@@ -13,7 +13,6 @@
 #include <algorithm>
 
 #include "bounds/mesh/split_mesh.h"
-#include "bounds/mesh/tetrahedral_mesh.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -50,20 +49,6 @@ namespace
 
 
 
-  const std::vector<SplitMesh::Side> &
-  sides_of(const SplitMesh &mesh)
-  {
-    return mesh.sides;
-  }
-
-  const std::vector<TetrahedralMesh::Face> &
-  sides_of(const TetrahedralMesh &mesh)
-  {
-    return mesh.faces;
-  }
-
-
-
   /// Whether two lists are as long, and their entries the same by @p is_same.
   template <typename List, typename Comparison>
   bool
@@ -75,10 +60,9 @@ namespace
 
 
 
-  template <typename SplitMeshOfDimension>
+  template <int dim>
   void
-  compare(const SplitMeshOfDimension &found,
-          const SplitMeshOfDimension &expected)
+  compare(const SplitMesh<dim> &found, const SplitMesh<dim> &expected)
   {
     verify("there are cells", !found.cells.empty());
     verify("cells",
@@ -89,19 +73,17 @@ namespace
                     }));
     verify("vertices", found.vertices == expected.vertices);
     verify("simplices",
-           are_same(simplices_of(found),
-                    simplices_of(expected),
+           are_same(found.simplices,
+                    expected.simplices,
                     [](const auto &a, const auto &b) {
                       return a.vertices == b.vertices && a.cell == b.cell &&
                              a.unit_corners == b.unit_corners;
                     }));
-    verify("sides",
-           are_same(sides_of(found),
-                    sides_of(expected),
-                    [](const auto &a, const auto &b) {
-                      return a.vertices == b.vertices &&
-                             a.boundary_id == b.boundary_id;
-                    }));
+    verify(
+      "faces",
+      are_same(found.faces, expected.faces, [](const auto &a, const auto &b) {
+        return a.vertices == b.vertices && a.boundary_id == b.boundary_id;
+      }));
   }
 
 
