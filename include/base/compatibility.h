@@ -71,9 +71,9 @@ namespace ElastoPlastic
 
 
 
-  /// Still without any: constraints on the unknowns that this process knows. (In
-  /// a Debug build, deal.II refuses to exchange constraints with a process that
-  /// knows none: one without cells has the first unknown.)
+  /// Still without any: constraints on the unknowns that this process knows.
+  /// (In a Debug build, deal.II refuses to exchange constraints with a process
+  /// that knows none: one without cells has the first unknown.)
   template <int dim, typename Constraints = dealii::AffineConstraints<double>>
   Constraints
   empty_constraints(const dealii::DoFHandler<dim> &dof_handler)

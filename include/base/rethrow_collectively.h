@@ -26,8 +26,7 @@ namespace ElastoPlastic
 
   /// Runs @p task on the first rank, for all. The same in all else.
   void
-  on_first_rank(const MPI_Comm               communicator,
-                const std::function<void()> &task);
+  on_first_rank(const MPI_Comm communicator, const std::function<void()> &task);
 
   /// Throws the kind of Error that ends the program with @p status.
   [[noreturn]] void
