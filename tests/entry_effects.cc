@@ -83,6 +83,8 @@ main(int argc, char *argv[])
   compare("Material/Recovery rates",
           {{"Material/Law", "nonlinear hardening"},
            {"Material/Back stress moduli", "2000"}});
+  compare("Material/Rate stress", {{"Material/Rate law", "Norton"}});
+  compare("Loading/Step tolerance", {{"Loading/Step control", "accurate"}});
   compare("Indenter/Radius", {{"Indenter/Type", "cone"}});
   compare("Indenter/Semi-apex angle", {{"Indenter/Type", "spheroconical tip"}});
   compare("Indenter/Position", none);

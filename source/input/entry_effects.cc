@@ -138,6 +138,19 @@ namespace ElastoPlastic
           "Material",
           {"Recovery rates"},
           all({nonlinear, without("Material/Back stress moduli", "none")}));
+      add(effects, "Material", {"Rate law"}, no_limit_load);
+      add(effects,
+          "Material",
+          {"Rate exponent", "Reference rate"},
+          with("Material/Rate law", {"Perzyna", "Norton", "Cowper-Symonds"}));
+      add(effects,
+          "Material",
+          {"Rate stress"},
+          with("Material/Rate law", {"Perzyna", "Norton"}));
+      add(effects,
+          "Material",
+          {"Relaxation time"},
+          with("Material/Rate law", {"Duvaut-Lions"}));
     }
 
 
@@ -232,6 +245,10 @@ namespace ElastoPlastic
           "Loading",
           {"Step control", "Maximum number of cuts"},
           all({no_limit_load, with_several_steps()}));
+      add(effects,
+          "Loading",
+          {"Step tolerance"},
+          with("Loading/Step control", {"accurate"}));
       add(effects, "Limit load", {"Load"}, with("Analysis", {"limit load"}));
       add(effects,
           "Limit load",
