@@ -207,7 +207,7 @@ $EndElements
     // (the order of a cell's faces is deal.II's)
     for (const auto &[name, id] : names)
       {
-        std::set<std::string> lines;
+        std::multiset<std::string> lines;
         for (const auto &cell : mesh.active_cell_iterators())
           for (const auto &face : cell->face_iterators())
             if (face->at_boundary() && face->boundary_id() == id)
