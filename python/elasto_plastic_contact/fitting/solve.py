@@ -24,8 +24,8 @@ LARGEST_STEP = 0.1
 # An iteration on the coarse mesh ends at half a standard error: the fine one changes more.
 COARSE_TOLERANCE = 0.25
 
-# The standard error along the flat direction, in logarithms or shares of the bounds, up to which it is called unique.
-SURE = 0.15
+# The width of a region, in logarithms or shares of the bounds, up to which a fit is called unique.
+WIDE = 0.5
 
 # How often the coarse model is shifted to the fine one and minimised anew.
 MAPPINGS = 2
@@ -78,11 +78,12 @@ class Fit:
 
     @property
     def verdict(self):
-        """'not unique' if a region does not end within the bounds, 'hardly determined' if the parameters may change by
-        more than SURE along the flat direction, else 'unique'."""
+        """'not unique' if a region does not end within the bounds, 'hardly determined' if one is wider than WIDE, else
+        'unique'."""
         if not all(all(region.closed) for region in self.regions.values()):
             return "not unique"
-        return "hardly determined" if self.directions[-1][1] > SURE else "unique"
+        widths = [upper.x[i] - lower.x[i] for i, (lower, upper) in enumerate(self.ends)]
+        return "hardly determined" if max(widths) > WIDE else "unique"
 
 
 def validate(problem, runs):
