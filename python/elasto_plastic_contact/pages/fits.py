@@ -6,11 +6,9 @@ import functools
 import pathlib
 import tempfile
 
-from ..inputs.fit_data import EXPONENT, YIELD_STRESS, YOUNG
 from ..program import ROOT
 from .recipe import Content, measured_table
 
-TRUTH = {"sigma_Y": YIELD_STRESS, "n": EXPONENT, "E": YOUNG}
 PROBLEMS = ("sphere",)
 
 
@@ -26,13 +24,15 @@ def fits(runs):
 
 def content_of(found):
     """found: the Fit of each problem."""
+    from ..inputs.fit_data import EXPONENT, YIELD_STRESS, YOUNG  # (which needs NumPy)
+    truth = {"sigma_Y": YIELD_STRESS, "n": EXPONENT, "E": YOUNG}
     rows, numbers = [], {}
     for name, fit in found.items():
         for parameter, value in fit.values.items():
             region = fit.regions[parameter]
             ends = [f"{mark * (not closed)}{end:.3g}" for end, closed, mark in
                     ((region.lower, region.closed[0], "< "), (region.upper, region.closed[1], "> "))]
-            rows.append([None, None, f"{TRUTH[parameter]:g}", f"{value:.4g}", f"{fit.standard_errors[parameter]:.2g}",
+            rows.append([None, None, f"{truth[parameter]:g}", f"{value:.4g}", f"{fit.standard_errors[parameter]:.2g}",
                          " to ".join(ends)])
         best, strain = fit.representative, fit.representative.plastic_strain
         true_stress = YIELD_STRESS * (1. + YOUNG * strain / YIELD_STRESS) ** EXPONENT
