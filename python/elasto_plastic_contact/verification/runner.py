@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 
 from ..fields import read_fields
-from ..program import MPI_ENVIRONMENT, PROGRAM_VARIABLE, command_line, find_case, find_program
+from ..program import MPI_ENVIRONMENT, PROGRAM_VARIABLE, command_line, find_program, ready_case
 from ..tables import read_tables
 from .loaded_program import LoadedProgram
 
@@ -69,8 +69,9 @@ class Runner:
             self.loaded.close()
 
     def case(self, name):
-        """The path of a ready case, or of a file that has been made."""
-        return find_case(name, program=self.program)
+        """The path of a ready case, or of a file that has been made: an absolute one. (Where tests run, there are other
+        files with names of ready cases.)"""
+        return name if os.path.isabs(name) else ready_case(name, self.program)
 
     def run(self, case, *entries):
         """Rows of statistics.csv, the last one extended by that of history.csv."""
