@@ -35,7 +35,7 @@ fi
 readonly root
 readonly user_root=$root.user
 readonly checkout=/opt/elasto_plastic_contact
-readonly kernel_folders=(proc sys dev dev/shm)
+readonly kernel_folders=(proc sys dev dev/shm dev/pts)
 
 # install_system FOLDER
 # From the mirror of this system, or else from debootstrap's own.
@@ -57,7 +57,7 @@ install_system()
 unmount_kernel_folders()
 {
   local folder
-  for folder in {"$root","$user_root"}/{dev/shm,dev,sys,proc}; do
+  for folder in {"$root","$user_root"}/{dev/pts,dev/shm,dev,sys,proc}; do
     ! mountpoint -q "$folder" || umount "$folder"
   done
 }

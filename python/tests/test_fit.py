@@ -68,7 +68,7 @@ class Fits(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
         self.stress = exact(YIELD_STRESS, HARDENING) + NOISE * numpy.random.default_rng(7).normal(size=8)
-        rows = "".join(f"{t},{stress!r}\n" for t, stress in zip(TIMES, self.stress))
+        rows = "".join(f"{t},{float(stress)!r}\n" for t, stress in zip(TIMES, self.stress))
         (self.folder / "bar.csv").write_text(f"t,stress\n{rows}")
         self.output, self.said = self.folder / "output", []
 

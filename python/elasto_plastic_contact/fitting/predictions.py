@@ -5,6 +5,7 @@
 import types
 
 import numpy
+from scipy.integrate import trapezoid
 from scipy.interpolate import PchipInterpolator
 
 from ..errors import UserError
@@ -108,7 +109,7 @@ def unloading_slope(run):
 def plastic_work_share(run):
     """W_p / W_t: the part of the work of the loading that the unloading does not give back."""
     curve = Curve(run)
-    work = [abs(numpy.trapz(rows[:, 1], rows[:, 0])) for rows in (curve.segment("load"), curve.segment("unload"))]
+    work = [abs(trapezoid(rows[:, 1], rows[:, 0])) for rows in (curve.segment("load"), curve.segment("unload"))]
     return 1. - work[1] / work[0]
 
 

@@ -181,7 +181,7 @@ class ExperimentReader:
             raise UserError(f"'{place}/load to' takes a curve, and there is none: give 'Loading/History' in 'set'")
         largest = max((block.x if block.labels[0] == quantity else block.y).max() for block in curves)
         unloads = any(block.kind == "unload" for block in curves)
-        return f"1: {quantity} {largest!r}" + (f" | {UNLOADING_TIME}: force 0" if unloads else "")
+        return f"1: {quantity} {float(largest)!r}" + (f" | {UNLOADING_TIME}: force 0" if unloads else "")
 
 
 def noise_is_known(experiments):
