@@ -5,6 +5,7 @@ resume it with another number of ranks, and compare the final results with those
 of an uninterrupted run."""
 
 import argparse
+import functools
 import os
 import pathlib
 import random
@@ -74,6 +75,19 @@ def end(process, number):
     process.wait()
 
 
+def wait_for_random_moment(process, directory, chance, n_steps, seconds):
+    """In one of the n_steps that are still to come, at any moment of the seconds that a step takes. (A clock alone
+    would not do: the same run may take a second or a minute, as the machine has other work or not.)"""
+    first = completed_steps(directory)
+    step = chance.randint(first, max(first, n_steps - 1))
+    while process.poll() is None and completed_steps(directory) < step:
+        time.sleep(0.002)
+    try:
+        process.wait(chance.uniform(0, seconds))
+    except subprocess.TimeoutExpired:
+        pass
+
+
 def wait_for_checkpoint(process, directory):
     """Until the folder of the next checkpoint has appeared."""
     while process.poll() is None and not (directory / "checkpoint.new").exists():
@@ -126,6 +140,7 @@ def main(arguments):
                        check=True)
         duration = time.time() - begin
         n_steps = len(read_table(reference / "history.csv"))
+        wait = functools.partial(wait_for_random_moment, chance=chance, n_steps=n_steps, seconds=duration / n_steps)
         print(f"uninterrupted: {n_steps} steps, {duration:.1f} s", flush=True)
 
         counts = dict.fromkeys(("any moment", "checkpoint", "SIGTERM"), 0)
@@ -133,7 +148,7 @@ def main(arguments):
         while sum(counts.values()) < options.kills:
             directory = pathlib.Path(folder) / f"run_{n_runs}"
             failures += [f"run {n_runs}: {text}" for text in interrupted_run(
-                options, chance, directory, duration, counts)]
+                options, chance, directory, wait, counts)]
             failures += [f"run {n_runs}: {text}" for text in differences(
                 reference, directory, 1e-10)]
             n_runs += 1
@@ -154,8 +169,8 @@ def completed_steps(directory):
     return sum(line.endswith("\n") for line in lines[1:])
 
 
-def interrupted_run(options, chance, directory, duration, counts):
-    """Run the case, killed again and again, until it gets to its end; yield
+def interrupted_run(options, chance, directory, wait, counts):
+    """Run the case, killed again and again after wait(process, directory), until it gets to its end; yield
     what goes wrong. A step is safe when the next one has begun."""
     most_steps = 0
     while True:
@@ -165,7 +180,7 @@ def interrupted_run(options, chance, directory, duration, counts):
             "--resume" if resumable else "--overwrite"))
         way = chance.choice(list(counts))
         number = signal.SIGTERM if way == "SIGTERM" else signal.SIGKILL
-        time.sleep(chance.uniform(0, 0.7 * duration))
+        wait(process, directory)
         if way == "checkpoint":
             wait_for_checkpoint(process, directory)
             time.sleep(chance.uniform(0, 0.01))
