@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "base/compatibility.h"
 #include "contact_run/discrete_body.h"
 #include "contact_run/error_estimate.h"
 #include "loading/time_steps.h"
@@ -43,6 +44,14 @@ namespace ElastoPlastic
     /// history. Collective. @throws FileError
     void
     write_initial_state();
+
+    /// Waits until what has been written is on the disk. Collective.
+    /// @throws FileError
+    void
+    write_to_disk()
+    {
+      field_output.write_to_disk(communicator_of(body.dof_handler));
+    }
 
     /// The list of what has been written, for checkpoints.
     template <typename Archive>

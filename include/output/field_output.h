@@ -6,6 +6,7 @@
 
 #include <deal.II/numerics/data_out.h>
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -50,6 +51,11 @@ namespace ElastoPlastic
     void
     write(const Solution &solution, const std::string &name, const double time);
 
+    /// Waits until what this rank has written is on the disk. Collective.
+    /// @throws FileError
+    void
+    write_to_disk(const MPI_Comm communicator);
+
     /// The list of what has been written, for checkpoints.
     template <typename Archive>
     void
@@ -69,6 +75,12 @@ namespace ElastoPlastic
                   const std::string &name,
                   const double       time);
 
+    /// A file of this rank, if @p name is not empty. Collective.
+    void
+    write_file(const MPI_Comm                             communicator,
+               const std::string                         &name,
+               const std::function<void(std::ostream &)> &write);
+
     /// Writes one .vtu per rank, the .pvtu and the .pvd with the record so far.
     template <typename Output>
     void
@@ -82,6 +94,9 @@ namespace ElastoPlastic
 
     /// For each kind of file: the times and file names written so far.
     std::map<std::string, std::vector<std::pair<double, std::string>>> records;
+
+    /// The files of this rank since the last call of write_to_disk().
+    std::set<std::string> written;
   };
 } // namespace ElastoPlastic
 

@@ -36,6 +36,7 @@ namespace ElastoPlastic
   {
     TimerOutput::Scope scope(timer, "Checkpoint");
     statistics.write_to_disk();
+    output.write_to_disk();
 
     std::ostringstream            state;
     boost::archive::text_oarchive archive(state, boost::archive::no_header);

@@ -30,6 +30,25 @@ namespace ElastoPlastic
                "meanwhile?";
       return "Is the disk full, or is writing not allowed there?";
     }
+
+
+
+    bool
+    is_written(const std::string                         &name,
+               const std::function<void(std::ostream &)> &write)
+    {
+      std::ofstream file(name);
+      try
+        {
+          write(file);
+          file.close();
+        }
+      catch (const StandardExceptions::ExcIO &)
+        {
+          file.setstate(std::ios::failbit); // deal.II noticed first
+        }
+      return bool(file);
+    }
   } // namespace
 
 
@@ -72,21 +91,19 @@ namespace ElastoPlastic
                 const std::string                         &name,
                 const std::function<void(std::ostream &)> &write)
   {
-    bool success = true;
-    if (!name.empty())
-      {
-        std::ofstream file(name);
-        try
-          {
-            write(file);
-            file.close();
-          }
-        catch (const StandardExceptions::ExcIO &)
-          {
-            file.setstate(std::ios::failbit); // deal.II noticed first
-          }
-        success = file && write_to_disk(name);
-      }
-    check_written(communicator, name, success);
+    check_written(communicator, name, name.empty() || is_written(name, write));
+  }
+
+
+
+  void
+  checked_write_to_disk(const MPI_Comm                             communicator,
+                        const std::string                         &name,
+                        const std::function<void(std::ostream &)> &write)
+  {
+    check_written(communicator,
+                  name,
+                  name.empty() ||
+                    (is_written(name, write) && write_to_disk(name)));
   }
 } // namespace ElastoPlastic

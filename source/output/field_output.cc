@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+
 #include "base/compatibility.h"
 #include "evaluation/surface_fields.h"
 #include "output/body_output.h"
@@ -113,16 +115,15 @@ namespace ElastoPlastic
                                 const std::string &name,
                                 const double       time)
   {
-    const std::string &directory = parameters.directory;
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     const std::string  stem    = kind + "-" + name;
     const auto         piece   = [&](const unsigned int r) {
       return stem + "." + Utilities::int_to_string(r, 4) + ".vtu";
     };
-    checked_write(communicator,
-                  output.empty() ? "" : directory + "/" + piece(rank),
-                  [&](std::ostream &file) { output.write_vtu(file); });
+    write_file(communicator,
+               output.empty() ? "" : piece(rank),
+               [&](std::ostream &file) { output.write_vtu(file); });
 
     // ParaView does not like empty pieces.
     const auto is_empty =
@@ -132,21 +133,52 @@ namespace ElastoPlastic
       if (!is_empty[r])
         pieces.push_back(piece(r));
     const bool first_rank = (rank == 0);
-    checked_write(communicator,
-                  first_rank ? directory + "/" + stem + ".pvtu" : "",
-                  [&](std::ostream &file) {
-                    output.write_pvtu_record(file, pieces);
-                  });
+    write_file(communicator,
+               first_rank ? stem + ".pvtu" : "",
+               [&](std::ostream &file) {
+                 output.write_pvtu_record(file, pieces);
+               });
 
     auto &record = records[kind];
     if (!record.empty() && record.back().second == stem + ".pvtu")
       record.pop_back();
     record.emplace_back(time, stem + ".pvtu");
-    checked_write(communicator,
-                  first_rank ? directory + "/" + kind + ".pvd" : "",
-                  [&](std::ostream &file) {
-                    DataOutBase::write_pvd_record(file, record);
-                  });
+    write_file(communicator,
+               first_rank ? kind + ".pvd" : "",
+               [&](std::ostream &file) {
+                 DataOutBase::write_pvd_record(file, record);
+               });
+  }
+
+
+
+  template <int dim>
+  void
+  FieldOutput<dim>::write_file(const MPI_Comm     communicator,
+                               const std::string &name,
+                               const std::function<void(std::ostream &)> &write)
+  {
+    const std::string path =
+      name.empty() ? "" : parameters.directory + "/" + name;
+    checked_write(communicator, path, write);
+    if (!path.empty())
+      written.insert(path);
+  }
+
+
+
+  // With the first that fails, those after it are not tried.
+  template <int dim>
+  void
+  FieldOutput<dim>::write_to_disk(const MPI_Comm communicator)
+  {
+    const auto failed = std::find_if_not(written.begin(),
+                                         written.end(),
+                                         ElastoPlastic::write_to_disk);
+    check_written(communicator,
+                  failed == written.end() ? "" : *failed,
+                  failed == written.end());
+    written.clear();
   }
 
 

@@ -252,12 +252,14 @@ namespace ElastoPlastic
     std::ostringstream text;
     boost::archive::text_oarchive(text, boost::archive::no_header)
       << entries << state;
-    checked_write(communicator,
-                  first_rank ? folder + "/state" : "",
-                  [&](std::ostream &file) { file << text.str(); });
-    checked_write(communicator,
-                  first_rank ? folder + "/index.new" : "",
-                  [&](std::ostream &file) { write_index(folder, file); });
+    checked_write_to_disk(communicator,
+                          first_rank ? folder + "/state" : "",
+                          [&](std::ostream &file) { file << text.str(); });
+    checked_write_to_disk(communicator,
+                          first_rank ? folder + "/index.new" : "",
+                          [&](std::ostream &file) {
+                            write_index(folder, file);
+                          });
     on_first_rank([&]() {
       fs::rename(folder + "/index.new", folder + "/index");
       return put_into_place(directory);

@@ -104,7 +104,7 @@ namespace ElastoPlastic
             const std::function<void(const CellVisitor<dim> &)> &for_each_cell,
             const std::string                                   &name)
   {
-    checked_write(
+    checked_write_to_disk(
       communicator,
       file_name(name, Utilities::MPI::this_mpi_process(communicator)),
       [&](std::ostream &file) { write_cells<dim>(file, for_each_cell); });
