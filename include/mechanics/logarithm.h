@@ -19,21 +19,16 @@ namespace ElastoPlastic
   /// close to each other, all lanes take the same series at once.
   namespace HalfLogarithm
   {
-    /// Where atanh(x) / x is 1 + x^2/3 + ... + x^8/9 in double precision.
-    constexpr double small_square = 1e-3;
+    /// Where so many terms of atanh(x) / x = 1 + x^2/3 + x^4/5 + ... are it in
+    /// double precision: where the ratio of two squares of stretches is below
+    /// 1.4.
+    constexpr double       small_square     = 0.03;
+    constexpr unsigned int n_terms_of_atanh = 10;
 
     /// Where three arguments are as close as this, relative to 1 + c, their
     /// divided difference is taken from the series about their mean.
     constexpr double       close   = 0.1;
     constexpr unsigned int n_terms = 14;
-
-    inline double
-    value(const double c)
-    {
-      return 0.5 * std::log1p(c);
-    }
-
-
 
     /// f[a, b] = (f(b) - f(a)) / (b - a); with x = (a - b) / (2 + a + b):
     /// (atanh(x) / x) / (2 + a + b).
@@ -44,14 +39,23 @@ namespace ElastoPlastic
       const Number sum    = 2. + a + b;
       const Number x      = (a - b) / sum;
       const Number square = x * x;
-      Number       ratio =
-        1. + square * (1. / 3. +
-                       square * (1. / 5. + square * (1. / 7. + square / 9.)));
+      Number       ratio  = Number(0.);
+      for (unsigned int n = n_terms_of_atanh; n-- > 0;)
+        ratio = ratio * square + 1. / (2. * n + 1.);
       for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
         if (!(lane_of(square, lane) < small_square))
           lane_of(ratio, lane) =
             std::atanh(lane_of(x, lane)) / lane_of(x, lane);
       return ratio / sum;
+    }
+
+
+
+    template <typename Number>
+    Number
+    value(const Number &c)
+    {
+      return c * difference(c, Number(0.));
     }
 
 
@@ -88,18 +92,17 @@ namespace ElastoPlastic
     Number
     difference(const Number &a, const Number &b, const Number &c)
     {
-      Number result = series_about_mean(a, b, c);
+      const Number low    = std::min(std::min(a, b), c);
+      const Number high   = std::max(std::max(a, b), c);
+      const Number middle = (a - low) + (b - high) + c;
+      const Number excess = (high - low) - close * (1. + middle);
+      Number       result = series_about_mean(a, b, c);
       for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
-        {
-          std::array<double, 3> sorted = {
-            {lane_of(a, lane), lane_of(b, lane), lane_of(c, lane)}};
-          std::sort(sorted.begin(), sorted.end());
-          const auto &[low, middle, high] = sorted;
-          if (!(high - low <= close * (1. + middle)))
-            lane_of(result, lane) =
-              (difference(middle, high) - difference(low, middle)) /
-              (high - low);
-        }
+        if (!(lane_of(excess, lane) <= 0.))
+          lane_of(result, lane) =
+            (difference(lane_of(middle, lane), lane_of(high, lane)) -
+             difference(lane_of(low, lane), lane_of(middle, lane))) /
+            lane_of(high - low, lane);
       return result;
     }
   } // namespace HalfLogarithm

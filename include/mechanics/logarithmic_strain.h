@@ -52,11 +52,11 @@ namespace ElastoPlastic
       for (unsigned int a = 0; a < 3; ++a)
         {
           // (a body that has been turned inside out has no strain)
-          for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
-            lane_of(logarithms[a], lane) =
-              lane_of(jacobian, lane) > 0 ?
-                HalfLogarithm::value(lane_of(frame.values[a], lane)) :
-                std::numeric_limits<double>::quiet_NaN();
+          logarithms[a] = compare_and_apply_mask<SIMDComparison::greater_than>(
+            jacobian,
+            Number(0.),
+            HalfLogarithm::value(frame.values[a]),
+            Number(std::numeric_limits<double>::quiet_NaN()));
           for (unsigned int b = 0; b <= a; ++b)
             f_1[a][b] =
               HalfLogarithm::difference(frame.values[a], frame.values[b]);
