@@ -93,6 +93,9 @@ main(int argc, char *argv[])
   compare("Limit load/Stresses", limit_load);
   compare("Discretization/Polynomial degree", limit_load);
   compare("Refinement/Number of cycles", {{"Refinement/Strategy", "none"}});
+  compare("Refinement/Goal",
+          {{"Analysis", "contact with error bound"},
+           {"Refinement/Strategy", "adaptive"}});
   compare("Refinement/Refinement fraction",
           {{"Refinement/Strategy", "global"}});
   compare("Linear solver/Maximum number of iterations",
@@ -100,6 +103,7 @@ main(int argc, char *argv[])
   compare("Evaluation/Beta", history);
   compare("Output/Field times", {{"Output/Fields", "at times"}});
   compare("Output/Additional fields", {{"Output/Fields", "never"}});
+  compare("Output/Additional fields", limit_load);
 
   std::ofstream("included.prm") << "subsection Loading\n set Depth = 1\nend\n";
   std::ofstream("including.prm") << "include included.prm\nset Dimension = 2\n";
@@ -115,7 +119,9 @@ main(int argc, char *argv[])
        {EntryValues{{"Material/Yield stress", "0.4"}},
         EntryValues{{"Material/Young's modulus", "200"}},
         EntryValues{{"Material/Law", "linear elastic, kinematic hardening"},
-                    {"Material/Kinematic hardening modulus", "0, 300000"}}})
+                    {"Material/Kinematic hardening modulus", "0, 300000"}},
+        EntryValues{{"Material/Law", "isotropic hardening"},
+                    {"Material/Isotropic hardening modulus", "0, 300000"}}})
     for (const std::string &sentence : doubtful_units(with_changes(changes)))
       output() << sentence << std::endl;
 }

@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
+#include <optional>
 
 #include "sample_material.h"
 #include "verdict.h"
@@ -120,7 +121,8 @@ namespace
   void
   check_steps(const std::string &name, const RateLaw &rate_law)
   {
-    double equations = 0, energy = 0, tangent = 0;
+    double                equations = 0, tangent = 0;
+    std::optional<double> energy;
     for (const std::string law : {"perfectly plastic",
                                   "isotropic hardening",
                                   "kinematic hardening",
@@ -148,7 +150,7 @@ namespace
                 std::max(equations, step_error(material, strain, old_state));
               if (has_potential(material))
                 energy =
-                  std::max(energy,
+                  std::max(energy.value_or(0.),
                            derivative_error(
                              [&](const SymmetricTensor<2, 3> &e) {
                                return at(e).energy();
@@ -171,7 +173,8 @@ namespace
             }
         }
     verify(name + ": flow stress", equations, 1e-10);
-    verify(name + ": stress is the derivative of energy", energy, 1e-6);
+    if (energy)
+      verify(name + ": stress is the derivative of energy", *energy, 1e-6);
     verify(name + ": tangent", tangent, 1e-6);
   }
 

@@ -251,9 +251,7 @@ namespace ElastoPlastic
                     const MPI_Comm     communicator)
     {
       Log log(communicator, Verbosity::quiet);
-      rethrow_collectively(communicator, [&]() {
-        if (Utilities::MPI::this_mpi_process(communicator) != 0)
-          return;
+      on_first_rank(communicator, [&]() {
         std::set<std::string> set =
           entries_set_in(command_line.parameter_file, parameters.entries);
         for (const auto &[path, value] : command_line.overrides)

@@ -34,8 +34,14 @@ namespace ElastoPlastic
       numbers(values, "Material/Yield stress");
     const Names laws =
       dealii::Utilities::split_string_list(values.at("Material/Law"));
+    const std::string isotropic = "Material/Isotropic hardening modulus";
+    const std::string kinematic = "Material/Kinematic hardening modulus";
     const std::size_t n_materials =
-      std::max({moduli.size(), stresses.size(), laws.size()});
+      std::max({moduli.size(),
+                stresses.size(),
+                laws.size(),
+                numbers(values, isotropic).size(),
+                numbers(values, kinematic).size()});
 
     std::vector<std::string> sentences;
     for (unsigned int id = 0; id < n_materials; ++id)
@@ -54,12 +60,11 @@ namespace ElastoPlastic
             sentences.push_back("'" + path + "'" + where +
                                 " is larger than its 'Young's modulus'");
         };
-        look_at("Material/Isotropic hardening modulus",
+        look_at(isotropic,
                 {"isotropic hardening",
                  "combined hardening",
                  "nonlinear hardening"});
-        look_at("Material/Kinematic hardening modulus",
-                {"kinematic hardening", "combined hardening"});
+        look_at(kinematic, {"kinematic hardening", "combined hardening"});
       }
     return sentences;
   }

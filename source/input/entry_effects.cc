@@ -97,7 +97,7 @@ namespace ElastoPlastic
       const Reason nonlinear = with("Material/Law", {"nonlinear hardening"});
       add(effects,
           "Material",
-          {"Law", "Young's modulus", "Poisson's ratio"},
+          {"Law", "Young's modulus", "Poisson's ratio", "Rate law"},
           always());
       add(effects,
           "Material",
@@ -138,7 +138,6 @@ namespace ElastoPlastic
           "Material",
           {"Recovery rates"},
           all({nonlinear, without("Material/Back stress moduli", "none")}));
-      add(effects, "Material", {"Rate law"}, no_limit_load);
       add(effects,
           "Material",
           {"Rate exponent", "Reference rate"},
@@ -269,8 +268,13 @@ namespace ElastoPlastic
           no_limit_load);
       add(effects,
           "Refinement",
-          {"Strategy", "Goal", "Maximum number of unknowns"},
+          {"Strategy", "Maximum number of unknowns"},
           always());
+      add(effects,
+          "Refinement",
+          {"Goal"},
+          all({with("Analysis", {"contact with error bound"}),
+               with("Refinement/Strategy", {"adaptive"})}));
       add(effects, "Refinement", {"Number of cycles"}, refining);
       add(effects,
           "Refinement",
@@ -321,7 +325,7 @@ namespace ElastoPlastic
       add(effects,
           "Output",
           {"Additional fields"},
-          without("Output/Fields", "never"));
+          all({no_limit_load, without("Output/Fields", "never")}));
       add(effects,
           "Output",
           {"Minutes between checkpoints"},
