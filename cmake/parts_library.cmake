@@ -43,7 +43,7 @@ if(ONE_UNIT_PER_MODULE)
     # defines; kernels, which take as long as all the rest of their folder; GCC warns of
     # a lambda over a local type in an included file; and a header of Amesos has names of
     # deal.II's.
-    if(NOT _source MATCHES "source/(contact_run/(history|load_step|adaptation|checkpoint)|simd/|bounds/(limit_load_analysis|stress/stress_program)|contact/contact_set|mechanics/(solid_operator|solid_kernel|level_kernel)|mesh/material_ids.cc|solver/matrix_preconditioner_)")
+    if(NOT _source MATCHES "source/(contact_run/(elasto_plastic_contact|checkpoint|discrete_body)|simd/|bounds/(limit_load_analysis|stress/stress_program)|contact/contact_set|mechanics/(solid_operator|solid_kernel|level_kernel)|mesh/material_ids.cc|solver/matrix_preconditioner_)")
       set_source_files_properties(${_source} PROPERTIES UNITY_GROUP "${_module}")
     endif()
   endforeach()

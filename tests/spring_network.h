@@ -104,7 +104,7 @@ public:
   }
 
   ElastoPlastic::Energy
-  compute_residual(Vector &residual, const Vector &u) override
+  compute_residual(Vector &residual, const Vector &u) const override
   {
     for (unsigned int i = 0; i < load.size(); ++i)
       {

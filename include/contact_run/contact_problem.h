@@ -48,10 +48,16 @@ namespace ElastoPlastic
                    TimerOutput         &timer);
 
     void
-    initialize_vector(Vector &vector) const override;
+    initialize_vector(Vector &vector) const override
+    {
+      solid.initialize_vector(vector);
+    }
 
     bool
-    has_energy() const override;
+    has_energy() const override
+    {
+      return solid.has_energy() && !contact.dissipates();
+    }
 
     std::string
     obstacle_to_convexity() const override;
@@ -60,12 +66,18 @@ namespace ElastoPlastic
     energy(const Vector &u) const override;
 
     Energy
-    compute_residual(Vector &residual, const Vector &u) override;
+    compute_residual(Vector &residual, const Vector &u) const override;
+
+    Energy
+    move_to(const Vector &u, Vector &residual) override;
 
     /// The norm of the external forces, or if it is larger, the smallest that
     /// the largest forces of the history can have on this mesh.
     double
-    force_scale() const override;
+    force_scale() const override
+    {
+      return scale_of_forces;
+    }
 
     void
     linearize(const Vector &u) override;
@@ -76,7 +88,10 @@ namespace ElastoPlastic
     step_taken(const Vector &from, const Vector &to) override;
 
     void
-    apply_tangent(Vector &result, const Vector &increment) const override;
+    apply_tangent(Vector &result, const Vector &increment) const override
+    {
+      solid.vmult(result, increment);
+    }
 
     unsigned int
     solve_tangent(Vector       &increment,
@@ -84,7 +99,10 @@ namespace ElastoPlastic
                   const double  reduction) override;
 
     double
-    slope_along(const Vector &residual, const Vector &increment) const override;
+    slope_along(const Vector &residual, const Vector &increment) const override
+    {
+      return -(residual * increment) - contact.force() * downward_motion;
+    }
 
     void
     apply_inverse_diagonal(Vector &forces) const override;
@@ -96,17 +114,26 @@ namespace ElastoPlastic
     slow_down() override;
 
     bool
-    is_itself() const override;
+    is_itself() const override
+    {
+      return !contact.law_is_resting();
+    }
 
     bool
     update_feasible_active_set(const Vector &u,
                                const Vector &residual) override;
 
     std::uint64_t
-    active_set_fingerprint() const override;
+    active_set_fingerprint() const override
+    {
+      return contact.fingerprint();
+    }
 
     unsigned int
-    n_active() const override;
+    n_active() const override
+    {
+      return contact.n_active();
+    }
 
     void
     move_constrained(Vector &u) const override;

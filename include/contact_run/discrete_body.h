@@ -15,16 +15,16 @@
 
 #include "adaptivity/contact_zone.h"
 #include "contact/contact_evaluation.h"
+#include "contact/contact_set.h"
 #include "contact/gap_function.h"
-#include "contact_run/contact_problem.h"
 #include "contact_run/last_step.h"
 #include "evaluation/contact_surface.h"
 #include "loads/supports.h"
 #include "mechanics/solid_operator.h"
 #include "output/log.h"
 #include "problem/model.h"
-#include "restart/saved_mesh.h"
 #include "solver/linear_solver_parameters.h"
+#include "solver/semismooth_newton.h"
 #include "solver/tangent_solver.h"
 
 namespace ElastoPlastic
@@ -32,13 +32,16 @@ namespace ElastoPlastic
   /// The body of a Model on its present mesh: what holds it, what it does, the
   /// nodes that may touch the indenter, and where it is. Whatever depends on
   /// the mesh is here, in the order in which it is made; reinit() makes all of
-  /// it, and nothing else does.
+  /// it, and nothing else does. LoadStep tells it what happens in a step.
   ///
   /// All functions are collective, and all vectors have the layout of the
   /// present mesh.
   template <int dim>
-  struct DiscreteBody
+  class DiscreteBody
   {
+  public:
+    using Mesh = parallel::distributed::Triangulation<dim>;
+
     /// Makes the first mesh, without unknowns. All arguments must outlive this
     /// object. @throws InputError
     DiscreteBody(const Model<dim>             &model,
@@ -54,22 +57,83 @@ namespace ElastoPlastic
     reinit(const double time, const Load &load);
 
     /// Obeys the flags of the triangulation, and takes the displacement and the
-    /// states of the material to the new mesh, with what of @p last_step the
-    /// next step is guessed from. Otherwise like reinit().
+    /// states of the material to the new mesh, with what of @p last the next
+    /// step is guessed from. Otherwise like reinit().
     void
-    refine(const double time, const Load &load, LastStep &last_step);
+    refine(const double time, const Load &load, LastStep &last);
 
-    /// Lets supports, external forces and indenter be those at @p time.
+    /// A load step begins, which leads from time @p begin to @p end and there
+    /// to this @p load of the indenter.
     void
-    apply_load(const double time, const Load &load);
+    begin_step(const double begin, const double end, const Load &load);
 
-    /// To where the path has it at @p time; sideways only.
+    /// Goes on from @p last for this @p duration at the rates of that step: the
+    /// guess that find_equilibrium() begins with.
     void
-    move_indenter(const double time);
+    extrapolate(const LastStep &last, const double duration);
 
-    /// How far the path leads it sideways until then.
-    Tensor<1, dim - 1>
-    sideways_position(const double time) const;
+    /// Finds the equilibrium at the end of the step which follows @p last, and
+    /// adds up in @p result, which knows the time, how it has been found.
+    /// @throws ConvergenceError
+    void
+    find_equilibrium(const SemismoothNewton &newton,
+                     const LastStep         &last,
+                     SolveResult            &result);
+
+    /// The displacement in equilibrium if the indenter were at @p depth; all
+    /// stays as it is. @throws ConvergenceError
+    VectorType
+    displacement_at(const double            depth,
+                    const SemismoothNewton &newton,
+                    const LastStep         &last);
+
+    /// The material, and @p last, take this equilibrium as the one that the
+    /// next step begins with.
+    void
+    commit(LastStep &last);
+
+    /// Goes back to the end of @p last, which the material has not forgotten.
+    void
+    return_to(const LastStep &last);
+
+    /// Lets the residual be what supports and indenter take; other forces are
+    /// what an interpolated state lacks for an equilibrium.
+    void
+    drop_forces_without_support();
+
+    /// Puts the indenter to where the path has it at @p time, sideways, and to
+    /// this @p depth.
+    void
+    place_indenter(const double time, const double depth);
+
+    /// Cells may be flagged for refine(), but the mesh must not be changed.
+    Mesh &
+    cells_to_flag()
+    {
+      return mesh;
+    }
+
+    /// One value for each active cell of this rank: where the error is large.
+    void
+    set_error_indicators(const Vector<float> &values)
+    {
+      indicators = values;
+    }
+
+    /// Writes the mesh for a checkpoint, with what is kept in its cells: the
+    /// states of the material, and all vectors that the next load step begins
+    /// with. @throws FileError
+    void
+    save(LastStep &last, const std::string &mesh_file);
+
+    /// The mesh becomes the one that has been saved, and the material and
+    /// @p last take back what is kept there. Otherwise like reinit().
+    /// @throws InputError, FileError
+    void
+    restore(const std::string &mesh_file,
+            const double       time,
+            const Load        &load,
+            LastStep          &last);
 
     VectorType
     external_forces_at(const double time) const;
@@ -79,19 +143,14 @@ namespace ElastoPlastic
     forces_of_stresses() const;
 
     /// How far the surface has slipped along the indenter until now, with what
-    /// it had at the end of @p last_step.
+    /// it had at the end of @p last.
     VectorType
-    total_slip(const LastStep &last_step) const;
-
-    /// What SemismoothNewton is to solve, with this @p contact set. For
-    /// @p largest_forces see ContactProblem.
-    ContactProblem<dim>
-    problem_with(ContactSet<dim> &contact, const double largest_forces);
+    total_slip(const LastStep &last) const;
 
     std::set<types::boundary_id>
     contact_boundaries() const;
 
-    /// What the contact amounts to now; this body must outlive it. Collective.
+    /// What the contact amounts to now; this body must outlive it.
     ContactEvaluation<dim>
     contact_evaluation() const;
 
@@ -103,39 +162,71 @@ namespace ElastoPlastic
     ContactZone<dim>
     contact_zone() const;
 
-    /// Writes the mesh for a checkpoint, with what is kept in its cells: the
-    /// states of the material, and all vectors that the next load step begins
-    /// with. Collective. @throws FileError
-    void
-    save(LastStep &last_step, const std::string &mesh_file);
+    const Mesh &
+    triangulation() const
+    {
+      return mesh;
+    }
 
-    /// Takes them back on the mesh that has been saved. Collective.
-    /// @throws InputError, FileError
-    void
-    take_back(SavedMesh<dim> &saved, LastStep &last_step);
+    /// Where the indenter is, sideways.
+    const GapFunction<dim> &
+    gap_function() const
+    {
+      return gap;
+    }
 
-    // The body, and the indenter above it.
-    const Model<dim>                         &model;
-    parallel::distributed::Triangulation<dim> triangulation;
-    GapFunction<dim>                          gap_function;
+    const DoFHandler<dim> &
+    dof_handler() const
+    {
+      return unknowns;
+    }
 
-    // The finite element space; which of its unknowns are constrained or fixed;
-    // the body's response; the nodes that may touch the indenter.
+    const Supports<dim> &
+    supports() const
+    {
+      return held;
+    }
+
+    const SolidOperator<dim> &
+    solid() const
+    {
+      return solid_body;
+    }
+
+    const ContactSet<dim> &
+    contact() const
+    {
+      return contact_set;
+    }
+
+    const VectorType &
+    external_forces() const
+    {
+      return loads;
+    }
+
+    const VectorType &
+    displacement() const
+    {
+      return u;
+    }
+
+    /// The force that the supports and the indenter take from the body; it
+    /// vanishes at all other unknowns.
+    const VectorType &
+    residual() const
+    {
+      return residual_forces;
+    }
+
+    const Vector<float> &
+    error_indicators() const
+    {
+      return indicators;
+    }
+
+    const Model<dim>   &model;
     const FESystem<dim> fe;
-    DoFHandler<dim>     dof_handler;
-    Supports<dim>       supports;
-    SolidOperator<dim>  solid;
-    ContactSet<dim>     contact;
-
-    // Linear algebra. The residual is the force that the supports and the
-    // indenter take from the body; it vanishes at all other unknowns.
-    std::unique_ptr<TangentSolver> tangent_solver;
-    VectorType                     external_forces;
-    VectorType                     displacement;
-    VectorType                     residual;
-
-    // One value for each active cell of this rank: where the error is large.
-    Vector<float> error_indicators;
 
   private:
     void
@@ -144,10 +235,47 @@ namespace ElastoPlastic
     void
     reinit_contact(const double time, const Load &load);
 
-    /// Those of the vectors that save() keeps, with the last
-    /// solution of the linear solver, @p response, which helps the next one.
+    /// Lets supports, external forces and indenter be those at @p time.
+    void
+    apply_load(const double time, const Load &load);
+
+    /// Sideways only.
+    void
+    move_indenter(const double time);
+
+    /// How far the path leads the indenter sideways until @p time.
+    Tensor<1, dim - 1>
+    sideways_position(const double time) const;
+
+    /// Lets @p newton solve for @p displacement and the set of @p contact.
+    NewtonReport
+    solve(const SemismoothNewton &newton,
+          const LastStep         &last,
+          ContactSet<dim>        &contact,
+          VectorType             &displacement);
+
+    /// Those of the vectors that save() keeps, with the last solution of the
+    /// linear solver, @p response, which helps the next one.
     std::vector<VectorType *>
-    fields_to_keep(LastStep &last_step, VectorType &response);
+    fields_to_keep(LastStep &last, VectorType &response);
+
+    // The body, and the indenter above it.
+    Mesh             mesh;
+    GapFunction<dim> gap;
+
+    // Its unknowns; which of them are constrained or fixed; the body's
+    // response; the nodes that may touch the indenter.
+    DoFHandler<dim>    unknowns;
+    Supports<dim>      held;
+    SolidOperator<dim> solid_body;
+    ContactSet<dim>    contact_set;
+
+    // Linear algebra.
+    std::unique_ptr<TangentSolver> tangent_solver;
+    VectorType                     loads;
+    VectorType                     u;
+    VectorType                     residual_forces;
+    Vector<float>                  indicators;
 
     const LinearSolverParameters &linear_solver;
     Log                          &log;

@@ -7,16 +7,13 @@
 #include <deal.II/base/timer.h>
 
 #include "base/exceptions.h"
-#include "bounds/safe_load.h"
 #include "contact_run/discrete_body.h"
 #include "contact_run/error_estimate.h"
-#include "contact_run/last_step.h"
+#include "contact_run/load_step.h"
 #include "contact_run/mesh_adaptation.h"
 #include "contact_run/solution_output.h"
 #include "contact_run/step_evaluation.h"
 #include "input/parameters.h"
-#include "loading/load_program.h"
-#include "loading/time_steps.h"
 #include "output/log.h"
 #include "output/statistics.h"
 #include "problem/model.h"
@@ -37,10 +34,9 @@ namespace ElastoPlastic
   /// without an energy join in (ContactProblem).
   ///
   /// This is the one class that sets up, solves, refines and writes, by its
-  /// parts. It owns them in the order in which they depend on each other, so
-  /// that
-  /// reading run() and the functions that it calls, from top to bottom, is
-  /// reading the algorithm. The parts are small and know nothing of this class.
+  /// parts. It owns them in the order in which they depend on each other, and
+  /// elasto_plastic_contact.cc, read from top to bottom, is the algorithm. The
+  /// parts are small and know nothing of this class.
   template <int dim>
   class ElastoPlasticContact
   {
@@ -76,56 +72,33 @@ namespace ElastoPlastic
     resume();
 
   private:
-    // The load history (history.cc), in the order of run().
+    // The load history, in the order of run().
     void
     run_load_history(const Statistics::Progress &progress);
     void
     take_load_steps(Statistics &statistics);
-    void
-    finish_step(Statistics &statistics);
-    void
-    go_on_after_end(Statistics &statistics);
-
-    // A load step (load_step.cc): it ends with commit_step(), or it fails and
-    // is taken back.
-    Load
-    load_at_end_of_step() const;
-    void
-    predict();
+    bool
+    take_step(Statistics &statistics);
     SolveResult
     solve_on_mesh_sequence(Statistics &statistics);
     SolveResult
     solve();
     void
-    find_equilibrium(SolveResult &result);
-    VectorType
-    displacement_at(const double depth);
+    require_reachable_surface() const;
     void
-    commit_step(SolveResult &result);
-    void
-    commit_state();
-    void
-    take_back_step();
-    FailedStep<dim>
-    step_under_way() const;
-    bool
-    tractions_grow() const;
-
-    // The mesh of the next step (adaptation.cc).
-    void
-    adapt_mesh(Statistics &statistics);
+    go_on_to_next_step(Statistics &statistics);
     bool
     change_mesh(Statistics &statistics);
     void
-    equilibrate_adapted_mesh(Statistics &statistics);
-    void
-    commit_interpolated_state();
+    go_on_after_end(Statistics &statistics);
 
     // Checkpoints (checkpoint.cc).
     void
     save_checkpoint(Statistics &statistics);
     bool
     checkpoint_is_due() const;
+    [[noreturn]] void
+    keep_what_has_been_computed(const Error &error, Statistics &statistics);
     Checkpoint::Contents
     read_checkpoint(Statistics::Progress &progress);
     Statistics::Progress
@@ -137,34 +110,27 @@ namespace ElastoPlastic
     serialize_progress(Archive &archive, Statistics::Progress &progress);
 
     // The problem, and how to solve it.
-    const Model<dim> &model;
-    const Parameters &parameters;
-    const MPI_Comm    communicator;
-
-    // The load over time, the step under way, and how many meshes there have
-    // been before the present one; the equilibrium that the step begins with.
-    LoadProgram  load_program;
-    TimeSteps    time_steps;
-    unsigned int cycle = 0;
-    LastStep     last_step;
+    const Model<dim>      &model;
+    const Parameters      &parameters;
+    const MPI_Comm         communicator;
+    const SemismoothNewton newton;
 
     // What tells the user about it.
     Log         log;
     TimerOutput timer;
 
-    // The body on its mesh, and what is said of it and done with it.
+    // The body on its mesh, the step under way, and what is said of them.
     DiscreteBody<dim>   body;
+    LoadStep<dim>       step;
     MeshAdaptation<dim> adaptation;
     StepEvaluation<dim> evaluation;
     ErrorEstimate<dim>  error_estimate;
     SolutionOutput<dim> output;
 
-    // The folder of the results, and the last checkpoint in it; and whether a
-    // step is under way that can be taken back when the user wants to stop.
+    // The folder of the results, and the last checkpoint in it.
     OutputDirectory  output_directory;
     const Checkpoint checkpoint;
     Timer            time_since_checkpoint;
-    bool             step_is_under_way = false;
   };
 } // namespace ElastoPlastic
 

@@ -32,10 +32,15 @@ namespace ElastoPlastic
     double
     min_gap() const;
 
-    /// In the first load step, which is solved on a sequence of meshes: whether
-    /// there is to be another one after that with the number @p cycle.
+    /// Whether load step @p step is to be solved on another mesh after that
+    /// with the number @p cycle: the first step is, on a sequence of meshes.
     bool
-    mark_in_first_step(const unsigned int cycle);
+    mark_in_step(const unsigned int step, const unsigned int cycle);
+
+    /// Whether the mesh in or after load step @p step depends on the errors of
+    /// its solution.
+    bool
+    needs_errors(const unsigned int step) const;
 
     /// Whether the mesh is to change after @p last_step.
     bool

@@ -9,7 +9,7 @@
 #include "base/compatibility.h"
 #include "contact_run/discrete_body.h"
 #include "contact_run/error_estimate.h"
-#include "loading/time_steps.h"
+#include "contact_run/load_step.h"
 #include "output/field_output.h"
 
 namespace ElastoPlastic
@@ -31,14 +31,11 @@ namespace ElastoPlastic
     bool
     are_due(const TimeSteps &steps) const;
 
-    /// Writes the present solution, on the mesh @p cycle, if that is due. In a
-    /// history, the fields of a step are those on its last mesh. Collective.
-    /// @throws FileError
+    /// Writes the solution at the end of the @p step under way, on the present
+    /// mesh, if that is due. In a history, the fields of a step are those on
+    /// its last mesh. Collective. @throws FileError
     void
-    write(const TimeSteps   &steps,
-          const unsigned int cycle,
-          const bool         is_last_cycle,
-          const LastStep    &last_step);
+    write(const LoadStep<dim> &step, const bool is_last_cycle);
 
     /// Writes the virgin body and the indenter where it stands, at t = 0 of a
     /// history. Collective. @throws FileError

@@ -41,11 +41,11 @@ namespace ElastoPlastic
     Statistics::Names
     names() const;
 
-    /// Fills in all of @p result that follows from the present solution, and
-    /// notes in @p last_step how large forces have been. Collective.
+    /// Fills in all of @p result that follows from the present solution.
+    /// Collective. @return the sum of the magnitudes of all nodal forces.
     /// @throws ConvergenceError if the body flows without end
-    void
-    measure(SolveResult &result, LastStep &last_step) const;
+    double
+    measure(SolveResult &result, const LastStep &last_step) const;
 
     /// What the tables say of the end of a step with this @p result (which the
     /// return value refers to), before the material points take it as the
@@ -53,10 +53,15 @@ namespace ElastoPlastic
     StepResult
     of_step(const SolveResult &result) const;
 
-    /// A load step has ended with @p result, the next after @p last_step. Warns
-    /// of elements that are too few for the contact. Collective.
+    /// A load step has ended with @p result, and is @p last_step now. Warns of
+    /// elements that are too few for the contact. Collective.
     void
     note(const SolveResult &result, const LastStep &last_step);
+
+    /// Warns if rounding has prevented the solver from meeting its
+    /// @p tolerance.
+    void
+    warn_of_residual(const SolveResult &result, const double tolerance) const;
 
     /// Warns if @p result has left the theory of small strains, with each limit
     /// once, and, once, of pressures that cannot be. Collective.
@@ -98,8 +103,9 @@ namespace ElastoPlastic
     void
     measure_elements(SolveResult &result, const SolveResult &before) const;
 
-    void
-    check_force_balance(SolveResult &result, double &largest_forces) const;
+    /// @return the sum of the magnitudes of all nodal forces.
+    double
+    check_force_balance(SolveResult &result, const double largest_before) const;
 
     bool
     writes_surface_profile(const double time) const;

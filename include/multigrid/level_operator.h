@@ -11,6 +11,7 @@
 #include "base/compatibility.h"
 #include "base/shared_rows.h"
 #include "mechanics/cell_kernel.h"
+#include "solver/held_unknowns.h"
 
 namespace ElastoPlastic
 {
@@ -39,7 +40,10 @@ namespace ElastoPlastic
                   const AffineConstraints<double> &constraints);
 
     void
-    initialize_vector(LevelVector &vector) const;
+    initialize_vector(LevelVector &vector) const
+    {
+      kernel->initialize_vector(vector);
+    }
 
     /// Takes one of the numbers that describe the cells' tangents: entry
     /// @p index of CellTangents::value(), for all OwnedCells.
@@ -48,7 +52,10 @@ namespace ElastoPlastic
 
     /// To be called when all of these numbers have been set.
     void
-    finish_tangents();
+    finish_tangents()
+    {
+      kernel->prepare_products(tangents);
+    }
 
     /// Holds the unknowns at which @p constrained is 1 (and not those where it
     /// is 0), with the @p slopes, see HeldUnknowns.
@@ -68,24 +75,33 @@ namespace ElastoPlastic
     bool
     has_slopes() const
     {
-      return !sloped.empty();
+      return !held_slopes.empty();
     }
 
     /// Puts the held unknowns, which are zero in @p vector, to their places on
     /// the slopes; and the transpose, which adds their forces to those along
     /// the slopes.
     void
-    expand(LevelVector &vector) const;
+    expand(LevelVector &vector) const
+    {
+      held_slopes.expand(vector);
+    }
 
     void
-    contract(LevelVector &forces) const;
+    contract(LevelVector &forces) const
+    {
+      held_slopes.contract(forces);
+    }
 
     void
     vmult(LevelVector &result, const LevelVector &vector) const;
 
     /// The same: the operator is symmetric.
     void
-    Tvmult(LevelVector &result, const LevelVector &vector) const;
+    Tvmult(LevelVector &result, const LevelVector &vector) const
+    {
+      vmult(result, vector);
+    }
 
     /// The number of unknowns, and a locally owned entry of the diagonal:
     /// PreconditionChebyshev asks for them if it has not been handed the
@@ -113,7 +129,10 @@ namespace ElastoPlastic
     /// SolidOperator does.
     void
     add_matrix(SystemMatrix                    &matrix,
-               const AffineConstraints<double> &all_constraints) const;
+               const AffineConstraints<double> &all_constraints) const
+    {
+      kernel->add_matrix(matrix, all_constraints, tangents);
+    }
 
   private:
     /// Moves held unknowns, which are at zero, against entering ones; and the
@@ -139,13 +158,8 @@ namespace ElastoPlastic
     CellTangents<dim>                                     tangents;
     std::vector<std::array<unsigned int, Number::size()>> cells;
 
-    /// Local indices of held unknowns on slopes, with these.
-    struct Sloped
-    {
-      unsigned int               index;
-      std::array<float, dim - 1> slopes;
-    };
-    std::vector<Sloped> sloped;
+    /// Those of held unknowns.
+    Slopes<float> held_slopes;
 
     struct Spring
     {

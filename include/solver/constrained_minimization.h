@@ -66,11 +66,18 @@ namespace ElastoPlastic
     virtual Energy
     energy(const Vector &u) const = 0;
 
-    /// -dPi/du at all unknowns, constrained ones included. Slopes of bounds, if
-    /// they depend on u, are those at this one from now on. @return energy(),
+    /// -dPi/du at all unknowns, constrained ones included. @return energy(),
     /// which the same work yields.
     virtual Energy
-    compute_residual(Vector &residual, const Vector &u) = 0;
+    compute_residual(Vector &residual, const Vector &u) const = 0;
+
+    /// The same, and the bounds, if they depend on u, and their slopes are
+    /// those at this one from now on.
+    virtual Energy
+    move_to(const Vector &u, Vector &residual)
+    {
+      return compute_residual(residual, u);
+    }
 
     /// A norm of forces, of the problem and not of any u, which is not zero
     /// where the residual of the solution is: forces that are small against it
@@ -80,7 +87,7 @@ namespace ElastoPlastic
 
     /// Stores the second derivative of Pi at u, or (if Pi exists) a positive
     /// definite approximation that tends to it when the iteration converges,
-    /// for apply_tangent(), solve_tangent() and tangent_diagonal().
+    /// for apply_tangent(), solve_tangent() and apply_inverse_diagonal().
     virtual void
     linearize(const Vector &u) = 0;
 

@@ -11,6 +11,7 @@
 
 #include "base/shared_rows.h"
 #include "base/sloped_bound.h"
+#include "solver/held_unknowns.h"
 
 namespace ElastoPlastic
 {
@@ -159,16 +160,15 @@ namespace ElastoPlastic
     bool
     owns_leader() const;
 
-    /// sum_j b_j u_j
-    static double
-    along_slope(const SlopedBound &bound, const Vector &u);
-
     std::vector<unsigned int> constrained, coupled;
     SharedForces              shared;
     std::vector<SlopedBound>  sloped_bounds;
-    bool                      is_sloped    = false;
-    bool                      has_friction = false;
-    MPI_Comm                  communicator = MPI_COMM_SELF;
+    /// Those of the bounds, and of the forces on them; of the bounds of
+    /// entering unknowns, with the opposite sign.
+    Slopes<double> slopes, force_slopes, entering_slopes;
+    bool           is_sloped    = false;
+    bool           has_friction = false;
+    MPI_Comm       communicator = MPI_COMM_SELF;
     /// The rank that owns the leader, its first coupled unknown; the number of
     /// ranks if there are no coupled unknowns.
     unsigned int leading_rank = 1;

@@ -7,10 +7,32 @@
 #include <functional>
 #include <vector>
 
-#include "solver/newton_iteration.h"
+#include "solver/constrained_minimization.h"
+#include "solver/newton_parameters.h"
 
 namespace ElastoPlastic
 {
+  /// One line of the iteration's protocol.
+  struct NewtonStep
+  {
+    unsigned int iteration;
+    unsigned int n_active;
+    double       energy;
+    /// Norm of the forces on the free unknowns, relative to all forces, or to
+    /// the scale of the problem's forces if that is larger.
+    double residual;
+    /// Of the linear solve that led here; 0 in the starting point.
+    unsigned int linear_iterations;
+    /// The fraction of the Newton step that was taken.
+    double step_length;
+    /// Whether the active set differs from the one of the step before.
+    bool active_set_changed;
+    /// Whether the feasible method has taken over.
+    bool feasible;
+  };
+
+
+
   /// All steps of a nonlinear solve, the starting point first.
   struct NewtonReport
   {

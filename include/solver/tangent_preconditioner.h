@@ -12,31 +12,12 @@
 #include <vector>
 
 #include "base/shared_rows.h"
+#include "solver/held_unknowns.h"
 #include "solver/matrix_preconditioner.h"
 #include "solver/tangent_operator.h"
 
 namespace ElastoPlastic
 {
-  /// The unknowns that a preconditioner holds, and those that springs hold.
-  struct HeldUnknowns
-  {
-    /// Ones at those that this rank owns, zeros elsewhere.
-    VectorType constrained;
-    /// Those whose bounds are sloped are not held at their place, but at sum_j
-    /// b_j u_j, with the unknowns of the same node: here are the b_j, at these.
-    /// (A node's unknowns are consecutive, and the one that is held the last.)
-    /// Without size if no bound is sloped.
-    VectorType slopes;
-    /// The stiffnesses of the springs, which add to the diagonal. Without size
-    /// if there are none.
-    VectorType springs = {};
-    /// Those that are held move against those that share their forces, as far
-    /// as a preconditioner can take account of it.
-    SharedForces shared = {};
-  };
-
-
-
   /// A symmetric, positive definite approximation of the inverse of a tangent,
   /// some unknowns being held.
   class TangentPreconditioner

@@ -124,7 +124,7 @@ namespace ElastoPlastic
 
 
 
-  // The sequence ends as MeshAdaptation::mark_in_first_step() ends it.
+  // The sequence ends as MeshAdaptation::mark_in_step() ends it.
   template <int dim>
   std::vector<typename JobPreview<dim>::MeshSize>
   JobPreview<dim>::meshes() const

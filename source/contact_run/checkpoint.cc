@@ -10,6 +10,7 @@
 
 #include <sstream>
 
+#include "base/rethrow_collectively.h"
 #include "base/termination.h"
 #include "contact_run/elasto_plastic_contact.h"
 #include "loading/same_past.h"
@@ -22,8 +23,7 @@ namespace ElastoPlastic
   ElastoPlasticContact<dim>::serialize_progress(Archive              &archive,
                                                 Statistics::Progress &progress)
   {
-    archive &time_steps &load_program &output &cycle &last_step &evaluation
-      &progress;
+    archive &step &output &evaluation &progress;
   }
 
 
@@ -44,7 +44,7 @@ namespace ElastoPlastic
     serialize_progress(archive, progress);
 
     checkpoint.save(state.str(), [&](const std::string &mesh_file) {
-      body.save(last_step, mesh_file);
+      step.save(mesh_file);
     });
     time_since_checkpoint.restart();
   }
@@ -64,6 +64,25 @@ namespace ElastoPlastic
 
 
 
+  // The step under way cannot be finished, for whatever reason.
+  template <int dim>
+  void
+  ElastoPlasticContact<dim>::keep_what_has_been_computed(const Error &error,
+                                                         Statistics &statistics)
+  {
+    step.take_back();
+    save_checkpoint(statistics);
+    throw_error(error.status,
+                std::string(error.what()) +
+                  " What has been computed up to t = " +
+                  Patterns::Tools::to_string(step.last().result.time) +
+                  " is kept: the option --resume goes on from there, also "
+                  "with other entries of 'Nonlinear solver', 'Linear "
+                  "solver' and 'Loading'.");
+  }
+
+
+
   // Without the mesh and what it carries.
   template <int dim>
   Checkpoint::Contents
@@ -75,7 +94,7 @@ namespace ElastoPlastic
     serialize_progress(archive, progress);
     check_same_past(contents.loading(),
                     parameters.loading,
-                    last_step.result.time);
+                    step.last().result.time);
     return contents;
   }
 
@@ -99,19 +118,11 @@ namespace ElastoPlastic
 
     Statistics::Progress       progress;
     const Checkpoint::Contents contents = read_checkpoint(progress);
-    if (last_step.result.step == time_steps.number())
-      time_steps.end_step_at(last_step.result.time);
-
-    coarsen_to_coarse_mesh(body.triangulation);
-    SavedMesh<dim> saved(communicator, contents.mesh_file);
-    saved.refine(body.triangulation);
-    body.reinit(time_steps.next_time(), load_at_end_of_step());
-    body.take_back(saved, last_step);
-    take_back_step();
-    evaluation.do_not_repeat(last_step.result);
+    step.restore(contents.mesh_file);
+    evaluation.do_not_repeat(step.last().result);
     log.remark(
-      "Resumed at t = " + Patterns::Tools::to_string(last_step.result.time) +
-      ", after step " + std::to_string(last_step.result.step) + ".");
+      "Resumed at t = " + Patterns::Tools::to_string(step.last().result.time) +
+      ", after step " + std::to_string(step.last().result.step) + ".");
     return progress;
   }
 
@@ -122,13 +133,13 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::stop_if_requested() const
   {
-    if (step_is_under_way && termination_requested(communicator))
+    if (step.is_under_way() && termination_requested(communicator))
       throw TerminationError(
         "Ended on request (SIGTERM) in load step " +
-        std::to_string(time_steps.number()) +
-        (time_steps.number() > 1 ?
-           "." :
-           ", which was the first. There is nothing to resume."));
+        std::to_string(step.times().number()) +
+        (step.is_first() ?
+           ", which was the first. There is nothing to resume." :
+           "."));
   }
 
 

@@ -71,24 +71,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void
-  ContactProblem<dim>::initialize_vector(Vector &vector) const
-  {
-    solid.initialize_vector(vector);
-  }
-
-
-
-  template <int dim>
-  bool
-  ContactProblem<dim>::has_energy() const
-  {
-    return solid.has_energy() && !contact.dissipates();
-  }
-
-
-
-  template <int dim>
   std::string
   ContactProblem<dim>::obstacle_to_convexity() const
   {
@@ -126,23 +108,26 @@ namespace ElastoPlastic
 
   template <int dim>
   Energy
-  ContactProblem<dim>::compute_residual(Vector &residual, const Vector &u)
+  ContactProblem<dim>::compute_residual(Vector &residual, const Vector &u) const
   {
     TimerOutput::Scope scope(timer, "Newton: residual");
     const double       stored = solid.internal_forces(residual, u);
     residual.sadd(-1., 1., external_forces);
-    contact.find_entering(u);
-    collect_unknowns(u, residual);
     return total_energy(stored, u);
   }
 
 
 
+  // (Which nodes are entering comes first: the energy depends on them where a
+  // force drives the indenter.)
   template <int dim>
-  double
-  ContactProblem<dim>::force_scale() const
+  Energy
+  ContactProblem<dim>::move_to(const Vector &u, Vector &residual)
   {
-    return scale_of_forces;
+    contact.find_entering(u);
+    const Energy energy = compute_residual(residual, u);
+    collect_unknowns(u, residual);
+    return energy;
   }
 
 
@@ -178,16 +163,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void
-  ContactProblem<dim>::apply_tangent(Vector       &result,
-                                     const Vector &increment) const
-  {
-    solid.vmult(result, increment);
-  }
-
-
-
-  template <int dim>
   unsigned int
   ContactProblem<dim>::solve_tangent(Vector       &increment,
                                      const Vector &rhs,
@@ -215,16 +190,6 @@ namespace ElastoPlastic
     unknowns.expand(increment);
     distribute(increment);
     return n_iterations;
-  }
-
-
-
-  template <int dim>
-  double
-  ContactProblem<dim>::slope_along(const Vector &residual,
-                                   const Vector &increment) const
-  {
-    return -(residual * increment) - contact.force() * downward_motion;
   }
 
 
@@ -302,15 +267,6 @@ namespace ElastoPlastic
 
   template <int dim>
   bool
-  ContactProblem<dim>::is_itself() const
-  {
-    return !contact.law_is_resting();
-  }
-
-
-
-  template <int dim>
-  bool
   ContactProblem<dim>::update_feasible_active_set(const Vector &u,
                                                   const Vector &residual)
   {
@@ -318,24 +274,6 @@ namespace ElastoPlastic
     const bool changed = contact.update_feasible(u, residual);
     collect_unknowns(u, residual);
     return changed;
-  }
-
-
-
-  template <int dim>
-  std::uint64_t
-  ContactProblem<dim>::active_set_fingerprint() const
-  {
-    return contact.fingerprint();
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  ContactProblem<dim>::n_active() const
-  {
-    return contact.n_active();
   }
 
 

@@ -10,7 +10,6 @@
 #include "loads/external_forces.h"
 #include "mechanics/ghosted_copy.h"
 #include "mechanics/state_transfer.h"
-#include "mesh/body_size.h"
 #include "multigrid/make_tangent_solver.h"
 
 namespace ElastoPlastic
@@ -38,17 +37,17 @@ namespace ElastoPlastic
                                   Log                          &log,
                                   TimerOutput                  &timer)
     : model(model)
-    , triangulation(communicator)
-    , gap_function(make_mesh_and_place_indenter(model, triangulation))
     , fe(FE_Q<dim>(model.degree), dim)
-    , dof_handler(triangulation)
-    , supports(model)
-    , solid(model.degree, model.strain_model, model.materials)
-    , contact(make_contact_bounds(model, gap_function, triangulation),
-              model.strain_model.kinematics,
-              model.contact.edge,
-              CoulombFriction<dim>(model.contact.friction_coefficient(),
-                                   largest_shear_modulus(model.materials)))
+    , mesh(communicator)
+    , gap(make_mesh_and_place_indenter(model, mesh))
+    , unknowns(mesh)
+    , held(model)
+    , solid_body(model.degree, model.strain_model, model.materials)
+    , contact_set(make_contact_bounds(model, gap, mesh),
+                  model.strain_model.kinematics,
+                  model.contact.edge,
+                  CoulombFriction<dim>(model.contact.friction_coefficient(),
+                                       largest_shear_modulus(model.materials)))
     , linear_solver(linear_solver)
     , log(log)
     , timer(timer)
@@ -74,10 +73,10 @@ namespace ElastoPlastic
   {
     TimerOutput::Scope scope(timer, "Setup");
 
-    dof_handler.distribute_dofs(fe);
-    supports.reinit(dof_handler, time);
-    solid.reinit(dof_handler, supports.constraints());
-    solid.initialize_vector(displacement);
+    unknowns.distribute_dofs(fe);
+    held.reinit(unknowns, time);
+    solid_body.reinit(unknowns, held.constraints());
+    solid_body.initialize_vector(u);
   }
 
 
@@ -89,23 +88,23 @@ namespace ElastoPlastic
   {
     TimerOutput::Scope scope(timer, "Setup");
 
-    solid.initialize_vector(residual);
-    contact.reinit(dof_handler,
-                   supports.constraints(),
-                   contact_boundaries(),
-                   supports.fixed_dofs(),
-                   residual);
+    solid_body.initialize_vector(residual_forces);
+    contact_set.reinit(unknowns,
+                       held.constraints(),
+                       contact_boundaries(),
+                       held.fixed_dofs(),
+                       residual_forces);
     apply_load(time, load);
 
     tangent_solver = make_tangent_solver(linear_solver,
                                          model,
-                                         solid,
-                                         dof_handler,
-                                         supports.constraints(),
+                                         solid_body,
+                                         unknowns,
+                                         held.constraints(),
                                          [this](const std::string &warning) {
                                            log.warn(warning);
                                          });
-    error_indicators.reinit(triangulation.n_active_cells());
+    indicators.reinit(mesh.n_active_cells());
   }
 
 
@@ -115,39 +114,35 @@ namespace ElastoPlastic
   // Virgin material has no states to transfer.
   template <int dim>
   void
-  DiscreteBody<dim>::refine(const double time,
-                            const Load  &load,
-                            LastStep    &last_step)
+  DiscreteBody<dim>::refine(const double time, const Load &load, LastStep &last)
   {
     tangent_solver.reset();
-    const bool                is_virgin = last_step.is_virgin();
-    std::vector<VectorType *> fields    = {&displacement};
+    const bool                is_virgin = last.is_virgin();
+    std::vector<VectorType *> fields    = {&u};
     if (!is_virgin)
-      for (VectorType *field : {&last_step.displacement_rate, &last_step.slip})
+      for (VectorType *field : {&last.displacement_rate, &last.slip})
         fields.push_back(field);
 
-    const GhostedCopies<dim> old_fields(fields, dof_handler);
-    DistributedSolutionTransfer<dim, VectorType> transfer(dof_handler);
+    const GhostedCopies<dim>                     old_fields(fields, unknowns);
+    DistributedSolutionTransfer<dim, VectorType> transfer(unknowns);
     transfer.prepare_for_coarsening_and_refinement(old_fields.pointers());
-    const CellStates   states = is_virgin ? CellStates() : solid.states();
-    StateTransfer<dim> state_transfer(triangulation,
-                                      fe.degree,
-                                      model.materials.size());
+    const CellStates   states = is_virgin ? CellStates() : solid_body.states();
+    StateTransfer<dim> state_transfer(mesh, fe.degree, model.materials.size());
     if (!is_virgin)
       state_transfer.prepare(states);
     {
       TimerOutput::Scope scope(timer, "Refine mesh");
-      triangulation.execute_coarsening_and_refinement();
+      mesh.execute_coarsening_and_refinement();
     }
 
     reinit_unknowns(time);
     for (VectorType *field : fields)
-      solid.initialize_vector(*field);
+      solid_body.initialize_vector(*field);
     transfer.interpolate(fields);
     for (VectorType *field : fields)
-      supports.constraints().distribute(*field);
+      held.constraints().distribute(*field);
     if (!is_virgin)
-      solid.set_states(state_transfer.take());
+      solid_body.set_states(state_transfer.take());
     reinit_contact(time, load);
   }
 
@@ -157,10 +152,10 @@ namespace ElastoPlastic
   void
   DiscreteBody<dim>::apply_load(const double time, const Load &load)
   {
-    supports.set_time(time);
-    external_forces = external_forces_at(time);
+    held.set_time(time);
+    loads = external_forces_at(time);
     move_indenter(time);
-    contact.set_load(load);
+    contact_set.set_load(load);
   }
 
 
@@ -171,8 +166,8 @@ namespace ElastoPlastic
   {
     if (model.load_program.path().is_at_rest())
       return;
-    gap_function.move_to(sideways_position(time));
-    contact.follow_indenter();
+    gap.move_to(sideways_position(time));
+    contact_set.follow_indenter();
   }
 
 
@@ -195,9 +190,8 @@ namespace ElastoPlastic
   DiscreteBody<dim>::external_forces_at(const double time) const
   {
     VectorType forces;
-    solid.initialize_vector(forces);
-    compute_external_forces(
-      forces, dof_handler, supports.constraints(), model, time);
+    solid_body.initialize_vector(forces);
+    compute_external_forces(forces, unknowns, held.constraints(), model, time);
     return forces;
   }
 
@@ -207,8 +201,8 @@ namespace ElastoPlastic
   VectorType
   DiscreteBody<dim>::forces_of_stresses() const
   {
-    VectorType forces = external_forces;
-    forces -= residual;
+    VectorType forces = loads;
+    forces -= residual_forces;
     return forces;
   }
 
@@ -216,29 +210,12 @@ namespace ElastoPlastic
 
   template <int dim>
   VectorType
-  DiscreteBody<dim>::total_slip(const LastStep &last_step) const
+  DiscreteBody<dim>::total_slip(const LastStep &last) const
   {
     VectorType slip = contact_evaluation().slip();
-    if (!last_step.is_virgin())
-      slip += last_step.slip;
+    if (!last.is_virgin())
+      slip += last.slip;
     return slip;
-  }
-
-
-
-  template <int dim>
-  ContactProblem<dim>
-  DiscreteBody<dim>::problem_with(ContactSet<dim> &contact,
-                                  const double     largest_forces)
-  {
-    return {solid,
-            supports,
-            external_forces,
-            contact,
-            *tangent_solver,
-            1e4 * body_size(triangulation),
-            largest_forces,
-            timer};
   }
 
 
@@ -256,7 +233,7 @@ namespace ElastoPlastic
   ContactEvaluation<dim>
   DiscreteBody<dim>::contact_evaluation() const
   {
-    return {contact, displacement, residual};
+    return {contact_set, u, residual_forces};
   }
 
 
@@ -265,13 +242,13 @@ namespace ElastoPlastic
   ContactSurface<dim>
   DiscreteBody<dim>::contact_surface() const
   {
-    return ContactSurface<dim>(dof_handler,
+    return ContactSurface<dim>(unknowns,
                                contact_boundaries(),
-                               surface_fields(dof_handler,
-                                              supports.constraints(),
-                                              contact,
-                                              displacement,
-                                              residual));
+                               surface_fields(unknowns,
+                                              held.constraints(),
+                                              contact_set,
+                                              u,
+                                              residual_forces));
   }
 
 
@@ -280,17 +257,17 @@ namespace ElastoPlastic
   ContactZone<dim>
   DiscreteBody<dim>::contact_zone() const
   {
-    return ContactZone<dim>(dof_handler,
-                            supports.hanging_nodes(),
-                            supports.fixed_dofs(),
+    return ContactZone<dim>(unknowns,
+                            held.hanging_nodes(),
+                            held.fixed_dofs(),
                             contact_boundaries(),
-                            contact,
-                            displacement,
-                            residual);
+                            contact_set,
+                            u,
+                            residual_forces);
   }
 
 
 
-  template struct DiscreteBody<2>;
-  template struct DiscreteBody<3>;
+  template class DiscreteBody<2>;
+  template class DiscreteBody<3>;
 } // namespace ElastoPlastic

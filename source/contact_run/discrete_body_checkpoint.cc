@@ -7,6 +7,8 @@
 #include "base/rethrow_collectively.h"
 #include "contact_run/discrete_body.h"
 #include "mechanics/ghosted_copy.h"
+#include "mesh/geometry.h"
+#include "restart/saved_mesh.h"
 
 namespace ElastoPlastic
 {
@@ -57,12 +59,12 @@ namespace ElastoPlastic
 
   template <int dim>
   std::vector<VectorType *>
-  DiscreteBody<dim>::fields_to_keep(LastStep &last_step, VectorType &response)
+  DiscreteBody<dim>::fields_to_keep(LastStep &last, VectorType &response)
   {
-    return {&last_step.displacement,
-            &last_step.displacement_rate,
-            &last_step.slip,
-            &last_step.forces,
+    return {&last.displacement,
+            &last.displacement_rate,
+            &last.slip,
+            &last.forces,
             &response};
   }
 
@@ -70,17 +72,16 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  DiscreteBody<dim>::save(LastStep &last_step, const std::string &mesh_file)
+  DiscreteBody<dim>::save(LastStep &last, const std::string &mesh_file)
   {
     VectorType response = tangent_solver->known_response();
     if (response.size() == 0)
-      solid.initialize_vector(response);
-    const GhostedCopies<dim> fields(fields_to_keep(last_step, response),
-                                    dof_handler);
+      solid_body.initialize_vector(response);
+    const GhostedCopies<dim> fields(fields_to_keep(last, response), unknowns);
     save_mesh<dim>(
-      communicator_of(triangulation),
+      communicator_of(mesh),
       [&](const CellVisitor<dim> &visit) {
-        solid.for_each_state(
+        solid_body.for_each_state(
           [&](const auto &cell, std::vector<double> &&state) {
             append_values(state, cell, fields.pointers());
             visit(cell, state);
@@ -93,14 +94,22 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  DiscreteBody<dim>::take_back(SavedMesh<dim> &saved, LastStep &last_step)
+  DiscreteBody<dim>::restore(const std::string &mesh_file,
+                             const double       time,
+                             const Load        &load,
+                             LastStep          &last)
   {
+    coarsen_to_coarse_mesh(mesh);
+    SavedMesh<dim> saved(communicator_of(mesh), mesh_file);
+    saved.refine(mesh);
+    reinit(time, load);
+
     VectorType response;
-    const auto fields = fields_to_keep(last_step, response);
+    const auto fields = fields_to_keep(last, response);
     for (VectorType *field : fields)
-      solid.initialize_vector(*field);
-    rethrow_collectively(communicator_of(triangulation), [&]() {
-      solid.set_states([&](const auto &cell) {
+      solid_body.initialize_vector(*field);
+    rethrow_collectively(communicator_of(mesh), [&]() {
+      solid_body.set_states([&](const auto &cell) {
         std::vector<double> values = saved.values(cell);
         take_values(values, cell, fields);
         return values;
@@ -112,12 +121,6 @@ namespace ElastoPlastic
 
 
 
-  template void
-  DiscreteBody<2>::save(LastStep &, const std::string &);
-  template void
-  DiscreteBody<3>::save(LastStep &, const std::string &);
-  template void
-  DiscreteBody<2>::take_back(SavedMesh<2> &, LastStep &);
-  template void
-  DiscreteBody<3>::take_back(SavedMesh<3> &, LastStep &);
+  template class DiscreteBody<2>;
+  template class DiscreteBody<3>;
 } // namespace ElastoPlastic

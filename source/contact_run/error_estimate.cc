@@ -24,10 +24,11 @@ namespace ElastoPlastic
       return;
     error_bound.emplace(body.model,
                         parameters,
-                        communicator_of(body.triangulation),
-                        body.gap_function,
-                        body.triangulation);
-    if (const std::string warning = warning_of_curved_body(body.triangulation);
+                        communicator_of(body.triangulation()),
+                        body.gap_function(),
+                        body.triangulation());
+    if (const std::string warning =
+          warning_of_curved_body(body.triangulation());
         !warning.empty())
       log.warn(warning);
   }
@@ -43,8 +44,8 @@ namespace ElastoPlastic
   {
     find_indicators();
     result.estimated_error =
-      std::sqrt(Utilities::MPI::sum(body.error_indicators.norm_sqr(),
-                                    communicator_of(body.triangulation)));
+      std::sqrt(Utilities::MPI::sum(body.error_indicators().norm_sqr(),
+                                    communicator_of(body.triangulation())));
     if (error_bound)
       bound(result, load, displacement_at);
   }
@@ -56,8 +57,8 @@ namespace ElastoPlastic
   ErrorEstimate<dim>::find_indicators()
   {
     TimerOutput::Scope scope(timer, "Error estimator");
-    body.error_indicators =
-      kelly_estimator.estimate(body.dof_handler, body.displacement);
+    body.set_error_indicators(
+      kelly_estimator.estimate(body.dof_handler(), body.displacement()));
   }
 
 
@@ -72,8 +73,8 @@ namespace ElastoPlastic
     const typename ErrorBoundAnalysis<dim>::DisplacementAt &displacement_at)
   {
     TimerOutput::Scope scope(timer, "Error bound");
-    result.estimated_error = error_bound->evaluate({body.dof_handler,
-                                                    body.displacement,
+    result.estimated_error = error_bound->evaluate({body.dof_handler(),
+                                                    body.displacement(),
                                                     load,
                                                     result.depth,
                                                     result.force,
@@ -83,7 +84,7 @@ namespace ElastoPlastic
     if (!error_bound->why_missing().empty())
       return;
     if (parameters.refinement.strategy != RefinementStrategy::kelly)
-      body.error_indicators = error_bound->indicators();
+      body.set_error_indicators(error_bound->indicators());
     const auto &indenter = body.model.indenter.shape;
     log.remark("The error of the stresses in equilibrium is at most " +
                Patterns::Tools::to_string(result.estimated_error) +

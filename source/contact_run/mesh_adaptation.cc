@@ -14,10 +14,11 @@ namespace ElastoPlastic
     : parameters(parameters)
     , body(body)
     , log(log)
-    , finest_first_level(body.triangulation.n_global_levels() - 1)
+    , finest_first_level(body.triangulation().n_global_levels() - 1)
   {
     parameters.check_first_mesh(
-      estimated_unknowns(body.triangulation.n_global_active_cells(), body.fe));
+      estimated_unknowns(body.triangulation().n_global_active_cells(),
+                         body.fe));
   }
 
 
@@ -26,9 +27,9 @@ namespace ElastoPlastic
   double
   MeshAdaptation<dim>::min_gap() const
   {
-    const double of_candidates = body.contact.min_gap();
+    const double of_candidates = body.contact().min_gap();
     return parameters.n_over_contact_radius > 0 ?
-             std::min(of_candidates, body.contact.min_gap_without_area()) :
+             std::min(of_candidates, body.contact().min_gap_without_area()) :
              of_candidates;
   }
 
@@ -40,16 +41,19 @@ namespace ElastoPlastic
   // step.)
   template <int dim>
   bool
-  MeshAdaptation<dim>::mark_in_first_step(const unsigned int cycle)
+  MeshAdaptation<dim>::mark_in_step(const unsigned int step,
+                                    const unsigned int cycle)
   {
-    clear_flags(body.triangulation);
+    if (step > 1)
+      return false;
+    clear_flags(body.cells_to_flag());
     const bool is_next_cycle = cycle + 1 < parameters.n_cycles;
     if (is_next_cycle)
-      flag_cells(parameters, body.error_indicators, body.triangulation);
+      flag_cells(parameters, body.error_indicators(), body.cells_to_flag());
     const bool follows_contact =
-      !body.model.strain_model.is_finite() && mark_contact_zone(1);
+      !body.model.strain_model.is_finite() && mark_contact_zone(step);
     if (follows_contact)
-      return may_follow_contact(1);
+      return may_follow_contact(step);
     if (!is_next_cycle)
       return false;
     if (next_mesh_is_allowed())
@@ -73,13 +77,13 @@ namespace ElastoPlastic
     const SolveResult &result  = last_step.result;
     const bool         by_errors =
       is_due(result.step) &&
-      flag_cells_within(static_cast<double>(body.dof_handler.n_dofs()) /
-                          body.triangulation.n_global_active_cells(),
+      flag_cells_within(static_cast<double>(body.dof_handler().n_dofs()) /
+                          body.triangulation().n_global_active_cells(),
                         parameters,
-                        body.error_indicators,
-                        body.triangulation);
+                        body.error_indicators(),
+                        body.cells_to_flag());
     if (!by_errors)
-      clear_flags(body.triangulation);
+      clear_flags(body.cells_to_flag());
     const bool grows = result.contact_area >= last_step.largest_contact_area ||
                        !program.path().is_at_rest();
     const bool outgrows_mesh =
@@ -95,7 +99,7 @@ namespace ElastoPlastic
   bool
   MeshAdaptation<dim>::mark_until_touched(const LastStep &last_step)
   {
-    clear_flags(body.triangulation);
+    clear_flags(body.cells_to_flag());
     return enters_untouched(last_step) &&
            mark_contact_zone(last_step.result.step) &&
            may_follow_contact(last_step.result.step);
@@ -123,6 +127,15 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::needs_errors(const unsigned int step) const
+  {
+    return step == 1 || is_due(step);
+  }
+
+
+
   // Around the contact, as it is and as it will be soon: when some cells are
   // too large, others are refined at the same time, so that the next steps can
   // do with that mesh. Cells of the first mesh stay. Where the errors of the
@@ -145,12 +158,12 @@ namespace ElastoPlastic
     const bool coarsens = parameters.strategy == RefinementStrategy::none &&
                           body.model.load_program.path().is_at_rest();
     return (is_due(step) ||
-            has_larger_cells<dim>(sizes_after(0.05), body.triangulation)) &&
+            has_larger_cells<dim>(sizes_after(0.05), body.triangulation())) &&
            flag_larger_cells<dim>(sizes_after(0.2),
                                   coarsens ?
                                     std::make_optional(finest_first_level) :
                                     std::nullopt,
-                                  body.triangulation);
+                                  body.cells_to_flag());
   }
 
 
@@ -163,9 +176,9 @@ namespace ElastoPlastic
   MeshAdaptation<dim>::next_mesh_is_allowed() const
   {
     const double n_new_cells =
-      n_cells_after_refinement(body.triangulation) -
-      static_cast<double>(body.triangulation.n_global_active_cells());
-    return parameters.allows(body.dof_handler.n_dofs() +
+      n_cells_after_refinement(body.triangulation()) -
+      static_cast<double>(body.triangulation().n_global_active_cells());
+    return parameters.allows(body.dof_handler().n_dofs() +
                              estimated_unknowns(n_new_cells, body.fe));
   }
 

@@ -46,24 +46,23 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  SolutionOutput<dim>::write(const TimeSteps   &steps,
-                             const unsigned int cycle,
-                             const bool         is_last_cycle,
-                             const LastStep    &last_step)
+  SolutionOutput<dim>::write(const LoadStep<dim> &step,
+                             const bool           is_last_cycle)
   {
     const FieldOutputTimes when = parameters.fields;
     const bool             every_mesh =
       is_single_step && when == FieldOutputTimes::every_cycle;
-    if (!are_due(steps) || !(is_last_cycle || every_mesh))
+    if (!are_due(step.times()) || !(is_last_cycle || every_mesh))
       return;
 
-    const unsigned int number = is_single_step ? cycle : steps.number();
+    const unsigned int number =
+      is_single_step ? step.cycle() : step.times().number();
     write_fields(when == FieldOutputTimes::last_cycle ?
                    "last" :
                    Utilities::int_to_string(number, 3),
-                 is_single_step ? cycle : steps.next_time(),
-                 last_step);
-    error_estimate.write_fields(cycle);
+                 is_single_step ? step.cycle() : step.times().next_time(),
+                 step.last());
+    error_estimate.write_fields(step.cycle());
   }
 
 
@@ -85,15 +84,15 @@ namespace ElastoPlastic
                                     const LastStep    &last_step)
   {
     TimerOutput::Scope scope(timer, "Output");
-    field_output.write({body.dof_handler,
-                        body.supports.constraints(),
-                        body.solid,
-                        body.contact,
+    field_output.write({body.dof_handler(),
+                        body.supports().constraints(),
+                        body.solid(),
+                        body.contact(),
                         body.contact_boundaries(),
-                        body.displacement,
-                        body.residual,
+                        body.displacement(),
+                        body.residual(),
                         body.total_slip(last_step),
-                        body.error_indicators},
+                        body.error_indicators()},
                        name,
                        time);
   }

@@ -23,13 +23,13 @@ namespace ElastoPlastic
     double
     depth_of_indenter(const DiscreteBody<dim> &body)
     {
-      if (!body.gap_function.has_indenter())
+      if (!body.gap_function().has_indenter())
         return 0.;
-      const double depth = body.contact.depth();
+      const double depth = body.contact().depth();
       const bool   is_rounding =
-        body.contact.is_force_driven() &&
+        body.contact().is_force_driven() &&
         std::abs(depth) <= std::numeric_limits<double>::epsilon() *
-                             body_size(body.triangulation);
+                             body_size(body.triangulation());
       return is_rounding ? 0. : depth;
     }
   } // namespace
@@ -45,17 +45,19 @@ namespace ElastoPlastic
     , body(body)
     , log(log)
     , timer(timer)
-    , reactions(body.model, body.dof_handler, body.supports)
-    , boundary_displacements(body.model, body.triangulation)
+    , reactions(body.model, body.dof_handler(), body.supports())
+    , boundary_displacements(body.model, body.triangulation())
     , probe_points(parameters.probe_points,
                    body.model.boundary_conditions.names(),
-                   body.triangulation)
+                   body.triangulation())
     , imprint(body.model,
-              body.gap_function,
-              body.triangulation,
+              body.gap_function(),
+              body.triangulation(),
               parameters.profile_lines)
-    , small_strain_guard(NominalContact<dim>(
-        body.model, body.model.indenter, body.triangulation, body.gap_function))
+    , small_strain_guard(NominalContact<dim>(body.model,
+                                             body.model.indenter,
+                                             body.triangulation(),
+                                             body.gap_function()))
     , pressure_guard(body.model.materials)
   {}
 
@@ -83,12 +85,13 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void
-  StepEvaluation<dim>::measure(SolveResult &result, LastStep &last_step) const
+  double
+  StepEvaluation<dim>::measure(SolveResult    &result,
+                               const LastStep &last_step) const
   {
     static_cast<ContactState &>(result) = body.contact_evaluation().state();
     static_cast<BodyState &>(result) =
-      body_state(body.solid, body.displacement);
+      body_state(body.solid(), body.displacement());
     result.depth = depth_of_indenter(body);
     if (!body.model.strain_model.is_finite())
       require_bounded_flow(result);
@@ -98,7 +101,7 @@ namespace ElastoPlastic
       if (body.model.strain_model.is_finite())
         measure_elements(result, last_step.result);
     }
-    check_force_balance(result, last_step.largest_forces);
+    return check_force_balance(result, last_step.largest_forces);
   }
 
 
@@ -114,8 +117,8 @@ namespace ElastoPlastic
   {
     constexpr double limit        = 10.;
     const double     strain       = result.max_equivalent_plastic_strain;
-    const double     displacement = body.displacement.linfty_norm();
-    const double     size         = body_size(body.triangulation);
+    const double     displacement = body.displacement().linfty_norm();
+    const double     size         = body_size(body.triangulation());
     if (strain > limit && displacement > limit * size)
       throw ConvergenceError(
         "The body flows without end: its largest plastic strain would be " +
@@ -135,7 +138,7 @@ namespace ElastoPlastic
                                         const SolveResult &before) const
   {
     const ElementQuality<dim> worst =
-      worst_element(body.dof_handler, body.displacement);
+      worst_element(body.dof_handler(), body.displacement());
     result.min_scaled_jacobian = worst.scaled_jacobian;
     if (worst.scaled_jacobian > 0. || before.min_scaled_jacobian <= 0.)
       return;
@@ -159,24 +162,25 @@ namespace ElastoPlastic
   // because those of the supports may cancel, and to its largest value so far,
   // because after unloading there may be none.
   template <int dim>
-  void
+  double
   StepEvaluation<dim>::check_force_balance(SolveResult &result,
-                                           double      &largest_forces) const
+                                           const double largest_before) const
   {
-    const double reaction = reactions.vertical_force(body.solid,
-                                                     body.displacement,
+    const double reaction = reactions.vertical_force(body.solid(),
+                                                     body.displacement(),
                                                      contact_forces(),
                                                      result.time);
-    const double external = body.external_forces.l1_norm();
+    const double external = body.external_forces().l1_norm();
     double       load     = 0;
     if (external > 0)
-      load = body.external_forces *
-             rigid_body_modes(body.dof_handler, body.residual)[dim - 1];
-    largest_forces =
-      std::max(largest_forces, body.residual.l1_norm() + external);
-    if (largest_forces > 0)
+      load = body.external_forces() *
+             rigid_body_modes(body.dof_handler(), body.residual())[dim - 1];
+    const double forces  = body.residual().l1_norm() + external;
+    const double largest = std::max(largest_before, forces);
+    if (largest > 0)
       result.force_balance_error =
-        std::abs(result.force - reaction - load) / largest_forces;
+        std::abs(result.force - reaction - load) / largest;
+    return forces;
   }
 
 
@@ -187,15 +191,16 @@ namespace ElastoPlastic
   {
     TimerOutput::Scope scope(timer, "Evaluation");
     StepResult         step = {result,
-                               reactions.compute(body.solid,
-                                         body.displacement,
+                               reactions.compute(body.solid(),
+                                         body.displacement(),
                                          contact_forces(),
                                          result.time),
-                               boundary_displacements.compute(body.dof_handler,
-                                                      body.displacement),
+                               boundary_displacements.compute(body.dof_handler(),
+                                                      body.displacement()),
                                {}};
-    for (const double value :
-         probe_points.compute(body.dof_handler, body.solid, body.displacement))
+    for (const double value : probe_points.compute(body.dof_handler(),
+                                                   body.solid(),
+                                                   body.displacement()))
       step.probes.push_back(value);
     if (writes_surface_profile(result.time))
       step.surface_profile = imprint.profile(result, body.contact_surface());
@@ -259,9 +264,9 @@ namespace ElastoPlastic
   StepEvaluation<dim>::warning_of_missed_contact() const
   {
     const bool has_entered =
-      !body.contact.entries_entered(body.displacement).empty();
+      !body.contact().entries_entered(body.displacement()).empty();
     if (!Utilities::MPI::logical_or(has_entered,
-                                    communicator_of(body.dof_handler)))
+                                    communicator_of(body.dof_handler())))
       return {};
     return "The indenter is in the body, between the nodes that could touch it, "
            "and meets no resistance: the mesh is too coarse under its tip. Set "
@@ -303,6 +308,22 @@ namespace ElastoPlastic
             "the mesh is too coarse for this contact, or locks. See "
             "doc/trust/pressures.md. This is not said again.";
     log.warn(text.str());
+  }
+
+
+
+  template <int dim>
+  void
+  StepEvaluation<dim>::warn_of_residual(const SolveResult &result,
+                                        const double       tolerance) const
+  {
+    if (result.residual > tolerance)
+      log.warn(
+        "The forces on the free unknowns are " +
+        Patterns::Tools::to_string(result.residual) +
+        " of all forces, above 'Nonlinear solver/Tolerance': parts of the "
+        "body are so stiff, or so nearly incompressible, that the rounding "
+        "of the displacements does not allow for less.");
   }
 
 

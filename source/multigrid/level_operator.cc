@@ -30,15 +30,6 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  LevelOperator<dim>::initialize_vector(LevelVector &vector) const
-  {
-    kernel->initialize_vector(vector);
-  }
-
-
-
-  template <int dim>
-  void
   LevelOperator<dim>::set_tangent_value(const unsigned int index,
                                         const LevelVector &values)
   {
@@ -54,35 +45,21 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  LevelOperator<dim>::finish_tangents()
-  {
-    kernel->prepare_products(tangents);
-  }
-
-
-
-  template <int dim>
-  void
   LevelOperator<dim>::set_held(const LevelVector &constrained,
                                const LevelVector &slopes)
   {
     constrained_indices.clear();
-    sloped.clear();
+    held_slopes = {};
     for (unsigned int i = 0; i < constrained.locally_owned_size(); ++i)
       if (constrained.local_element(i) > 0.5f)
         {
           constrained_indices.push_back(i);
-          if (i % dim != dim - 1)
-            continue;
-          Sloped node{i, {}};
-          float  sum = 0.f;
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            {
-              node.slopes[d] = slopes.local_element(i - (dim - 1) + d);
-              sum += std::abs(node.slopes[d]);
-            }
-          if (sum > 0.f)
-            sloped.push_back(node);
+          for_each_slope<dim>(
+            i,
+            [&](const unsigned int j) { return slopes.local_element(j); },
+            [&](const unsigned int j, const float slope) {
+              held_slopes.add(i, j, slope);
+            });
         }
     cut_off_indices = kernel->eliminated_entries();
     cut_off_indices.insert(cut_off_indices.end(),
@@ -149,30 +126,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  void
-  LevelOperator<dim>::expand(LevelVector &vector) const
-  {
-    for (const auto &[index, slopes] : sloped)
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        vector.local_element(index) +=
-          slopes[d] * vector.local_element(index - (dim - 1) + d);
-  }
-
-
-
-  template <int dim>
-  void
-  LevelOperator<dim>::contract(LevelVector &forces) const
-  {
-    for (const auto &[index, slopes] : sloped)
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        forces.local_element(index - (dim - 1) + d) +=
-          slopes[d] * forces.local_element(index);
-  }
-
-
-
   // The entries of vector at the unknowns that are cut off are zero for the
   // time of the loop: the operator is symmetric.
   template <int dim>
@@ -199,16 +152,6 @@ namespace ElastoPlastic
         source.local_element(cut_off_indices[i]) = cut_off_values[i];
         result.local_element(cut_off_indices[i]) = cut_off_values[i];
       }
-  }
-
-
-
-  template <int dim>
-  void
-  LevelOperator<dim>::Tvmult(LevelVector       &result,
-                             const LevelVector &vector) const
-  {
-    vmult(result, vector);
   }
 
 
@@ -243,11 +186,7 @@ namespace ElastoPlastic
   LevelOperator<dim>::inverse_diagonal(LevelVector &values) const
   {
     kernel->diagonal(values, tangents);
-    // (without what couples the two)
-    for (const auto &[index, slopes] : sloped)
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        values.local_element(index - (dim - 1) + d) +=
-          slopes[d] * slopes[d] * values.local_element(index);
+    held_slopes.contract_diagonal(values);
     add_edge_to_diagonal(values);
     for (const unsigned int i : cut_off_indices)
       values.local_element(i) = 1.f;
@@ -298,17 +237,6 @@ namespace ElastoPlastic
   {
     for (const unsigned int i : constrained_indices)
       vector.local_element(i) = 0.f;
-  }
-
-
-
-  template <int dim>
-  void
-  LevelOperator<dim>::add_matrix(
-    SystemMatrix                    &matrix,
-    const AffineConstraints<double> &all_constraints) const
-  {
-    kernel->add_matrix(matrix, all_constraints, tangents);
   }
 
 

@@ -67,8 +67,7 @@ namespace ElastoPlastic
     , parameters(parameters)
     , step{0, 0, 0., 0., 0, 0., true, false}
   {
-    for (Vector *vector : {&previous_u, &residual, &increment, &work})
-      problem.initialize_vector(*vector);
+    problem.initialize_vector(residual);
   }
 
 
@@ -76,7 +75,7 @@ namespace ElastoPlastic
   void
   NewtonIteration::evaluate()
   {
-    current_energy = problem.compute_residual(residual, u);
+    current_energy = problem.move_to(u, residual);
   }
 
 
@@ -87,17 +86,6 @@ namespace ElastoPlastic
     return step.active_set_changed &&
            ++visited_sets[problem.active_set_fingerprint()] >
              tolerated_recurrences;
-  }
-
-
-
-  void
-  NewtonIteration::leave_cycle()
-  {
-    if (problem.slow_down())
-      visited_sets.clear();
-    else
-      become_feasible();
   }
 
 
@@ -115,7 +103,7 @@ namespace ElastoPlastic
         "mesh at the contact help, if the loads are in the same system of "
         "units as the moduli in 'Material', and not beyond what the body can "
         "bear.");
-    feasible = true;
+    step.feasible = true;
     problem.move_constrained(u);
     problem.project(u);
     evaluate();
@@ -127,21 +115,37 @@ namespace ElastoPlastic
   void
   NewtonIteration::update_active_set()
   {
-    // The set of the starting point is the caller's guess.
-    if (step.iteration > 0)
-      {
-        step.active_set_changed =
-          feasible ? problem.update_feasible_active_set(u, residual) :
-                     problem.update_active_set(u, residual);
-        if (!feasible && ((stuck && !is_rounding()) || set_cycles()))
-          leave_cycle();
-      }
+    if (step.iteration == 0)
+      return;
+    step.active_set_changed =
+      step.feasible ? problem.update_feasible_active_set(u, residual) :
+                      problem.update_active_set(u, residual);
+    if (step.feasible || !((stuck && !is_rounding()) || set_cycles()))
+      return;
+    if (problem.slow_down())
+      visited_sets.clear();
+    else
+      become_feasible();
+  }
 
-    increment = u;
-    problem.move_constrained(increment);
-    increment -= u;
-    constrained_unknowns_at_place =
-      increment.linfty_norm() <= 1e-12 * std::max(u.linfty_norm(), 1e-300);
+
+
+  NewtonIteration::Vector
+  NewtonIteration::way_to_places() const
+  {
+    Vector way = u;
+    problem.move_constrained(way);
+    way -= u;
+    return way;
+  }
+
+
+
+  void
+  NewtonIteration::measure_forces()
+  {
+    constrained_unknowns_at_place = way_to_places().linfty_norm() <=
+                                    1e-12 * std::max(u.linfty_norm(), 1e-300);
 
     previous_free_norm = free_norm;
     free_norm          = free_forces().l2_norm();
@@ -165,7 +169,6 @@ namespace ElastoPlastic
     step.n_active = problem.n_active();
     step.energy   = current_energy.value;
     step.residual = (force_norm > 0 ? free_norm / force_norm : 0.);
-    step.feasible = feasible;
   }
 
 
@@ -206,7 +209,7 @@ namespace ElastoPlastic
   // (Forces that have been reduced already must be subtracted: a given force on
   // the indenter is part of both.)
   bool
-  NewtonIteration::is_rounding()
+  NewtonIteration::is_rounding() const
   {
     const bool is_small = free_norm <= largest_rounding * force_norm;
     if (!is_small && step.n_active > 0)
@@ -215,12 +218,13 @@ namespace ElastoPlastic
     RelativeErrors error;
     for (double &number : rounded)
       number *= 1. + error();
-    problem.compute_residual(work, rounded);
-    problem.reduce(work);
-    work -= free_forces();
+    Vector change(residual);
+    problem.compute_residual(change, rounded);
+    problem.reduce(change);
+    change -= free_forces();
     const double rounding =
       (problem.is_convex() ? rounding_factor : nonlinear_rounding_factor) *
-      std::ldexp(work.l2_norm(), -n_lost_bits);
+      std::ldexp(change.l2_norm(), -n_lost_bits);
     const bool is_rigid_motion = force_norm <= rounding_of_supports * rounding;
     return free_norm <= rounding && (is_small || is_rigid_motion);
   }
@@ -243,46 +247,63 @@ namespace ElastoPlastic
 
 
   void
-  NewtonIteration::compute_increment()
+  NewtonIteration::take_step()
   {
-    problem.linearize(u);
-    // the forces at the new u, to first order
-    work = residual;
-    if (!constrained_unknowns_at_place)
-      {
-        Vector change;
-        problem.initialize_vector(change);
-        problem.apply_tangent(change, increment);
-        work -= change;
-        u += increment;
-      }
-    problem.reduce(work);
-    step.linear_iterations =
-      problem.solve_tangent(increment, work, linear_reduction());
+    const Vector from = u;
+    ++step.iteration;
+    if (step.feasible)
+      feasible_step();
+    else
+      primal_dual_step();
+    problem.step_taken(from, u);
   }
 
 
 
-  // If the affine set has changed, the line search starts on the new one, at
-  // the point that differs from u only in the constrained unknowns; if it finds
-  // nothing better, that point is the next iterate, from which the Newton step
-  // is a direction of descent.
-  void
-  NewtonIteration::newton_step()
+  NewtonIteration::Vector
+  NewtonIteration::newton_increment(Vector forces)
   {
-    compute_increment();
+    Vector increment;
+    problem.initialize_vector(increment);
+    problem.reduce(forces);
+    step.linear_iterations =
+      problem.solve_tangent(increment, forces, linear_reduction());
+    return increment;
+  }
+
+
+
+  // If constrained unknowns are not at their places, the increment begins where
+  // they are and nothing else has moved, with the forces there to first order;
+  // there begins the line search, too. If it finds nothing better, that point
+  // is the next iterate, from which the Newton step is a direction of descent.
+  void
+  NewtonIteration::primal_dual_step()
+  {
+    problem.linearize(u);
+    Vector forces = residual;
+    if (!constrained_unknowns_at_place)
+      {
+        const Vector way = way_to_places();
+        Vector       change;
+        problem.initialize_vector(change);
+        problem.apply_tangent(change, way);
+        forces -= change;
+        u += way;
+      }
+    const Vector increment = newton_increment(forces);
     if (!constrained_unknowns_at_place)
       evaluate();
-    work = u;
+
     if (!is_possible())
       step.step_length = full_step(increment);
     else if (problem.has_energy())
       {
         const double slope = problem.slope_along(residual, increment);
-        step.step_length = slope < 0 ? line_search(work, increment, slope) : 0.;
+        step.step_length   = slope < 0 ? line_search(increment, slope) : 0.;
       }
     else
-      step.step_length = residual_line_search(work, increment);
+      step.step_length = residual_line_search(increment);
     stuck = (step.step_length == 0. && constrained_unknowns_at_place);
   }
 
@@ -322,16 +343,12 @@ namespace ElastoPlastic
   {
     smooth();
     problem.linearize(u);
-    work = residual;
-    problem.reduce(work);
-    step.linear_iterations =
-      problem.solve_tangent(increment, work, linear_reduction());
-
-    work = u;
+    const Vector increment = newton_increment(residual);
+    const Vector base      = u;
     for (step.step_length = 1.; step.step_length > smallest_step_length;
          step.step_length *= 0.5)
       {
-        u = work;
+        u = base;
         u.add(step.step_length, increment);
         problem.project(u);
         if (has_not_grown(problem.energy(u), current_energy))
@@ -340,7 +357,7 @@ namespace ElastoPlastic
             return;
           }
       }
-    u                = work;
+    u                = base;
     step.step_length = 0.;
   }
 } // namespace ElastoPlastic

@@ -11,14 +11,6 @@
 
 namespace ElastoPlastic
 {
-  bool
-  NewtonIteration::is_possible() const
-  {
-    return std::isfinite(current_energy.value);
-  }
-
-
-
   double
   NewtonIteration::full_step(const Vector &direction)
   {
@@ -37,10 +29,9 @@ namespace ElastoPlastic
 
 
   double
-  NewtonIteration::line_search(const Vector &base,
-                               const Vector &direction,
-                               const double  slope)
+  NewtonIteration::line_search(const Vector &direction, const double slope)
   {
+    const Vector base  = u;
     const Energy start = current_energy;
     for (double fraction = 1.; fraction > smallest_step_length; fraction *= 0.5)
       {
@@ -49,8 +40,7 @@ namespace ElastoPlastic
         problem.return_to_bounds(u);
         evaluate();
         if (current_energy.value <= start.value + 1e-4 * fraction * slope ||
-            (has_not_grown(current_energy, start) &&
-             (slope_has_shrunk(direction, slope) || forces_have_shrunk())))
+            is_as_good(start, direction, slope))
           return fraction;
       }
     u = base;
@@ -63,9 +53,9 @@ namespace ElastoPlastic
   // The linear system has been solved well enough for the norm to fall along
   // the direction. (What is below the tolerance may be rounding.)
   double
-  NewtonIteration::residual_line_search(const Vector &base,
-                                        const Vector &direction)
+  NewtonIteration::residual_line_search(const Vector &direction)
   {
+    const Vector base       = u;
     const double start_norm = free_forces().l2_norm();
     const double negligible = parameters.tolerance * force_norm;
     for (double fraction = 1.; fraction > smallest_step_length; fraction *= 0.5)
@@ -102,18 +92,13 @@ namespace ElastoPlastic
 
   // (Of tiny steps, slopes are rounding themselves.)
   bool
-  NewtonIteration::forces_have_shrunk() const
+  NewtonIteration::is_as_good(const Energy &start,
+                              const Vector &direction,
+                              const double  slope) const
   {
-    return free_forces().l2_norm() <= 0.5 * free_norm;
-  }
-
-
-
-  bool
-  NewtonIteration::slope_has_shrunk(const Vector &direction,
-                                    const double  slope) const
-  {
-    return std::abs(problem.slope_along(residual, direction)) <=
-           0.9 * std::abs(slope);
+    return has_not_grown(current_energy, start) &&
+           (std::abs(problem.slope_along(residual, direction)) <=
+              0.9 * std::abs(slope) ||
+            free_forces().l2_norm() <= 0.5 * free_norm);
   }
 } // namespace ElastoPlastic

@@ -14,16 +14,6 @@ namespace ElastoPlastic
     /// Of the series of 1 / (1 - t).
     constexpr unsigned int n_terms = 3;
 
-
-
-    void
-    add_along_force_slope(ReducedUnknowns::Vector &forces,
-                          const SlopedBound       &bound,
-                          const double             force)
-    {
-      for (unsigned int j = 0; j < bound.n_others; ++j)
-        forces.local_element(bound.others[j]) += bound.force_slope[j] * force;
-    }
   } // namespace
 
 
@@ -50,6 +40,15 @@ namespace ElastoPlastic
   {
     sloped_bounds = bounds;
     is_sloped     = true;
+    slopes = force_slopes = entering_slopes = {};
+    for (const SlopedBound &bound : bounds)
+      for (unsigned int j = 0; j < bound.n_others; ++j)
+        {
+          slopes.add(bound.index, bound.others[j], bound.slope[j]);
+          force_slopes.add(bound.index, bound.others[j], bound.force_slope[j]);
+          if (bound.entering)
+            entering_slopes.add(bound.index, bound.others[j], -bound.slope[j]);
+        }
     has_friction =
       Utilities::MPI::logical_or(std::any_of(bounds.begin(),
                                              bounds.end(),
@@ -58,17 +57,6 @@ namespace ElastoPlastic
                                                       bound.slope;
                                              }),
                                  communicator);
-  }
-
-
-
-  double
-  ReducedUnknowns::along_slope(const SlopedBound &bound, const Vector &u)
-  {
-    double sum = 0;
-    for (unsigned int j = 0; j < bound.n_others; ++j)
-      sum += bound.slope[j] * u.local_element(bound.others[j]);
-    return sum;
   }
 
 
@@ -114,8 +102,7 @@ namespace ElastoPlastic
       increment.local_element(unknown.index) += motion;
     for (const auto &[i, sum] : sums)
       increment.local_element(i) -= sum;
-    for (const SlopedBound &bound : sloped_bounds)
-      increment.local_element(bound.index) += along_slope(bound, increment);
+    slopes.expand(increment);
   }
 
 
@@ -146,8 +133,7 @@ namespace ElastoPlastic
       sum += forces.local_element(i);
     for (const EnteringUnknown &unknown : shared.entering)
       sum += forces.local_element(unknown.index);
-    for (const SlopedBound &bound : sloped_bounds)
-      add_along_force_slope(forces, bound, forces.local_element(bound.index));
+    force_slopes.contract(forces);
     if (shared.rows)
       // (zero but for entering ones)
       shared.rows->shares(forces,
@@ -168,10 +154,7 @@ namespace ElastoPlastic
     double sum = 0;
     for (const unsigned int i : coupled)
       sum += diagonal.local_element(i);
-    for (const SlopedBound &bound : sloped_bounds)
-      for (unsigned int j = 0; j < bound.n_others; ++j)
-        diagonal.local_element(bound.others[j]) +=
-          bound.slope[j] * bound.slope[j] * diagonal.local_element(bound.index);
+    slopes.contract_diagonal(diagonal);
     for (const auto &[index, stiffness] : shared.entering)
       {
         sum += diagonal.local_element(index);
@@ -202,11 +185,7 @@ namespace ElastoPlastic
                                 forces.local_element(i) = own[k++] + share;
                             });
       }
-    for (const SlopedBound &bound : sloped_bounds)
-      if (bound.entering)
-        for (unsigned int j = 0; j < bound.n_others; ++j)
-          forces.local_element(bound.others[j]) -=
-            bound.slope[j] * forces.local_element(bound.index);
+    entering_slopes.contract(forces);
   }
 
 
@@ -216,9 +195,7 @@ namespace ElastoPlastic
   {
     if (!shared.rows)
       return;
-    for (const SlopedBound &bound : sloped_bounds)
-      if (bound.entering)
-        increment.local_element(bound.index) -= along_slope(bound, increment);
+    entering_slopes.expand(increment);
     const std::vector<double> own = entering_values(increment);
     for (unsigned int n = 0; n < n_terms; ++n)
       {

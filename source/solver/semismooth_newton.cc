@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "base/exceptions.h"
-#include "solver/semismooth_newton.h"
+#include "solver/newton_iteration.h"
 
 namespace ElastoPlastic
 {
@@ -39,32 +39,26 @@ namespace ElastoPlastic
   NewtonReport
   SemismoothNewton::solve(ConstrainedMinimization &problem, Vector &u) const
   {
-    NewtonReport    report;
-    NewtonIteration iteration(problem, u, parameters);
-    NewtonStep     &step = iteration.step;
+    NewtonReport      report;
+    NewtonIteration   iteration(problem, u, parameters);
+    const NewtonStep &step = iteration.protocol();
 
     iteration.evaluate();
     while (true)
       {
         iteration.update_active_set();
+        iteration.measure_forces();
         const bool has_converged = iteration.has_converged();
         report.steps.push_back(step);
         show_progress(step);
         if (has_converged)
           {
-            report.residual = iteration.residual;
+            report.residual = iteration.forces();
             return report;
           }
         if (step.iteration == parameters.maximum_iterations)
           break;
-
-        ++step.iteration;
-        iteration.previous_u = u;
-        if (step.feasible)
-          iteration.feasible_step();
-        else
-          iteration.newton_step();
-        problem.step_taken(iteration.previous_u, u);
+        iteration.take_step();
       }
 
     std::ostringstream message;

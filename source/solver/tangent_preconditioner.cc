@@ -182,10 +182,14 @@ namespace ElastoPlastic
       if (constrained(dof) != 0.)
         {
           all_constraints.add_line(dof);
-          if (is_sloped && dof % dim == dim - 1)
-            for (auto other = dof - (dim - 1); other < dof; ++other)
-              if (slopes(other) != 0. && constrained(other) == 0.)
-                all_constraints.add_entry(dof, other, slopes(other));
+          if (is_sloped)
+            for_each_slope<dim>(
+              dof,
+              [&](const auto other) { return slopes(other); },
+              [&](const auto other, const double slope) {
+                if (constrained(other) == 0.)
+                  all_constraints.add_entry(dof, other, slope);
+              });
         }
     for (const auto &[unknown, combination] : moves)
       if (relevant_dofs.is_element(unknown) && constrained(unknown) != 0.)

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef contact_run_load_step_h
+#define contact_run_load_step_h
+
+#include <algorithm>
+
+#include "bounds/safe_load.h"
+#include "contact_run/discrete_body.h"
+#include "contact_run/last_step.h"
+#include "input/parameters.h"
+#include "loading/load_program.h"
+#include "loading/time_steps.h"
+
+namespace ElastoPlastic
+{
+  /// The load step under way, from the equilibrium that the last one has left.
+  /// Where the history is, and what a step does to the body, is decided here
+  /// and nowhere else: a step begins, and then it is either committed or taken
+  /// back. Between two steps, the mesh may change.
+  ///
+  /// All functions are collective.
+  template <int dim>
+  class LoadStep
+  {
+  public:
+    /// Before the first step. All arguments must outlive this object.
+    LoadStep(const Model<dim>  &model,
+             const Parameters  &parameters,
+             DiscreteBody<dim> &body);
+
+    /// Makes the body on its first mesh, for this step.
+    void
+    make_body();
+
+    /// Lets the body be loaded as at the end of the step, and guesses how it
+    /// will look then.
+    void
+    begin();
+
+    /// The body is in equilibrium, with this @p result, which gets the work
+    /// that has been done in the step and what has been summed up before: from
+    /// now on, this is the last step.
+    void
+    commit(SolveResult &result);
+
+    /// The body is what it was after the last step. (The material points have
+    /// not forgotten it.)
+    void
+    take_back();
+
+    /// Lets the next attempt go half as far. @return false if it is as short
+    /// as it may be.
+    bool
+    halve();
+
+    /// On to the next step, after one of @p n_iterations of Newton's method.
+    void
+    advance(const unsigned int n_iterations);
+
+    /// Obeys the flags of the body's cells: the next mesh for the present
+    /// state.
+    void
+    change_mesh();
+
+    /// After a change of the mesh between steps: lets the interpolated state be
+    /// what the next step begins with, in the absence of an equilibrium.
+    void
+    commit_interpolated();
+
+    /// The same of the equilibrium on the new mesh under the same load, which
+    /// has been found with this @p result. The work for it is none of the load.
+    void
+    commit_on_new_mesh(SolveResult result);
+
+    /// The body has borne nodal forces, the sum of whose magnitudes is
+    /// @p forces.
+    void
+    note_forces(const double forces)
+    {
+      last_step.largest_forces = std::max(last_step.largest_forces, forces);
+    }
+
+    /// Writes the mesh with what is kept in its cells; see serialize().
+    /// @throws FileError
+    void
+    save(const std::string &mesh_file)
+    {
+      body.save(last_step, mesh_file);
+    }
+
+    /// Takes back the body as it was after the last step, of which the rest has
+    /// been read already. @throws InputError, FileError
+    void
+    restore(const std::string &mesh_file);
+
+    /// What is not in the cells of the mesh, for checkpoints.
+    template <typename Archive>
+    void
+    serialize(Archive &archive, const unsigned int /* version */)
+    {
+      archive &time_steps &load_program &mesh_number &last_step;
+    }
+
+    /// Its place in the history.
+    const TimeSteps &
+    times() const
+    {
+      return time_steps;
+    }
+
+    /// The load of the indenter at its end.
+    Load
+    load() const;
+
+    /// The equilibrium that it begins with.
+    const LastStep &
+    last() const
+    {
+      return last_step;
+    }
+
+    /// How many meshes there have been before the present one.
+    unsigned int
+    cycle() const
+    {
+      return mesh_number;
+    }
+
+    /// Whether there is nothing before it that could be kept.
+    bool
+    is_first() const
+    {
+      return time_steps.number() == 1;
+    }
+
+    /// Whether it has been committed before a checkpoint: the history was
+    /// complete then, and may have become longer.
+    bool
+    is_done() const
+    {
+      return last_step.result.step == time_steps.number();
+    }
+
+    bool
+    is_under_way() const
+    {
+      return under_way;
+    }
+
+    /// Whether the last one was the last of the history.
+    bool
+    is_history_complete() const;
+
+    /// What to know of it if it fails, however short it is made.
+    FailedStep<dim>
+    failure() const;
+
+  private:
+    /// Whether it may be expected to go on like the last one.
+    bool
+    continues_last() const;
+
+    /// Of the committed @p result, in what accurate steps allow.
+    double
+    error_of(const SolveResult &result) const;
+
+    /// Since the last step: tractions do not grow if they only become smaller.
+    /// The virgin body bears none.
+    bool
+    tractions_grow() const;
+
+    const Model<dim>  &model;
+    const Parameters  &parameters;
+    DiscreteBody<dim> &body;
+
+    LoadProgram  load_program;
+    TimeSteps    time_steps;
+    unsigned int mesh_number = 0;
+    LastStep     last_step;
+    bool         under_way = false, has_been_halved = false;
+  };
+} // namespace ElastoPlastic
+
+#endif
