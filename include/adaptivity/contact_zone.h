@@ -85,7 +85,7 @@ namespace ElastoPlastic
     struct Node
     {
       Point<dim>   position;
-      double       extent     = 0; // of faces around it
+      double       area       = 0; ///< its share of the faces
       double       force      = 0;
       unsigned int held_axes  = 0; // bit by bit
       bool         is_at_edge = false;
@@ -94,7 +94,7 @@ namespace ElastoPlastic
       void
       serialize(Archive &archive, const unsigned int /* version */)
       {
-        archive &position &extent &force &held_axes &is_at_edge;
+        archive &position &area &force &held_axes &is_at_edge;
       }
     };
 

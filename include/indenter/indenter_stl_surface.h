@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "indenter/decode_stl.h"
+#include "indenter/height_file.h"
 #include "indenter/indenter.h"
 
 namespace ElastoPlastic

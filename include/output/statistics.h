@@ -109,13 +109,13 @@ namespace ElastoPlastic
     const std::string  directory;
     const unsigned int dimension;
 
-    Table<SolveResult>                    statistics;
-    Table<SolveResult>                    history;
-    CsvFile                               reactions;
-    CsvFile                               probes;
-    std::optional<Table<SurfaceRow>>      surface_profile;
-    Table<MeshChange>                     mesh_changes;
-    std::optional<Table<UnloadingResult>> indentation;
+    CsvTable<SolveResult>                    statistics;
+    CsvTable<SolveResult>                    history;
+    CsvFile                                  reactions;
+    CsvFile                                  probes;
+    std::optional<CsvTable<SurfaceRow>>      surface_profile;
+    CsvTable<MeshChange>                     mesh_changes;
+    std::optional<CsvTable<UnloadingResult>> indentation;
 
     std::optional<IndentationTest> indentation_test;
   };

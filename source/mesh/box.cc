@@ -11,7 +11,7 @@
 
 #include "base/exceptions.h"
 #include "mesh/box.h"
-#include "mesh/circle_in_box.h"
+#include "mesh/disc.h"
 
 namespace ElastoPlastic
 {
