@@ -27,7 +27,8 @@ namespace ElastoPlastic
   {
     /// The mean of its nodes, of the modelled part.
     Point<dim> center;
-    /// Of a circle with the same area; in two dimensions, half the width.
+    /// See contact_radius(): that of a circle with the same area; in two
+    /// dimensions, half the width.
     double radius = 0;
     /// The number of elements on a diameter, and their mean size.
     double elements_across = 0;
@@ -103,7 +104,8 @@ namespace ElastoPlastic
       std::vector<std::pair<types::global_dof_index, types::global_dof_index>>;
     using Tree = RTree<std::pair<Point<dim>, unsigned int>>;
 
-    /// Of one rank, or of all.
+    /// The touched nodes of one rank, or of all, and which of them share a
+    /// face.
     struct Graph
     {
       Nodes nodes;

@@ -111,9 +111,10 @@ namespace ElastoPlastic
     double
     depth_factor() const override;
 
-    /// By quadrature over all directions (in two dimensions, of the body of
-    /// revolution), unless a shape knows better: sections are taken to be
-    /// star-shaped about the tip, and the profile to grow along each direction.
+    /// The area is found by quadrature over all directions (in two dimensions,
+    /// of the body of revolution), unless a shape knows better: sections are
+    /// taken to be star-shaped about the tip, and the profile to grow along
+    /// each direction.
     double
     section_area(const double height) const override;
 

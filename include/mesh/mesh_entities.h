@@ -19,7 +19,7 @@ namespace ElastoPlastic
   class MeshEntities
   {
   public:
-    /// Those of all active cells of the serial mesh, or of this rank.
+    /// Counts those of all active cells of the serial mesh, or of this rank.
     explicit MeshEntities(const Triangulation<dim> &triangulation)
     {
       n[0]       = triangulation.n_used_vertices();
@@ -69,7 +69,7 @@ namespace ElastoPlastic
     }
 
   private:
-    /// By dimension.
+    /// The numbers by dimension.
     std::array<double, dim + 1> n;
   };
 } // namespace ElastoPlastic

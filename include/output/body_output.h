@@ -55,7 +55,7 @@ namespace ElastoPlastic
                       const std::vector<std::string> &file_names) const;
 
   private:
-    /// Of this rank.
+    /// The number of cells of this rank.
     unsigned int
     n_cells() const;
 

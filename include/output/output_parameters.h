@@ -99,7 +99,7 @@ namespace ElastoPlastic
     std::vector<AdditionalField> additional_fields;
     Units                        units;
     Verbosity                    screen = Verbosity::full;
-    /// Of wall time; 0: a checkpoint after every load step.
+    /// Wall time; 0 stands for a checkpoint after every load step.
     double              minutes_between_checkpoints = 10;
     SurfaceProfileSteps surface_profile = SurfaceProfileSteps::segment_ends;
     std::string         profile_lines; ///< see read_profile_lines()

@@ -13,7 +13,7 @@ namespace ElastoPlastic
   /// What the tables say of a load step that has converged.
   struct StepResult
   {
-    /// Of the last solve.
+    /// What the last solve has found.
     const SolveResult &solve;
     /// In the order of their names.
     std::vector<double> reactions, probes;

@@ -33,7 +33,7 @@ namespace ElastoPlastic
     /// The degree p of the elements FE_Q(p)^dim.
     unsigned int degree;
 
-    /// By material id; a single one stands for every id.
+    /// The materials by material id; a single one stands for every id.
     std::vector<Material<double>> materials;
 
     PlacedIndenter<dim> indenter;

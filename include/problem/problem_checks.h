@@ -41,8 +41,8 @@ namespace ElastoPlastic
               const LoadingParameters &loading,
               const double             min_gap);
 
-  /// Of the size of the body, an indenter that ends must have a part that a
-  /// mesh can resolve. Collective. @throws InputError
+  /// The face of an indenter that ends must be a part of the size of the body
+  /// that a mesh can resolve. Collective. @throws InputError
   template <int dim>
   void
   check_width(const GapFunction<dim>                          &gap_function,
@@ -106,7 +106,7 @@ namespace ElastoPlastic
                  const ContactSet<dim> &contact,
                  const VectorType      &external_forces);
 
-  /// Of a rigid-plastic body under limit loads, the supports must prevent those
+  /// The supports of a rigid-plastic body under limit loads must prevent those
   /// rigid body motions that the loads drive: the indenter, if it is its force
   /// that grows, because all that it reaches would move down; tractions and
   /// body forces by their power, unless an indenter might hold the body, which

@@ -22,18 +22,18 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// How much larger the elements may be, at the distance of their growth. In
-    /// space, where the edge is a line, fewer have to do.
+    /// How fast the size of elements may grow with the distance from the
+    /// contact. In space, where the edge is a line, fewer have to do.
     template <int dim>
     constexpr double size_growth = dim == 2 ? 0.15 : 0.25;
 
-    /// How much smaller they are at the edge.
+    /// How much smaller the elements are at the edge.
     template <int dim>
     constexpr double edge_refinement = dim == 2 ? 4. : 2.;
 
 
 
-    /// Up to so many, each is looked at by itself.
+    /// The largest number of spots of which each is looked at by itself.
     constexpr unsigned int few_spots = 3;
   } // namespace
 

@@ -26,7 +26,7 @@ namespace ElastoPlastic
 
 
 
-    /// Of the centre from a triangle seen from above: 0 inside.
+    /// The distance of the centre from a triangle seen from above is 0 inside.
     double
     distance(const Disc<2> &disc, const std::array<Point<3>, 3> &triangle)
     {
