@@ -4,7 +4,7 @@
 // The page doc/lookup/tables.md, which is the expected output of this test:
 // what the columns of the tables mean is said where they are defined.
 
-#include "output/table_reference.h"
+#include "output/columns.h"
 #include "verdict.h"
 
 int

@@ -20,7 +20,7 @@
 #include "base/expression.h"
 #include "damage.h"
 #include "indenter/height_file.h"
-#include "indenter/indenter_library.h"
+#include "indenter/indenter_parameters.h"
 #include "input/parameters.h"
 #include "loading/load_program.h"
 #include "loads/boundary_conditions.h"

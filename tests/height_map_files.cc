@@ -15,7 +15,7 @@
 
 #include "base/exceptions.h"
 #include "contact/gap_function.h"
-#include "indenter/indenter_library.h"
+#include "indenter/indenter_parameters.h"
 
 #include <png.h>
 

@@ -11,7 +11,7 @@
 
 #include "base/exceptions.h"
 #include "contact/gap_function.h"
-#include "indenter/indenter_library.h"
+#include "indenter/indenter_parameters.h"
 
 using namespace ElastoPlastic;
 

@@ -12,7 +12,7 @@
 #include <iostream>
 
 #include "contact/gap_function.h"
-#include "indenter/indenter_library.h"
+#include "indenter/indenter_parameters.h"
 
 using namespace ElastoPlastic;
 

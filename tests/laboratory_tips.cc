@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "indenter/indenter_library.h"
+#include "indenter/indenter_parameters.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

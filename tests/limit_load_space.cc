@@ -20,7 +20,7 @@
 #include "bounds/stress/stress_check.h"
 #include "box_names.h"
 #include "contact/gap_function.h"
-#include "indenter/indenter_library.h"
+#include "indenter/indenter_parameters.h"
 #include "mesh/box.h"
 #include "verdict.h"
 

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "indenter/smooth_heights.h"
+#include "indenter/indenter_height_map.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -15,8 +15,8 @@
 #include <sstream>
 
 #include "base/exceptions.h"
-#include "indenter/decode_stl.h"
-#include "indenter/indenter_library.h"
+#include "indenter/height_file.h"
+#include "indenter/indenter_parameters.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -14,7 +14,7 @@
 #include <functional>
 
 #include "evaluation/tip_on_curved_surface.h"
-#include "indenter/indenter_library.h"
+#include "indenter/indenter_parameters.h"
 #include "mesh/body_size.h"
 #include "verdict.h"
 

@@ -27,7 +27,8 @@ namespace ElastoPlastic
   {
     /// The mean of its nodes, of the modelled part.
     Point<dim> center;
-    /// Of a circle with the same area; in two dimensions, half the width.
+    /// See contact_radius(): that of a circle with the same area; in two
+    /// dimensions, half the width.
     double radius = 0;
     /// The number of elements on a diameter, and their mean size.
     double elements_across = 0;
@@ -85,7 +86,7 @@ namespace ElastoPlastic
     struct Node
     {
       Point<dim>   position;
-      double       extent     = 0; // of faces around it
+      double       area       = 0; ///< its share of the faces
       double       force      = 0;
       unsigned int held_axes  = 0; // bit by bit
       bool         is_at_edge = false;
@@ -94,7 +95,7 @@ namespace ElastoPlastic
       void
       serialize(Archive &archive, const unsigned int /* version */)
       {
-        archive &position &extent &force &held_axes &is_at_edge;
+        archive &position &area &force &held_axes &is_at_edge;
       }
     };
 
@@ -103,7 +104,8 @@ namespace ElastoPlastic
       std::vector<std::pair<types::global_dof_index, types::global_dof_index>>;
     using Tree = RTree<std::pair<Point<dim>, unsigned int>>;
 
-    /// Of one rank, or of all.
+    /// The touched nodes of one rank, or of all, and which of them share a
+    /// face.
     struct Graph
     {
       Nodes nodes;

@@ -152,7 +152,7 @@ namespace ElastoPlastic
 
 
 
-  /// So many unknowns do @p n_cells have in the interior of a mesh of elements
+  /// How many unknowns @p n_cells have in the interior of a mesh of elements
   /// @p fe.
   template <int dim>
   double

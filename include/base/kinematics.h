@@ -87,6 +87,16 @@ namespace ElastoPlastic
 
 
 
+  /// Whether the problem is one of plane strain or plane stress.
+  template <int dim>
+  bool
+  is_plane_problem(const Kinematics kinematics)
+  {
+    return dim == 2 && kinematics != Kinematics::axisymmetric;
+  }
+
+
+
   /// How much of the body a point of the mesh stands for, per unit of the
   /// mesh's area or length: 2 pi r for a ring.
   template <int dim, typename Number>

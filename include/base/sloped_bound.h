@@ -19,7 +19,7 @@ namespace ElastoPlastic
     unsigned int                n_others = 0;
     /// The first derivatives of b.
     std::array<double, 2> slope = {{0., 0.}};
-    /// Of a force -f on u_i, u_j takes the part -force_slope[j]: without
+    /// u_j takes the part -force_slope[j] of a force -f on u_i: without
     /// friction, the slope.
     std::array<double, 2> force_slope = {{0., 0.}};
     /// How it changes with u_l; and f, which presses against the bound.

@@ -122,9 +122,9 @@ namespace ElastoPlastic
     const GapFunction<dim> &gap_function;
     EquilibriumOutput       output;
 
-    std::optional<Table<ErrorBoundRow>> table;
-    Vector<float>                       error_indicators;
-    std::string                         reason_why_missing;
+    std::optional<CsvTable<ErrorBoundRow>> table;
+    Vector<float>                          error_indicators;
+    std::string                            reason_why_missing;
 
     // On the first rank: the problem on the last mesh, its two solutions, and
     // the parts of the bound.

@@ -111,7 +111,7 @@ namespace ElastoPlastic
     bounds_in_words(const LoadInQuestion &load) const;
 
     void
-    write_results(Table<LimitLoadRow> &table);
+    write_results(CsvTable<LimitLoadRow> &table);
 
     bool
     is_last_cycle() const;

@@ -16,7 +16,6 @@
 
 #include "base/kinematics.h"
 #include "base/sloped_bound.h"
-#include "contact/active_set_change.h"
 #include "contact/contact_faces.h"
 #include "contact/contact_geometry.h"
 #include "contact/contact_state.h"

@@ -4,9 +4,12 @@
 #ifndef contact_contact_state_h
 #define contact_contact_state_h
 
+#include <deal.II/base/numbers.h>
+
 #include <boost/serialization/array.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace ElastoPlastic
 {
@@ -50,6 +53,42 @@ namespace ElastoPlastic
         &max_penetration &edge_penetration &max_hanging_penetration
           &complementarity_error &tangential_force &stick_area
             &frictional_dissipation;
+    }
+  };
+
+
+
+  /// The radius of the circle that has the area of the contact, of which
+  /// @p area is the modelled @p part; in a plane problem half its width.
+  inline double
+  contact_radius(const double area, const double part, const bool is_plane)
+  {
+    return is_plane ? 0.5 * area / part :
+                      std::sqrt(area / (part * dealii::numbers::PI));
+  }
+
+
+
+  /// Which nodes begin to stick or to slip at once.
+  enum class FrictionPace
+  {
+    all,        ///< that violate Coulomb's law
+    worst_first ///< those that do so most
+  };
+
+
+
+  /// What of ContactSet has changed, on any rank.
+  struct ActiveSetChange
+  {
+    bool statuses = false; ///< of nodes: open, entering, closed
+    /// Whether the edge has moved by more than one node somewhere.
+    bool edge_jumps = false;
+    bool friction   = false; ///< whether nodes stick
+
+    explicit operator bool() const
+    {
+      return statuses || friction;
     }
   };
 } // namespace ElastoPlastic

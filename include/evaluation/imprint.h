@@ -18,13 +18,6 @@
 
 namespace ElastoPlastic
 {
-  /// The radius of the circle that has the area of the contact, of which
-  /// @p area is the modelled @p part; in a plane problem half its width.
-  double
-  contact_radius(const double area, const double part, const bool is_plane);
-
-
-
   /// What the indenter leaves on the contact surface: how wide the contact is,
   /// how far the surface piles up or sinks in beside it, and its profile.
   template <int dim>

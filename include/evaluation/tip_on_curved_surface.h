@@ -12,7 +12,7 @@
 
 #include "contact/gap_function.h"
 #include "evaluation/tip_on_surface.h"
-#include "indenter/tip_shape.h"
+#include "indenter/indenter.h"
 
 namespace ElastoPlastic
 {

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "evaluation/tip_on_surface.h"
-#include "indenter/tip_shape.h"
+#include "indenter/indenter.h"
 
 namespace ElastoPlastic
 {

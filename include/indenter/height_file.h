@@ -4,10 +4,13 @@
 #ifndef indenter_height_file_h
 #define indenter_height_file_h
 
+#include <deal.II/base/point.h>
 #include <deal.II/base/table.h>
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace ElastoPlastic
 {
@@ -81,6 +84,22 @@ namespace ElastoPlastic
   /// InputErrors that name the line.
   Table<2, double>
   decode_matrix(const HeightFile &file);
+
+
+
+  /// A triangle of a surface by its corners, counterclockwise seen from
+  /// outside.
+  using Facet = std::array<Point<3>, 3>;
+
+  /// The triangles of an STL file, of its text or its binary form, but for
+  /// vertical ones, which no vertical line meets in a single point. The normals
+  /// in the file are ignored. What is wrong in the file is an InputError.
+  ///
+  /// deal.II's readers do not fit: OpenCASCADE::read_STL() hands over what
+  /// there is of a truncated file, GridIn::read_assimp() reads quadrilaterals
+  /// only.
+  std::vector<Facet>
+  decode_stl(const HeightFile &file);
 } // namespace ElastoPlastic
 
 #endif

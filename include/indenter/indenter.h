@@ -11,11 +11,31 @@
 #include <memory>
 #include <optional>
 
-#include "indenter/tip_shape.h"
-
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+  /// What the evaluation of an indentation test needs to know of the indenter,
+  /// in three dimensions or as an axisymmetric body.
+  class TipShape
+  {
+  public:
+    virtual ~TipShape() = default;
+
+    /// epsilon of @cite oliver_pharr_1992, equation (4): 1 for a flat face,
+    /// 2 - 4/pi (there rounded to 0.72) for a cone, 0.75 for all others, as is
+    /// exact for a paraboloid.
+    virtual double
+    depth_factor() const = 0;
+
+    /// The area of the horizontal section at a @p height > 0 above the tip, of
+    /// the whole indenter; 0 if it is not bounded, or if there is no single
+    /// tip.
+    virtual double
+    section_area(const double height) const = 0;
+  };
+
+
 
   /// The surface of an indenter above a point, to second order in the
   /// horizontal coordinates.
@@ -91,9 +111,10 @@ namespace ElastoPlastic
     double
     depth_factor() const override;
 
-    /// By quadrature over all directions (in two dimensions, of the body of
-    /// revolution), unless a shape knows better: sections are taken to be
-    /// star-shaped about the tip, and the profile to grow along each direction.
+    /// The area is found by quadrature over all directions (in two dimensions,
+    /// of the body of revolution), unless a shape knows better: sections are
+    /// taken to be star-shaped about the tip, and the profile to grow along
+    /// each direction.
     double
     section_area(const double height) const override;
 
@@ -127,16 +148,14 @@ namespace ElastoPlastic
 
 
 
-  /// Whether a distance from the middle lies within an extent, the edge
+  /// Whether a distance from the middle is at most the half width, the edge
   /// included. The tolerance keeps mesh nodes that lie on an edge there, though
   /// their coordinates are rounded.
   inline bool
-  within(const double distance, const double extent)
+  within(const double distance, const double half_width)
   {
-    return distance <= (1 + 1e-10) * extent;
+    return distance <= (1 + 1e-10) * half_width;
   }
-
-
 } // namespace ElastoPlastic
 
 #endif

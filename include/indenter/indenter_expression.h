@@ -29,8 +29,8 @@ namespace ElastoPlastic
     double
     profile(const Point<dim - 1> &x) const override;
 
-    /// By difference quotients over 1e-4 of the reach, or 1e-5 of the size of
-    /// the body if that is smaller.
+    /// The derivatives are difference quotients over 1e-4 of the reach, or 1e-5
+    /// of the size of the body if that is smaller.
     IndenterSurface<dim>
     surface_for(const Point<dim - 1> &origin,
                 const Point<dim - 1> &x,

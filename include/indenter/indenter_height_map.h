@@ -59,6 +59,19 @@ namespace ElastoPlastic
     const Tensor<1, dim - 1>  spacing; ///< of pixels
     const Functions::InterpolatedUniformGridData<dim - 1> interpolation;
   };
+
+
+
+  /// A surface without kinks through @p heights on a regular grid with the
+  /// distances @p spacing, at the point @p x seen from the first of them. Along
+  /// the lines of the grid it is the monotone cubic interpolation of
+  /// @cite fritsch_butland_1984: it turns in grid points only, and is straight
+  /// where they are in line. Between four lines it is their Coons patch.
+  template <int dim>
+  IndenterSurface<dim>
+  smooth_surface(const Table<dim - 1, double> &heights,
+                 const Tensor<1, dim - 1>     &spacing,
+                 const Point<dim - 1>         &x);
 } // namespace ElastoPlastic
 
 #endif

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/enum_names.h"
+#include "indenter/indenter.h"
 #include "indenter/surface_finish.h"
 
 namespace ElastoPlastic
@@ -72,6 +73,20 @@ namespace ElastoPlastic
     void
     check_pyramid() const;
   };
+
+
+
+  /// All values of the entry "Type", separated by '|'.
+  std::string
+  indenter_types();
+
+  /// The indenter that the parameters describe, without a shape for type
+  /// "none". The parameters must have passed their check. Reads the file that
+  /// they name, if any. @throws InputError for what is wrong in an expression
+  /// or a file, and for lists that do not fit the shape.
+  template <int dim>
+  PlacedIndenter<dim>
+  make_indenter(const IndenterParameters &parameters);
 } // namespace ElastoPlastic
 
 #endif

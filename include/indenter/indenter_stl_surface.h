@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "indenter/decode_stl.h"
+#include "indenter/height_file.h"
 #include "indenter/indenter.h"
 
 namespace ElastoPlastic
@@ -29,7 +29,8 @@ namespace ElastoPlastic
     double
     profile(const Point<dim - 1> &x) const override;
 
-    /// Of the lowest triangle, that is with curvature zero.
+    /// Height and slope are those of the lowest triangle, the curvature is
+    /// zero.
     IndenterSurface<dim>
     surface(const Point<dim - 1> &x) const override;
 

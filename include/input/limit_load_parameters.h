@@ -25,8 +25,8 @@ namespace ElastoPlastic
 
 
 
-  /// Of the stresses of the lower bound, times the distance from the axis of a
-  /// body of revolution.
+  /// The degree of the stresses of the lower bound; in a body of revolution, of
+  /// their product with the distance from the axis.
   enum class StressDegree
   {
     automatic, ///< quadratic in bodies of revolution, linear in other ones

@@ -70,11 +70,12 @@ namespace ElastoPlastic
     std::set<types::boundary_id>
     ids(const BoundaryConditionType type) const;
 
-    /// By boundary. Components are empty where the displacement is free.
+    /// What is prescribed by boundary. Components are empty where the
+    /// displacement is free.
     const std::map<types::boundary_id, Components> &
     prescribed_displacements() const;
 
-    /// By boundary. No component is empty.
+    /// The tractions by boundary. No component is empty.
     const std::map<types::boundary_id, Components> &
     tractions() const;
 

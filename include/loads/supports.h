@@ -122,7 +122,8 @@ namespace ElastoPlastic
     /// The others, with the components of their normals.
     std::map<types::boundary_id, ComponentMask> skew_rollers;
 
-    /// Of hanging nodes; and of them and skew rollers, if there are any.
+    /// The constraints of hanging nodes; and those of them and skew rollers, if
+    /// there are any.
     AffineConstraints<double>                  hanging;
     std::unique_ptr<AffineConstraints<double>> with_skew_rollers;
     Values                                     fixed_values;

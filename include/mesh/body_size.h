@@ -4,6 +4,7 @@
 #ifndef mesh_body_size_h
 #define mesh_body_size_h
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
 
@@ -22,16 +23,10 @@ namespace ElastoPlastic
   double
   body_size(const parallel::distributed::Triangulation<dim> &triangulation)
   {
-    Point<dim> lower = triangulation.get_vertices()[0], upper = lower;
-    for (const Point<dim> &vertex : triangulation.get_vertices())
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          lower[d] = std::min(lower[d], vertex[d]);
-          upper[d] = std::max(upper[d], vertex[d]);
-        }
-    double size = 0;
+    const BoundingBox<dim> box(triangulation.get_vertices());
+    double                 size = 0;
     for (unsigned int d = 0; d < dim; ++d)
-      size = std::max(size, upper[d] - lower[d]);
+      size = std::max(size, box.side_length(d));
     return size;
   }
 

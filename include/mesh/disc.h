@@ -5,6 +5,7 @@
 #define mesh_disc_h
 
 #include <deal.II/base/point.h>
+#include <deal.II/grid/tria.h>
 
 #include <array>
 
@@ -47,6 +48,22 @@ namespace ElastoPlastic
   /// Whether a point lies on the circle around the disc, but for rounding.
   bool
   is_on_edge(const Disc<2> &disc, const Point<3> &x);
+
+
+
+  /// Divides the cells of a coarse mesh of rectangles around the centre of a
+  /// @p disc, one to four of them, into five each, so that the edges of cells
+  /// pass along the circle: three of each inside, two outside. Boundary ids
+  /// are kept, all cells have the material id 0.
+  /// @return false, with the mesh as it was, if the centre is not a vertex of
+  /// the mesh, or if the disc does not fit into the cells around it.
+  bool
+  divide_around_circle(const Disc<2> &disc, Triangulation<2> &mesh);
+
+  /// Lets refinement of a coarse mesh that has been made of such a section
+  /// follow the cylinder above and below the circle.
+  void
+  follow_circle(const Disc<2> &disc, Triangulation<3> &mesh);
 } // namespace ElastoPlastic
 
 #endif

@@ -43,11 +43,11 @@ namespace ElastoPlastic
     /// be recognised.
     using Vertices = std::vector<unsigned int>;
 
-    /// Those of the nodes with these indices.
+    /// The vertices of the nodes with these indices.
     Vertices
     vertices_of(const std::vector<unsigned int> &nodes) const;
 
-    /// Those of the nodes of a face of what create() has made.
+    /// The vertices of a face of the mesh that create() has made.
     Vertices
     vertices_of(const typename Triangulation<dim>::face_iterator &face) const;
 

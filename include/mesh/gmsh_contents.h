@@ -82,7 +82,7 @@ namespace ElastoPlastic
     void
     read_partitioned_entities(GmshScanner &scanner);
 
-    /// Those of all dimensions, each read by @p read.
+    /// Reads the entities of all dimensions, each by @p read.
     void
     for_each_entity(GmshScanner                                   &scanner,
                     const std::function<void(const unsigned int)> &read) const;

@@ -58,6 +58,25 @@ namespace ElastoPlastic
     unsigned int line         = 1;
     unsigned int line_of_word = 1; ///< of the last one read
   };
+
+
+
+  /// A type of elements in a mesh file of Gmsh. The corners are the first
+  /// nodes.
+  struct GmshElementType
+  {
+    unsigned int number_of_first_order; ///< of the type with the same corners
+    unsigned int n_corners;
+    unsigned int n_nodes;
+  };
+
+
+
+  /// The type with Gmsh's @p number, which @p scanner has just read: points,
+  /// lines, quadrilaterals and hexahedra of first and second order.
+  /// @throws InputError for others.
+  const GmshElementType &
+  gmsh_element_type(const unsigned int number, const GmshScanner &scanner);
 } // namespace ElastoPlastic
 
 #endif

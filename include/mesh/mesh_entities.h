@@ -19,23 +19,57 @@ namespace ElastoPlastic
   class MeshEntities
   {
   public:
-    /// Those of all active cells of the serial mesh, or of this rank.
-    explicit MeshEntities(const Triangulation<dim> &triangulation);
+    /// Counts those of all active cells of the serial mesh, or of this rank.
+    explicit MeshEntities(const Triangulation<dim> &triangulation)
+    {
+      n[0]       = triangulation.n_used_vertices();
+      n[1]       = triangulation.n_active_lines();
+      n[dim - 1] = triangulation.n_active_faces();
+      n[dim]     = triangulation.n_active_cells();
+    }
 
-    /// Halves all cells.
+    /// Halves all cells. Each entity gets a vertex in its middle; those within
+    /// a quadrilateral and a hexahedron are joined with 4 and 6 others.
     void
-    refine();
+    refine()
+    {
+      if constexpr (dim == 2)
+        {
+          const auto [vertices, lines, quads] = n;
+          n = {{vertices + lines + quads, 2 * lines + 4 * quads, 4 * quads}};
+        }
+      else
+        {
+          const auto [vertices, lines, quads, hexes] = n;
+          n = {{vertices + lines + quads + hexes,
+                2 * lines + 4 * quads + 6 * hexes,
+                4 * quads + 12 * hexes,
+                8 * hexes}};
+        }
+    }
 
     double
-    n_cells() const;
+    n_cells() const
+    {
+      return n[dim];
+    }
 
     /// The degrees of freedom of FE_Q(@p degree), without those of quadratic
     /// elements on lines and faces that have hanging nodes.
     double
-    n_nodes(const unsigned int degree) const;
+    n_nodes(const unsigned int degree) const
+    {
+      double sum = 0, nodes_within = 1;
+      for (const double n_of_dimension : n)
+        {
+          sum += n_of_dimension * nodes_within;
+          nodes_within *= degree - 1;
+        }
+      return sum;
+    }
 
   private:
-    /// By dimension.
+    /// The numbers by dimension.
     std::array<double, dim + 1> n;
   };
 } // namespace ElastoPlastic

@@ -25,7 +25,8 @@ namespace ElastoPlastic
   /// dimensions; in an axisymmetric body, the third is that around the axis.
   ///
   /// The cells are written in pieces of a file as they come from the solid, so
-  /// that memory for only a few of them is needed.
+  /// that memory for only a few of them is needed. (deal.II's DataOut holds the
+  /// patches of all cells at once.)
   template <int dim>
   class BodyOutput
   {
@@ -54,7 +55,7 @@ namespace ElastoPlastic
                       const std::vector<std::string> &file_names) const;
 
   private:
-    /// Of this rank.
+    /// The number of cells of this rank.
     unsigned int
     n_cells() const;
 

@@ -5,12 +5,16 @@
 #define output_columns_h
 
 #include <cmath>
+#include <iosfwd>
 #include <limits>
 
 #include "evaluation/indentation_test.h"
 #include "evaluation/solve_result.h"
 #include "evaluation/surface_row.h"
+#include "output/output_parameters.h"
 #include "output/table.h"
+
+#include <mpi.h>
 
 namespace ElastoPlastic
 {
@@ -104,6 +108,21 @@ namespace ElastoPlastic
   /// The columns of error_bound.csv: a row per mesh.
   const Columns<ErrorBoundRow> &
   error_bound_columns();
+
+
+
+  /// Writes what the columns of all tables are, and in which @p units, as a
+  /// page (Markdown): doc/lookup/tables.md, if they have no names.
+  void
+  print_table_reference(std::ostream &out, const Units &units);
+
+
+
+  /// Writes this page to the file tables.md in the output directory if the
+  /// user has named the units. Collective. @throws FileError
+  void
+  write_table_reference(const MPI_Comm          communicator,
+                        const OutputParameters &parameters);
 } // namespace ElastoPlastic
 
 #endif

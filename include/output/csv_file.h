@@ -15,6 +15,9 @@ namespace ElastoPlastic
   /// A table that grows row by row: comma separated, a header line, 15
   /// significant digits, all rows handed to the system before the program goes
   /// on. Written by the first rank; all ranks call all functions.
+  ///
+  /// (deal.II's TableHandler keeps all rows and writes them at the end: what a
+  /// run has found would be lost with it, and it cannot go on with a file.)
   class CsvFile
   {
   public:

@@ -11,11 +11,30 @@
 
 #include "base/enum_names.h"
 #include "output/log.h"
-#include "output/units.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+  /// What the user calls the units of length and force. No number depends on
+  /// them.
+  struct Units
+  {
+    std::string length; ///< empty if it has no name
+    std::string force;  ///< likewise
+
+    /// Whether both have a name.
+    bool
+    are_named() const;
+
+    /// The unit of a @p quantity, as the columns of the tables call them:
+    /// "force", "force x length", "stress" and so on. A quantity that is none
+    /// of force and length, or whose units have no names, stays as it is.
+    std::string
+    of(const std::string &quantity) const;
+  };
+
+
 
   /// When the fields are written; see the entry "Fields".
   enum class FieldOutputTimes
@@ -80,7 +99,7 @@ namespace ElastoPlastic
     std::vector<AdditionalField> additional_fields;
     Units                        units;
     Verbosity                    screen = Verbosity::full;
-    /// Of wall time; 0: a checkpoint after every load step.
+    /// Wall time; 0 stands for a checkpoint after every load step.
     double              minutes_between_checkpoints = 10;
     SurfaceProfileSteps surface_profile = SurfaceProfileSteps::segment_ends;
     std::string         profile_lines; ///< see read_profile_lines()

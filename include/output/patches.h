@@ -41,7 +41,7 @@ namespace ElastoPlastic
       patches.push_back(std::move(patch));
     }
 
-    /// Of all fields together.
+    /// The number of components of all fields together.
     unsigned int
     n_components() const
     {

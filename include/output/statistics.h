@@ -13,7 +13,7 @@ namespace ElastoPlastic
   /// What the tables say of a load step that has converged.
   struct StepResult
   {
-    /// Of the last solve.
+    /// What the last solve has found.
     const SolveResult &solve;
     /// In the order of their names.
     std::vector<double> reactions, probes;
@@ -109,13 +109,13 @@ namespace ElastoPlastic
     const std::string  directory;
     const unsigned int dimension;
 
-    Table<SolveResult>                    statistics;
-    Table<SolveResult>                    history;
-    CsvFile                               reactions;
-    CsvFile                               probes;
-    std::optional<Table<SurfaceRow>>      surface_profile;
-    Table<MeshChange>                     mesh_changes;
-    std::optional<Table<UnloadingResult>> indentation;
+    CsvTable<SolveResult>                    statistics;
+    CsvTable<SolveResult>                    history;
+    CsvFile                                  reactions;
+    CsvFile                                  probes;
+    std::optional<CsvTable<SurfaceRow>>      surface_profile;
+    CsvTable<MeshChange>                     mesh_changes;
+    std::optional<CsvTable<UnloadingResult>> indentation;
 
     std::optional<IndentationTest> indentation_test;
   };

@@ -29,14 +29,14 @@ namespace ElastoPlastic
 
   /// A CsvFile with a row for each record. All ranks call all functions.
   template <typename Record>
-  class Table : public CsvFile
+  class CsvTable : public CsvFile
   {
   public:
     /// @p columns must outlive this object. See CsvFile.
-    Table(const MPI_Comm         communicator,
-          const std::string     &file_name,
-          const Columns<Record> &columns,
-          const unsigned int     n_rows = 0)
+    CsvTable(const MPI_Comm         communicator,
+             const std::string     &file_name,
+             const Columns<Record> &columns,
+             const unsigned int     n_rows = 0)
       : CsvFile(communicator, file_name, names(columns), n_rows)
       , columns(columns)
     {}

@@ -4,10 +4,12 @@
 #ifndef problem_load_history_h
 #define problem_load_history_h
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "input/parameters.h"
+#include "loading/load_program.h"
 #include "loading/time_steps.h"
 #include "problem/model.h"
 
@@ -36,6 +38,15 @@ namespace ElastoPlastic
   template <int dim>
   std::vector<std::string>
   remarks_on_holds(const Model<dim> &model);
+
+
+
+  /// The largest depth or force that is prescribed at the ends of @p steps;
+  /// none if it is never prescribed, or not known in advance.
+  std::optional<double>
+  largest_load(const LoadProgram &load_program,
+               TimeSteps          steps,
+               const Control      control);
 } // namespace ElastoPlastic
 
 #endif

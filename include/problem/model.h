@@ -11,6 +11,7 @@
 
 #include "contact/contact_parameters.h"
 #include "contact/gap_function.h"
+#include "input/parameters.h"
 #include "loading/load_program.h"
 #include "loads/loaded_body.h"
 #include "material/material.h"
@@ -32,7 +33,7 @@ namespace ElastoPlastic
     /// The degree p of the elements FE_Q(p)^dim.
     unsigned int degree;
 
-    /// By material id; a single one stands for every id.
+    /// The materials by material id; a single one stands for every id.
     std::vector<Material<double>> materials;
 
     PlacedIndenter<dim> indenter;
@@ -41,6 +42,15 @@ namespace ElastoPlastic
     /// As it is before the first step: an analysis takes a copy, which
     /// remembers what has been reached.
     LoadProgram load_program;
+
+    /// The same problem with Geometry::with_few_cells(@p n_cells).
+    Model
+    with_few_cells(const double n_cells) const
+    {
+      Model result    = *this;
+      result.geometry = geometry.with_few_cells(n_cells);
+      return result;
+    }
   };
 
 
@@ -71,6 +81,16 @@ namespace ElastoPlastic
     const Model<dim>                                &model,
     const GapFunction<dim>                          &gap_function,
     const parallel::distributed::Triangulation<dim> &triangulation);
+
+
+
+  /// The problem that @p parameters describe, which must have passed their
+  /// check. Reads the files that they name.
+  /// @throws InputError for what is wrong in expressions, tables and files, on
+  /// all ranks.
+  template <int dim>
+  Model<dim>
+  make_model(const Parameters &parameters);
 } // namespace ElastoPlastic
 
 #endif

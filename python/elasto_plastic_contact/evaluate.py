@@ -29,9 +29,9 @@ from .measured.columns import given_columns
 from .measured.curve import in_own_units
 from .measured.readers import read_raw
 from .measured.results import ResultsTable
-from .measured.tips import PYRAMIDS
 from .measured.units import FACTORS, factor, given_units, tidy
 from .oliver_pharr import HIGHEST_SHARE, LOWEST_SHARE, Tip, Unloading, evaluate, jumps_of_meshes
+from .pyramids import PYRAMIDS
 from .results import Results
 from .rounded_pyramid import section
 from .tables import read_table

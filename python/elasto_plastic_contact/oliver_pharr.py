@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Hardness and modulus from the unloading of a curve of force over depth, by the method of
 Oliver and Pharr (1992), as the program evaluates its own (doc/theory, Evaluating an
-indentation test). For measured curves and for histories alike. Needs NumPy."""
+indentation test). For measured curves and for histories alike. The program has the method once more, since it
+evaluates a run while it computes it and without Python; a test compares the two. Needs NumPy."""
 
 import argparse
 from dataclasses import dataclass
@@ -11,6 +12,7 @@ import numpy
 
 from .arguments import number
 from .errors import UserError
+from .pyramids import area_factor
 from .tables import read_table
 
 # The shares of the largest force between which the law of the unloading is fitted.
@@ -41,8 +43,7 @@ class Tip:
     @staticmethod
     def pyramid(n_faces, face_angle, truncation=0.):
         """A regular one. face_angle: between axis and faces, in degrees; truncation: the height that is cut off."""
-        half_side = numpy.tan(numpy.radians(face_angle))
-        factor = n_faces * numpy.tan(numpy.pi / n_faces) * half_side ** 2
+        factor = area_factor(n_faces, face_angle)
         return Tip(lambda height: factor * (height + truncation) ** 2, 0.75)
 
     @staticmethod

@@ -5,6 +5,7 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <boost/pending/disjoint_sets.hpp>
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
@@ -13,7 +14,6 @@
 #include <bitset>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "adaptivity/contact_zone.h"
 #include "base/compatibility.h"
@@ -22,51 +22,19 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// How much larger the elements may be, at the distance of their growth. In
-    /// space, where the edge is a line, fewer have to do.
+    /// How fast the size of elements may grow with the distance from the
+    /// contact. In space, where the edge is a line, fewer have to do.
     template <int dim>
     constexpr double size_growth = dim == 2 ? 0.15 : 0.25;
 
-    /// How much smaller they are at the edge.
+    /// How much smaller the elements are at the edge.
     template <int dim>
     constexpr double edge_refinement = dim == 2 ? 4. : 2.;
 
 
 
-    /// Up to so many, each is looked at by itself.
+    /// The largest number of spots of which each is looked at by itself.
     constexpr unsigned int few_spots = 3;
-
-
-
-    /// The number of the set that each of these belongs to, if those that are
-    /// linked belong to the same: "union-find".
-    class LinkedSets
-    {
-    public:
-      explicit LinkedSets(const std::size_t n)
-        : parents(n)
-      {
-        std::iota(parents.begin(), parents.end(), 0U);
-      }
-
-      unsigned int
-      root(unsigned int i)
-      {
-        while (parents[i] != i)
-          i = parents[i] = parents[parents[i]];
-        return i;
-      }
-
-      void
-      link(const unsigned int i, const unsigned int j)
-      {
-        const auto [first, second] = std::minmax({root(i), root(j)});
-        parents[second]            = first;
-      }
-
-    private:
-      std::vector<unsigned int> parents;
-    };
   } // namespace
 
 
@@ -155,7 +123,7 @@ namespace ElastoPlastic
               active.push_back(dof);
               Node &node    = graph.nodes[dof];
               node.position = places.quadrature_point(components[dim - 1]);
-              node.extent += face->measure() / face_nodes.size();
+              node.area += face->measure() / face_nodes.size();
               for (unsigned int d = 0; d < dim - 1; ++d)
                 if (fixed_dofs.is_element(dofs[components[d]]))
                   node.held_axes |= 1U << d;
@@ -181,9 +149,9 @@ namespace ElastoPlastic
         for (const auto &[dof, other] : part.nodes)
           {
             Node &node = all.nodes[dof];
-            if (other.extent > 0.)
+            if (other.area > 0.)
               node.position = other.position;
-            node.extent += other.extent;
+            node.area += other.area;
             node.force += other.force;
             node.held_axes |= other.held_axes;
             node.is_at_edge |= other.is_at_edge;
@@ -202,14 +170,14 @@ namespace ElastoPlastic
     std::map<types::global_dof_index, unsigned int> places;
     for (const auto &entry : graph.nodes)
       places.emplace(entry.first, places.size());
-    LinkedSets sets(places.size());
+    boost::disjoint_sets_with_storage<> sets(places.size());
     for (const auto &[one, other] : graph.links)
-      sets.link(places.at(one), places.at(other));
+      sets.union_set(places.at(one), places.at(other));
 
     struct Sums
     {
       Tensor<1, dim> position;
-      double         extent = 0, force = 0;
+      double         area = 0, force = 0;
       unsigned int   n_nodes = 0, held_axes = 0;
     };
     std::map<unsigned int, unsigned int>             numbers;
@@ -218,11 +186,11 @@ namespace ElastoPlastic
     for (const auto &[dof, node] : graph.nodes)
       {
         const unsigned int spot =
-          numbers.emplace(sets.root(places.at(dof)), numbers.size())
+          numbers.emplace(sets.find_set(places.at(dof)), numbers.size())
             .first->second;
         sums.resize(numbers.size());
         sums[spot].position += node.position;
-        sums[spot].extent += node.extent;
+        sums[spot].area += node.area;
         sums[spot].force += node.force;
         sums[spot].held_axes |= node.held_axes;
         ++sums[spot].n_nodes;
@@ -235,17 +203,16 @@ namespace ElastoPlastic
 
     for (const Sums &sum : sums)
       {
-        const double n_parts = 1U << std::bitset<dim>(sum.held_axes).count();
-        const double extent  = n_parts * sum.extent;
+        const double n_images = 1U << std::bitset<dim>(sum.held_axes).count();
+        const double area     = n_images * sum.area;
         const double n_elements =
-          n_parts * sum.n_nodes / Utilities::fixed_power<dim - 1>(degree);
+          n_images * sum.n_nodes / Utilities::fixed_power<dim - 1>(degree);
         ContactSpot<dim> spot;
-        spot.center = Point<dim>(sum.position / sum.n_nodes);
-        spot.force  = sum.force;
-        spot.radius = dim == 2 ? 0.5 * extent : std::sqrt(extent / numbers::PI);
-        spot.elements_across =
-          dim == 2 ? n_elements : 2. * std::sqrt(n_elements / numbers::PI);
-        spot.element_size = 2. * spot.radius / spot.elements_across;
+        spot.center          = Point<dim>(sum.position / sum.n_nodes);
+        spot.force           = sum.force;
+        spot.radius          = contact_radius(area, 1., dim == 2);
+        spot.elements_across = 2. * contact_radius(n_elements, 1., dim == 2);
+        spot.element_size    = 2. * spot.radius / spot.elements_across;
         all_spots.push_back(spot);
       }
   }

@@ -10,10 +10,10 @@
 
 #include "app/job_preview.h"
 #include "contact/contact_set.h"
-#include "loading/largest_load.h"
 #include "loads/supports.h"
 #include "mesh/body_size.h"
 #include "mesh/mesh_entities.h"
+#include "problem/load_history.h"
 
 namespace ElastoPlastic
 {
@@ -24,21 +24,10 @@ namespace ElastoPlastic
 
 
 
-    template <int dim>
-    Model<dim>
-    with_quick_mesh(const Model<dim> &model)
-    {
-      Model<dim> quick = model;
-      quick.geometry   = model.geometry.with_few_cells(
-        max_quick_unknowns / (dim * std::pow(model.degree, dim)));
-      return quick;
-    }
-
-
-
     /// How many times as many cells the next mesh has.
     double
-    growth(const RefinementParameters &refinement, const unsigned int dim)
+    refinement_factor(const RefinementParameters &refinement,
+                      const unsigned int          dim)
     {
       const double n_children = std::pow(2., dim);
       return 1 + (n_children - 1) * refinement.refinement_fraction -
@@ -77,7 +66,8 @@ namespace ElastoPlastic
   JobPreview<dim>::JobPreview(const Model<dim> &model,
                               const Parameters &parameters)
     : parameters(parameters)
-    , quick(with_quick_mesh(model))
+    , quick(model.with_few_cells(max_quick_unknowns /
+                                 (dim * std::pow(model.degree, dim))))
     , n_refinements_left_out(model.geometry.n_initial_refinements() -
                              quick.geometry.n_initial_refinements())
     , triangulation(MPI_COMM_SELF)
@@ -146,7 +136,7 @@ namespace ElastoPlastic
         MeshSize        next;
         if (refinement.is_adaptive())
           {
-            const double factor = growth(refinement, dim);
+            const double factor = refinement_factor(refinement, dim);
             next                = {factor * last.cells, factor * last.unknowns};
           }
         else

@@ -20,7 +20,7 @@
 #include "contact_run/elasto_plastic_contact.h"
 #include "input/command_line.h"
 #include "input/parameters.h"
-#include "problem/make_model.h"
+#include "problem/model.h"
 
 namespace
 {

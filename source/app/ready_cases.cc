@@ -7,8 +7,8 @@
 #include <ostream>
 
 #include "app/ready_cases.h"
-#include "base/closest_name.h"
 #include "base/exceptions.h"
+#include "base/text.h"
 #include "base/version.h"
 
 namespace ElastoPlastic

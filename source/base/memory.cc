@@ -16,7 +16,7 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// Of this machine, in bytes.
+    /// The memory of this machine, in bytes.
     double
     physical_memory()
     {

@@ -12,7 +12,7 @@
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
 #include "base/termination.h"
-#include "base/to_text.h"
+#include "base/text.h"
 #include "bounds/body/growing_loads.h"
 #include "bounds/bound_checks.h"
 #include "bounds/cell_indicators.h"
@@ -20,9 +20,8 @@
 #include "bounds/limit_load_analysis.h"
 #include "bounds/stress/stress_check.h"
 #include "mesh/material_ids.h"
-#include "output/table_reference.h"
+#include "output/columns.h"
 #include "problem/problem_checks.h"
-#include "problem/support_checks.h"
 #include "restart/output_directory.h"
 
 namespace ElastoPlastic
@@ -155,9 +154,10 @@ namespace ElastoPlastic
     OutputDirectory directory(communicator, parameters.output.directory);
     directory.begin_run(overwrite, parameters.effective_input);
     write_table_reference(communicator, parameters.output);
-    Table<LimitLoadRow> table(communicator,
-                              parameters.output.directory + "/limit_load.csv",
-                              limit_load_columns());
+    CsvTable<LimitLoadRow> table(communicator,
+                                 parameters.output.directory +
+                                   "/limit_load.csv",
+                                 limit_load_columns());
     table.open();
     while (true)
       {
@@ -320,7 +320,7 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  LimitLoadAnalysis<dim>::write_results(Table<LimitLoadRow> &table)
+  LimitLoadAnalysis<dim>::write_results(CsvTable<LimitLoadRow> &table)
   {
     table.add(row);
     if (parameters.output.fields == FieldOutputTimes::every_cycle ||

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "base/exceptions.h"
-#include "base/to_text.h"
+#include "base/text.h"
 #include "bounds/body/growing_loads.h"
 #include "bounds/limit_load_analysis.h"
 #include "mesh/curved_boundaries.h"

@@ -8,8 +8,8 @@
 #include "bounds/body/hencky_material.h"
 #include "bounds/limit_load_analysis.h"
 #include "bounds/safe_load.h"
-#include "loading/largest_load.h"
 #include "output/log.h"
+#include "problem/load_history.h"
 
 namespace ElastoPlastic
 {
@@ -59,16 +59,6 @@ namespace ElastoPlastic
         largest_load(model.load_program, steps, Control::force).value_or(0.);
       return force > 0 ? std::make_optional(LoadInQuestion{force, {}}) :
                          std::nullopt;
-    }
-
-
-
-    Model<2>
-    with_coarse_mesh(const Model<2> &model)
-    {
-      Model<2> result = model;
-      result.geometry = model.geometry.with_few_cells(max_initial_cells);
-      return result;
     }
 
 
@@ -123,7 +113,7 @@ namespace ElastoPlastic
     if (!load)
       return;
 
-    const Model<2>    coarse_model = with_coarse_mesh(model);
+    const Model<2>    coarse_model = model.with_few_cells(max_initial_cells);
     const Parameters  few_cells    = with_refinement_of_few_cells(parameters);
     const std::string reason       = reason_without_bounds([&]() {
       LimitLoadAnalysis(coarse_model, few_cells, communicator)
@@ -149,7 +139,7 @@ namespace ElastoPlastic
     if (!load)
       return "";
 
-    const Model<2>    coarse_model = with_coarse_mesh(model);
+    const Model<2>    coarse_model = model.with_few_cells(max_initial_cells);
     const Parameters  few_cells    = with_refinement_of_few_cells(parameters);
     bool              is_safe      = false;
     const std::string reason       = reason_without_bounds([&]() {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/as_number.h"
 #include "base/exceptions.h"
+#include "base/text.h"
 #include "contact/contact_parameters.h"
 
 namespace ElastoPlastic

@@ -24,7 +24,7 @@ namespace ElastoPlastic
                               const Tensor<1, dim - 1> &motion)
   {
     constexpr double rounding = 1e-8; // of the distance between nodes
-    const bool is_plane = dim == 2 && kinematics != Kinematics::axisymmetric;
+    const bool       is_plane = is_plane_problem<dim>(kinematics);
 
     wake_law();
     const std::vector<double> gaps = this->gaps(u, depth);
@@ -208,7 +208,7 @@ namespace ElastoPlastic
     if (!friction.dissipates())
       return false;
     constexpr double rounding = 1e-6;
-    const bool is_plane = dim == 2 && kinematics != Kinematics::axisymmetric;
+    const bool       is_plane = is_plane_problem<dim>(kinematics);
     std::vector<FrictionState<dim>> next;
     std::vector<double>             violations;
     for (const Node &node : candidates)

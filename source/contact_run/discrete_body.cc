@@ -7,7 +7,7 @@
 
 #include "base/compatibility.h"
 #include "contact_run/discrete_body.h"
-#include "loads/external_forces.h"
+#include "loads/loaded_body.h"
 #include "mechanics/ghosted_copy.h"
 #include "mechanics/state_transfer.h"
 #include "multigrid/make_tangent_solver.h"

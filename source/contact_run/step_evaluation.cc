@@ -7,7 +7,7 @@
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "base/to_text.h"
+#include "base/text.h"
 #include "contact_run/step_evaluation.h"
 #include "evaluation/element_quality.h"
 #include "mechanics/rigid_body_modes.h"

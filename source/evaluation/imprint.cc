@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <cmath>
-
 #include "base/exceptions.h"
 #include "evaluation/imprint.h"
 #include "evaluation/modelled_part.h"
@@ -36,15 +34,6 @@ namespace ElastoPlastic
 
 
 
-  double
-  contact_radius(const double area, const double part, const bool is_plane)
-  {
-    return is_plane ? 0.5 * area / part :
-                      std::sqrt(area / (part * numbers::PI));
-  }
-
-
-
   // An axis beside the body tells nothing: then the contact is a whole.
   template <int dim>
   Imprint<dim>::Imprint(
@@ -53,8 +42,7 @@ namespace ElastoPlastic
     const parallel::distributed::Triangulation<dim> &triangulation,
     const std::string                               &profile_lines)
     : gap_function(gap_function)
-    , is_plane(dim == 2 &&
-               body.strain_model.kinematics != Kinematics::axisymmetric)
+    , is_plane(is_plane_problem<dim>(body.strain_model.kinematics))
     , has_own_lines(!profile_lines.empty())
     , part(modelled_part(triangulation,
                          body.boundary_conditions.ids(

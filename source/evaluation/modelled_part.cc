@@ -100,9 +100,8 @@ namespace ElastoPlastic
     const GapFunction<dim>                          &gap_function,
     const EvaluationParameters                      &constants)
   {
-    const bool is_plane =
-      dim == 2 && body.strain_model.kinematics != Kinematics::axisymmetric;
-    if (!gap_function.has_indenter() || is_plane)
+    if (!gap_function.has_indenter() ||
+        is_plane_problem<dim>(body.strain_model.kinematics))
       return {};
     const auto boundaries =
       body.boundary_conditions.ids(BoundaryConditionType::contact);

@@ -8,18 +8,6 @@
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    template <int dim>
-    bool
-    is_plane(const StrainModel &strain_model)
-    {
-      return dim == 2 && strain_model.kinematics != Kinematics::axisymmetric;
-    }
-  } // namespace
-
-
-
   template <int dim>
   NominalContact<dim>::NominalContact(
     const LoadedBody<dim>                           &body,
@@ -28,7 +16,7 @@ namespace ElastoPlastic
     const GapFunction<dim>                          &gap_function)
     : shape(indenter.shape)
     , initial_gap(indenter.initial_gap)
-    , in_plane(is_plane<dim>(body.strain_model))
+    , in_plane(is_plane_problem<dim>(body.strain_model.kinematics))
     , part(modelled_part(triangulation,
                          body.boundary_conditions.ids(
                            BoundaryConditionType::contact),
@@ -60,10 +48,7 @@ namespace ElastoPlastic
   double
   NominalContact<dim>::radius(const double area) const
   {
-    if (part == 0.)
-      return 0.;
-    return in_plane ? area / (2 * part) :
-                      std::sqrt(area / (numbers::PI * part));
+    return part == 0. ? 0. : contact_radius(area, part, in_plane);
   }
 
 

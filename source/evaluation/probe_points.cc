@@ -11,10 +11,9 @@
 #include <limits>
 #include <set>
 
-#include "base/as_number.h"
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "base/split.h"
+#include "base/text.h"
 #include "evaluation/probe_points.h"
 #include "mechanics/ghosted_copy.h"
 

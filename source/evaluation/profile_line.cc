@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "base/as_number.h"
 #include "base/exceptions.h"
-#include "base/split.h"
+#include "base/text.h"
 #include "evaluation/profile_line.h"
 
 namespace ElastoPlastic

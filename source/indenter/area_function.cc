@@ -61,7 +61,7 @@ namespace ElastoPlastic
 
 
 
-  // Of the logarithms, which are nearly proportional.
+  // The root is that of the logarithms, which are nearly proportional.
   double
   AreaFunction::height(const double area) const
   {

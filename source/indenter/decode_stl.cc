@@ -11,7 +11,7 @@
 #include <locale>
 #include <string>
 
-#include "indenter/decode_stl.h"
+#include "indenter/height_file.h"
 
 namespace ElastoPlastic
 {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "indenter/indenter_height_map.h"
-#include "indenter/smooth_heights.h"
 
 namespace ElastoPlastic
 {

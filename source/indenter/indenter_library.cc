@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "base/exceptions.h"
-#include "indenter/decode_stl.h"
 #include "indenter/height_file.h"
 #include "indenter/indenter_expression.h"
 #include "indenter/indenter_height_map.h"
-#include "indenter/indenter_library.h"
+#include "indenter/indenter_parameters.h"
 #include "indenter/indenter_pyramid.h"
 #include "indenter/indenter_rectangular_punch.h"
 #include "indenter/indenter_stl_surface.h"

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "base/exceptions.h"
-#include "indenter/indenter_library.h"
 #include "indenter/indenter_parameters.h"
 
 namespace ElastoPlastic

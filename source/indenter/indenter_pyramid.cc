@@ -32,7 +32,7 @@ namespace ElastoPlastic
 
 
 
-    /// Of what is seen from the origin of the arc of the ellipse
+    /// The area between the origin and the arc of the ellipse
     /// x = centre + ratio sqrt(radius^2 - y^2) from 0 to @p y.
     double
     area_within_ellipse(const double centre,

@@ -94,7 +94,7 @@ namespace ElastoPlastic
 
 
 
-    /// Of a triangle's plane, within the triangle's heights.
+    /// The surface is a triangle's plane, within the triangle's heights.
     IndenterSurface<3>
     plane_above(const Facet &facet, const Point<2> &x)
     {

@@ -28,8 +28,8 @@ namespace ElastoPlastic
 
 
 
-  // Of a function f(r): f'' along e = x/r, and in a body of revolution f'/r
-  // along the circle.
+  // The curvature of a function f(r) is f'' along e = x/r, and in a body of
+  // revolution f'/r along the circle.
   template <int dim>
   IndenterSurface<dim>
   IndenterSymmetric<dim>::surface(const Point<dim - 1> &x) const

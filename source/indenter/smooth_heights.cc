@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "indenter/smooth_heights.h"
+#include "indenter/indenter_height_map.h"
 
 namespace ElastoPlastic
 {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "input/entry_reasons.h"
+#include "input/entry_effects.h"
 
 namespace ElastoPlastic
 {
@@ -13,7 +13,7 @@ namespace ElastoPlastic
   {
     using namespace EntryReasons;
 
-    /// That of material @p id, in a list with one for each or one for all.
+    /// The value of material @p id, in a list with one for each or one for all.
     template <typename Value>
     const Value &
     of_material(const std::vector<Value> &list, const unsigned int id)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "input/entry_effects.h"
-#include "input/entry_reasons.h"
 
 namespace ElastoPlastic
 {

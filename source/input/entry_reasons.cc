@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "input/entry_reasons.h"
+#include "input/entry_effects.h"
 
 namespace ElastoPlastic
 {

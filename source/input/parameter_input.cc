@@ -10,9 +10,9 @@
 #include <sstream>
 #include <utility>
 
-#include "base/closest_name.h"
 #include "base/exceptions.h"
 #include "base/input_file.h"
+#include "base/text.h"
 #include "input/parameter_input.h"
 #include "input/parameter_reference.h"
 

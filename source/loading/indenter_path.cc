@@ -5,9 +5,8 @@
 
 #include <cmath>
 
-#include "base/as_number.h"
 #include "base/exceptions.h"
-#include "base/split.h"
+#include "base/text.h"
 #include "loading/indenter_path.h"
 
 namespace ElastoPlastic

@@ -6,9 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "base/as_number.h"
 #include "base/exceptions.h"
-#include "base/split.h"
+#include "base/text.h"
 #include "loading/load_program.h"
 
 namespace ElastoPlastic

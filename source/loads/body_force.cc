@@ -4,7 +4,7 @@
 #include <deal.II/base/utilities.h>
 
 #include "base/exceptions.h"
-#include "base/split.h"
+#include "base/text.h"
 #include "loads/body_force.h"
 
 namespace ElastoPlastic

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "base/exceptions.h"
-#include "base/split.h"
+#include "base/text.h"
 #include "loads/boundary_conditions.h"
 
 namespace ElastoPlastic

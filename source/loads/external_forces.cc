@@ -6,7 +6,7 @@
 
 #include "base/compatibility.h"
 #include "base/rethrow_collectively.h"
-#include "loads/external_forces.h"
+#include "loads/loaded_body.h"
 
 namespace ElastoPlastic
 {

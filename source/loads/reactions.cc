@@ -3,7 +3,7 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
-#include "loads/external_forces.h"
+#include "loads/loaded_body.h"
 #include "loads/reactions.h"
 
 namespace ElastoPlastic

@@ -14,7 +14,8 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// Of the plane through the middles of the edges, and not normalised.
+    /// The normal of the plane through the middles of the edges, not
+    /// normalised.
     template <int dim, typename Face>
     Tensor<1, dim>
     normal_to(const Face &face)

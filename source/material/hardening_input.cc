@@ -3,9 +3,8 @@
 
 #include <cmath>
 
-#include "base/as_number.h"
 #include "base/exceptions.h"
-#include "base/split.h"
+#include "base/text.h"
 #include "material/hardening_input.h"
 
 namespace ElastoPlastic

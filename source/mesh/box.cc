@@ -11,7 +11,7 @@
 
 #include "base/exceptions.h"
 #include "mesh/box.h"
-#include "mesh/circle_in_box.h"
+#include "mesh/disc.h"
 
 namespace ElastoPlastic
 {
@@ -164,7 +164,7 @@ namespace ElastoPlastic
 
 
 
-    /// Of three dimensions.
+    /// The box in space whose top has a circle.
     void
     make_box_with_circle(const BoxParameters                    &p,
                          const std::vector<std::vector<double>> &steps,

@@ -9,7 +9,7 @@
 
 #include "base/exceptions.h"
 #include "mesh/gmsh_contents.h"
-#include "mesh/gmsh_element_type.h"
+#include "mesh/gmsh_scanner.h"
 
 namespace ElastoPlastic
 {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "base/exceptions.h"
 #include "base/input_file.h"
@@ -30,6 +31,29 @@ namespace ElastoPlastic
       const char *const end    = word.data() + word.size();
       const auto [rest, error] = std::from_chars(word.data(), end, value);
       return error == std::errc() && rest == end;
+    }
+
+
+
+    /// Those that are often met and not read.
+    std::string
+    name_of_refused_type(const unsigned int number)
+    {
+      static const std::map<unsigned int, std::string> names = {
+        {2, "triangles"},
+        {9, "triangles"},
+        {4, "tetrahedra"},
+        {11, "tetrahedra"},
+        {6, "prisms"},
+        {13, "prisms"},
+        {18, "prisms"},
+        {7, "pyramids"},
+        {14, "pyramids"},
+        {19, "pyramids"}};
+      const auto name = names.find(number);
+      return name == names.end() ?
+               "elements of Gmsh's type " + std::to_string(number) :
+               name->second;
     }
   } // namespace
 
@@ -156,5 +180,30 @@ namespace ElastoPlastic
   {
     for (; position < text.size() && is_space(text[position]); ++position)
       line += (text[position] == '\n');
+  }
+
+
+
+  const GmshElementType &
+  gmsh_element_type(const unsigned int number, const GmshScanner &scanner)
+  {
+    static const std::map<unsigned int, GmshElementType> types = {
+      {1, {1, 2, 2}},
+      {3, {3, 4, 4}},
+      {5, {5, 8, 8}},
+      {8, {1, 2, 3}},
+      {10, {3, 4, 9}},
+      {12, {5, 8, 27}},
+      {15, {15, 1, 1}},
+      {16, {3, 4, 8}},
+      {17, {5, 8, 20}}};
+    const auto type = types.find(number);
+    if (type == types.end())
+      scanner.fail(
+        "there are " + name_of_refused_type(number) +
+        ", but only quadrilaterals (2D) and hexahedra (3D) of first or second "
+        "order are read. In Gmsh, recombine or use transfinite surfaces and "
+        "volumes, and set the element order to 1.");
+    return type->second;
   }
 } // namespace ElastoPlastic

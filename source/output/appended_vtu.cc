@@ -25,7 +25,7 @@ namespace ElastoPlastic
 
 
 
-    /// Of a file that holds such a @p data_set.
+    /// The first lines of a file that holds such a @p data_set.
     std::string
     begin_of_file(const std::string &data_set)
     {

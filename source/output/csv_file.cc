@@ -9,10 +9,10 @@
 #include <iterator>
 #include <sstream>
 
-#include "base/as_number.h"
 #include "base/exceptions.h"
 #include "base/input_file.h"
 #include "base/rethrow_collectively.h"
+#include "base/text.h"
 #include "output/checked_write.h"
 #include "output/csv_file.h"
 

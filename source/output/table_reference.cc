@@ -7,7 +7,6 @@
 
 #include "output/checked_write.h"
 #include "output/columns.h"
-#include "output/table_reference.h"
 
 namespace ElastoPlastic
 {

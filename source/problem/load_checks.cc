@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,9 +11,8 @@
 #include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
-#include "loads/boundary_points.h"
 #include "mesh/body_size.h"
-#include "problem/load_checks.h"
+#include "problem/problem_checks.h"
 
 namespace ElastoPlastic
 {
@@ -19,6 +21,39 @@ namespace ElastoPlastic
     /// Expressions are evaluated in so many cells of a rank at each time: to
     /// evaluate them in all would take as long as the steps of an elastic body.
     constexpr unsigned int n_sampled_cells = 500;
+
+
+
+    /// Where locally owned cells need the values that are prescribed on
+    /// @p boundaries: the nodes, for displacements, and the quadrature points
+    /// of the faces, for tractions. Each point with its boundary.
+    template <int dim>
+    std::vector<std::pair<types::boundary_id, Point<dim>>>
+    boundary_points(const DoFHandler<dim>              &dof_handler,
+                    const std::set<types::boundary_id> &boundaries)
+    {
+      const auto               &fe = dof_handler.get_fe();
+      const Quadrature<dim - 1> nodes(
+        fe.base_element(0).get_unit_face_support_points());
+      FEFaceValues<dim> at_nodes(fe, nodes, update_quadrature_points);
+      FEFaceValues<dim> at_quadrature_points(fe,
+                                             QGauss<dim - 1>(fe.degree + 1),
+                                             update_quadrature_points);
+
+      std::vector<std::pair<types::boundary_id, Point<dim>>> result;
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary() &&
+                boundaries.count(cell->face(f)->boundary_id()) > 0)
+              for (auto *const points : {&at_nodes, &at_quadrature_points})
+                {
+                  points->reinit(cell, f);
+                  for (const auto &point : points->get_quadrature_points())
+                    result.emplace_back(cell->face(f)->boundary_id(), point);
+                }
+      return result;
+    }
 
 
 

@@ -75,4 +75,19 @@ namespace ElastoPlastic
   remarks_on_holds(const Model<2> &);
   template std::vector<std::string>
   remarks_on_holds(const Model<3> &);
+
+
+
+  std::optional<double>
+  largest_load(const LoadProgram &load_program,
+               TimeSteps          steps,
+               const Control      control)
+  {
+    std::optional<double> largest;
+    for (; !steps.finished(); steps.advance())
+      if (const auto load = load_program.load(steps.next_time());
+          load && load->control == control)
+        largest = std::max(largest.value_or(load->value), load->value);
+    return largest;
+  }
 } // namespace ElastoPlastic

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "indenter/indenter_parameters.h"
 #include "mesh/body_size.h"
 #include "problem/model.h"
 
@@ -28,6 +29,23 @@ namespace ElastoPlastic
       const double K = material.bulk_modulus, G = material.shear_modulus;
       return std::sqrt(1.5) * material.yield_radius * (3. * K + G) /
              (9. * K * G);
+    }
+
+
+
+    /// Bounds of errors are those with the vertical gap. A single step is the
+    /// stationary problem of Johnson, whose contact ends at nodes.
+    ContactParameters
+    contact_of(const Parameters &parameters)
+    {
+      ContactParameters result = parameters.contact;
+      if (parameters.analysis == Analysis::contact_with_error_bound &&
+          result.geometry == ContactGeometry::automatic)
+        result.geometry = ContactGeometry::vertical;
+      if (parameters.loading.is_single_step() &&
+          result.edge == EdgeRule::within_faces)
+        result.edge = EdgeRule::measured_within_faces;
+      return result;
     }
   } // namespace
 
@@ -130,4 +148,30 @@ namespace ElastoPlastic
   make_contact_bounds(const Model<3> &,
                       const GapFunction<3> &,
                       const parallel::distributed::Triangulation<3> &);
+
+
+
+  template <int dim>
+  Model<dim>
+  make_model(const Parameters &parameters)
+  {
+    const Geometry<dim> geometry(parameters.geometry);
+    return {{BoundaryConditions<dim>(parameters.boundary_conditions,
+                                     geometry.boundary_names()),
+             BodyForce<dim>(parameters.body_force.components),
+             parameters.discretization.strain_model()},
+            geometry,
+            parameters.discretization.degree,
+            parameters.material.materials(),
+            make_indenter<dim>(parameters.indenter),
+            contact_of(parameters),
+            LoadProgram(parameters.loading)};
+  }
+
+
+
+  template Model<2>
+  make_model(const Parameters &);
+  template Model<3>
+  make_model(const Parameters &);
 } // namespace ElastoPlastic

@@ -15,7 +15,6 @@
 #include "base/exceptions.h"
 #include "evaluation/modelled_part.h"
 #include "evaluation/nominal_contact.h"
-#include "loading/largest_load.h"
 #include "mesh/body_size.h"
 #include "problem/load_history.h"
 #include "problem/problem_checks.h"

@@ -12,9 +12,9 @@
 #include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
-#include "loads/external_forces.h"
+#include "loads/loaded_body.h"
 #include "mechanics/rigid_body_modes.h"
-#include "problem/support_checks.h"
+#include "problem/problem_checks.h"
 
 namespace ElastoPlastic
 {

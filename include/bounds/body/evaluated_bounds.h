@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/exceptions.h"
-#include "base/to_text.h"
+#include "base/text.h"
 #include "bounds/body/loads.h"
 #include "bounds/conic/certificate.h"
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from ..errors import UserError
 from ..oliver_pharr import HIGHEST_SHARE, LOWEST_SHARE, Tip
+from ..pyramids import PYRAMIDS
 from .corrections import from_zero_point, without_drift, without_frame
 from .curve import in_own_units
 from .evaluation import Constants, evaluate_indent
@@ -14,7 +15,7 @@ from .lengths import Length
 from .readers import read_raw
 from .results import ResultsTable
 from .segments import find_segments
-from .tips import PYRAMIDS, polynomial, read_area, tip_of_instrument
+from .tips import polynomial, read_area, tip_of_instrument
 from .units import factor
 
 DIAMOND = (1141., 0.07)

@@ -10,9 +10,6 @@ from ..errors import UserError
 from ..oliver_pharr import Tip, fit_unloading
 from .texts import decode, is_number, lines_of, read_bytes, to_number
 
-# Angles between axis and faces, in degrees, and the number of faces.
-PYRAMIDS = {"berkovich": (3, 65.27), "vickers": (4, 68.), "cube_corner": (3, 35.264)}
-
 # The section of a sharp tip over the square of its height, of which a rounded one differs by a shift of the depth.
 SHARP = 24.5
 

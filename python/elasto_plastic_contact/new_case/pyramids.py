@@ -6,6 +6,8 @@ finite strains and a mesh whose cells grow with the distance from the tip."""
 import math
 from dataclasses import dataclass
 
+from ..pyramids import PYRAMIDS as STANDARD
+from ..pyramids import area_factor
 from .case import Case
 from .contact import Tip, expected_radius
 from .revolution import set_friction, set_materials, units_of
@@ -24,15 +26,14 @@ class Pyramid:
     @property
     def tip(self):
         """The cone of the same area."""
-        area = self.n_faces * math.tan(math.pi / self.n_faces) * math.tan(math.radians(self.face_angle)) ** 2
-        return Tip(None, math.sqrt(math.pi / area))
+        return Tip(None, math.sqrt(math.pi / area_factor(self.n_faces, self.face_angle)))
 
 
 PYRAMIDS = {
-    "berkovich": Pyramid("Berkovich's pyramid", 3, 65.27),
-    "vickers": Pyramid("Vickers' pyramid", 4, 68.),
+    "berkovich": Pyramid("Berkovich's pyramid", *STANDARD["berkovich"]),
+    "vickers": Pyramid("Vickers' pyramid", *STANDARD["vickers"]),
     # (Without friction, elements beside such a sharp edge collapse: doc/lookup/new_cases.md.)
-    "cube-corner": Pyramid("the corner of a cube", 3, 35.2644, 0.15),
+    "cube-corner": Pyramid("the corner of a cube", *STANDARD["cube_corner"], 0.15),
 }
 
 

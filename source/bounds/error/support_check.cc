@@ -9,7 +9,7 @@
 
 #include "base/exceptions.h"
 #include "base/largest_error.h"
-#include "base/to_text.h"
+#include "base/text.h"
 #include "bounds/error/support_check.h"
 
 namespace ElastoPlastic
