@@ -9,11 +9,9 @@
 #include "contact_run/elasto_plastic_contact.h"
 #include "evaluation/modelled_part.h"
 #include "mesh/material_ids.h"
-#include "output/table_reference.h"
-#include "problem/load_checks.h"
+#include "output/columns.h"
 #include "problem/load_history.h"
 #include "problem/problem_checks.h"
-#include "problem/support_checks.h"
 
 namespace ElastoPlastic
 {
