@@ -14,6 +14,7 @@
 #include "contact_run/mesh_adaptation.h"
 #include "contact_run/solution_output.h"
 #include "contact_run/step_evaluation.h"
+#include "contact_run/unloading_stiffness.h"
 #include "input/parameters.h"
 #include "loading/load_program.h"
 #include "loading/time_steps.h"
@@ -158,6 +159,8 @@ namespace ElastoPlastic
     StepEvaluation<dim> evaluation;
     ErrorEstimate<dim>  error_estimate;
     SolutionOutput<dim> output;
+
+    UnloadingStiffness<dim> unloading_stiffness;
 
     // The folder of the results, and the last checkpoint in it; and whether a
     // step is under way that can be taken back when the user wants to stop.

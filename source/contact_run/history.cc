@@ -36,6 +36,7 @@ namespace ElastoPlastic
              body,
              error_estimate,
              timer)
+    , unloading_stiffness(body, parameters.linear_solver, log, timer)
     , output_directory(communicator, parameters.output.directory)
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
@@ -193,6 +194,8 @@ namespace ElastoPlastic
             SolveResult      result = solve_on_mesh_sequence(statistics);
             const StepResult step   = evaluation.of_step(result);
             commit_step(result);
+            if (parameters.evaluation.continuous_stiffness)
+              result.contact_stiffness = unloading_stiffness.compute();
             statistics.add_step(step);
             evaluation.warn_of_limits(result);
             step_is_under_way = false;
