@@ -16,7 +16,7 @@ namespace ElastoPlastic
   {
     /// The linear system is solved so well that its error is below that of the
     /// tangents, which are stored in single precision.
-    constexpr double reduction = 1e-8;
+    constexpr double residual_reduction = 1e-8;
 
 
 
@@ -162,7 +162,7 @@ namespace ElastoPlastic
     elastic_solid->initialize_vector(motion);
     unknowns.set_leading_value(unit_force, 1.);
     tangent_solver->prepare(unknowns);
-    tangent_solver->solve(motion, unit_force, reduction);
+    tangent_solver->solve(motion, unit_force, residual_reduction);
     return 1. / unknowns.leading_value(motion);
   }
 
