@@ -15,12 +15,13 @@ columns depth and force and no units, and those with --factors: these print the 
 (doc/lookup/tables.md) for each unloading, in the units of the curve. Depths are counted from zero_point, the depth at the
 first contact.
 
+    epc evaluate measured.csv --cone 70.3 --beta 1.034
+    epc evaluate measured.csv --run output/cone_axisymmetric --output both.png
+
 A folder with results alone: hardness numbers of that run in their own units, Brinell's of a sphere, Vickers' (by the
 contact area, and by the residual diagonal of the imprint) and Martens' of a pyramid.
 
     epc evaluate output/vickers_sector
-    epc evaluate measured.csv --cone 70.3 --beta 1.034
-    epc evaluate measured.csv --run output/cone_axisymmetric --output both.png
 """
 
 import dataclasses
