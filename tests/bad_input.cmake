@@ -494,6 +494,8 @@ add_entry_test(probe_outside "entry 'Output/Probe points' is 'a: 0.6, 1.5', but 
 add_entry_test(evaluation_beta "entry 'Evaluation/Beta' is '0', but it must be greater than 0" Evaluation/Beta=0)
 add_entry_test(evaluation_modulus "entry 'Evaluation/Young's modulus of the indenter' is '-1', but it must not be negative" "Evaluation/Young's modulus of the indenter=-1")
 add_entry_test(evaluation_poisson "entry 'Evaluation/Poisson's ratio of the indenter' is '0.6', but it must lie between -1 and 0.5" "Evaluation/Poisson's ratio of the indenter=0.6")
+add_entry_test(continuous_stiffness_of_single_step "entry 'Evaluation/Continuous stiffness' is 'true', but it is found in load histories, and there is a single load step" "Evaluation/Continuous stiffness=true" "Loading/Number of steps=1")
+add_entry_test(continuous_stiffness_without_indenter "entry 'Evaluation/Continuous stiffness' is 'true', but it is that of a contact with an indenter" "Evaluation/Continuous stiffness=true" Indenter/Type=none "Boundary conditions/Contact=")
 add_entry_test(evaluation_epsilon "entry 'Evaluation/Epsilon' is '1.5', but it must lie between 0.* and 1" Evaluation/Epsilon=1.5)
 
 # In two dimensions, the two bounds of the limit load decide before anything is

@@ -107,6 +107,13 @@ namespace
                               force(largest_depth) / PI /
                                 std::pow(radius(largest_depth), 2)),
                1e-12);
+        const UnloadingResult continuous =
+          test.with_stiffness(result->maximum,
+                              part * 2. * modulus * radius(largest_depth));
+        verify(title + "modulus from the stiffness alone, area of the tip",
+               relative_error(continuous.reduced_modulus(continuous.tip_area),
+                              modulus),
+               1e-9);
       }
   }
 

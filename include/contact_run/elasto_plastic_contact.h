@@ -13,6 +13,7 @@
 #include "contact_run/mesh_adaptation.h"
 #include "contact_run/solution_output.h"
 #include "contact_run/step_evaluation.h"
+#include "contact_run/unloading_stiffness.h"
 #include "input/parameters.h"
 #include "output/log.h"
 #include "output/statistics.h"
@@ -126,6 +127,8 @@ namespace ElastoPlastic
     StepEvaluation<dim> evaluation;
     ErrorEstimate<dim>  error_estimate;
     SolutionOutput<dim> output;
+
+    UnloadingStiffness<dim> unloading_stiffness;
 
     // The folder of the results, and the last checkpoint in it.
     OutputDirectory  output_directory;

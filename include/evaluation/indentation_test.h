@@ -46,6 +46,8 @@ namespace ElastoPlastic
     /// Of the indenter's material: Young's modulus, 0 if it is rigid, and
     /// Poisson's ratio.
     double indenter_modulus = 0, indenter_ratio = 0.07;
+    /// Whether the stiffness of a small unloading is found at each step.
+    bool continuous_stiffness = false;
 
     /// (1 - nu^2) / E of the indenter; 0 if it is rigid.
     double
@@ -129,6 +131,12 @@ namespace ElastoPlastic
     /// on the new one.
     void
     change_mesh(const IndentationPoint &before, const IndentationPoint &after);
+
+    /// What @p stiffness, with which an unloading from @p maximum on begins,
+    /// says about the material; without a fitted law. Collective.
+    UnloadingResult
+    with_stiffness(const IndentationPoint &maximum,
+                   const double            stiffness) const;
 
     /// The test is over. @return the result of an unloading that goes on until
     /// then and has not been returned yet. Collective.

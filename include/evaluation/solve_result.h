@@ -48,9 +48,11 @@ namespace ElastoPlastic
     /// See MeanForce; not a number where nothing has entered or left.
     double mean_depth = std::numeric_limits<double>::quiet_NaN();
     double mean_force = std::numeric_limits<double>::quiet_NaN();
+    /// See UnloadingStiffness; not a number if it has not been computed.
+    double contact_stiffness = std::numeric_limits<double>::quiet_NaN();
 
-    /// (But for the estimated error, which belongs to one mesh, and the means,
-    /// which belong to one step.)
+    /// (But for the estimated error, which belongs to one mesh, and the means
+    /// and the contact stiffness, which belong to one step.)
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int /* version */)

@@ -101,6 +101,11 @@ namespace ElastoPlastic
   const Columns<UnloadingResult> &
   indentation_columns();
 
+  /// The columns of continuous_stiffness.csv: a row per converged load step
+  /// whose UnloadingStiffness has been found.
+  const Columns<UnloadingResult> &
+  continuous_stiffness_columns();
+
   /// The columns of limit_load.csv: a row per mesh.
   const Columns<LimitLoadRow> &
   limit_load_columns();

@@ -27,8 +27,10 @@ namespace ElastoPlastic
   /// reactions.csv and probes.csv (a row per converged load step),
   /// surface_profile.csv (a row per point of the contact surface, for some
   /// steps), mesh_changes.csv (a row per change of the mesh between two load
-  /// steps), and indentation.csv (a row per unloading that can be evaluated).
-  /// Without rows there is no surface_profile.csv and no indentation.csv.
+  /// steps), indentation.csv (a row per unloading that can be evaluated), and
+  /// continuous_stiffness.csv (a row per load step with a contact stiffness).
+  /// Without rows there is none of surface_profile.csv, indentation.csv and
+  /// continuous_stiffness.csv.
   class Statistics
   {
   public:
@@ -41,12 +43,15 @@ namespace ElastoPlastic
 
       IndentationTest::Progress unloading;
 
+      unsigned int continuous_stiffness = 0;
+
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int /* version */)
       {
         archive &statistics &history &reactions             &probes;
         archive &surface_profile &mesh_changes &indentation &unloading;
+        archive &continuous_stiffness;
       }
     };
 
@@ -100,6 +105,13 @@ namespace ElastoPlastic
     void
     make_indentation(const unsigned int n_rows);
 
+    void
+    make_continuous_stiffness(const unsigned int n_rows);
+
+    /// If a stiffness has been found in this step. @throws InputError
+    void
+    add_stiffness(const SolveResult &result);
+
     /// Adds the result of @p evaluate, if there is one. @throws InputError
     void
     evaluate_unloading(
@@ -115,7 +127,7 @@ namespace ElastoPlastic
     CsvFile                                  probes;
     std::optional<CsvTable<SurfaceRow>>      surface_profile;
     CsvTable<MeshChange>                     mesh_changes;
-    std::optional<CsvTable<UnloadingResult>> indentation;
+    std::optional<CsvTable<UnloadingResult>> indentation, continuous_stiffness;
 
     std::optional<IndentationTest> indentation_test;
   };

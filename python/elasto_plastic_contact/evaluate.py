@@ -17,9 +17,15 @@ first contact.
 
     epc evaluate measured.csv --cone 70.3 --beta 1.034
     epc evaluate measured.csv --run output/cone_axisymmetric --output both.png
+
+A folder with results alone: hardness numbers of that run in their own units, Brinell's of a sphere, Vickers' (by the
+contact area, and by the residual diagonal of the imprint) and Martens' of a pyramid.
+
+    epc evaluate output/vickers_sector
 """
 
 import dataclasses
+import os
 
 import numpy
 
@@ -65,7 +71,7 @@ def units_of_run(run, arguments):
         unit = given or run.parameters.get(f"Output/{entry} unit", "")
         if factor(kind, unit) is None:
             raise UserError(f"the run in '{run.directory}' has the unit of {kind} '{unit}', which is none of "
-                            f"{', '.join(FACTORS[kind])}: give it by --{kind}-unit, as the curve has units of its own")
+                            f"{', '.join(FACTORS[kind])}: give it by --{kind}-unit")
         found.append(factor(kind, tidy(unit)))
     return found
 
@@ -211,10 +217,20 @@ def has_own_units(arguments):
 
 def main(arguments):
     arguments = parse_arguments(arguments, __doc__)
+    if not arguments.run and len(arguments.curve) == 1 and os.path.isdir(arguments.curve[0]):
+        return evaluate_run(arguments)
     if arguments.run or has_own_units(arguments):
         return compare(arguments)
     from .measured.command import evaluate_and_show  # (which needs none of the above)
     return evaluate_and_show(arguments)
+
+
+def evaluate_run(arguments):
+    """The hardness numbers of a run."""
+    from .hardness_numbers import show
+    run = run_to_compare(arguments.curve[0])
+    length, force = units_of_run(run, arguments)
+    return show(run, length / FACTORS["length"]["mm"], force / FACTORS["force"]["N"])
 
 
 def compare(arguments):

@@ -16,6 +16,7 @@ from .tables import read_table
 ORIGINS = {
     "surface_profile.csv": "it takes an indenter, and 'Output/Surface profile' other than 'none'",
     "indentation.csv": "it takes an indenter whose force falls, with three load steps between 95 and 50 % of its largest value",
+    "continuous_stiffness.csv": "it takes 'Evaluation/Continuous stiffness = true' and a contact",
     "error_bound.csv": "it takes 'Analysis = contact with error bound'",
 }
 

@@ -41,6 +41,7 @@ namespace ElastoPlastic
              body,
              error_estimate,
              timer)
+    , unloading_stiffness(body, parameters.linear_solver, log, timer)
     , output_directory(communicator, parameters.output.directory)
     , checkpoint(communicator, parameters.output.directory, parameters.entries)
   {
@@ -207,6 +208,8 @@ namespace ElastoPlastic
         SolveResult      result = solve_on_mesh_sequence(statistics);
         const StepResult row    = evaluation.of_step(result);
         step.commit(result);
+        if (parameters.evaluation.continuous_stiffness)
+          result.contact_stiffness = unloading_stiffness.compute();
         evaluation.note(result, step.last());
         statistics.add_step(row);
         evaluation.warn_of_limits(result);

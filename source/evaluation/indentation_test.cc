@@ -46,6 +46,14 @@ namespace ElastoPlastic
       "nu_i of the entry above; the default is that of diamond. Allowed: between "
       "-1, excluded, and 0.5.",
       Patterns::Double());
+    prm.add_parameter(
+      "Continuous stiffness",
+      continuous_stiffness,
+      "Whether the stiffness with which a small unloading would begin is found "
+      "at the end of each load step, from one linear system with the elastic "
+      "tangent: the column contact_stiffness of history.csv and, with hardness "
+      "and modulus at each depth, continuous_stiffness.csv. It changes nothing "
+      "of the run. For load histories with an indenter.");
     prm.leave_subsection();
   }
 
@@ -164,8 +172,7 @@ namespace ElastoPlastic
 
 
   // Forces that are prescribed in equal steps hit the ends of the range, up to
-  // rounding; and a flat punch touches an elastic body at the depth zero, up to
-  // the error of the fit.
+  // rounding.
   std::optional<UnloadingResult>
   IndentationTest::evaluate()
   {
@@ -181,10 +188,25 @@ namespace ElastoPlastic
     if (points.size() < 3)
       return {};
 
+    const PowerLaw          law     = fit_power_law(points);
+    const IndentationPoint &maximum = memory.unloading.front();
+    UnloadingResult         result =
+      with_stiffness(maximum, law.stiffness(maximum.depth));
+    result.law = law;
+    return result;
+  }
+
+
+
+  // A flat punch touches an elastic body at the depth zero, up to the error of
+  // the fit.
+  UnloadingResult
+  IndentationTest::with_stiffness(const IndentationPoint &maximum,
+                                  const double            stiffness) const
+  {
     UnloadingResult result;
-    result.maximum             = memory.unloading.front();
-    result.law                 = fit_power_law(points);
-    result.stiffness           = result.law.stiffness(result.maximum.depth);
+    result.maximum             = maximum;
+    result.stiffness           = stiffness;
     result.modelled_part       = modelled_part;
     result.beta                = constants.beta;
     result.indenter_compliance = constants.indenter_compliance();

@@ -305,7 +305,10 @@ namespace ElastoPlastic
       const Reason profile = without("Output/Surface profile", "none");
       add(effects,
           "Evaluation",
-          {"Beta", "Epsilon", "Young's modulus of the indenter"},
+          {"Beta",
+           "Epsilon",
+           "Young's modulus of the indenter",
+           "Continuous stiffness"},
           all({of_contact, with_several_steps()}));
       add(effects,
           "Evaluation",

@@ -47,6 +47,28 @@ namespace ElastoPlastic
       return text.str();
     }
 
+
+
+    // Without a next step, the points do not remember where they are.
+    void
+    check_continuous_stiffness(const Parameters &parameters)
+    {
+      if (!parameters.evaluation.continuous_stiffness)
+        return;
+      const std::string entry = "Evaluation/Continuous stiffness";
+      if (!parameters.indenter.is_present() ||
+          parameters.analysis == Analysis::limit_load)
+        throw InputError(entry,
+                         "true",
+                         "it is that of a contact with an indenter, which "
+                         "there is not. Set it to false.");
+      if (parameters.loading.is_single_step())
+        throw InputError(entry,
+                         "true",
+                         "it is found in load histories, and there is a single "
+                         "load step. Set 'Loading/Number of steps' to 2 or "
+                         "more.");
+    }
   } // namespace
 
 
@@ -169,6 +191,7 @@ namespace ElastoPlastic
     newton.check();
     output.check();
     evaluation.check();
+    check_continuous_stiffness(*this);
 
     const bool has_contact_boundary = !boundary_conditions.contact.empty();
     if (!indenter.is_present() && has_contact_boundary)

@@ -93,7 +93,8 @@ namespace ElastoPlastic
       {"frictional_dissipation", "force x length", "work of the friction between indenter and body since the virgin state", &R::frictional_dissipation},
       {"min_scaled_jacobian", "1", "with finite strains the smallest of all corners of the deformed elements: 1 for right angles, 0 where a corner has collapsed, negative where it is turned inside out; always 1 with small strains", &R::min_scaled_jacobian},
       {"mean_depth", "length", "where `mean_force` belongs to", &R::mean_depth},
-      {"mean_force", "force", "the work of the force over the change of depth since nodes entered or left the contact the last time, if some have in this step; else `nan`. Smooth where `force` waves from node to node, if several steps lie between", &R::mean_force}};
+      {"mean_force", "force", "the work of the force over the change of depth since nodes entered or left the contact the last time, if some have in this step; else `nan`. Smooth where `force` waves from node to node, if several steps lie between", &R::mean_force},
+      {"contact_stiffness", "force / length", "with `Evaluation/Continuous stiffness`: the derivative of the force with respect to the depth with which a small unloading would begin; else, and without contact, `nan`", &R::contact_stiffness}};
     return columns;
   }
 
@@ -188,6 +189,28 @@ namespace ElastoPlastic
       {"tip_area", "area", "the section of the tip there; if the surface of the body is curved, what tip and undeformed surface overlap there, seen from above. 0, as are the next two, if there is none: on a level surface, a cylinder in three dimensions, a height map", &R::tip_area},
       {"tip_hardness", "stress", "with tip_area: what a laboratory would find", [](const R &r) { return r.hardness(r.tip_area); }},
       {"tip_reduced_modulus", "stress", "the same with tip_area: what a laboratory would find", [](const R &r) { return r.reduced_modulus(r.tip_area); }}};
+    return columns;
+  }
+
+
+
+  const Columns<UnloadingResult> &
+  continuous_stiffness_columns()
+  {
+    using R = UnloadingResult;
+    static const Columns<R> columns = {
+      {"step", "1", "load step", [](const R &r) { return r.maximum.step; }},
+      {"time", "time", "at its end", [](const R &r) { return r.maximum.time; }},
+      {"depth", "length", "of the indenter, as in history.csv", [](const R &r) { return r.maximum.depth; }},
+      {"whole_force", "force", "of the whole indenter, parts beyond planes of symmetry included, as a laboratory measures it", [](const R &r) { return r.maximum.force / r.modelled_part; }},
+      {"whole_stiffness", "force / length", "of a small unloading, of the whole indenter", [](const R &r) { return r.stiffness / r.modelled_part; }},
+      {"whole_contact_area", "area", "contact_area of history.csv, of the whole indenter: the true one, pile-up included", [](const R &r) { return r.maximum.contact_area / r.modelled_part; }},
+      {"hardness", "stress", "with whole_contact_area", [](const R &r) { return r.hardness(r.maximum.contact_area); }},
+      {"reduced_modulus", "stress", "with whole_contact_area, as in indentation.csv", [](const R &r) { return r.reduced_modulus(r.maximum.contact_area); }},
+      {"contact_depth", "length", "how deep the tip touches, by Oliver and Pharr, with `Evaluation/Epsilon`", &R::contact_depth},
+      {"whole_tip_area", "area", "the section of the whole tip there, as in indentation.csv; 0, as are the next two, if there is none", [](const R &r) { return r.tip_area / r.modelled_part; }},
+      {"tip_hardness", "stress", "with whole_tip_area: what a laboratory would find", [](const R &r) { return r.hardness(r.tip_area); }},
+      {"tip_reduced_modulus", "stress", "the same with whole_tip_area", [](const R &r) { return r.reduced_modulus(r.tip_area); }}};
     return columns;
   }
 

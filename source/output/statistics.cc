@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cmath>
+
 #include "output/statistics.h"
 
 namespace ElastoPlastic
@@ -79,6 +81,8 @@ namespace ElastoPlastic
         this->indentation_test->resume(progress.unloading);
         if (progress.indentation > 0)
           make_indentation(progress.indentation);
+        if (progress.continuous_stiffness > 0)
+          make_continuous_stiffness(progress.continuous_stiffness);
       }
     for (CsvFile *table : tables())
       table->open();
@@ -95,6 +99,8 @@ namespace ElastoPlastic
       result.push_back(&*surface_profile);
     if (indentation)
       result.push_back(&*indentation);
+    if (continuous_stiffness)
+      result.push_back(&*continuous_stiffness);
     return result;
   }
 
@@ -111,7 +117,8 @@ namespace ElastoPlastic
             mesh_changes.n_rows(),
             indentation ? indentation->n_rows() : 0,
             indentation_test ? indentation_test->progress() :
-                               IndentationTest::Progress()};
+                               IndentationTest::Progress(),
+            continuous_stiffness ? continuous_stiffness->n_rows() : 0};
   }
 
 
@@ -148,6 +155,7 @@ namespace ElastoPlastic
           }
         surface_profile->add_all(result.surface_profile);
       }
+    add_stiffness(result.solve);
     evaluate_unloading(
       [&]() { return indentation_test->add(indentation_point(result.solve)); });
   }
@@ -180,6 +188,34 @@ namespace ElastoPlastic
                         directory + "/indentation.csv",
                         indentation_columns(),
                         n_rows);
+  }
+
+
+
+  void
+  Statistics::make_continuous_stiffness(const unsigned int n_rows)
+  {
+    continuous_stiffness.emplace(communicator,
+                                 directory + "/continuous_stiffness.csv",
+                                 continuous_stiffness_columns(),
+                                 n_rows);
+  }
+
+
+
+  void
+  Statistics::add_stiffness(const SolveResult &result)
+  {
+    if (!indentation_test || std::isnan(result.contact_stiffness))
+      return;
+    if (!continuous_stiffness)
+      {
+        make_continuous_stiffness(0);
+        continuous_stiffness->open();
+      }
+    continuous_stiffness->add(
+      indentation_test->with_stiffness(indentation_point(result),
+                                       result.contact_stiffness));
   }
 
 

@@ -61,6 +61,12 @@ namespace ElastoPlastic
                   out);
     print_columns(
       "indentation.csv", "unloading", indentation_columns(), units, out);
+    print_columns("continuous_stiffness.csv",
+                  "converged load step in contact, with `Evaluation/Continuous "
+                  "stiffness`",
+                  continuous_stiffness_columns(),
+                  units,
+                  out);
     print_columns("limit_load.csv", "mesh", limit_load_columns(), units, out);
     print_columns("error_bound.csv", "mesh", error_bound_columns(), units, out);
   }

@@ -38,7 +38,7 @@ namespace ElastoPlastic
     {
       static const std::regex names(
         "parameters\\.prm|tables\\.md|"
-        "(history|statistics|reactions|probes|surface_profile|mesh_changes|indentation|limit_load|error_bound)"
+        "(history|statistics|reactions|probes|surface_profile|mesh_changes|indentation|continuous_stiffness|limit_load|error_bound)"
         "\\.csv(\\.new)?|"
         "(solution|surface|limit_load|slip_lines|equilibrium)\\.pvd|"
         "(solution|surface)-([0-9]{3,}|last)(\\.pvtu|\\.[0-9]{4,}\\.vtu)|"

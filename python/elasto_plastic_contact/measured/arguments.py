@@ -134,7 +134,8 @@ def add_results(parser):
 def parse_arguments(arguments, description):
     """Raises UserError of those that contradict each other."""
     parser = CommandParser("evaluate", description)
-    parser.add_argument("curve", nargs="+", metavar="FILE", help="measured curves; several files are several indents")
+    parser.add_argument("curve", nargs="+", metavar="FILE", help="measured curves; several files are several indents; or the folder of "
+                                                                    "a run")
     for add in (add_reading, add_tip, add_corrections, add_evaluation, add_results):
         add(parser)
     chosen = parser.parse_args(arguments)

@@ -30,6 +30,7 @@ from .limit_load_runs import limit_load_runs
 from .loads import body_force, limit_load_factors
 from .hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
+from .continuous_stiffness import continuous_stiffness
 from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
                           johnson_limit, load_cycles, pyramid_sectors, sectors)
 from .job_preview import curved_body, job_preview
@@ -295,7 +296,7 @@ ALL = {
                      force_control, hertz, hertz_axisymmetric, hertz_cylinder,
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space, sectors, pyramid_sectors,
-                     sphere_indentation, cone_indentation, contact_edge, contact_mesh, contact_pressure, imprint,
+                     sphere_indentation, cone_indentation, continuous_stiffness, contact_edge, contact_mesh, contact_pressure, imprint,
                      imprint_ranks, probes, mean_strain_of_rings, strip_punch, strip_punch_locks,
                      limit_load, limit_load_revolution, limit_load_space, limit_load_factors, body_force, blas_kernels,
                      safe_load, error_bound, error_bound_ranks,

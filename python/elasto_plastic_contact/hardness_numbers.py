@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Hardness numbers of a run in their own units: Brinell and Vickers in kgf/mm² (ISO 6506-1, 6507-1), Martens in N/mm²
+(ISO 14577-1). Forces are in N and lengths in mm, of the whole indenter; Results need NumPy."""
+
+import math
+
+from .errors import UserError
+from .new_case.revolution import STANDARD_GRAVITY
+
+VICKERS_ANGLE = 68.  # between faces and axis
+
+
+def brinell(force, ball, imprint):
+    """HBW: the force over the curved surface of an imprint of this diameter, by a ball of that diameter."""
+    if not 0. < imprint <= ball:
+        raise UserError(f"the imprint's diameter is {imprint:g}, but must be above 0 and at most that of the ball, {ball:g}")
+    surface = 0.5 * math.pi * ball * (ball - math.sqrt(ball ** 2 - imprint ** 2))
+    return force / STANDARD_GRAVITY / surface
+
+
+def vickers(force, diagonal):
+    """HV: the force over the inclined surface of an imprint with this (mean) diagonal."""
+    return 2. * math.sin(math.radians(VICKERS_ANGLE)) * force / STANDARD_GRAVITY / diagonal ** 2
+
+
+def martens(force, depth, n_faces, face_angle):
+    """HM: the force over the surface of a sharp pyramid below the undeformed surface; 26.43 h^2 for Vickers'."""
+    angle = math.radians(face_angle)
+    return force / (n_faces * math.tan(math.pi / n_faces) * math.tan(angle) ** 2 / math.sin(angle) * depth ** 2)
+
+
+def residual_diagonal(run):
+    """Of a Vickers imprint without load, in the unit of the run: twice how far the outermost point that has touched an
+    edge of the pyramid at the largest force is from the axis then. None without a line of surface_profile.csv along an edge,
+    at both times."""
+    largest = run.history[int(run.history["force"].argmax())]
+    unloaded = run.history[-1]
+    if unloaded["force"] > 1e-3 * largest["force"] or not run.has("surface_profile.csv"):
+        return None
+    at_largest, at_end = (points_below_edge(run, step) for step in (largest["step"], unloaded["step"]))
+    touching = [name for name, (pressure, _) in at_largest.items() if pressure > 0.]
+    common = [name for name in touching if name in at_end]
+    if not common:
+        return None
+    return 2. * max(at_end[name][1] for name in common)
+
+
+def points_below_edge(run, step):
+    """Pressure, and distance from the axis as it is then, of the points of surface_profile.csv below an edge of the
+    pyramid in this step, by their undeformed places."""
+    position = run.numbers("Indenter/Position") or [0., 0.]
+    to_edges = math.radians(run.number("Indenter/Rotation") + 45.)
+    found = {}
+    for row in run.table("surface_profile"):
+        x, y = row["x"] - position[0], row["y"] - position[1]
+        if row["step"] != step or abs(math.sin(2. * (math.atan2(y, x) - to_edges))) > 1e-6:
+            continue
+        found[row["x"], row["y"]] = (row["contact_pressure"],
+                                     math.hypot(x + row["displacement_x"], y + row["displacement_y"]))
+    return found
+
+
+def numbers_of_run(run, millimetre, newton):
+    """Name, value and unit of what the indenter of a run is made for. millimetre, newton: what to multiply lengths and
+    forces of the run by. Raises UserError."""
+    row = run.history[int(run.history["force"].argmax())]
+    shape, force = run.parameters.get("Indenter/Type"), newton * row["force"] / run.modelled_part
+    area = math.pi * (millimetre * row["contact_radius"]) ** 2
+    if shape == "sphere":
+        ball, imprint = 2. * millimetre * run.number("Indenter/Radius"), 2. * millimetre * row["contact_radius"]
+        return [("force", force, "N"), ("diameter", imprint, "mm"), ("HBW", brinell(force, ball, imprint), "kgf/mm²")]
+    if shape != "pyramid":
+        raise UserError(f"the indenter of the run in '{run.directory}', '{shape}', has no hardness number: there are "
+                        "Brinell's of a sphere, Vickers' and Martens' of a pyramid")
+    pyramid = int(run.number("Indenter/Number of faces")), run.number("Indenter/Face angle")
+    depth = millimetre * (row["depth"] - run.number("Indenter/Initial gap"))
+    found = [("force", force, "N"), ("HM", martens(force, depth, *pyramid), "N/mm²")]
+    if pyramid == (4, VICKERS_ANGLE):
+        diagonal = math.sqrt(2. * area)
+        found += [("diagonal_of_area", diagonal, "mm"), ("HV_of_area", vickers(force, diagonal), "kgf/mm²")]
+        residual = residual_diagonal(run)
+        if residual is not None:
+            residual *= millimetre
+            found += [("residual_diagonal", residual, "mm"), ("HV", vickers(force, residual), "kgf/mm²")]
+    return found
+
+
+def show(run, millimetre, newton):
+    print("quantity,value,unit")
+    for name, value, unit in numbers_of_run(run, millimetre, newton):
+        print(f"{name},{value:.6g},{unit}")
+    return 0
