@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "evaluation/rate_test.h"
 #include "output/columns.h"
 
 namespace ElastoPlastic
@@ -27,8 +28,9 @@ namespace ElastoPlastic
   /// reactions.csv and probes.csv (a row per converged load step),
   /// surface_profile.csv (a row per point of the contact surface, for some
   /// steps), mesh_changes.csv (a row per change of the mesh between two load
-  /// steps), and indentation.csv (a row per unloading that can be evaluated).
-  /// Without rows there is no surface_profile.csv and no indentation.csv.
+  /// steps), and indentation.csv (a row per unloading, hold and jump of the
+  /// rate that can be evaluated). Without rows there is no surface_profile.csv
+  /// and no indentation.csv.
   class Statistics
   {
   public:
@@ -40,13 +42,14 @@ namespace ElastoPlastic
       unsigned int surface_profile = 0, mesh_changes = 0, indentation = 0;
 
       IndentationTest::Progress unloading;
+      RateTest::Progress        rates;
 
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int /* version */)
       {
-        archive &statistics &history &reactions             &probes;
-        archive &surface_profile &mesh_changes &indentation &unloading;
+        archive &statistics &history &reactions                        &probes;
+        archive &surface_profile &mesh_changes &indentation &unloading &rates;
       }
     };
 
@@ -65,6 +68,7 @@ namespace ElastoPlastic
                const std::string                    &directory,
                const Names                          &names,
                const std::optional<IndentationTest> &indentation_test,
+               const std::optional<RateTest>        &rate_test,
                const Progress                       &progress);
 
     Progress
@@ -100,10 +104,9 @@ namespace ElastoPlastic
     void
     make_indentation(const unsigned int n_rows);
 
-    /// Adds the result of @p evaluate, if there is one. @throws InputError
+    /// Adds @p result, if there is one. @throws InputError
     void
-    evaluate_unloading(
-      const std::function<std::optional<UnloadingResult>()> &evaluate);
+    add_indentation(const std::optional<UnloadingResult> &result);
 
     const MPI_Comm     communicator;
     const std::string  directory;
@@ -118,6 +121,7 @@ namespace ElastoPlastic
     std::optional<Table<UnloadingResult>> indentation;
 
     std::optional<IndentationTest> indentation_test;
+    std::optional<RateTest>        rate_test;
   };
 } // namespace ElastoPlastic
 

@@ -4,9 +4,11 @@
 #ifndef problem_load_history_h
 #define problem_load_history_h
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "evaluation/rate_test.h"
 #include "input/parameters.h"
 #include "loading/time_steps.h"
 #include "problem/model.h"
@@ -28,6 +30,13 @@ namespace ElastoPlastic
   template <int dim>
   TimeSteps
   make_time_steps(const Model<dim> &model, const Parameters &parameters);
+
+
+
+  /// Watches how hardness depends on the rate, if a material has a rate law.
+  template <int dim>
+  std::optional<RateTest>
+  make_rate_test(const Model<dim> &model);
 
 
 

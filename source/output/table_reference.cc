@@ -60,8 +60,11 @@ namespace ElastoPlastic
                   mesh_change_columns(),
                   units,
                   out);
-    print_columns(
-      "indentation.csv", "unloading", indentation_columns(), units, out);
+    print_columns("indentation.csv",
+                  "unloading, and with rate laws per hold and jump of the rate",
+                  indentation_columns(),
+                  units,
+                  out);
     print_columns("limit_load.csv", "mesh", limit_load_columns(), units, out);
     print_columns("error_bound.csv", "mesh", error_bound_columns(), units, out);
   }
