@@ -51,12 +51,15 @@ namespace
 
 
 
+  /// What a segment says; in a hold, the depth has grown by @p growth.
   void
-  report(const std::string &title, const RateSensitivity &result)
+  report(const std::string     &title,
+         const RateSensitivity &result,
+         const double           growth)
   {
     output() << title << ", t = " << result.end.time << std::endl;
     if (std::isfinite(result.creep_depth))
-      output() << "  creep: " << result.creep_depth << std::endl;
+      verify("  creep", std::abs(result.creep_depth / growth - 1.), 1e-10);
     if (std::isfinite(result.of_hold))
       verify("  of the hold", std::abs(result.of_hold - m), 1e-12);
     if (std::isfinite(result.of_jump))
@@ -76,7 +79,8 @@ namespace
   {
     const std::vector<double> ends = {1., 2., 3., 4., 5.};
     RateTest                  test(ends, {{3., 4.}});
-    IndentationPoint          last = {0, 0., 0.01, 0., 0.};
+    IndentationPoint          last   = {0, 0., 0.01, 0., 0.};
+    double                    growth = 0.;
     for (unsigned int i = 1; i <= 50; ++i)
       {
         const double     time = i / 10.;
@@ -88,8 +92,10 @@ namespace
           next_point(last, time, last.depth * std::exp(rate * 0.1));
         if (i == 31)
           point.force *= 2.;
+        if (i > 30)
+          growth += point.depth - last.depth;
         if (const auto result = test.add(point))
-          report(mesh_changes ? "Another mesh" : "A mesh", *result);
+          report(mesh_changes ? "Meshes" : "A mesh", *result, growth);
         last = point;
         if (i % 7 == 0)
           test = after_checkpoint(test, RateTest(ends, {{3., 4.}}));

@@ -38,6 +38,14 @@ def creep_hardness(runner):
                   0 < hold["creep_depth"] < history[85] - history[55] + 1e-2 * history[55])
 
 
+def power_law(n):
+    """Entries of an elastic body with the stress UNIT strain^(1/n), in one step."""
+    strain = 1e-6
+    return ("Material/Law=nonlinear hardening", "Material/Rate law=none", "Material/Isotropic hardening modulus=0",
+            f"Material/Yield stress={UNIT * strain ** (1 / n)}", f"Material/Power law exponent={1 / n}",
+            f"Material/Power law reference strain={strain}", "Loading/Final time=1", "Loading/Number of steps=1")
+
+
 def creep_punch(runner):
     """A flat punch on a creeping body: as nonlinear elasticity with the same exponent; large exponents: perfect plasticity."""
     def force(*entries):
@@ -45,15 +53,25 @@ def creep_punch(runner):
 
     creep = ("Loading/Final time=0.1", "Loading/Number of steps=10", "Material/Reference rate=1")
     for n in (3, 10):
-        strain = 1e-6
-        elastic = force("Material/Law=nonlinear hardening", "Material/Rate law=none", "Material/Isotropic hardening modulus=0",
-                        f"Material/Yield stress={UNIT * strain ** (1 / n)}", f"Material/Power law exponent={1 / n}",
-                        f"Material/Power law reference strain={strain}", "Loading/Final time=1", "Loading/Number of steps=1")
+        elastic = force(*power_law(n))
         for speed in (1, 8):
             runner.compare(f"n = {n}, rate {speed}: force", force(*creep, f"Material/Rate exponent={n}",
                                                                   f"Loading/Depth={speed}*t"), elastic * speed ** (1 / n), 0.01)
     plastic = force("Material/Law=perfectly plastic", f"Material/Yield stress={UNIT}", "Material/Rate law=none", *creep)
     runner.compare("n = 1000: force", force(*creep, "Material/Rate exponent=1000"), plastic, 0.01)
+
+
+def creep_similarity(runner):
+    """A cone on a creeping body: force over a^2 as that of a punch of its radius, elastic with the same exponent."""
+    punch = runner.history(CASE, *PUNCH, *power_law(EXPONENT), "Refinement/Elements over contact radius=32")[-1]
+    coefficient = punch["force"] / punch["contact_area"] / UNIT
+    pressures = []
+    for n in (15, 30):
+        step = runner.history(CASE, "Loading/History=0.5: depth 0.1 | 15: strain rate 0.05", f"Loading/Number of steps={n}")[-1]
+        velocity = 0.05 * step["depth"] / math.sqrt(step["contact_area"] / math.pi)
+        pressures.append(step["force"] / step["contact_area"] / UNIT / (velocity / REFERENCE_RATE) ** (1 / EXPONENT))
+    # the first order of the error in the size of the steps taken away
+    runner.compare("coefficient of the pressure", 2 * pressures[1] - pressures[0], coefficient, 0.01)
 
 
 # Coarse and short.
@@ -81,8 +99,8 @@ def creep_runs(runner):
                             ("hours", run(entries | in_hours, "hours"))):
             for table, columns in (("history", ("depth", "force", "contact_area", "plastic_work")),
                                    ("indentation", ("hardness", "max_depth"))):
+                runner.verify(f"{name}: rows of {table}", len(other[table]) == len(whole[table]))
                 for column in columns:
                     largest = max(row[column] for row in whole[table])
-                    runner.verify(f"{name}: rows of {table}", len(other[table]) == len(whole[table]))
-                    runner.compare(f"{name}: {column}", max(abs(a[column] - b[column]) for a, b in
-                                                            zip(whole[table], other[table])) / largest, 0, 1e-7, absolute=True)
+                    difference = max(abs(a[column] - b[column]) for a, b in zip(whole[table], other[table])) / largest
+                    runner.compare(f"{name}: {column}", difference, 0, 1e-9, absolute=True)
