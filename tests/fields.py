@@ -124,6 +124,18 @@ def check_back_stress(program, folder):
            -1 / 3 * HARDENING * plastic_strain)
 
 
+def check_rate(program, folder):
+    """A sheet that creeps: the rate is what the equivalent plastic strain gains in a step, over its duration."""
+    run(program, folder, "material/plane_stress_tension.prm", "Material/Law=linear elastic", "Material/Rate law=Norton",
+        "Material/Rate exponent=3", "Material/Reference rate=0.02", "Material/Rate stress=200", "Loading/Final time=1",
+        f"Boundary conditions/Prescribed displacement=top: free; {STRAIN}*t", "Loading/Number of steps=4",
+        "Output/Fields=every cycle")
+    virgin, first, *_ = read_fields(folder, "solution")
+    assert not any(virgin["equivalent_plastic_strain_rate"])
+    expect("sheet, creep: rate of the equivalent plastic strain", first["equivalent_plastic_strain_rate"],
+           first["equivalent_plastic_strain"][0] / 0.25)
+
+
 def check_initial_state(program, folder):
     """With the gap under the undisplaced cylinder, which is no number out of its reach."""
     reach = 1.3
@@ -175,7 +187,7 @@ def check_contact(program, folder):
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        for check in (check_confined_block, check_sheet, check_back_stress, check_initial_state, check_units,
+        for check in (check_confined_block, check_sheet, check_back_stress, check_rate, check_initial_state, check_units,
                       check_field_times, check_contact, check_plates_in_space):
             check(sys.argv[1], pathlib.Path(folder))
 

@@ -126,6 +126,43 @@ namespace
 
 
 
+  void
+  check_rates()
+  {
+    LoadingParameters parameters;
+    parameters.history =
+      "1: depth rate 0.1 | 2: strain rate 0.5 | 3: depth rate -0.05 | 4: hold "
+      "| 5: force 2 | 6: force rate 3 | 7: hold | 8: strain rate -0.2 | 9: "
+      "depth rate 0.1 | 10: depth 1";
+    LoadProgram program(parameters);
+    output() << "At given rates" << std::endl;
+    verify("  turning at the ends of segments only",
+           program.turns_at_segment_ends_only());
+    print_loads(program, {0.5, 1, 1.5, 2, 3, 3.5, 4, 5, 5.5, 6, 7});
+    for (const auto &[begin, end] : program.holds())
+      output() << "  hold from t = " << begin << " to " << end << std::endl;
+    output() << "  after a force, they depend on what is reached, up to the "
+                "next value"
+             << std::endl;
+    print_loads(program, {7.5, 8, 8.5, 9, 9.5, 10});
+    program.reached(7., 0.5, 5.);
+    print_loads(program, {7.5, 8, 8.5, 9, 9.5, 10});
+    output() << "  the same from a checkpoint" << std::endl;
+    print_loads(from_checkpoint(program, parameters), {8.5, 9.5});
+
+    parameters.history = "1: depth 0.1 | 2: force rate -3 | 3: depth 1";
+    LoadProgram pulling(parameters);
+    pulling.reached(1., 0.1, 2.);
+    print_loads(pulling, {1.5});
+    print_error("A force that becomes negative", [&]() { pulling.load(2.); });
+    parameters.history = "1: force 1 | 2: strain rate 0.5";
+    LoadProgram growing(parameters);
+    growing.reached(1., -0.1, 1.);
+    print_error("Nothing that could grow", [&]() { growing.load(2.); });
+  }
+
+
+
   /// How a history goes on that begins with @p before.
   void
   print_answer(const std::string       &what,
@@ -210,6 +247,7 @@ main(int argc, char *argv[])
   check_expressions();
   check_history();
   check_holds();
+  check_rates();
   check_pasts();
 
   output() << "Three steps" << std::endl;

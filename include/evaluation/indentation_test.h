@@ -6,6 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -83,6 +84,10 @@ namespace ElastoPlastic
     double beta          = 1;
     /// EvaluationParameters::indenter_compliance().
     double indenter_compliance = 0;
+    /// Of a hold or a jump of the rate instead of an unloading, see RateTest.
+    double creep_depth           = std::numeric_limits<double>::quiet_NaN();
+    double hold_rate_sensitivity = std::numeric_limits<double>::quiet_NaN();
+    double jump_rate_sensitivity = std::numeric_limits<double>::quiet_NaN();
 
     /// The mean pressure force / @p area at the maximum; 0 without area.
     double
@@ -120,6 +125,13 @@ namespace ElastoPlastic
     IndentationTest(const std::shared_ptr<const TipOnSurface> &tip,
                     const double                               modelled_part,
                     const EvaluationParameters                &constants = {});
+
+    /// The modelled part of the indenter's surroundings.
+    double
+    part_of_surroundings() const
+    {
+      return modelled_part;
+    }
 
     /// Adds the end of the next step. @return the result of an unloading as
     /// soon as all steps for its fit are there: when the force has fallen below

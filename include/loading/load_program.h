@@ -22,9 +22,10 @@
 namespace ElastoPlastic
 {
   /// The load over time: segments one after the other, each with one control,
-  /// from t = 0 on. In a segment the load is an expression in t, or linear
-  /// between the value reached at its beginning and the one given for its end.
-  /// And the sideways motion that goes with it.
+  /// from t = 0 on. In a segment the load is an expression in t, or begins with
+  /// the value that has been reached and leads linearly to the one given for
+  /// its end, or changes at a constant rate, or grows by a constant part of
+  /// itself per time. And the sideways motion that goes with it.
   class LoadProgram
   {
   public:
@@ -51,15 +52,16 @@ namespace ElastoPlastic
     bool
     is_segment_end(const double time) const;
 
-    /// Whether load and path are linear between segment_ends(), so that they
-    /// turn nowhere else.
+    /// Whether load and path turn at segment_ends() only.
     bool
-    is_piecewise_linear() const;
+    turns_at_segment_ends_only() const;
 
     /// The load at @p time > 0, at a segment's end that of the segment that
-    /// ends. None as long as it depends on what will be reached at the
-    /// beginning of its segment: where the control changes, in the interior of
-    /// the segment that follows.
+    /// ends. None as long as it depends on what will be reached before: where
+    /// the control changes, in the interior of the segment that follows, and at
+    /// given rates until the next one that leads to a given value.
+    /// @throws InputError for a load that is not allowed: a negative force, a
+    /// strain rate without a depth.
     std::optional<Load>
     load(const double time) const;
 
@@ -83,14 +85,23 @@ namespace ElastoPlastic
     }
 
   private:
+    enum class Ramp
+    {
+      to_value,      ///< linear, to a given value
+      at_rate,       ///< so much per time
+      at_strain_rate ///< such a part of itself per time
+    };
+
     struct Segment
     {
       double  end_time;
       Control control;
-      double  end_value = 0;
-      /// None if it is what has been reached there.
-      std::optional<double> begin_value = 0.;
-      /// Instead of the two values, if there is one.
+      Ramp    ramp;
+      /// The value at the end, or the rate.
+      double number = 0;
+      /// Where it comes from.
+      std::string row = "";
+      /// Instead of the ramp, if there is one.
       std::shared_ptr<const Expression<1>> expression = nullptr;
       /// What is not larger than that of the expression is a rounding error of
       /// zero.
@@ -100,8 +111,24 @@ namespace ElastoPlastic
     void
     read_history(const std::string &table);
 
+    /// @throws InputError
+    Segment
+    read_row(const std::string &row) const;
+
     void
     read_expression(const LoadingParameters &parameters);
+
+    /// The time at which a segment begins.
+    double
+    begin_time(const unsigned int segment) const;
+
+    /// The load there, and at @p time in the segment; none as long as it
+    /// depends on what will be reached. @throws InputError
+    std::optional<double>
+    begin_value(const unsigned int segment) const;
+
+    std::optional<double>
+    value(const unsigned int segment, const double time) const;
 
     std::vector<Segment> segments;
     IndenterPath         indenter_path;

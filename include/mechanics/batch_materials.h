@@ -54,6 +54,10 @@ namespace ElastoPlastic
     bool
     have_potential() const;
 
+    /// Whether a material has a rate law.
+    bool
+    are_rate_dependent() const;
+
     /// Whether a hardening curve becomes steeper.
     bool
     become_steeper() const;

@@ -41,6 +41,8 @@ namespace ElastoPlastic
     SymmetricTensor<2, 3> plastic_strain;
     SymmetricTensor<2, 3> back_stress; ///< the sum of all
     double                equivalent_plastic_strain;
+    /// Its mean rate in the step under way; zero between steps.
+    double equivalent_plastic_strain_rate;
     /// Whether the point has ever yielded.
     bool plastic;
     /// The volume (in plane strain: the area) that the point stands for, before
@@ -85,6 +87,10 @@ namespace ElastoPlastic
 
     bool
     is_symmetric() const override;
+
+    /// Whether a material has a rate law.
+    bool
+    is_rate_dependent() const;
 
     /// Prepares everything that depends on the mesh; all points are virgin.
     /// @p dof_handler and @p constraints must outlive this object or the next

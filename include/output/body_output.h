@@ -20,9 +20,10 @@ namespace ElastoPlastic
   /// onto discontinuous polynomials of the element's degree is the
   /// interpolation of the point values, here evaluated at the points of the
   /// grid: nothing is averaged, and neighbouring cells need not agree. What
-  /// cannot be negative, von Mises' stress and the equivalent plastic strain,
-  /// is cut off at zero where the polynomial overshoots. Tensors have all three
-  /// dimensions; in an axisymmetric body, the third is that around the axis.
+  /// cannot be negative, von Mises' stress, the equivalent plastic strain and
+  /// its rate, is cut off at zero where the polynomial overshoots. Tensors have
+  /// all three dimensions; in an axisymmetric body, the third is that around
+  /// the axis.
   ///
   /// The cells are written in pieces of a file as they come from the solid, so
   /// that memory for only a few of them is needed. (deal.II's DataOut holds the

@@ -97,7 +97,8 @@ namespace ElastoPlastic
   const Columns<MeshChange> &
   mesh_change_columns();
 
-  /// The columns of indentation.csv: a row per unloading.
+  /// The columns of indentation.csv: a row per unloading, hold or jump of the
+  /// rate.
   const Columns<UnloadingResult> &
   indentation_columns();
 

@@ -28,9 +28,12 @@ namespace ElastoPlastic
 
 
 
-  /// Those that are always written, and then the @p additional ones, each once.
+  /// Those that are always written, with the rate of the equivalent plastic
+  /// strain if the body @p is_rate_dependent, and then the @p additional ones,
+  /// each once.
   std::vector<PointField>
-  point_fields(const std::vector<AdditionalField> &additional);
+  point_fields(const std::vector<AdditionalField> &additional,
+               const bool                          is_rate_dependent);
 } // namespace ElastoPlastic
 
 #endif

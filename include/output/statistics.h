@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "evaluation/rate_test.h"
 #include "output/columns.h"
 
 namespace ElastoPlastic
@@ -27,10 +28,10 @@ namespace ElastoPlastic
   /// reactions.csv and probes.csv (a row per converged load step),
   /// surface_profile.csv (a row per point of the contact surface, for some
   /// steps), mesh_changes.csv (a row per change of the mesh between two load
-  /// steps), indentation.csv (a row per unloading that can be evaluated), and
-  /// continuous_stiffness.csv (a row per load step with a contact stiffness).
-  /// Without rows there is none of surface_profile.csv, indentation.csv and
-  /// continuous_stiffness.csv.
+  /// steps), indentation.csv (a row per unloading, hold and jump of the rate
+  /// that can be evaluated), and continuous_stiffness.csv (a row per load step
+  /// with a contact stiffness). Without rows there is none of
+  /// surface_profile.csv, indentation.csv and continuous_stiffness.csv.
   class Statistics
   {
   public:
@@ -42,6 +43,7 @@ namespace ElastoPlastic
       unsigned int surface_profile = 0, mesh_changes = 0, indentation = 0;
 
       IndentationTest::Progress unloading;
+      RateTest::Progress        rates;
 
       unsigned int continuous_stiffness = 0;
 
@@ -49,8 +51,8 @@ namespace ElastoPlastic
       void
       serialize(Archive &archive, const unsigned int /* version */)
       {
-        archive &statistics &history &reactions             &probes;
-        archive &surface_profile &mesh_changes &indentation &unloading;
+        archive &statistics &history &reactions                        &probes;
+        archive &surface_profile &mesh_changes &indentation &unloading &rates;
         archive &continuous_stiffness;
       }
     };
@@ -70,6 +72,7 @@ namespace ElastoPlastic
                const std::string                    &directory,
                const Names                          &names,
                const std::optional<IndentationTest> &indentation_test,
+               const std::optional<RateTest>        &rate_test,
                const Progress                       &progress);
 
     Progress
@@ -112,10 +115,9 @@ namespace ElastoPlastic
     void
     add_stiffness(const SolveResult &result);
 
-    /// Adds the result of @p evaluate, if there is one. @throws InputError
+    /// Adds @p result, if there is one. @throws InputError
     void
-    evaluate_unloading(
-      const std::function<std::optional<UnloadingResult>()> &evaluate);
+    add_indentation(const std::optional<UnloadingResult> &result);
 
     const MPI_Comm     communicator;
     const std::string  directory;
@@ -130,6 +132,7 @@ namespace ElastoPlastic
     std::optional<CsvTable<UnloadingResult>> indentation, continuous_stiffness;
 
     std::optional<IndentationTest> indentation_test;
+    std::optional<RateTest>        rate_test;
   };
 } // namespace ElastoPlastic
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/rate_test.h"
 #include "input/parameters.h"
 #include "loading/load_program.h"
 #include "loading/time_steps.h"
@@ -30,6 +31,13 @@ namespace ElastoPlastic
   template <int dim>
   TimeSteps
   make_time_steps(const Model<dim> &model, const Parameters &parameters);
+
+
+
+  /// Watches how hardness depends on the rate, if a material has a rate law.
+  template <int dim>
+  std::optional<RateTest>
+  make_rate_test(const Model<dim> &model);
 
 
 

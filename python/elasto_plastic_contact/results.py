@@ -87,8 +87,15 @@ class Results:
 
     @property
     def indentation(self):
-        """One row per unloading of an indentation test."""
+        """One row per unloading of an indentation test, and with rate laws per hold and jump of the rate."""
         return self.table("indentation")
+
+    @property
+    def unloadings(self):
+        """The rows of indentation.csv that are of an unloading; there may be none."""
+        import numpy
+
+        return self.indentation[numpy.isfinite(self.indentation["stiffness"])]
 
     @property
     def reactions(self):

@@ -141,6 +141,7 @@ namespace ElastoPlastic
                                                 body.triangulation(),
                                                 body.gap_function(),
                                                 parameters.evaluation),
+                          make_rate_test(model),
                           progress);
     output_directory.write_input(parameters.effective_input);
     write_table_reference(communicator, parameters.output);

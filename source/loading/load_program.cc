@@ -14,6 +14,10 @@ namespace ElastoPlastic
 {
   namespace
   {
+    const std::string path_of_table = "Loading/History";
+
+
+
     void
     check_force(const std::string &path,
                 const std::string &text,
@@ -24,6 +28,21 @@ namespace ElastoPlastic
                          text,
                          "a force cannot be negative: the indenter presses, it "
                          "does not pull.");
+    }
+
+
+
+    void
+    check_growing_depth(const std::string &row, const double begin)
+    {
+      if (!(begin > 0))
+        throw InputError(path_of_table,
+                         row,
+                         "a strain rate is a part of the depth per time, and "
+                         "the depth there is " +
+                           Patterns::Tools::to_string(begin) +
+                           ". Push the indenter in before, as by '1: depth "
+                           "0.001'.");
     }
 
 
@@ -80,53 +99,58 @@ namespace ElastoPlastic
 
 
 
+  LoadProgram::Segment
+  LoadProgram::read_row(const std::string &row) const
+  {
+    static const std::map<std::string, std::pair<Control, Ramp>> kinds = {
+      {"depth", {Control::depth, Ramp::to_value}},
+      {"force", {Control::force, Ramp::to_value}},
+      {"depth rate", {Control::depth, Ramp::at_rate}},
+      {"force rate", {Control::force, Ramp::at_rate}},
+      {"strain rate", {Control::depth, Ramp::at_strain_rate}}};
+
+    const std::vector<std::string> words  = words_of(row);
+    const bool                     is_row = words.size() > 2 && words[1] == ":";
+    const auto time = is_row ? as_number(words[0]) : std::nullopt;
+    if (time && words.size() == 3 && words[2] == "hold" && !segments.empty())
+      return {*time, segments.back().control, Ramp::at_rate, 0., row};
+    const auto number = is_row ? as_number(words.back()) : std::nullopt;
+    const auto kind =
+      words.size() == 4 ? kinds.find(words[2]) :
+      words.size() == 5 ? kinds.find(words[2] + " " + words[3]) :
+                          kinds.end();
+    if (!time || !number || kind == kinds.end())
+      throw InputError(
+        path_of_table,
+        row,
+        "a row must look like '1.5: depth 0.02', '2: force "
+        "0' or, but for the first, '3: hold': a time, then "
+        "what is reached at that time; or '1.5: depth rate 0.01', '2: force "
+        "rate 5', '3: strain rate 0.05': a time, then how fast the load "
+        "changes until then. Rows are separated by '|'.");
+    if (!std::isfinite(*time) || !std::isfinite(*number))
+      throw InputError(path_of_table, row, "its numbers must be finite.");
+    return {*time, kind->second.first, kind->second.second, *number, row};
+  }
+
+
+
   void
   LoadProgram::read_history(const std::string &table)
   {
-    static const std::string path = "Loading/History";
-    for (const std::string &row : split(path, table, '|'))
+    for (const std::string &row : split(path_of_table, table, '|'))
       {
-        const std::vector<std::string> words = words_of(row);
-        std::optional<double>          time, value;
-        Control                        control = Control::depth;
-        if (words.size() == 4 && words[1] == ":" &&
-            (words[2] == "depth" || words[2] == "force"))
-          {
-            time    = as_number(words[0]);
-            value   = as_number(words[3]);
-            control = words[2] == "depth" ? Control::depth : Control::force;
-          }
-        else if (words.size() == 3 && words[1] == ":" && words[2] == "hold" &&
-                 !segments.empty())
-          {
-            time    = as_number(words[0]);
-            value   = segments.back().end_value;
-            control = segments.back().control;
-          }
-        if (!time || !value)
-          throw InputError(
-            path,
-            row,
-            "a row must look like '1.5: depth 0.02', '2: force "
-            "0' or, but for the first, '3: hold': a time, then "
-            "what is reached at that time. Rows are separated by "
-            "'|'.");
-        if (!std::isfinite(*time) || !std::isfinite(*value))
-          throw InputError(path, row, "its numbers must be finite.");
-        const double last_time = segments.empty() ? 0. : final_time();
-        if (*time <= last_time)
-          throw InputError(path,
+        const Segment segment   = read_row(row);
+        const double  last_time = segments.empty() ? 0. : final_time();
+        if (segment.end_time <= last_time)
+          throw InputError(path_of_table,
                            row,
                            "the times must increase, and the first must be "
                            "greater than 0.");
-        if (control == Control::force)
-          check_force(path, row, *value);
-        std::optional<double> begin;
-        if (segments.empty())
-          begin = 0.;
-        else if (segments.back().control == control)
-          begin = segments.back().end_value;
-        segments.push_back({*time, control, *value, begin});
+        segments.push_back(segment);
+        const auto end = value(segments.size() - 1, segment.end_time);
+        if (end && !std::isfinite(*end))
+          throw InputError(path_of_table, row, "it leads to no finite load.");
       }
   }
 
@@ -147,8 +171,9 @@ namespace ElastoPlastic
           std::make_shared<const Expression<1>>(path, text);
         segments.push_back({parameters.final_time,
                             control,
+                            Ramp::to_value,
                             0.,
-                            0.,
+                            text,
                             expression,
                             rounding_of(*expression, parameters)});
         return;
@@ -163,7 +188,8 @@ namespace ElastoPlastic
                        "none'.");
     if (!by_depth)
       check_force(path, text, *number);
-    segments.push_back({parameters.final_time, control, *number});
+    segments.push_back(
+      {parameters.final_time, control, Ramp::to_value, *number, text});
   }
 
 
@@ -200,7 +226,7 @@ namespace ElastoPlastic
 
 
   bool
-  LoadProgram::is_piecewise_linear() const
+  LoadProgram::turns_at_segment_ends_only() const
   {
     return std::none_of(segments.begin(),
                         segments.end(),
@@ -216,14 +242,78 @@ namespace ElastoPlastic
   LoadProgram::holds() const
   {
     std::vector<std::pair<double, double>> result;
-    double                                 begin_time = 0;
-    for (const Segment &segment : segments)
+    for (unsigned int i = 0; i < segments.size(); ++i)
       {
-        if (!segment.expression && segment.begin_value == segment.end_value)
-          result.emplace_back(begin_time, segment.end_time);
-        begin_time = segment.end_time;
+        const Segment &segment = segments[i];
+        const bool     holds   = segment.ramp == Ramp::to_value ?
+                                   begin_value(i) == segment.number :
+                                   segment.number == 0.;
+        if (!segment.expression && holds)
+          result.emplace_back(begin_time(i), segment.end_time);
       }
     return result;
+  }
+
+
+
+  double
+  LoadProgram::begin_time(const unsigned int segment) const
+  {
+    return segment == 0 ? 0. : segments[segment - 1].end_time;
+  }
+
+
+
+  std::optional<double>
+  LoadProgram::begin_value(const unsigned int segment) const
+  {
+    if (segment == 0)
+      return 0.;
+    const Control control = segments[segment].control;
+    if (segments[segment - 1].control == control)
+      return value(segment - 1, begin_time(segment));
+    const auto reached = turning_points.find(begin_time(segment));
+    if (reached == turning_points.end())
+      return {};
+    return control == Control::depth ? reached->second.first :
+                                       reached->second.second;
+  }
+
+
+
+  std::optional<double>
+  LoadProgram::value(const unsigned int i, const double time) const
+  {
+    const Segment &segment = segments[i];
+    if (segment.control == Control::force && segment.ramp == Ramp::to_value)
+      check_force(path_of_table, segment.row, segment.number);
+    if (segment.ramp == Ramp::to_value && time == segment.end_time)
+      return segment.number;
+    const std::optional<double> begin = begin_value(i);
+    if (!begin)
+      return {};
+    const double begins = begin_time(i);
+    switch (segment.ramp)
+      {
+        case Ramp::to_value:
+          {
+            const double fraction =
+              (time - begins) / (segment.end_time - begins);
+            return (1 - fraction) * *begin + fraction * segment.number;
+          }
+        case Ramp::at_rate:
+          {
+            const double result = *begin + segment.number * (time - begins);
+            if (segment.control == Control::force)
+              check_force(path_of_table, segment.row, result);
+            return result;
+          }
+        case Ramp::at_strain_rate:
+          check_growing_depth(segment.row, *begin);
+          return *begin * std::exp(segment.number * (time - begins));
+      }
+    Assert(false, ExcInternalError());
+    return {};
   }
 
 
@@ -231,40 +321,25 @@ namespace ElastoPlastic
   std::optional<Load>
   LoadProgram::load(const double time) const
   {
-    double begin_time = 0;
-    auto   segment    = segments.begin();
-    for (; segment + 1 != segments.end() && time > segment->end_time; ++segment)
-      begin_time = segment->end_time;
-
-    if (segment->expression)
+    unsigned int i = 0;
+    while (i + 1 < segments.size() && time > segments[i].end_time)
+      ++i;
+    const Segment &segment = segments[i];
+    if (!segment.expression)
       {
-        const double value = segment->expression->value(Point<1>(time));
-        if (std::abs(value) <= segment->rounding)
-          return Load{segment->control, 0.};
-        if (segment->control == Control::force)
-          check_force("Loading/Force",
-                      "at t = " + Patterns::Tools::to_string(time) + ": " +
-                        Patterns::Tools::to_string(value),
-                      value);
-        return Load{segment->control, value};
+        const auto load = value(i, time);
+        return load ? std::make_optional(Load{segment.control, *load}) :
+                      std::nullopt;
       }
-    if (time == segment->end_time)
-      return Load{segment->control, segment->end_value};
-
-    std::optional<double> begin_value = segment->begin_value;
-    if (!begin_value)
-      {
-        const auto reached = turning_points.find(begin_time);
-        if (reached == turning_points.end())
-          return {};
-        begin_value = segment->control == Control::depth ?
-                        reached->second.first :
-                        reached->second.second;
-      }
-    const double fraction =
-      (time - begin_time) / (segment->end_time - begin_time);
-    return Load{segment->control,
-                (1 - fraction) * *begin_value + fraction * segment->end_value};
+    const double load = segment.expression->value(Point<1>(time));
+    if (std::abs(load) <= segment.rounding)
+      return Load{segment.control, 0.};
+    if (segment.control == Control::force)
+      check_force("Loading/Force",
+                  "at t = " + Patterns::Tools::to_string(time) + ": " +
+                    Patterns::Tools::to_string(load),
+                  load);
+    return Load{segment.control, load};
   }
 
 

@@ -43,7 +43,10 @@ namespace ElastoPlastic
       "between, beginning with zero at t = 0. For instance: 1: depth 0.02 | "
       "2: force 0 | 3: depth 0.03. Where the control changes, the new one "
       "starts from what has been reached. A row '4: hold' keeps depth or force; "
-      "a material with a rate law creeps or relaxes meanwhile.",
+      "a material with a rate law creeps or relaxes meanwhile. Rows '5: depth "
+      "rate 0.001', '6: force rate 2' and '7: strain rate 0.05' let depth or "
+      "force change at this rate until then, and the depth h by the part (dh/dt) "
+      "/ h of itself per time. Units: of times, lengths, forces.",
       Patterns::Anything());
     prm.add_parameter(
       "Path",

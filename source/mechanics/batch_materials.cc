@@ -52,6 +52,14 @@ namespace ElastoPlastic
 
 
 
+  bool
+  BatchMaterials::are_rate_dependent() const
+  {
+    return std::any_of(materials.begin(), materials.end(), is_rate_dependent);
+  }
+
+
+
   void
   BatchMaterials::set_step_duration(const double duration)
   {

@@ -124,6 +124,15 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  bool
+  SolidOperator<dim>::is_rate_dependent() const
+  {
+    return materials.are_rate_dependent();
+  }
+
+
+
+  template <int dim>
   void
   SolidOperator<dim>::begin_step(const double duration)
   {
@@ -331,6 +340,13 @@ namespace ElastoPlastic
           const Number hardening_energy = plasticity.hardening_energy();
           const Number plastic_work     = plasticity.plastic_work();
           const Number dissipation      = plasticity.dissipation();
+          const double duration = materials[strains.batch].step_duration;
+          const Number rate =
+            duration > 0. ?
+              (state.equivalent_plastic_strain -
+               history.state(strains.batch, q).equivalent_plastic_strain) /
+                Number(duration) :
+              Number(0.);
           const Strain back_stress =
             std::accumulate(state.back_stresses.begin(),
                             state.back_stresses.end(),
@@ -341,6 +357,7 @@ namespace ElastoPlastic
                                 lane_of(state.plastic_strain, lane),
                                 lane_of(back_stress, lane),
                                 state.equivalent_plastic_strain[lane],
+                                rate[lane],
                                 state.equivalent_plastic_strain[lane] >
                                   smallest_strain,
                                 strains.volume[q][lane],

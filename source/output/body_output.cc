@@ -82,7 +82,8 @@ namespace ElastoPlastic
     , solid(solid)
     , error_indicators(error_indicators)
     , units(parameters.units)
-    , fields(point_fields(parameters.additional_fields))
+    , fields(
+        point_fields(parameters.additional_fields, solid.is_rate_dependent()))
     , degree(dof_handler.get_fe().degree)
     , ghosted_displacement(ghosted_copy(displacement, dof_handler))
     , to_lexicographic(

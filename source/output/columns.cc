@@ -188,7 +188,10 @@ namespace ElastoPlastic
       {"contact_depth", "length", "how deep the tip touches, by Oliver and Pharr, with `Evaluation/Epsilon`", &R::contact_depth},
       {"tip_area", "area", "the section of the tip there; if the surface of the body is curved, what tip and undeformed surface overlap there, seen from above. 0, as are the next two, if there is none: on a level surface, a cylinder in three dimensions, a height map", &R::tip_area},
       {"tip_hardness", "stress", "with tip_area: what a laboratory would find", [](const R &r) { return r.hardness(r.tip_area); }},
-      {"tip_reduced_modulus", "stress", "the same with tip_area: what a laboratory would find", [](const R &r) { return r.reduced_modulus(r.tip_area); }}};
+      {"tip_reduced_modulus", "stress", "the same with tip_area: what a laboratory would find", [](const R &r) { return r.reduced_modulus(r.tip_area); }},
+      {"creep_depth", "length", "by how much the depth has grown in a hold of the force that ends in this step, with a rate law. Rows of holds and of jumps of the rate have numbers up to modelled_part, the hardness, and those of the last three columns that are theirs; what they lack, and these three in rows of unloadings, is nan, or an area of 0", &R::creep_depth},
+      {"hold_rate_sensitivity", "1", "m = d ln(hardness) / d ln(rate) of this hold, with the rate (dh/dt)/h of the depth h: least squares, but for the first tenth of the hold", &R::hold_rate_sensitivity},
+      {"jump_rate_sensitivity", "1", "the same between the ends of two segments of `Loading/History`, of which the second ends in this step, if their rates differ by a fifth at least", &R::jump_rate_sensitivity}};
     return columns;
   }
 

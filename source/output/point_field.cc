@@ -104,7 +104,8 @@ namespace ElastoPlastic
 
 
   std::vector<PointField>
-  point_fields(const std::vector<AdditionalField> &additional)
+  point_fields(const std::vector<AdditionalField> &additional,
+               const bool                          is_rate_dependent)
   {
     std::vector<PointField> fields = {
       tensor_field("stress", "stress", &PointResult::stress),
@@ -114,6 +115,12 @@ namespace ElastoPlastic
                    "1",
                    true,
                    std::mem_fn(&PointResult::equivalent_plastic_strain))};
+    if (is_rate_dependent)
+      fields.push_back(number_field(
+        "equivalent_plastic_strain_rate",
+        "1 / time",
+        true,
+        std::mem_fn(&PointResult::equivalent_plastic_strain_rate)));
     for (const AdditionalField field :
          std::set<AdditionalField>(additional.begin(), additional.end()))
       for (const PointField &part : fields_of(field))

@@ -48,6 +48,7 @@ namespace ElastoPlastic
                          const std::string                    &directory,
                          const Names                          &names,
                          const std::optional<IndentationTest> &indentation_test,
+                         const std::optional<RateTest>        &rate_test,
                          const Progress                       &progress)
     : communicator(communicator)
     , directory(directory)
@@ -73,17 +74,18 @@ namespace ElastoPlastic
                    mesh_change_columns(),
                    progress.mesh_changes)
     , indentation_test(indentation_test)
+    , rate_test(rate_test)
   {
     if (progress.surface_profile > 0)
       make_surface_profile(progress.surface_profile);
     if (this->indentation_test)
-      {
-        this->indentation_test->resume(progress.unloading);
-        if (progress.indentation > 0)
-          make_indentation(progress.indentation);
-        if (progress.continuous_stiffness > 0)
-          make_continuous_stiffness(progress.continuous_stiffness);
-      }
+      this->indentation_test->resume(progress.unloading);
+    if (this->rate_test)
+      this->rate_test->resume(progress.rates);
+    if (progress.indentation > 0)
+      make_indentation(progress.indentation);
+    if (progress.continuous_stiffness > 0)
+      make_continuous_stiffness(progress.continuous_stiffness);
     for (CsvFile *table : tables())
       table->open();
   }
@@ -118,6 +120,7 @@ namespace ElastoPlastic
             indentation ? indentation->n_rows() : 0,
             indentation_test ? indentation_test->progress() :
                                IndentationTest::Progress(),
+            rate_test ? rate_test->progress() : RateTest::Progress(),
             continuous_stiffness ? continuous_stiffness->n_rows() : 0};
   }
 
@@ -155,9 +158,15 @@ namespace ElastoPlastic
           }
         surface_profile->add_all(result.surface_profile);
       }
+    const IndentationPoint point = indentation_point(result.solve);
+    if (!indentation_test)
+      return;
     add_stiffness(result.solve);
-    evaluate_unloading(
-      [&]() { return indentation_test->add(indentation_point(result.solve)); });
+    add_indentation(indentation_test->add(point));
+    if (rate_test)
+      if (const auto sensitivity = rate_test->add(point))
+        add_indentation(
+          sensitivity->row(indentation_test->part_of_surroundings()));
   }
 
 
@@ -165,7 +174,8 @@ namespace ElastoPlastic
   void
   Statistics::finish()
   {
-    evaluate_unloading([&]() { return indentation_test->finish(); });
+    if (indentation_test)
+      add_indentation(indentation_test->finish());
   }
 
 
@@ -206,7 +216,7 @@ namespace ElastoPlastic
   void
   Statistics::add_stiffness(const SolveResult &result)
   {
-    if (!indentation_test || std::isnan(result.contact_stiffness))
+    if (std::isnan(result.contact_stiffness))
       return;
     if (!continuous_stiffness)
       {
@@ -221,12 +231,8 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::evaluate_unloading(
-    const std::function<std::optional<UnloadingResult>()> &evaluate)
+  Statistics::add_indentation(const std::optional<UnloadingResult> &result)
   {
-    if (!indentation_test)
-      return;
-    const std::optional<UnloadingResult> result = evaluate();
     if (!result)
       return;
     if (!indentation)
@@ -247,5 +253,8 @@ namespace ElastoPlastic
     if (indentation_test)
       indentation_test->change_mesh(indentation_point(before),
                                     indentation_point(after));
+    if (rate_test)
+      rate_test->change_mesh(indentation_point(before),
+                             indentation_point(after));
   }
 } // namespace ElastoPlastic

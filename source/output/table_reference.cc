@@ -59,8 +59,11 @@ namespace ElastoPlastic
                   mesh_change_columns(),
                   units,
                   out);
-    print_columns(
-      "indentation.csv", "unloading", indentation_columns(), units, out);
+    print_columns("indentation.csv",
+                  "unloading, and with rate laws per hold and jump of the rate",
+                  indentation_columns(),
+                  units,
+                  out);
     print_columns("continuous_stiffness.csv",
                   "converged load step in contact, with `Evaluation/Continuous "
                   "stiffness`",

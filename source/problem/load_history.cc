@@ -7,6 +7,20 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    template <int dim>
+    bool
+    has_rate_law(const Model<dim> &model)
+    {
+      return std::any_of(model.materials.begin(),
+                         model.materials.end(),
+                         is_rate_dependent);
+    }
+  } // namespace
+
+
+
   template <int dim>
   bool
   has_other_loads(const Model<dim> &model)
@@ -30,7 +44,8 @@ namespace ElastoPlastic
     if (loading.step_control == StepControl::fixed)
       return fixed;
     std::vector<double> stops = parameters.output.field_times;
-    if (!model.load_program.is_piecewise_linear() || has_other_loads(model))
+    if (!model.load_program.turns_at_segment_ends_only() ||
+        has_other_loads(model))
       stops.insert(stops.end(),
                    fixed.uncut_ends().begin(),
                    fixed.uncut_ends().end());
@@ -41,14 +56,24 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  std::optional<RateTest>
+  make_rate_test(const Model<dim> &model)
+  {
+    if (!has_rate_law(model))
+      return {};
+    return RateTest(model.load_program.segment_ends(),
+                    model.load_program.holds());
+  }
+
+
+
+  template <int dim>
   std::vector<std::string>
   remarks_on_holds(const Model<dim> &model)
   {
     std::vector<std::string> remarks;
     if (model.load_program.path().is_at_rest() && !has_other_loads(model) &&
-        std::none_of(model.materials.begin(),
-                     model.materials.end(),
-                     is_rate_dependent))
+        !has_rate_law(model))
       for (const auto &[begin, end] : model.load_program.holds())
         remarks.push_back("'Loading/History' holds the load from t = " +
                           Patterns::Tools::to_string(begin) + " to " +
@@ -70,6 +95,11 @@ namespace ElastoPlastic
   make_time_steps(const Model<2> &, const Parameters &);
   template TimeSteps
   make_time_steps(const Model<3> &, const Parameters &);
+
+  template std::optional<RateTest>
+  make_rate_test(const Model<2> &);
+  template std::optional<RateTest>
+  make_rate_test(const Model<3> &);
 
   template std::vector<std::string>
   remarks_on_holds(const Model<2> &);

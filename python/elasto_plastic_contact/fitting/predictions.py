@@ -117,14 +117,20 @@ def largest_depth(run):
     return Curve(run).segment("load")[:, 0].max()
 
 
-def of_indentation(column):
-    return lambda run: run.indentation[column][0]
+def of_unloading(column):
+    def first(run):
+        values = run.unloadings[column]
+        if not len(values):
+            raise UserError(f"no unloading of the run in '{run.directory}' can be evaluated: it takes three load steps "
+                            "between 95 and 50 % of the largest force")
+        return values[0]
+    return first
 
 
 # Numbers by their names: how to find them in a run, and what they are measured in: powers of force and length.
 QUANTITIES = {
-    "hardness": (of_indentation("hardness"), (1, -2)),
-    "tip hardness": (of_indentation("tip_hardness"), (1, -2)),
+    "hardness": (of_unloading("hardness"), (1, -2)),
+    "tip hardness": (of_unloading("tip_hardness"), (1, -2)),
     "loading curvature": (loading_curvature, (1, -2)),
     "unloading slope": (unloading_slope, (1, -1)),
     "unloading slope over depth": (lambda run: unloading_slope(run) / largest_depth(run), (1, -2)),

@@ -96,7 +96,7 @@ def force_depth(run, _, scales, axes):
     axes.plot(table["depth"] / depth_unit, table["force"] / force_unit, "o-", markersize=3., color=BLUE,
               label="computed")
     if run.has("indentation.csv"):
-        tests = run.indentation
+        tests = run.unloadings
         for row, (depth, force, slope) in enumerate(zip(tests["max_depth"], tests["max_force"], tests["stiffness"])):
             axes.plot(numpy.array([depth - force / slope, depth]) / depth_unit, [0., force / force_unit], "--",
                       color=RED, label=None if row else "initial slope of unloading")

@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Verification: how hardness depends on the rate (doc/theory/rate_dependence.md, "Hardness and rate"); see verify."""
+
+import math
+import pathlib
+import tempfile
+
+from ..program import command_line
+from ..tables import read_tables
+
+CASE = "creep/rate_jump.prm"
+EXPONENT, UNIT, REFERENCE_RATE = 5, 100.0, 0.001  # of the case, in N, mm, s
+
+# A flat punch of radius 1 on an almost rigid body.
+PUNCH = ("Geometry/Lower corner=0, -8", "Geometry/Upper corner=8, 0", "Indenter/Type=circular punch", "Indenter/Radius=1",
+         "Contact/Edge=at nodes", "Loading/History=", "Loading/Depth=t")
+
+
+def creep_hardness(runner):
+    """A cone on a creeping body: constant hardness at constant strain rates; jumps of the rate, and a hold (1 / exponent)."""
+    tables = runner.tables(CASE)
+    hardness = {}
+    for begin, end, rate in ((0.5, 15, 0.05), (15, 45, 0.01), (45, 55, 0.05)):
+        late = [step["force"] / step["contact_area"] for step in tables["history"]
+                if 0.5 * (begin + end) <= step["time"] <= end]
+        hardness[begin] = sum(late) / len(late)
+        for name, value in (("largest", max(late)), ("smallest", min(late))):
+            runner.compare(f"rate {rate}, up to t = {end}: {name} hardness", value, hardness[begin], 0.01)
+    runner.compare("hardness at the same rate, before and after", hardness[45], hardness[0.5], 0.01)
+    *jumps, hold = tables["indentation"]
+    for row in jumps:
+        runner.compare(f"t = {row['time']}, sensitivity by the jump", row["jump_rate_sensitivity"], 1 / EXPONENT, 0.05)
+    runner.compare("sensitivity by the hold", hold["hold_rate_sensitivity"], 1 / EXPONENT, 0.05)
+    history = {step["time"]: step["depth"] for step in tables["history"]}
+    runner.verify(f"depth grows in the hold, by {hold['creep_depth']:.3g}",
+                  0 < hold["creep_depth"] < history[85] - history[55] + 1e-2 * history[55])
+
+
+def at_rate(runner, rate, n_steps):
+    """The last step at a constant strain rate, up to twice the depth."""
+    return runner.history(CASE, f"Loading/History=0.5: depth 0.1 | {0.5 + 0.725 / rate}: strain rate {rate}",
+                          f"Loading/Number of steps={n_steps}")[-1]
+
+
+def power_law(n):
+    """Entries of an elastic body with the stress UNIT strain^(1/n), in one step."""
+    strain = 1e-6
+    return ("Material/Law=nonlinear hardening", "Material/Rate law=none", "Material/Isotropic hardening modulus=0",
+            f"Material/Yield stress={UNIT * strain ** (1 / n)}", f"Material/Power law exponent={1 / n}",
+            f"Material/Power law reference strain={strain}", "Loading/Final time=1", "Loading/Number of steps=1")
+
+
+def creep_punch(runner):
+    """A flat punch on a creeping body: as nonlinear elasticity with the same exponent; large exponents: perfect plasticity."""
+    def force(*entries):
+        return runner.history(CASE, *PUNCH, *entries)[-1]["force"]
+
+    creep = ("Loading/Final time=0.1", "Loading/Number of steps=10", "Material/Reference rate=1")
+    for n in (3, 10):
+        elastic = force(*power_law(n))
+        for speed in (1, 8):
+            runner.compare(f"n = {n}, rate {speed}: force", force(*creep, f"Material/Rate exponent={n}",
+                                                                  f"Loading/Depth={speed}*t"), elastic * speed ** (1 / n), 0.01)
+    plastic = force("Material/Law=perfectly plastic", f"Material/Yield stress={UNIT}", "Material/Rate law=none", *creep)
+    runner.compare("n = 1000: force", force(*creep, "Material/Rate exponent=1000"), plastic, 0.01)
+
+
+def creep_similarity(runner):
+    """A cone on a creeping body: its exponent from two rates; force over a^2 as of an elastic punch with this exponent."""
+    punch = runner.history(CASE, *PUNCH, *power_law(EXPONENT), "Refinement/Elements over contact radius=32")[-1]
+    coefficient = punch["force"] / punch["contact_area"] / UNIT
+    pressures, hardness = [], []
+    for rate, n in ((0.01, 15), (0.05, 15), (0.05, 30)):
+        step = at_rate(runner, rate, n)
+        hardness.append(step["force"] / step["contact_area"])
+        velocity = rate * step["depth"] / math.sqrt(step["contact_area"] / math.pi)
+        pressures.append(hardness[-1] / UNIT / (velocity / REFERENCE_RATE) ** (1 / EXPONENT))
+    # with equally many steps, and so the same error of them
+    runner.compare("exponent", math.log(hardness[1] / hardness[0]) / math.log(5), 1 / EXPONENT, 0.02)
+    # the first order of the error in the size of the steps taken away
+    runner.compare("coefficient of the pressure", 2 * pressures[2] - pressures[1], coefficient, 0.01)
+
+
+# Coarse and short.
+COARSE = ("Refinement/Elements over contact radius=5", "Geometry/Initial refinements=3", "Loading/Number of steps=60",
+          "Loading/History=0.5: depth 0.1 | 6: strain rate 0.1 | 16: strain rate 0.01 | 30: force rate 0")
+
+
+def creep_runs(runner):
+    """A cone on a creeping body: the same on 1 and 2 ranks, stopped and resumed, in seconds and hours."""
+    entries = {"Output/Fields": "never"} | dict(entry.split("=", 1) for entry in COARSE)
+    in_hours = {"Material/Reference rate": f"{3600 * REFERENCE_RATE}",
+                "Loading/History": f"{0.5 / 3600}: depth 0.1 | {6 / 3600}: strain rate 360 | {16 / 3600}: strain rate 36 | "
+                                   f"{30 / 3600}: force rate 0"}
+    with tempfile.TemporaryDirectory() as folder:
+        def run(changes, name, *options, ranks=runner.ranks):
+            directory = pathlib.Path(folder) / name
+            runner.start(command_line(runner.program, runner.case(CASE), changes, directory, *options, ranks=ranks))
+            return read_tables(directory)
+
+        whole = run(entries, "whole")
+        run(entries | {"Loading/History": "0.5: depth 0.1 | 6: strain rate 0.1 | 16: strain rate 0.01",
+                       "Loading/Number of steps": "32"}, "stopped")
+        for name, other in (("2 ranks", run(entries, "ranks", ranks=2)),
+                            ("resumed", run(entries, "stopped", "--resume")),
+                            ("hours", run(entries | in_hours, "hours"))):
+            for table, columns in (("history", ("depth", "force", "contact_area", "plastic_work")),
+                                   ("indentation", ("hardness", "max_depth"))):
+                runner.verify(f"{name}: rows of {table}", len(other[table]) == len(whole[table]))
+                for column in columns:
+                    largest = max(row[column] for row in whole[table])
+                    difference = max(abs(a[column] - b[column]) for a, b in zip(whole[table], other[table])) / largest
+                    runner.compare(f"{name}: {column}", difference, 0, 1e-9, absolute=True)
