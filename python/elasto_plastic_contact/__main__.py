@@ -20,6 +20,7 @@ COMMANDS = {
     "study": ("study.command", "many runs of one case with different entries"),
     "evaluate": ("evaluate", "hardness, moduli and more of measured curves"),
     "fit": ("fitting.command", "the material of measured curves, with its uncertainty"),
+    "report": ("reporting.command", "a report of a run for a paper and its reviewers"),
     "schema": ("schema", "the JSON schema of all entries of a parameter file"),
 }
 
