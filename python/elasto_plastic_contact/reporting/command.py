@@ -27,6 +27,9 @@ def page(text):
 
 def make_parser():
     parser = CommandParser("report", __doc__)
+    # (What follows --mesh-pair are its words, so the run comes first.)
+    parser.usage = ("epc report RUN [--mesh-pair MESH ...] [--output OUTPUT] [--overwrite] [--ranks RANKS] "
+                    "[--program PROGRAM]")
     parser.add_argument("directory", metavar="RUN", help="output directory of a run")
     parser.add_argument("--output", type=page, help="the report, .html (default: RUN/report.html)")
     parser.add_argument("--overwrite", action="store_true", help="replace a report that is there")

@@ -80,13 +80,18 @@ def write_curves(facts, document):
         write_diagram(facts, document, name, CAPTIONS[name])
 
 
+def is_sharp(history):
+    """Whether the imprint fits into the window from above, which is as wide as pyramids need."""
+    return history["contact_radius"].max() < 4. * history["depth"].max()
+
+
 def write_imprint(facts, document):
     document.heading("Imprint")
     if not facts.has_contact:
         document.missing("This run has no deformed contact surface.")
         return
-    write_diagram(facts, document, "imprint", "Deformed surface under load and after it")
-    if facts.dimension == 3 and facts.run.has("surface.pvd"):
+    write_diagram(facts, document, "imprint", "Deformed contact surface")
+    if facts.dimension == 3 and facts.run.has("surface.pvd") and is_sharp(facts.run.history):
         figure, axes = plt.subplots(figsize=(5.2, 4.2))
         figure.colorbar(draw_surface(axes, facts.run, -1, "", 6.), ax=axes, label=r"height over $\delta$")
         document.picture(data_of(figure, "png"), "png", "Surface from above, last fields: height over the largest "
