@@ -14,8 +14,8 @@ from elasto_plastic_contact import UserError, run
 from elasto_plastic_contact.reporting.bibliography import bibtex, entries_of_bibliography, key_of_deal_ii, known_entries
 from elasto_plastic_contact.reporting.command import write_report
 from elasto_plastic_contact.reporting.constants import as_parameter_file
-from elasto_plastic_contact.reporting.convergence import (common_ratio, entries_of_mesh, extrapolated, run_on,
-                                                           table_of)
+from elasto_plastic_contact.reporting.convergence import (common_ratio, entries_of_mesh, extrapolated, folder_of,
+                                                           run_on, table_of)
 from elasto_plastic_contact.reporting.document import Document
 from elasto_plastic_contact.reporting.energy import balance
 from elasto_plastic_contact.reporting.facts import Facts
@@ -148,12 +148,14 @@ class Reports(unittest.TestCase):
 
         def coarser():
             facts = Facts(folder)
-            other = run_on(facts, entries_of_mesh(facts, ["coarser"]), folder / "meshes/mesh_2", 1, None, said.append)
+            other = run_on(facts, entries_of_mesh(facts, ["coarser"]), 1, None, said.append)
             return facts, other
 
         facts, other = coarser()
         coarser()
-        self.assertEqual([text.partition(" ")[0] for text in said], ["running", f"{folder}/meshes/mesh_2:"])
+        place = folder_of(facts, {"Geometry/Initial refinements": "2"})
+        self.assertEqual([text.partition(" ")[0] for text in said], ["running", f"{place}:"])
+        self.assertNotEqual(place, folder_of(facts, {"Geometry/Initial refinements": "4"}))
         self.assertEqual(other.text("Geometry/Initial refinements"), "2")
         force, coarse = (mesh.run.history["force"].max() for mesh in (facts, other))
         rows, ratio = table_of([facts, other])

@@ -60,8 +60,7 @@ def write_report(directory, output=None, *, overwrite=False, meshes=(), ranks=1,
     if output.exists() and not overwrite:
         raise UserError(f"'{output}' is there already: choose another --output, or add --overwrite to replace it")
     entries = [entries_of_mesh(facts, words) for words in meshes]
-    others = [run_on(facts, changes, pathlib.Path(facts.run.path("meshes")) / f"mesh_{i}", ranks, program, say)
-              for i, changes in enumerate(entries, 2)]
+    others = [run_on(facts, changes, ranks, program, say) for changes in entries]
     document = Document(f"Report of the run {facts.name}")
     write(facts, others, document)
     with new_file(output) as file:

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The same run on other meshes: how far its key numbers depend on the mesh, and an extrapolation from three of them."""
 
+import hashlib
+import json
 import math
 import pathlib
 
@@ -79,9 +81,15 @@ def is_the_same(facts, other, entries):
             and all(theirs.get(path) == value for path, value in entries.items()))
 
 
-def run_on(facts, entries, folder, ranks, program, say):
-    """The Facts of the run on another mesh: those in the folder if they are of it, else it is made."""
-    folder = pathlib.Path(folder)
+def folder_of(facts, entries):
+    """Where the run on another mesh lies: another folder for other entries."""
+    name = hashlib.sha256(json.dumps(entries, sort_keys=True).encode()).hexdigest()[:8]
+    return pathlib.Path(facts.run.path("meshes")) / f"mesh_{name}"
+
+
+def run_on(facts, entries, ranks, program, say):
+    """The Facts of the run on another mesh: those in its folder if they are of it, else it is made."""
+    folder = folder_of(facts, entries)
     if (folder / "parameters.prm").is_file():
         try:
             found = Facts(folder)
