@@ -20,6 +20,7 @@ COMMANDS = {
     "study": ("study.command", "many runs of one case with different entries"),
     "evaluate": ("evaluate", "hardness, moduli and more of measured curves"),
     "fit": ("fitting.command", "the material of measured curves, with its uncertainty"),
+    "report": ("reporting.command", "a report of a run for a paper and its reviewers"),
     "schema": ("schema", "the JSON schema of all entries of a parameter file"),
 }
 
@@ -31,6 +32,8 @@ DEVELOPER_COMMANDS = {
     "contact_uniqueness": ("verification.contact_uniqueness", "the same history computed in several ways"),
     "rough_spots": ("verification.rough_spots", "force and pressure of many spots for values of 'Contact/Edge'"),
     "fit_coverage": ("verification.fit_coverage", "how often the regions of a fit hold the true values"),
+    "curve_and_imprint": ("verification.curve_and_imprint", "two materials with equal curves and other imprints"),
+    "published_metals": ("verification.published_metals", "fits of published measurements against tension tests"),
     "ten_cases": ("verification.ten_cases", "a number of each of ten short runs, to compare systems"),
     "full_disk_test": ("verification.full_disk_test", "fill disks, resume and compare"),
     "compare_with_step42": ("verification.step42_comparison", "run step-42 on the same cases"),

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Brings the schema of all entries, and the columns of the tables, up to date with the program and doc/lookup/tables.md."""
+"""Brings the schema of all entries, the columns of the tables and the bibliography of reports up to date with the program,
+doc/lookup/tables.md and doc/references.bib."""
 
 import argparse
 import json
@@ -10,6 +11,7 @@ import subprocess
 from . import columns, schema
 from .errors import UserError
 from .program import MPI_ENVIRONMENT, find_program
+from .reporting import bibliography
 from .verification.runner import add_program
 
 
@@ -22,6 +24,7 @@ def main(arguments):
     reference = print_of_program(chosen.program, "--print-parameters")
     bring_up_to_date(schema.FILE, schema.make_schema(reference), chosen.check)
     bring_up_to_date(columns.FILE, of_tables, chosen.check)
+    bring_up_to_date(bibliography.FILE, bibliography.entries_of_bibliography(), chosen.check)
     return 0
 
 

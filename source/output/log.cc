@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/revision.h>
-#include <deal.II/base/vectorization.h>
 
 #include <cstdio>
 #include <iostream>
 
-#include "base/simd.h"
-#include "base/version.h"
 #include "output/log.h"
+#include "output/versions.h"
 
 namespace ElastoPlastic
 {
@@ -45,12 +42,7 @@ namespace ElastoPlastic
   void
   Log::print_banner(const unsigned int n_ranks)
   {
-    full << "ElastoPlasticContact " << ELASTO_PLASTIC_CONTACT_VERSION << " ("
-         << ELASTO_PLASTIC_CONTACT_REVISION << "), "
-         << ELASTO_PLASTIC_CONTACT_BUILD_TYPE << " build\n"
-         << "deal.II " << DEAL_II_PACKAGE_VERSION << ", "
-         << Simd<double>::size() << " number(s) per SIMD batch, " << n_ranks
-         << " MPI rank(s)" << std::endl;
+    full << versions(n_ranks) << std::flush;
   }
 
 

@@ -12,6 +12,7 @@
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
 #include "output/checked_write.h"
+#include "output/versions.h"
 #include "restart/checkpoint.h"
 #include "restart/output_directory.h"
 
@@ -241,11 +242,15 @@ namespace ElastoPlastic
   void
   OutputDirectory::write_input(const std::string &effective_input) const
   {
-    checked_write(communicator,
-                  Utilities::MPI::this_mpi_process(communicator) == 0 ?
-                    name + "/parameters.prm" :
-                    "",
-                  [&](std::ostream &file) { file << effective_input; });
+    checked_write(
+      communicator,
+      Utilities::MPI::this_mpi_process(communicator) == 0 ?
+        name + "/parameters.prm" :
+        "",
+      [&](std::ostream &file) {
+        file << versions(Utilities::MPI::n_mpi_processes(communicator), "# ")
+             << effective_input;
+      });
   }
 
 

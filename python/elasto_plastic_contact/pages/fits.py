@@ -1,20 +1,20 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tables of the page on fits: the ready problems; see command."""
+"""Tables of the page on fits: the ready problems, and published measurements; see command."""
 
 import functools
 import pathlib
 import tempfile
 
 from ..program import ROOT
-from .recipe import Content, measured_table
+from .recipe import Content, measured_table, signed_percent
 
-PROBLEMS = ("sphere",)
+PROBLEMS = ("sphere", "cone_and_sphere")
 
 
-@measured_table(300)
+@measured_table(1200)
 def fits(runs):
-    """The ready problem of a sphere: values, errors and regions, and the number of runs."""
+    """The ready problems of a sphere, and of cone and sphere: values, errors and regions, and the number of runs."""
     from ..fitting.command import fit  # (which needs SciPy)
     with tempfile.TemporaryDirectory() as folder:
         return content_of({name: fit(ROOT / f"parameter_files/fit/{name}.json", pathlib.Path(folder) / name,
@@ -40,3 +40,25 @@ def content_of(found):
                      f"{best.lower:.4g} to {best.upper:.4g}"])
         numbers[f"{name}_runs"] = f"{fit.n_runs}"
     return Content(rows, numbers)
+
+
+@measured_table(400)
+def published_metals(runs):
+    """Two aluminium alloys: what their tension tests give, and the fits, against what was measured."""
+    from ..verification.published_metals import METALS, fitted, from_tension  # (which need SciPy)
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder)
+        computed = from_tension(place / "tension", runs.program, False, 2)
+        fits_of = [fitted(name, place, runs.program, False, False, 2)[1:] for name in METALS]
+    return content_of_metals(computed, fits_of)
+
+
+def content_of_metals(computed, fits_of):
+    """computed: of each metal, the quantities from its tension test; fits_of: E* and stress."""
+    from ..verification.published_metals import METALS
+    rows = []
+    for metal, of_tension, (modulus, stress) in zip(METALS.values(), computed, fits_of):
+        pairs = [(mean, of_tension[name]) for name, (mean, _) in metal.quantities().items()]
+        pairs += [(metal.tensile[0], modulus), (metal.tensile[2], stress)]
+        rows += [[None, None, f"{known:g}", f"{found:.4g}", signed_percent(found / known - 1.)] for known, found in pairs]
+    return Content(rows)

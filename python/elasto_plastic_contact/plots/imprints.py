@@ -50,7 +50,8 @@ def draw_surface(axes, run, step, name, extent):
     mesh = Triangulation(x, y)
     levels = numpy.arange(-1., 0.16, 0.05)
     colours = axes.tricontourf(mesh, height, levels=levels, cmap="viridis", extend="both")
-    axes.tricontour(mesh, height, levels=[0.], colors="white", linewidths=0.8)
+    if height.min() < 0. < height.max():
+        axes.tricontour(mesh, height, levels=[0.], colors="white", linewidths=0.8)
     if pressure.max() > 0.:
         axes.tricontour(mesh, pressure, levels=[0.5 * numpy.median(pressure[pressure > 0.])], colors="red",
                         linewidths=1.)

@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The studies of the page on fits: their problems can be read, their numbers fit into its table, and their standard
+errors are those of a linear problem."""
+
+import pathlib
+import unittest
+
+import numpy
+
+from elasto_plastic_contact.fitting.reading import read_problem
+from elasto_plastic_contact.pages.fits import content_of_metals
+from elasto_plastic_contact.pages.places import fill, names
+from elasto_plastic_contact.schema import check_path
+from elasto_plastic_contact.verification.curve_and_imprint import (DEPTH, LOADING, NOISE, PAIR, PLACES, STEP, UNLOADING,
+                                                                   coordinates_of, entries, residuals, standard_errors)
+from elasto_plastic_contact.verification.published_metals import METALS, problem_of, tensile_entries
+
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "doc/recipes/fit.md"
+
+
+class Studies(unittest.TestCase):
+    def test_published_metals(self):
+        for metal in METALS.values():
+            problem = read_problem(problem_of(metal, with_slope=False, coarse=False))
+            self.assertEqual(problem.names, ["sigma_Y", "Es"])
+            experiment, = problem.experiments
+            self.assertEqual(sum(len(block.y) for block in experiment.blocks), 2)
+            problem = read_problem(problem_of(metal, with_slope=True, coarse=True))
+            self.assertEqual(problem.names, ["sigma_Y", "Es", "n"])
+            # (The stress of the tension test at the plastic strain 0.033, by its own law and as published, within 2 %.)
+            modulus, yield_stress, stress, exponent = metal.tensile
+            law = tensile_entries(metal)
+            strain = law["Material/Power law reference strain"]
+            self.assertLess(abs(yield_stress * (1. + 0.033 / strain) ** exponent / stress - 1.), 0.02)
+            self.assertAlmostEqual(law["Material/Young's modulus"] / 0.91, 1e3 * modulus)
+
+    def test_table_of_metals(self):
+        """One row of the page for each number."""
+        text = PAGE.read_text(encoding="utf-8")
+        self.assertIn("published_metals", names(text))
+        computed = [{name: mean for name, (mean, _) in metal.quantities().items()} for metal in METALS.values()]
+        fits = [(metal.tensile[0], metal.tensile[2]) for metal in METALS.values()]
+        filled = fill(text, {"published_metals": content_of_metals(computed, fits)})
+        self.assertEqual(len(filled.splitlines()), len(text.splitlines()))
+        self.assertEqual(filled.count("| +0.0 % |"), 10)
+
+    def test_materials(self):
+        for material in PAIR:
+            values = entries(coordinates_of(material))
+            for path in values:
+                check_path(path, "set")
+            numpy.testing.assert_allclose([values["Material/Yield stress"], values["Material/Power law exponent"],
+                                           values["Material/Young's modulus"]], material)
+
+    def test_standard_errors(self):
+        """Of what is linear in the coordinates: one number each in loading, unloading and imprint."""
+        first = (2. * LOADING, DEPTH * (1. - 0.1 * (1. - UNLOADING)), 0. * PLACES)
+        slope = (UNLOADING[0] - 0.5) * 2. / (0.1 * DEPTH * (UNLOADING[0] - 0.5))
+
+        def at(load, unload, height):
+            return (first[0] + NOISE * 2. * load, first[1] - NOISE * 2. / slope * unload,
+                    first[2] + NOISE * DEPTH * height)
+
+        curve, imprint = residuals(first, at(1., 2., 3.), first)
+        numpy.testing.assert_allclose(curve, numpy.repeat([1., 2.], [len(LOADING), len(UNLOADING)]))
+        numpy.testing.assert_allclose(imprint, 3.)
+        low, high = ([at(*(sign * STEP * row)) for row in numpy.eye(3)] for sign in (-1., 1.))
+        alone, together = standard_errors(low, high, first)
+        numpy.testing.assert_allclose(alone[:2], [len(LOADING) ** -0.5, len(UNLOADING) ** -0.5])
+        self.assertGreater(alone[2], 1e6)  # (the curve says nothing of the third)
+        numpy.testing.assert_allclose(together, [*alone[:2], len(PLACES) ** -0.5])
+
+
+if __name__ == "__main__":
+    unittest.main()
