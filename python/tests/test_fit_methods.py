@@ -17,7 +17,8 @@ from elasto_plastic_contact.fitting.predictions import QUANTITIES, column_at, cu
 from elasto_plastic_contact.fitting.problem import Experiment, Parameter, Problem
 from elasto_plastic_contact.fitting.profiles import better_point, profiles
 from elasto_plastic_contact.fitting.runs import Failure
-from elasto_plastic_contact.fitting.statistics import covariance, directions, independent_points, quality
+from elasto_plastic_contact.fitting.statistics import (UNKNOWN, covariance, covariance_of_known, directions,
+                                                       independent_points, quality)
 from elasto_plastic_contact.fitting.uniqueness import Material, family, representative
 
 # A sphere of the radius 1 whose hardness is three times the flow stress at the plastic strain 0.2 a/R (Tabor, 1951).
@@ -236,6 +237,23 @@ class Errors(unittest.TestCase):
         self.assertAlmostEqual(good.threshold, BOUND)
         self.assertIn("no more independent values than parameters", quality(numpy.ones(2), [2], 2, False).remark)
 
+    def test_trend(self):
+        """Residuals of 15 standard deviations that are a line: said, and no errors of a good fit."""
+        for n_parameters in (2, 3):
+            found = quality(numpy.linspace(-15., 15., 180), [180], n_parameters, True)
+            self.assertLess(found.independent - n_parameters, 1.)
+            self.assertIn("larger than the given noise explains", found.remark)
+            self.assertGreaterEqual(found.scale, found.chi_square / found.freedom)
+
+    def test_unknown(self):
+        """One residual says nothing of a second coordinate, two that are the same neither."""
+        for jacobian in (numpy.array([[50., 10.]]), numpy.array([[50., 10.], [50., 10.]])):
+            self.assertGreater(numpy.sqrt(numpy.diag(covariance(jacobian))).min(), 0.1 * UNKNOWN)
+            known = numpy.array([50., 10.]) / numpy.linalg.norm(jacobian)
+            expected = numpy.outer(known, known) / (known @ known) / numpy.linalg.norm(jacobian) ** 2
+            numpy.testing.assert_allclose(covariance_of_known(jacobian), expected)
+            self.assertEqual([error == UNKNOWN for _, error, _ in directions(jacobian)], [False, True])
+
     def test_linear(self):
         """Of a linear model, profiles end where the normal distribution says, at the bounds of a flat direction,
         too."""
@@ -318,7 +336,13 @@ class Uniqueness(unittest.TestCase):
         ends = profiles(model, best, BOUND, numpy.sqrt(numpy.diag(matrix)))
         self.assertFalse(all(end.is_closed for pair in ends for end in pair))
         self.assertTrue(any("reaches its bound" in end.remark for pair in ends for end in pair))
-        found = representative(self.material, family(best.x, ends, BOUND), matrix, 1.96)
+        # (what one number does not say: errors of both parameters, one flat direction)
+        self.assertGreater(numpy.sqrt(numpy.diag(matrix)).min(), 0.1 * UNKNOWN)
+        (known, error, row), (singular, unknown, flat) = directions(best.jacobian)
+        self.assertAlmostEqual(error * numpy.linalg.norm(best.jacobian), 1.)
+        self.assertEqual((singular, unknown), (0., UNKNOWN))
+        self.assertLess(abs(best.jacobian @ flat)[0], 1e-9 * known)
+        found = representative(self.material, family(best.x, ends, BOUND), covariance_of_known(best.jacobian), 1.96)
         self.assertLess(abs(found.plastic_strain / 0.033 - 1.), 0.15)
         self.assertLess(abs(found.stress / self.stress - 1.), 0.01)
         self.assertTrue(0.97 < found.lower / self.stress < 1. < found.upper / self.stress < 1.03)
