@@ -110,7 +110,7 @@ def sentences(fit):
         for end, closed, remark in zip(("lower", "upper"), region.closed, region.remarks):
             if remark:
                 yield (f"{name}: the {end} end of its region: {remark}"
-                       + ("" if closed else ", so that the data do not limit it"))
+                       + ("" if closed else ", so that the data give no end"))
     for _, error, row in fit.directions:
         known = f"known to +-{error:.3g} (standard error)" if error < UNKNOWN else "the data say nothing of"
         yield f"{known}: {combination(fit.problem, row)}"
