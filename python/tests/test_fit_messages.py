@@ -238,6 +238,21 @@ class Problems(unittest.TestCase):
         (self.folder / "gap.csv").write_text("x,height\n1,nan\n")
         self.refuse_data("has values that are not finite", imprint="gap.csv")
 
+    def test_absolute_noise(self):
+        """In the unit of the data, of curves that of the file: 2 mN, 5 nm, 0.1 µm."""
+        rows = [row.split(",") for row in CURVE.splitlines()[1:]]
+        (self.folder / "small.csv").write_text("Depth (nm),Force (mN)\n" + "".join(
+            f"{1e3 * float(depth)},{1e3 * float(force)}\n" for depth, force in rows))
+        load, _ = self.block({"curve": "small.csv", "noise": {"absolute": 2.}})
+        numpy.testing.assert_allclose(load.sigma, 2e-3)
+        depths, _ = self.block({"curve": "small.csv", "compare": "depth", "noise": {"absolute": 5.}})
+        numpy.testing.assert_allclose(depths.sigma, 5e-6)
+        imprint, = self.block({"imprint": "imprint.csv", "unit": "µm", "noise": {"absolute": 0.1}})
+        numpy.testing.assert_allclose(imprint.sigma, 1e-4)
+        self.refuse_data("noise/absolute' is 'x', but must be a number", quantity="hardness", value=3,
+                         noise={"absolute": "x"})
+        self.refuse_data("noise' is 3, but must be an object", quantity="hardness", value=3, noise=3)
+
     def test_quantities(self):
         hardness, = self.block({"quantity": "hardness", "value": [3.0, 3.2, 3.1], "unit": "GPa"})
         numpy.testing.assert_allclose([hardness.y[0], hardness.sigma[0]], [3100., 100. / 3. ** 0.5])
