@@ -136,7 +136,7 @@ class ExperimentReader:
         for stage, entries in {"fine": common, **({"coarse": common | coarse} if coarse else {})}.items():
             history = ({"Loading/History": history_to(data["load to"], place, blocks, known | entries, formulas)}
                        if "load to" in data else {})
-            cases[stage] = case_of(path, entries | history, read_count(data, "ranks"))
+            cases[stage] = case_of(path, entries | history, read_count(data, "ranks"), self.program)
         names = {kind: known.get(f"Output/{kind.capitalize()} unit", "") for kind in ("length", "force")}
         return Experiment(name, cases, formulas, blocks, names | data.get("units", {}))
 
@@ -146,7 +146,8 @@ class ExperimentReader:
         path, common, _, formulas = self.parts(data, place, ())
         makers = [read_candidate_data(item, f"{place}/data/{i}")
                   for i, item in enumerate(items(data["data"], place), 1)]
-        return Experiment(name, {"fine": case_of(path, common, read_count(data, "ranks"))}, formulas, makers)
+        return Experiment(name, {"fine": case_of(path, common, read_count(data, "ranks"), self.program)}, formulas,
+                          makers)
 
     def parts(self, data, place, keys):
         """Path of the case, entries of all runs and of coarse ones, formulas."""
