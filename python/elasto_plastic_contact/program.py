@@ -3,6 +3,7 @@
 """Finds and starts the program."""
 
 import difflib
+import functools
 import os
 import pathlib
 import shutil
@@ -67,6 +68,21 @@ def find_program(program=None):
         raise UserError(f"there is no program '{given or 'elasto_plastic_contact'}': {build}say where it is, "
                         f"by --program, the argument 'program' or the variable {PROGRAM_VARIABLE}")
     return os.path.abspath(found)
+
+
+def version_of(program=None):
+    """What the program says to --version; empty if there is no program."""
+    try:
+        return answer_of(find_program(program), "--version")
+    except (OSError, UserError):
+        return ""
+
+
+@functools.cache
+def answer_of(path, option):
+    """What the program at a path writes when it is given an option alone."""
+    return subprocess.run([path, option], env=os.environ | MPI_ENVIRONMENT, stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, check=False).stdout.strip()
 
 
 def as_text(value):

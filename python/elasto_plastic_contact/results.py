@@ -8,7 +8,7 @@ import os
 
 from .errors import UserError
 from .fields import check_step, read_record, reading, records
-from .files import read_text
+from .parameter_file import read_entries
 from .tables import read_table
 
 
@@ -19,26 +19,6 @@ ORIGINS = {
     "continuous_stiffness.csv": "it takes 'Evaluation/Continuous stiffness = true' and a contact",
     "error_bound.csv": "it takes 'Analysis = contact with error bound'",
 }
-
-
-def read_entries(path):
-    """The entries of a parameter file without 'include': 'Section/Entry' to text."""
-    values, sections, continued = {}, [], ""
-    for number, line in enumerate(read_text(path).splitlines(), 1):
-        line = continued + line.split("#")[0].strip()
-        continued = ""
-        if line.endswith("\\"):
-            continued = line[:-1]
-        elif line.startswith("subsection "):
-            sections.append(line[len("subsection "):].strip())
-        elif line == "end" and sections:
-            sections.pop()
-        elif line.startswith("set ") and "=" in line:
-            entry, value = line[len("set "):].split("=", 1)
-            values["/".join(sections + [entry.strip()])] = value.strip()
-        elif line:
-            raise UserError(f"'{path}' is damaged in line {number}")
-    return values
 
 
 class Results:

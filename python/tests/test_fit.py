@@ -51,6 +51,7 @@ done
 case "$*" in
   *=2*) echo "no convergence" >&2; exit 3 ;;
   *=9*) echo "wrong" >&2; exit 2 ;;
+  *=8*) echo "disk full" >&2; exit 5 ;;
 esac
 mkdir -p "$folder"
 sleep 0.2
@@ -175,7 +176,8 @@ class Fits(unittest.TestCase):
 
     def test_runs(self):
         """With a program that notes its folder of temporary files, is slow, and fails for one value: each run is made
-        once and has a folder of its own; what fails is known the next time, too; what is refused ends all."""
+        once and has a folder of its own; what fails is known the next time, too, and what is refused is tried again; an
+        error of writing ends all."""
         program = self.folder / "program"
         program.write_text(PROGRAM)
         program.chmod(0o755)
@@ -190,9 +192,13 @@ class Fits(unittest.TestCase):
             self.assertEqual(len(places), 3)
             self.assertFalse(any(pathlib.Path(place.strip()).exists() for place in places))
             self.assertEqual(found[4].message, "no convergence")
-        with Runs(self.folder, str(program), 1) as runs, self.assertRaisesRegex(UserError,
-                                                                                "Yield stress = 9 has ended: wrong"):
-            runs.results([(case, {"Material/Yield stress": 9})])
+        for _ in range(2):
+            with Runs(self.folder, str(program), 1) as runs:
+                refused, good = runs.results([(case, {"Material/Yield stress": value}) for value in (9, 1)])
+                self.assertEqual((refused.message, runs.n_made), ("wrong", 1))
+                self.assertTrue(good.path("place"))
+        with Runs(self.folder, str(program), 1) as runs, self.assertRaisesRegex(UserError, "= 8 has ended: disk full"):
+            runs.results([(case, {"Material/Yield stress": 8})])
 
     def test_flow_stress(self):
         """The stress that the program finds in a bar, at its plastic strain."""

@@ -85,6 +85,49 @@ class Problems(unittest.TestCase):
         self.assertTrue(problem.noise_is_known)
         self.assertEqual(len(problem.candidates), 1)
 
+    def history(self, case, quantity, entries):
+        """Of the experiment with another case and further entries, on the fine and on the coarse mesh."""
+        problem = self.changed(f"{CONE}/case", case)
+        problem["experiments"]["cone"] |= {"load to": quantity, "set": entries}
+        cases = self.read(problem).experiments[0].cases
+        return [cases[stage].common["Loading/History"] for stage in ("fine", "coarse")]
+
+    def test_load_to(self):
+        """Forces of the history are those on the modelled part, depths begin where the indenter is at first, also where
+        an included file says so."""
+        cone, sector = "indentation/cone_finite_strain.prm", "indentation/berkovich_sector.prm"
+        self.assertEqual(self.history(cone, "force", {}), ["1: force 2500.0 | 1.2: force 0"] * 2)
+        sixth, _ = self.history(sector, "force", {})
+        self.assertAlmostEqual(float(sixth.split()[2]), 2500. / 6.)
+        (self.folder / "with_gap.prm").write_text("subsection Indenter\n  include gap.txt\nend\n")
+        (self.folder / "gap.txt").write_text("set Initial gap = \\\n  0.03  # mm\n")
+        self.assertEqual(self.history("with_gap.prm", "depth", {}), ["1: depth 0.08 | 1.2: force 0"] * 2)
+        self.assertEqual(self.history(cone, "depth", {"Indenter/Initial gap": 0.02})[0],
+                         "1: depth 0.07 | 1.2: force 0")
+        for message, *changes in (
+                ("is not known before the run unless the body is axisymmetric or a sector",
+                 "indentation/berkovich_finite_strain.prm", "force", {}),
+                ("is not known before the run", sector, "force", {"Indenter/Position": "0.1, 0"}),
+                ("is not known before the run", sector, "force", {"Geometry/Sector angle": "wide"}),
+                ("does not know how fast the measurement was, and 'Material/Rate law' is 'Norton'", cone, "depth",
+                 {"Material/Rate law": "Norton"}),
+                ("'Indenter/Initial gap' of 'experiments/cone' is 'wide', but must be a number", cone, "depth",
+                 {"Indenter/Initial gap": "wide"})):
+            with self.subTest(message), self.assertRaisesRegex(UserError, message):
+                self.history(*changes)
+        problem = copy.deepcopy(PROBLEM)
+        problem["entries"]["Indenter/Initial gap"] = "0.01 * n"
+        with self.assertRaisesRegex(UserError, "load to' is 'depth', and 'entries' change 'Indenter/Initial gap'"):
+            self.read(problem)
+
+    def test_included(self):
+        """Files that include others are followed, and not for ever."""
+        for text, message in (("include problem.prm", "'.*problem.prm' is included while it is being read"),
+                              ("include nowhere.prm", "'.*nowhere.prm' cannot be read"),
+                              ("set Dimension", "'.*problem.prm' is damaged in line 1")):
+            (self.folder / "problem.prm").write_text(text)
+            self.refuse(message, f"{CONE}/case", "problem.prm")
+
     def test_file(self):
         for text, message in (("{", "this is no JSON"), ("[]", "the problem is \\[\\], but must be an object"),
                               ('{"parameters": 1, "parameters": 2}', "stands twice")):
@@ -194,6 +237,21 @@ class Problems(unittest.TestCase):
                          computed={"table": "history", "x": "time", "y": "strength"})
         (self.folder / "gap.csv").write_text("x,height\n1,nan\n")
         self.refuse_data("has values that are not finite", imprint="gap.csv")
+
+    def test_absolute_noise(self):
+        """In the unit of the data, of curves that of the file: 2 mN, 5 nm, 0.1 µm."""
+        rows = [row.split(",") for row in CURVE.splitlines()[1:]]
+        (self.folder / "small.csv").write_text("Depth (nm),Force (mN)\n" + "".join(
+            f"{1e3 * float(depth)},{1e3 * float(force)}\n" for depth, force in rows))
+        load, _ = self.block({"curve": "small.csv", "noise": {"absolute": 2.}})
+        numpy.testing.assert_allclose(load.sigma, 2e-3)
+        depths, _ = self.block({"curve": "small.csv", "compare": "depth", "noise": {"absolute": 5.}})
+        numpy.testing.assert_allclose(depths.sigma, 5e-6)
+        imprint, = self.block({"imprint": "imprint.csv", "unit": "µm", "noise": {"absolute": 0.1}})
+        numpy.testing.assert_allclose(imprint.sigma, 1e-4)
+        self.refuse_data("noise/absolute' is 'x', but must be a number", quantity="hardness", value=3,
+                         noise={"absolute": "x"})
+        self.refuse_data("noise' is 3, but must be an object", quantity="hardness", value=3, noise=3)
 
     def test_quantities(self):
         hardness, = self.block({"quantity": "hardness", "value": [3.0, 3.2, 3.1], "unit": "GPa"})

@@ -4,21 +4,24 @@
 
 import types
 import unittest
+import unittest.mock
 
 import numpy
 from scipy import optimize, stats
 
 from elasto_plastic_contact import UserError
+from elasto_plastic_contact.fitting import optimisation
 from elasto_plastic_contact.fitting.flow_stress import flow_stress, total_strain
 from elasto_plastic_contact.fitting.formulas import Formula
 from elasto_plastic_contact.fitting.models import CorrectedModel, FunctionModel
 from elasto_plastic_contact.fitting.optimisation import Derivatives, minimise, noise_of, polish
-from elasto_plastic_contact.fitting.predictions import QUANTITIES, column_at, curve_at, imprint_at
 from elasto_plastic_contact.fitting.problem import Experiment, Parameter, Problem
 from elasto_plastic_contact.fitting.profiles import better_point, profiles
 from elasto_plastic_contact.fitting.runs import Failure
-from elasto_plastic_contact.fitting.statistics import covariance, directions, independent_points, quality
+from elasto_plastic_contact.fitting.statistics import (UNKNOWN, covariance, covariance_of_known, directions,
+                                                       independent_points, quality)
 from elasto_plastic_contact.fitting.uniqueness import Material, family, representative
+from elasto_plastic_contact.verification.fit_coverage import Repetitions
 
 # A sphere of the radius 1 whose hardness is three times the flow stress at the plastic strain 0.2 a/R (Tabor, 1951).
 DEPTHS = numpy.linspace(0.002, 0.1, 120)
@@ -140,6 +143,12 @@ class Minima(unittest.TestCase):
         with self.assertRaisesRegex(UserError, "the run at the start has failed.*no convergence. Give another start"):
             minimise(model, numpy.array([numpy.log(200.), 0.1]), 0.02)
 
+    def test_wrong_derivatives(self):
+        """Where improved derivatives lead nowhere, they are taken anew."""
+        with unittest.mock.patch.object(optimisation, "improved", lambda jacobian, *_: numpy.roll(jacobian, 40, axis=0)):
+            found = minimise(model_of(1), START, 0.02, tolerance=1e-4)
+        self.assertTrue(found.converged, found.remark)
+
     def test_not_smooth(self):
         """A function with jumps of half a percent has no minimum to this tolerance: no endless search."""
         y = measured(1)
@@ -236,6 +245,23 @@ class Errors(unittest.TestCase):
         self.assertAlmostEqual(good.threshold, BOUND)
         self.assertIn("no more independent values than parameters", quality(numpy.ones(2), [2], 2, False).remark)
 
+    def test_trend(self):
+        """Residuals of 15 standard deviations that are a line: said, and no errors of a good fit."""
+        for n_parameters in (2, 3):
+            found = quality(numpy.linspace(-15., 15., 180), [180], n_parameters, True)
+            self.assertLess(found.independent - n_parameters, 1.)
+            self.assertIn("larger than the given noise explains", found.remark)
+            self.assertGreaterEqual(found.scale, found.chi_square / found.freedom)
+
+    def test_unknown(self):
+        """One residual says nothing of a second coordinate, two that are the same neither."""
+        for jacobian in (numpy.array([[50., 10.]]), numpy.array([[50., 10.], [50., 10.]])):
+            self.assertGreater(numpy.sqrt(numpy.diag(covariance(jacobian))).min(), 0.1 * UNKNOWN)
+            known = numpy.array([50., 10.]) / numpy.linalg.norm(jacobian)
+            expected = numpy.outer(known, known) / (known @ known) / numpy.linalg.norm(jacobian) ** 2
+            numpy.testing.assert_allclose(covariance_of_known(jacobian), expected)
+            self.assertEqual([error == UNKNOWN for _, error, _ in directions(jacobian)], [False, True])
+
     def test_linear(self):
         """Of a linear model, profiles end where the normal distribution says, at the bounds of a flat direction,
         too."""
@@ -269,6 +295,35 @@ class Errors(unittest.TestCase):
                                                  options={"xatol": 1e-9}).fun
                 self.assertTrue(end.is_closed)
                 self.assertLess(abs((least - best.chi_square) / BOUND - 1.), 0.15)
+
+    def test_far_end(self):
+        """Nine steps of 0.7 do not come to the end at 98, nor to the bound."""
+        model = FunctionModel(lambda x: numpy.array([x[0], 0.02 * x[1]]), [-9.] * 2, [9.] * 2)
+        best = minimise(model, numpy.zeros(2), 0.01)
+        (lower, upper), far = profiles(model, best, BOUND, numpy.sqrt(numpy.diag(covariance(best.jacobian))))
+        self.assertTrue(lower.is_closed and upper.is_closed)
+        for end in far:
+            self.assertFalse(end.is_closed)
+            self.assertIn("farther away than 9 points reach", end.remark)
+
+    def test_unsettled(self):
+        """Where the search of the other parameters has not ended, the end of a region is marked, and a repetition does
+        not count; a new beginning helps."""
+        model = model_of(5)
+        best = minimise(model, START, 0.02)
+        deviations = numpy.sqrt(numpy.diag(covariance(best.jacobian)))
+        repeat = Repetitions(FunctionModel(lambda x: tabor(x) / SIGMA, LOWER, UPPER), TRUTH)
+        self.assertIsNotNone(repeat(1))
+        with unittest.mock.patch.object(optimisation, "MOST_STEPS", 1):
+            ends = [end for pair in profiles(model, best, BOUND, deviations) for end in pair]
+            self.assertFalse(any(end.remark for end in ends), [end.remark for end in ends])
+        moved = types.SimpleNamespace(converged=False, chi_square=1e9)
+        with unittest.mock.patch("elasto_plastic_contact.verification.fit_coverage.held", lambda *_: moved):
+            self.assertIsNone(repeat(1))
+        with (unittest.mock.patch.object(optimisation, "MOST_STEPS", 1),
+              unittest.mock.patch("elasto_plastic_contact.fitting.profiles.RESTARTS", 0)):
+            ends = [end for pair in profiles(model, best, BOUND, deviations) for end in pair]
+        self.assertTrue(any("have not come to rest" in end.remark for end in ends))
 
     def test_better_point(self):
         """Of two minima, a profile from the worse one finds the better one."""
@@ -318,65 +373,18 @@ class Uniqueness(unittest.TestCase):
         ends = profiles(model, best, BOUND, numpy.sqrt(numpy.diag(matrix)))
         self.assertFalse(all(end.is_closed for pair in ends for end in pair))
         self.assertTrue(any("reaches its bound" in end.remark for pair in ends for end in pair))
-        found = representative(self.material, family(best.x, ends, BOUND), matrix, 1.96)
+        # (what one number does not say: errors of both parameters, one flat direction)
+        self.assertGreater(numpy.sqrt(numpy.diag(matrix)).min(), 0.1 * UNKNOWN)
+        (known, error, row), (singular, unknown, flat) = directions(best.jacobian)
+        self.assertAlmostEqual(error * numpy.linalg.norm(best.jacobian), 1.)
+        self.assertEqual((singular, unknown), (0., UNKNOWN))
+        self.assertLess(abs(best.jacobian @ flat)[0], 1e-9 * known)
+        found = representative(self.material, family(best.x, ends, BOUND), covariance_of_known(best.jacobian), 1.96)
         self.assertLess(abs(found.plastic_strain / 0.033 - 1.), 0.15)
         self.assertLess(abs(found.stress / self.stress - 1.), 0.01)
         self.assertTrue(0.97 < found.lower / self.stress < 1. < found.upper / self.stress < 1.03)
         self.assertLess(found.spread, 0.05)
         self.assertGreater(found.spread_elsewhere, 0.3)
-
-
-def run_of(depth, force, **tables):
-    """What stands for the Results of a run."""
-    history = numpy.array(list(zip(depth, force)), [("depth", float), ("force", float)])
-    return types.SimpleNamespace(history=history, number=lambda path: 0., modelled_part=1., table=tables.get)
-
-
-class Predictions(unittest.TestCase):
-    """A cone, force 100 depth^2 to the depth 2 in 40 steps, and an unloading by (depth - 1.5)^1.4 in ten."""
-    LOAD, UNLOAD = numpy.arange(1, 41) / 20., 2. - numpy.arange(1, 11) / 20.
-    RUN = run_of(numpy.append(LOAD, UNLOAD), numpy.append(100. * LOAD ** 2, 400. * ((UNLOAD - 1.5) / 0.5) ** 1.4))
-
-    def test_curves(self):
-        places = numpy.linspace(0.2, 2., 77)
-        numpy.testing.assert_allclose(curve_at(self.RUN, "load", "force", places), 100. * places ** 2, rtol=2e-3)
-        numpy.testing.assert_allclose(curve_at(self.RUN, "load", "depth", 100. * places ** 2), places, rtol=2e-3)
-        places = numpy.linspace(1.6, 2., 33)
-        numpy.testing.assert_allclose(curve_at(self.RUN, "unload", "force", places),
-                                      400. * ((places - 1.5) / 0.5) ** 1.4, rtol=5e-3)
-        self.assertLess(curve_at(self.RUN, "unload", "force", numpy.array([1.4]))[0], 0.)  # goes on
-
-    def test_quantities(self):
-        values = {name: QUANTITIES[name][0](self.RUN) for name in QUANTITIES if "hardness" not in name}
-        for name, value in (("loading curvature", 100.), ("unloading slope", 400. * 1.4 / 0.5),
-                            ("unloading slope over depth", 200. * 1.4 / 0.5), ("largest force", 400.),
-                            ("largest depth", 2.), ("residual depth", 1.5),
-                            ("plastic work share", 1. - (400. * 0.5 / 2.4) / (100. * 8. / 3.))):
-            self.assertLess(abs(values[name] / value - 1.), 5e-3, name)
-
-    def test_imprint(self):
-        profile = numpy.array([(1, 0., 0., 0., -9.), (2, 0., 0., 0., -0.5), (2, 1., 0., 0.1, -0.2),
-                               (2, 2., 0., 0., 0.)],
-                              [(name, float) for name in ("step", "x", "height", "displacement_x", "displacement_y")])
-        run = run_of([1.], [1.], surface_profile=profile)
-        numpy.testing.assert_allclose(imprint_at(run, numpy.array([0., 1.1, 2.])), [-0.5, -0.2, 0.], atol=1e-12)
-
-    def refuse(self, message, function, *arguments):
-        with self.assertRaisesRegex(UserError, message):
-            function(*arguments)
-
-    def test_messages(self):
-        self.refuse("the measured curve reaches the depth 3 .*and the run only 2: press further", curve_at, self.RUN,
-                    "load",
-                    "force", numpy.array([3.]))
-        loaded = run_of(self.LOAD, self.LOAD ** 2)
-        self.refuse("the run has no unloading of two steps or more", curve_at, loaded, "unload", "force", self.LOAD)
-        few = run_of([1., 2., 1.7, 1.5], [1., 4., 2., 0.])
-        self.refuse("fewer than three points above 70 % of the largest force", QUANTITIES["unloading slope"][0], few)
-        table = numpy.array([(0., 1.), (1., 2.), (0.5, 3.)], [("x", float), ("y", float)])
-        self.refuse("column 'x' of some.csv of the run turns back", column_at, run_of([1.], [1.], some=table), "some",
-                    "x",
-                    "y", numpy.array([0.5]))
 
 
 class FailedRuns(unittest.TestCase):

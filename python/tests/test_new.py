@@ -28,6 +28,8 @@ from elasto_plastic_contact.program import find_program
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts/command.py"
 
+SOFT = ("--young-modulus", "1 GPa", "--yield-stress", "6 MPa")
+
 # What makes a case of each kind.
 EXAMPLES = {
     "brinell": {"material": "steel-4340"},
@@ -119,6 +121,11 @@ class Kinds(unittest.TestCase):
             part = float(re.search("1: force ([0-9.]+)", history)[1])
             self.assertAlmostEqual(part / case.units.force(10. * force), 1., 5)
 
+    def test_solver(self):
+        """The default one: multigrid takes half of the time of a factorisation."""
+        for kind in EXAMPLES:
+            self.assertNotIn("Linear solver", case_of(kind).sections)
+
     def test_strain(self):
         """Small strains under a shallow sphere, finite ones under a deep one."""
         self.assertNotIn("logarithmic", case_of("sphere", depth="20 nm", tip_radius="10 um").text())
@@ -178,11 +185,19 @@ class Materials(unittest.TestCase):
         self.assertEqual(read_hardening("power 0.1"), PowerLaw(0.1))
 
     def test_table_of_ludwik_is_fine_enough(self):
-        law = Ludwik(0.5, 0.3)
-        for left, right in zip(TABULATED, TABULATED[1:]):
-            middle = 0.5 * (left + right)
-            chord = 0.5 * (law.added(left, 1., 1.) + law.added(right, 1., 1.))
-            self.assertLess(1. - chord / law.added(middle, 1., 1.), 0.025)
+        """Linear between its points and from the yield stress on, as the program takes it: the stress to half a per
+        cent, below the first point to two."""
+        strains = [1e-10 * 10. ** (0.01 * i) for i in range(1031)]
+        for material in (material for material in library().values() if isinstance(material.hardening, Ludwik)):
+            entry = material.hardening.entries(material, MILLIMETRES)["Hardening table"]
+            points = [(0., 1e3 * material.yield_stress), *(tuple(map(float, row.split(":"))) for row in entry.split("|"))]
+            self.assertEqual(len(points), len(TABULATED) + 1)
+            for strain in strains:
+                (left, low), (right, high) = next(pair for pair in zip(points, points[1:])
+                                                  if strain <= pair[1][0] or pair[1] is points[-1])
+                stress = low + (high - low) * (strain - left) / (right - left)
+                error = abs(stress / (1e3 * material.stress(strain)) - 1.)
+                self.assertLess(error, 0.005 if strain > TABULATED[0] else 0.02, (material.name, strain))
 
     def test_numbers_change_a_material(self):
         changed = chosen_material("steel", "200 GPa", None, "500 MPa", None)
@@ -312,6 +327,17 @@ class Command(unittest.TestCase):
                 ("--depth is too large for this ball", "sphere", "--material", "copper", "--tip-radius", "1 um",
                  "--depth", "2 um"),
                 ("--force is too large for this ball", "brinell", "--material", "copper", "--force", "300 kN"),
+                ("the force of the scale B is too large for this ball", "rockwell-ball", *SOFT),
+                ("the standard force is too large for this ball", "brinell", "--material", "copper", "--film",
+                 "1 mm, 10 MPa, 100 kPa"),
+                ("no force of ISO 6506-1 leaves an imprint within 0.6 diameters of the ball in your material: the least "
+                 "one is 980.665 N, and [0-9]+ N are enough. Give --force", "brinell", *SOFT),
+                ("--film is 0.002 mm thick, and the radius of the contact about 2.6. mm: 5[0-9]+ cells would lie over "
+                 "it, where at most 400 are allowed. Leave --film out", "brinell", "--material", "steel", "--film",
+                 "2 um, 400 GPa"),
+                *(("--ball has neither --angle nor --tip-radius", "coating", "--material", "steel", "--film",
+                   "2 um, 400 GPa", "--depth", "300 nm", "--ball", "1 mm", *other)
+                  for other in (("--angle", "70"), ("--tip-radius", "1 um"))),
                 ("'nowhere/cone.prm' cannot be written", *cone_of, "--depth", "1 um", "--output", "nowhere/cone.prm")):
             with self.subTest(pattern):
                 status, message = self.ending_of(arguments)

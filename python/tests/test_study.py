@@ -18,6 +18,7 @@ from elasto_plastic_contact.__main__ import main
 from elasto_plastic_contact.errors import FileError
 from elasto_plastic_contact.files import new_file
 from elasto_plastic_contact.plots.study import draw
+from elasto_plastic_contact.program import answer_of
 from elasto_plastic_contact.study.execution import curves_of_runs
 from elasto_plastic_contact.study.plan import read_study
 
@@ -116,6 +117,24 @@ class Studies(unittest.TestCase):
         self.assertRegex(process.stderr,
                          "(?s)the run with Material/Poisson's ratio = 0.7 is refused: .*Poisson's ratio")
         self.assertEqual(self.finished(), {})
+
+    def test_names_of_folders(self):
+        """Others for another entry in an included file, and for another version of the program; not for a comment."""
+        included, case = self.folder / "steel.txt", self.folder / "case.prm"
+        case.write_text("subsection Material\n  include steel.txt\nend\n")
+        program = self.folder / "program"
+
+        def name(stress, version):
+            included.write_text(f"set Yield stress = {stress}")
+            program.write_text(f"#!/bin/sh\necho {version}\n")
+            program.chmod(0o755)
+            answer_of.cache_clear()
+            study = read_study(self.command({**STUDY, "case": str(case)})[1], str(program))
+            return study.folder(study.runs[0])
+
+        names = [name(stress, version) for stress, version in ((300, 1), (300, 2), (400, 1), ("300  # MPa", 1))]
+        self.assertEqual(len(set(names[:3])), 3)
+        self.assertEqual(names[3], names[0])
 
     def test_folder_of_others(self):
         self.output.mkdir()

@@ -33,6 +33,10 @@ LOWEST = 0.05
 # The weights of data without noise: so many of their largest value.
 NOMINAL = 0.01
 
+# Units of named quantities by their powers of force and length.
+UNIT_KINDS = {(1, -2): "stress", (1, -1): "stiffness", (1, 0): "force", (0, 1): "length"}
+POWERS = {"depth": (0, 1), "force": (1, 0)}
+
 NOISES = ("absolute", "relative", "of largest")
 
 
@@ -99,10 +103,11 @@ def blocks_of_curve(curve, data, place, name, units):
     """Load and unload of one cycle, in units of the case."""
     compared = choice(data.get("compare", "force"), f"{place}/compare", ["force", "depth"])
     curve = with_zero_point(curve, data, place)
-    scales = {"depth": units.of((0, 1)), "force": units.of((1, 0))}
+    scales = {quantity: units.of(powers) for quantity, powers in POWERS.items()}
     segments = segments_of(curve, data, place)
     wanted = texts(data, "segments", place) if "segments" in data else list(segments)
     lowest = number(data, "above", place, LOWEST, least=0., below=1.) * curve.force.max()
+    noisy = with_noise_of_case(data, place, factor(UNIT_KINDS[POWERS[compared]], curve.units_of_file[compared]) / scales[compared])
     blocks = []
     for kind in wanted:
         choice(kind, f"{place}/segments", ["load", "unload"])
@@ -116,7 +121,7 @@ def blocks_of_curve(curve, data, place, name, units):
                             "mN")
         columns = {"depth": depth[used] / scales["depth"], "force": force[used] / scales["force"]}
         other = "depth" if compared == "force" else "force"
-        blocks.append(block_of(data, place, f"{name}, {kind}", kind, columns[other], columns[compared],
+        blocks.append(block_of(noisy, place, f"{name}, {kind}", kind, columns[other], columns[compared],
                                lambda run, x, kind=kind: curve_at(run, kind, compared, x), (other, compared)))
     return blocks
 
@@ -159,7 +164,7 @@ def read_imprint(data, place, folder, units):
         if factor("length", str(data["unit"])) is None:
             raise UserError(f"'{place}/unit' is '{data['unit']}', but must be one of {', '.join(FACTORS['length'])}")
         scale = factor("length", data["unit"]) / units.of((0, 1))
-        x, height = scale * x, scale * height
+        x, height, data = scale * x, scale * height, with_noise_of_case(data, place, scale)
     return [block_of(data, place, data["imprint"], "imprint", x, height, imprint_at, ("distance", "height"))]
 
 
@@ -208,12 +213,10 @@ def read_quantity(data, place, _, units):
         find, powers = QUANTITIES[name]
         scale = scale_of(data, place, powers, units)
     values = numpy.array(numbers_of(data, place)) * scale
-    noise = {}
+    data = with_noise_of_case(data, place, scale)
     if len(values) > 1 and not {"noise", "weight"} & set(data):
-        noise = {"noise": {"absolute": values.std(ddof=1) / len(values) ** 0.5}}
-    elif "absolute" in data.get("noise", {}):
-        noise = {"noise": data["noise"] | {"absolute": scale * number(data["noise"], "absolute", place, least=0.)}}
-    return [block_of(data | noise, place, name, "quantity", numpy.empty(0), numpy.atleast_1d(values.mean()),
+        data = data | {"noise": {"absolute": values.std(ddof=1) / len(values) ** 0.5}}
+    return [block_of(data, place, name, "quantity", numpy.empty(0), numpy.atleast_1d(values.mean()),
                      lambda run, _: numpy.atleast_1d(find(run)), ("", name))]
 
 
@@ -224,10 +227,6 @@ def numbers_of(data, place):
         raise UserError(f"'{place}/value' is {data.get('value')}, but must be a number, or a list of those of several "
                         "indents")
     return values
-
-
-# Units of named quantities by their powers of force and length.
-UNIT_KINDS = {(1, -2): "stress", (1, -1): "stiffness", (1, 0): "force", (0, 1): "length"}
 
 
 def scale_of(data, place, powers, units):
@@ -251,6 +250,15 @@ def block_of(data, place, name, kind, x, y, predict, labels):
     independent = number(data, "independent points", place, len(y), above=0.)
     sigma = sigma * max(1., len(y) / independent) ** 0.5
     return Block(name, kind, x, y, sigma, lambda run: predict(run, x), labels)
+
+
+def with_noise_of_case(data, place, scale):
+    """With the absolute noise in units of the case, which is given in that of the data. scale: a unit of the data in
+    those of the case."""
+    noise = data.get("noise")
+    if not isinstance(noise, dict) or "absolute" not in noise:
+        return data
+    return data | {"noise": noise | {"absolute": scale * number(noise, "absolute", f"{place}/noise", least=0.)}}
 
 
 def deviations(data, place, y):

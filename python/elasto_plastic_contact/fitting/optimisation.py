@@ -139,24 +139,26 @@ def minimise(model, start, step, report=lambda text: None, in_words=str, toleran
     """The Minimum from a start, by Gauss-Newton steps with derivatives by differences of a step. Each is the best one
     of the linear least squares within the bounds and within a box around the point, the trust region, which grows and
     shrinks as the sum of squares falls as expected or not (Conn, Gould and Toint, 2000); a run that fails makes it
-    shrink, too. After a step of less than a standard error, the derivatives are improved by that step alone."""
+    shrink, too. After a step of less than a standard error, the derivatives are improved by that step alone, and taken
+    anew where such ones lead nowhere."""
     x, derivatives, radius = numpy.array(start, float), Derivatives(model, step), FIRST_RADIUS
     residuals = start_of(model, x)
     report(f"  {in_words(x)}: sum of squares {residuals @ residuals:.6g}")
-    jacobian = derivatives(x, residuals)
+    jacobian, are_exact = derivatives(x, residuals), True
     for _ in range(MOST_ITERATIONS):
         _, fall = next_step(x, residuals, jacobian, model.lower, model.upper)
         if fall < least_fall(model, residuals, len(x), tolerance):
             return Minimum(x, residuals, jacobian, True, "")
         other, after, radius = trusted_step(model, x, residuals, jacobian, radius, report, in_words)
+        if other is None and not are_exact:
+            jacobian, are_exact, radius = derivatives(x, residuals), True, FIRST_RADIUS
+            continue
         if other is None:
             return Minimum(x, residuals, jacobian, False,
                            "no step lowers the sum of squares any more, as the derivatives say: "
                            "the computed curves are not smooth enough")
-        if fall < least_fall(model, residuals, len(x), 1.):
-            jacobian = improved(jacobian, other - x, after - residuals)
-        else:
-            jacobian = derivatives(other, after)
+        are_exact = fall >= least_fall(model, residuals, len(x), 1.)
+        jacobian = derivatives(other, after) if are_exact else improved(jacobian, other - x, after - residuals)
         x, residuals = other, after
     return Minimum(x, residuals, jacobian, False, f"it has not converged in {MOST_ITERATIONS} iterations")
 

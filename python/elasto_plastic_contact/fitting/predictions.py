@@ -15,13 +15,16 @@ from ..oliver_pharr import points_of
 # The initial slope of an unloading is that of a parabola through its points above this share of the largest force.
 SLOPE_SHARE = 0.7
 
+# Forces and depths of a hold differ by less than this, relatively.
+SAME = 1e-6
+
 # How far measured points may lie beyond the computed curve, relative to its length.
 BEYOND = 0.05
 
 
 class Curve:
     """Depth from the first contact and force of the whole indenter of a run: the loading up to the largest force, with
-    the point (0, 0), and what is unloaded then."""
+    the point (0, 0), and what is unloaded then, after a hold of force or depth if there is one."""
 
     def __init__(self, run):
         history = run.history
@@ -32,9 +35,10 @@ class Curve:
         touched[0] = True
         points = points[touched]
         top = int(points[:, 1].argmax())
-        rises = numpy.flatnonzero(numpy.diff(points[top:, 1]) >= 0.)
-        end = top + int(rises[0]) + 1 if len(rises) else len(points)
-        self.load, self.unload = points[:top + 1], points[top:end]
+        begin = end_of_hold(points, top)
+        rises = numpy.flatnonzero(numpy.diff(points[begin:, 1]) >= 0.)
+        end = begin + int(rises[0]) + 1 if len(rises) else len(points)
+        self.load, self.unload = points[:top + 1], points[begin:end]
 
     def segment(self, kind):
         """Rows of depth and force, 'load' or 'unload'. Raises UserError without two steps of it."""
@@ -43,6 +47,12 @@ class Curve:
             raise UserError(f"the run has no {kind}ing of two steps or more, which is to be compared: say so in "
                             "'Loading/History' and 'Loading/Number of steps', or choose 'segments'")
         return rows
+
+
+def end_of_hold(points, top):
+    """The last of the points from 'top' on at which force or depth are still those there."""
+    is_held = (numpy.abs(points[top:] - points[top]) <= SAME * points[top]).any(axis=1)
+    return top + int(is_held.argmin()) - 1 if not is_held.all() else len(points) - 1
 
 
 def interpolated(x, y, places, what):

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy
 
+from ..program import version_of
 from ..study.plan import Case
 
 
@@ -107,5 +108,6 @@ class Problem:
         return [(experiment, block) for experiment in self.experiments for block in experiment.blocks]
 
 
-def case_of(path, entries, ranks):
-    return Case(case=pathlib.Path(path), common={"Output/Fields": "never"} | entries, ranks=ranks)
+def case_of(path, entries, ranks, program=None):
+    return Case(case=pathlib.Path(path), common={"Output/Fields": "never"} | entries, ranks=ranks,
+                version=version_of(program))

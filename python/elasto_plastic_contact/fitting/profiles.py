@@ -24,6 +24,11 @@ LARGEST_STEP = 0.7
 # Coordinates are held here by polish() a little less strictly than at a minimum.
 LOOSE = 5. * TOLERANCE
 
+# How often their search is begun anew where it has not ended.
+RESTARTS = 2
+
+UNSETTLED = "the other parameters have not come to rest, so that it may lie farther away"
+
 
 @dataclass(frozen=True)
 class ProfileEnd:
@@ -42,7 +47,7 @@ def profile_end(model, minimum, i, side, threshold, deviation):
     bound = model.upper[i] if side > 0 else model.lower[i]
     room, wanted = abs(bound - minimum.x[i]), threshold ** 0.5
     way, root, points = [0.], [0.], []
-    here = minimum
+    here, settled = minimum, True
     distance = min(deviation * wanted, LARGEST_STEP, room)
     if room <= 1e-9 * (model.upper[i] - model.lower[i]):
         return ProfileEnd(minimum.x, False, "it lies at its bound", [])
@@ -53,8 +58,9 @@ def profile_end(model, minimum, i, side, threshold, deviation):
         rise = found.chi_square - minimum.chi_square
         points.append((found.x, rise))
         value = max(rise, 0.) ** 0.5
+        settled = settled and found.converged
         if abs(value - wanted) <= NEAR * wanted:
-            return ProfileEnd(found.x, True, "", points)
+            return ProfileEnd(found.x, True, "" if settled else UNSETTLED, points)
         if distance >= room and value < wanted:
             return ProfileEnd(found.x, False, "it reaches its bound", points)
         way.append(distance)
@@ -62,7 +68,9 @@ def profile_end(model, minimum, i, side, threshold, deviation):
         if value < wanted:
             here = found
         distance = next_distance(way, root, wanted, room)
-    return ProfileEnd(here.x, True, "its end is less exact than usual", points)
+    if max(root) < wanted:
+        return ProfileEnd(here.x, False, f"it is farther away than {MOST_POINTS} points reach", points)
+    return ProfileEnd(here.x, True, "its end is less exact than usual" if settled else UNSETTLED, points)
 
 
 def next_distance(way, root, wanted, room):
@@ -89,14 +97,19 @@ def better_point(ends, threshold):
 
 
 def held(model, near, i, value, others):
-    """The Minimum with coordinate i held at a value, from a point near it."""
+    """The Minimum with coordinate i held at a value, from a point near it; None if the run there fails."""
     x = near.x.copy()
     x[i] = value
     if others:
         residuals = near.residuals + near.jacobian[:, i] * (value - near.x[i])
         step, _ = next_step(x[others], residuals, near.jacobian[:, others], model.lower[others], model.upper[others])
         x[others] += step
-    return polish(model, x, near.jacobian, others, LOOSE)
+    found = polish(model, x, near.jacobian, others, LOOSE)
+    for _ in range(RESTARTS):
+        if found is None or found.converged:
+            break
+        found = polish(model, found.x, found.jacobian, others, LOOSE, found.residuals)
+    return found
 
 
 def profiles(model, minimum, threshold, deviations, report=lambda i, end: None):

@@ -7,19 +7,17 @@ import re
 
 from .data import read_blocks, read_units
 from .formulas import FUNCTIONS, Formula
+from .loading import history_to
 from .planned import read_candidate_data
 from .problem import Experiment, Parameter, Problem, case_of
 from .values import number
 from ..errors import UserError
+from ..parameter_file import read_entries as entries_of_file
 from ..program import find_case
-from ..results import read_entries as entries_of_file
 from ..schema import check_path
 from ..study.plan import check, check_keys, choice, read_count, read_entries, read_json
 
 PARAMETER_KEYS = ("start", "lower", "upper")
-
-# When the history of 'load to' has unloaded; its largest depth or force is at the time 1.
-UNLOADING_TIME = 1.2
 
 
 def read_problem(source, program=None):
@@ -108,7 +106,7 @@ def read_parameters(data, constants):
 
 
 def read_formulas(data, place, names):
-    """By entry; numbers and texts that are no formula of an entry of words stay."""
+    """Formulas by entry, or lists of them; a number is a formula, too. Raises UserError: of a text that is none."""
     formulas = {}
     for path, value in objects(data, place):
         check_path(path, place)
@@ -130,15 +128,15 @@ class ExperimentReader:
         """An experiment with its data."""
         place = f"experiments/{name}"
         path, common, coarse, formulas = self.parts(data, place, ("coarse", "units", "load to"))
-        known = self.entries_of_case(path) | common
+        known = entries_of_file(path) | common
         units = read_units(data.get("units", {}), known, place)
         blocks = [block for i, item in enumerate(items(data["data"], place), 1)
                   for block in read_blocks(item, f"{place}/data/{i}", self.folder, units)]
-        if "load to" in data:
-            common = common | {"Loading/History": self.history(data["load to"], place, blocks)}
-        cases = {"fine": case_of(path, common, read_count(data, "ranks"))}
-        if coarse:
-            cases["coarse"] = case_of(path, common | coarse, read_count(data, "ranks"))
+        cases = {}
+        for stage, entries in {"fine": common, **({"coarse": common | coarse} if coarse else {})}.items():
+            history = ({"Loading/History": history_to(data["load to"], place, blocks, known | entries, formulas)}
+                       if "load to" in data else {})
+            cases[stage] = case_of(path, entries | history, read_count(data, "ranks"), self.program)
         names = {kind: known.get(f"Output/{kind.capitalize()} unit", "") for kind in ("length", "force")}
         return Experiment(name, cases, formulas, blocks, names | data.get("units", {}))
 
@@ -148,7 +146,8 @@ class ExperimentReader:
         path, common, _, formulas = self.parts(data, place, ())
         makers = [read_candidate_data(item, f"{place}/data/{i}")
                   for i, item in enumerate(items(data["data"], place), 1)]
-        return Experiment(name, {"fine": case_of(path, common, read_count(data, "ranks"))}, formulas, makers)
+        return Experiment(name, {"fine": case_of(path, common, read_count(data, "ranks"), self.program)}, formulas,
+                          makers)
 
     def parts(self, data, place, keys):
         """Path of the case, entries of all runs and of coarse ones, formulas."""
@@ -163,25 +162,6 @@ class ExperimentReader:
             if twice := set(entries) & set(formulas):
                 raise UserError(f"'{place}/{key}' sets '{min(twice)}', which 'entries' do, too")
         return path, common, coarse, formulas
-
-    @staticmethod
-    def entries_of_case(path):
-        """The units that a case says, none of one that includes others."""
-        try:
-            return entries_of_file(path)
-        except UserError:
-            return {}
-
-    @staticmethod
-    def history(quantity, place, blocks):
-        """Up to the largest measured depth or force, and back if that was measured."""
-        choice(quantity, f"{place}/load to", ["depth", "force"])
-        curves = [block for block in blocks if block.kind in ("load", "unload")]
-        if not curves:
-            raise UserError(f"'{place}/load to' takes a curve, and there is none: give 'Loading/History' in 'set'")
-        largest = max((block.x if block.labels[0] == quantity else block.y).max() for block in curves)
-        unloads = any(block.kind == "unload" for block in curves)
-        return f"1: {quantity} {float(largest)!r}" + (f" | {UNLOADING_TIME}: force 0" if unloads else "")
 
 
 def noise_is_known(experiments):

@@ -6,6 +6,7 @@ import csv
 import dataclasses
 import json
 
+from .statistics import UNKNOWN
 from ..files import new_file
 
 COLUMNS = ("parameter", "value", "standard_error", "lower", "upper")
@@ -109,9 +110,10 @@ def sentences(fit):
         for end, closed, remark in zip(("lower", "upper"), region.closed, region.remarks):
             if remark:
                 yield (f"{name}: the {end} end of its region: {remark}"
-                       + ("" if closed else ", so that the data do not limit it"))
+                       + ("" if closed else ", so that the data give no end"))
     for _, error, row in fit.directions:
-        yield f"known to +-{error:.3g} (standard error): {combination(fit.problem, row)}"
+        known = f"known to +-{error:.3g} (standard error)" if error < UNKNOWN else "the data say nothing of"
+        yield f"{known}: {combination(fit.problem, row)}"
     if len(fit.values) > 1:
         yield ", ".join(f"correlation of {fit.problem.names[i]} and {fit.problem.names[j]}: {fit.correlation[i, j]:.3f}"
                         for i in range(len(fit.x)) for j in range(i))

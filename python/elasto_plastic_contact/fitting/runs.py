@@ -16,6 +16,9 @@ from ..study.execution import attempt, is_finished, values_in_words
 
 # What a run of this kind has found out stays true: no convergence (3), no equilibrium (4).
 LASTING = (3, 4)
+
+# The program does not take the entries (2), as it may with some values of the parameters.
+REFUSED = 2
 FAILED = "failed.json"
 
 
@@ -42,7 +45,7 @@ class Runs:
 
     def results(self, tasks):
         """The Results, or a Failure, of each task, a Case with the entries of a run. Raises UserError if the program
-        refuses one, or cannot write."""
+        cannot write, or has been ended."""
         with self.lock:
             for case, entries in tasks:
                 name = case.folder(entries)
@@ -62,6 +65,8 @@ class Runs:
         if process.returncode == 0:
             return Results(folder)
         message = process.stderr.strip() or f"exit status {process.returncode}"
+        if process.returncode == REFUSED:  # (which files beside the case may change)
+            return Failure(message)
         if process.returncode not in LASTING:
             raise RunError(process.returncode, f"the run with {values_in_words(entries)} has ended: {message}")
         folder.mkdir(parents=True, exist_ok=True)

@@ -12,7 +12,7 @@ from .models import CorrectedModel, ProgramModel
 from .optimisation import SMALLEST_STEP, Derivatives, minimise, noise_of, polish, start_of
 from .profiles import better_point, profiles
 from .runs import Runs
-from .statistics import LEVEL, Quality, correlations, covariance, directions, quality
+from .statistics import LEVEL, Quality, correlations, covariance, covariance_of_known, directions, quality
 from .uniqueness import Material, candidates, family, representative
 from ..errors import UserError
 from ..study.execution import start as start_program
@@ -194,7 +194,8 @@ def fit(problem, folder, program, at_once, report):
                                      map(float, problem.slopes(best.x) * numpy.sqrt(numpy.diag(matrix))))),
             regions=regions_of(problem, ends), directions=directions(best.jacobian, found.scale), quality=found,
             residuals=best.residuals, step=solver.step, ends=ends, family=points, material=material,
-            representative=representative(material, points, matrix, width) if material.is_plastic else None,
+            representative=representative(material, points, covariance_of_known(best.jacobian, found.scale), width)
+            if material.is_plastic else None,
             candidates=planned, results=results, converged=best.converged, remarks=remarks,
             n_runs=len(runs.futures), n_made=runs.n_made,
             processor_seconds=runs.processor_seconds, seconds=time.monotonic() - begin)

@@ -11,6 +11,9 @@ from scipy import stats
 IMPROBABLE = 1e-3
 LEVEL = 0.95
 
+# The standard error, in coordinates, of what the data say nothing of: far beyond all bounds.
+UNKNOWN = 1e8
+
 
 @dataclass(frozen=True)
 class Quality:
@@ -28,7 +31,7 @@ class Quality:
 
 def independent_points(residuals):
     """How many independent values have a mean as sure as these, one after the other: n / (1 + 2 sum of the
-    autocorrelations up to the first that is not positive)."""
+    autocorrelations up to the first that is below 2 / sqrt(n), as those of independent values are)."""
     n = len(residuals)
     deviations = residuals - residuals.mean() if n > 1 else residuals
     variance = deviations @ deviations
@@ -37,7 +40,6 @@ def independent_points(residuals):
     total = 1.
     for lag in range(1, n // 2):
         correlation = (deviations[lag:] @ deviations[:-lag]) / variance
-        # (below what independent values have by chance)
         if correlation < 2. / n ** 0.5:
             break
         total += 2. * correlation
@@ -52,10 +54,12 @@ def quality(residuals, sizes, n_parameters, noise_is_known):
     if noise_is_known and (freedom <= 0 or stats.chi2.sf(chi_square, freedom) > IMPROBABLE):
         return Quality(chi_square, freedom, 1., float(stats.chi2.ppf(LEVEL, 1)), independent, "")
     real_freedom = independent - n_parameters
-    if real_freedom < 1. or chi_square == 0.:
+    if not noise_is_known and (real_freedom < 1. or chi_square == 0.):
         return Quality(chi_square, freedom, 1., float(stats.chi2.ppf(LEVEL, 1)), independent,
                        "there are no more independent values than parameters, so that no noise can be estimated: the "
-                       "errors are those of a noise of 1 % of the largest value" if not noise_is_known else "")
+                       "errors are those of a noise of 1 % of the largest value")
+    # (residuals that are all trend are worth one degree of freedom: their errors are the largest ones)
+    real_freedom = max(real_freedom, 1.)
     # (variance of a residual chi^2 / n * independent / freedom, and n / independent of them for one that counts)
     scale = chi_square / real_freedom
     remark = ""
@@ -66,12 +70,32 @@ def quality(residuals, sizes, n_parameters, noise_is_known):
     return Quality(chi_square, freedom, scale, scale * float(stats.f.ppf(LEVEL, 1, real_freedom)), independent, remark)
 
 
+def singular_values(jacobian):
+    """As many as there are coordinates, largest first, zero where the data say nothing, and their directions (rows)."""
+    n_rows, n_coordinates = jacobian.shape
+    # (with rows of zeros, there are as many values as coordinates also of fewer residuals)
+    square = numpy.vstack([jacobian, numpy.zeros((max(n_coordinates - n_rows, 0), n_coordinates))])
+    _, singular, rows = numpy.linalg.svd(square, full_matrices=False)
+    smallest = max(square.shape) * numpy.finfo(float).eps * singular.max(initial=0.)
+    return numpy.where(singular > smallest, singular, 0.), rows
+
+
+def standard_errors(singular, scale):
+    """Along the directions of singular values; UNKNOWN along those that the data say nothing of."""
+    return numpy.where(singular > 0., scale ** 0.5 / numpy.where(singular > 0., singular, 1.), UNKNOWN)
+
+
 def covariance(jacobian, scale=1.):
-    """Of the coordinates, scale (J^T J)^-1; infinite along directions that the data say nothing of."""
-    _, singular, directions = numpy.linalg.svd(jacobian, full_matrices=False)
-    smallest = max(jacobian.shape) * numpy.finfo(float).eps * singular.max(initial=0.)
-    inverse = numpy.where(singular > smallest, 1. / numpy.maximum(singular, 1e-300), 1e8)
-    return scale * (directions.T * inverse ** 2) @ directions
+    """Of the coordinates, scale (J^T J)^-1; UNKNOWN squared along directions that the data say nothing of."""
+    singular, directions = singular_values(jacobian)
+    return (directions.T * standard_errors(singular, scale) ** 2) @ directions
+
+
+def covariance_of_known(jacobian, scale=1.):
+    """As covariance(), but zero along directions that the data say nothing of."""
+    singular, directions = singular_values(jacobian)
+    is_known = singular > 0.
+    return (directions[is_known].T * standard_errors(singular[is_known], scale) ** 2) @ directions[is_known]
 
 
 def correlations(matrix):
@@ -80,9 +104,9 @@ def correlations(matrix):
 
 
 def directions(jacobian, scale=1.):
-    """Singular values of the derivatives and their directions in coordinates, best known first: pairs of the standard
-    error along the direction and its components, the largest of which is positive."""
-    _, singular, rows = numpy.linalg.svd(jacobian, full_matrices=False)
+    """Singular values of the derivatives and their directions in coordinates, as many as these, best known first: with
+    the standard error along the direction, and its components, the largest of which is positive."""
+    singular, rows = singular_values(jacobian)
     signs = numpy.sign(rows[numpy.arange(len(rows)), numpy.abs(rows).argmax(axis=1)])
-    return [(float(value), float(scale ** 0.5 / max(value, 1e-300)), row * sign)
-            for value, row, sign in zip(singular, rows, signs)]
+    return [(float(value), float(error), row * sign)
+            for value, error, row, sign in zip(singular, standard_errors(singular, scale), rows, signs)]

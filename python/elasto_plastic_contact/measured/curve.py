@@ -28,7 +28,8 @@ class Notes:
 @dataclass(frozen=True)
 class MeasuredCurve:
     """Arrays of the same length, in the order of time; time and stiffness (continuous contact stiffness) may be None.
-    units: of each quantity, in words, empty if the file does not say it. columns: what the file calls them.
+    units: of each quantity, in words, empty if the file does not say it; units_of_file: those before in_own_units().
+    columns: what the file calls them.
     remarks: what has been assumed or left out in reading, in sentences."""
     name: str
     depth: numpy.ndarray
@@ -36,6 +37,7 @@ class MeasuredCurve:
     time: numpy.ndarray = None
     stiffness: numpy.ndarray = None
     units: dict = field(default_factory=dict)
+    units_of_file: dict = field(default_factory=dict)
     columns: dict = field(default_factory=dict)
     notes: Notes = Notes()
     remarks: tuple = ()
@@ -72,4 +74,4 @@ def in_own_units(curve, path, given):
         example = " ".join(f"--unit {quantity}={EXAMPLES[quantity]}" for quantity in unknown)
         raise UserError(f"'{path}' does not say the unit {columns}: give it, such as by {example}")
     scaled = {quantity: getattr(curve, quantity) * factor(KINDS[quantity], unit) for quantity, unit in units.items()}
-    return replace(curve, **scaled, units={quantity: OWN_UNITS[quantity] for quantity in scaled})
+    return replace(curve, **scaled, units={quantity: OWN_UNITS[quantity] for quantity in scaled}, units_of_file=units)

@@ -76,14 +76,14 @@ def depth_at(tip, material, radius):
     return tip.height(radius) + sink_in
 
 
-def radius_where(value, target, widest, name):
-    """Where a value that grows with the radius reaches the target, by bisection. Raises UserError."""
+def radius_where(value, target, widest, goal):
+    """Where a value that grows with the radius reaches the target, by bisection. goal: what the target is, in words.
+    Raises UserError."""
     upper = 1.
     while value(min(upper, widest)) < target:
         if upper >= widest:
-            raise UserError(f"--{name} is too large for this ball: the contact would reach its equator. Take less, or "
-                            "a larger "
-                            "ball")
+            raise UserError(f"{goal} is too large for this ball: the contact would reach its equator. Take less, a "
+                            "larger ball or a harder material")
         upper *= 2.
     lower, upper = 0., min(upper, widest)
     for _ in range(100):
@@ -92,9 +92,10 @@ def radius_where(value, target, widest, name):
     return upper
 
 
-def expected_radius(tip, materials, *, depth=None, force=None):
+def expected_radius(tip, materials, *, depth=None, force=None, goal=None):
     """The contact radius in µm at a depth in µm or a force in mN; of several materials (film and substrate), the
-    largest."""
+    largest. goal: what says depth or force, for messages; unless told, the option. Raises UserError."""
     if depth is not None:
-        return max(radius_where(lambda a, m=m: depth_at(tip, m, a), depth, tip.widest, "depth") for m in materials)
-    return max(radius_where(lambda a, m=m: force_at(tip, m, a), force, tip.widest, "force") for m in materials)
+        return max(radius_where(lambda a, m=m: depth_at(tip, m, a), depth, tip.widest, goal or "--depth")
+                   for m in materials)
+    return max(radius_where(lambda a, m=m: force_at(tip, m, a), force, tip.widest, goal or "--force") for m in materials)

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from .units import plain_number, quantity, text_of
 from ..errors import UserError
 
-# Where Ludwik's law is tabulated: linear in between, its error is below 1 % of what it adds.
-TABULATED = (0.0002, 0.0005, 0.001, 0.002, 0.004, 0.007, 0.012, 0.02, 0.03, 0.045, 0.065, 0.09, 0.12, 0.16, 0.21, 0.28,
-             0.37, 0.5, 0.65, 0.85, 1.1, 1.5, 2.)
+# Where Ludwik's law is tabulated, as its slope is infinite at first: linear in between, the stress of the library's
+# materials is within 0.5 % of it, and within 2 % below the first strain.
+TABULATED = (1e-6, 3e-6, 1e-5, 2e-5, 5e-5, 1e-4, 0.0002, 0.0005, 0.001, 0.002, 0.004, 0.007, 0.012, 0.02, 0.03,
+             0.045, 0.065, 0.09, 0.12, 0.16, 0.21, 0.28, 0.37, 0.5, 0.65, 0.85, 1.1, 1.5, 2.)
 
 
 @dataclass(frozen=True)

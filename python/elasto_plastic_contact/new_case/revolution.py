@@ -10,6 +10,7 @@ from .contact import Tip, cone, expected_radius, force_at
 from .rules import (FINENESS, describe_steps, fixed_mesh, following_mesh, needs_finite_strains, set_elements,
                     set_output, set_strain, set_supports_of_section)
 from .units import MILLIMETRES, text_of, units_for
+from ..errors import UserError
 
 STANDARD_GRAVITY = 9.80665  # N/kgf
 
@@ -73,12 +74,13 @@ def set_tip(case, tip):
     case.set("Indenter", "Position", 0, "on the axis")
 
 
-def indentation(case, tip, given, *, depth=None, force=None, rows=None):
+def indentation(case, tip, given, *, depth=None, force=None, rows=None, goal=None):
     """The body, its mesh, the tip and the loading of an axisymmetric test. depth or force: the largest one; rows:
-    those of 'Loading/History', if it is not a loading and an unloading. Returns the expected contact radius in µm."""
+    those of 'Loading/History', if it is not a loading and an unloading; goal: see expected_radius(). Returns the
+    expected contact radius in µm."""
     film = given.film
     materials = [given.material] if film is None else [given.material, film.material]
-    radius = expected_radius(tip, materials, depth=depth, force=force)
+    radius = expected_radius(tip, materials, depth=depth, force=force, goal=goal)
     slope = tip.slope_at(radius)
     fineness = FINENESS[given.mesh]
     is_finite = needs_finite_strains(slope)
@@ -108,8 +110,6 @@ def indentation(case, tip, given, *, depth=None, force=None, rows=None):
     case.set("Refinement", "Strategy", "none")
     if is_following:
         case.set("Refinement", "Elements over contact radius", fineness.n_following)
-    if is_finite:
-        case.set("Linear solver", "Type", "direct", "the fastest in two dimensions with finite strains")
     set_output(case, history_times(history))
     case.kind_of_time = "finite strains, plane" if is_finite else "small strains, plane"
     return radius
@@ -137,7 +137,8 @@ def brinell(given):
     reason = ", the largest of ISO 6506-1 whose imprint stays within " + text_of(LARGEST_IMPRINT) + " diameters"
     case.chosen["force"] = (f"{text_of(1e-3 * force)} N, {ratio:.3g} kgf/mm² times the square of the diameter" +
                             (reason if given.force is None else ""))
-    radius = indentation(case, tip, given, force=force)
+    radius = indentation(case, tip, given, force=force,
+                         goal="--force" if given.force is not None else "the standard force")
     estimate = 2. * 1e-3 * force / STANDARD_GRAVITY / (
         math.pi * 2e-3 * tip.radius * (2e-3 * tip.radius - 2e-3 * math.sqrt(tip.radius ** 2 - radius ** 2)))
     case.remarks += ["Brinell hardness: HBW = 0.102 * 2 F / (pi D (D - sqrt(D^2 - d^2))), d = 2 contact_radius of "
@@ -148,10 +149,15 @@ def brinell(given):
 
 
 def brinell_force(tip, material):
-    """The largest of the standard ones whose imprint is not too large, in mN."""
+    """The largest of the standard ones whose imprint is not too large, in mN. Raises UserError if there is none."""
     largest = force_at(tip, material, LARGEST_IMPRINT * tip.radius)
     forces = [newtons(ratio * (2e-3 * tip.radius) ** 2) for ratio in BRINELL_RATIOS]
-    return next((force for force in forces if force <= largest), forces[-1])
+    fitting = [force for force in forces if force <= largest]
+    if not fitting:
+        raise UserError(f"no force of ISO 6506-1 leaves an imprint within {text_of(LARGEST_IMPRINT)} diameters of the "
+                        f"ball in {material.name}: the least one is {text_of(1e-3 * forces[-1])} N, and "
+                        f"{1e-3 * largest:.3g} N are enough. Give --force")
+    return max(fitting)
 
 
 def rockwell_ball(given):
@@ -162,7 +168,7 @@ def rockwell_ball(given):
                 "kgf", MILLIMETRES)
     preliminary, force = (text_of(case.units.force(newtons(value))) for value in (PRELIMINARY_FORCE, total))
     case.chosen["force"] = f"{preliminary} N, {force} N, {preliminary} N (ISO 6508-1, scale {scale})"
-    indentation(case, Tip(500. * diameter), given, force=newtons(total),
+    indentation(case, Tip(500. * diameter), given, force=newtons(total), goal=f"the force of the scale {scale}",
                 rows=f"0.2: force {preliminary} | 1: force {force} | 1.2: force {preliminary}")
     case.remarks += [f"Rockwell hardness: HR{scale}W = 130 - (depth at t = 1.2 - depth at t = 0.2) / 0.002, depths of "
                      "history.csv in mm."]
@@ -205,6 +211,9 @@ def cone_test(given):
 
 def coating(given):
     """A film on a substrate under a cone, whose angle is that of Berkovich's pyramid unless told, or a sphere."""
+    if given.ball is not None and (given.angle is not None or given.tip_radius is not None):
+        raise UserError("--ball has neither --angle nor --tip-radius, which are those of a cone: leave these out, or "
+                        "--ball")
     if given.ball is not None:
         tip, name = Tip(0.5 * given.ball), "a ball"
     else:

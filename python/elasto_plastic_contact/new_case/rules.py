@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass
 
 from .units import text_of
+from ..errors import UserError
 
 # Up to this slope of the surface at the edge of the contact, small strains are good for the force to 3 %.
 LARGEST_SLOPE_OF_SMALL_STRAINS = 0.25
@@ -16,6 +17,9 @@ BODY_OVER_CONTACT = 100
 
 # The part with the smallest cells reaches so many expected contact radii far, since pile-up widens contacts.
 FINE_OVER_CONTACT = 1.5
+
+# A film so thin that its cells are more over the expected contact radius takes hours, and bears nothing that counts.
+MOST_OVER_CONTACT = 400
 
 
 @dataclass(frozen=True)
@@ -83,15 +87,26 @@ def parts_of_film(film, radius, size):
     return multiple * math.ceil(film / (multiple * size))
 
 
+def check_film(case, film, radius, size):
+    """Refuses one whose cells are too small for the contact. Lengths in µm."""
+    if radius / size > MOST_OVER_CONTACT:
+        unit = case.units.length_unit
+        raise UserError(f"--film is {case.units.length(film):.3g} {unit} thick, and the radius of the contact about "
+                        f"{case.units.length(radius):.3g} {unit}: {radius / size:.0f} cells would lie over it, where "
+                        f"at most {MOST_OVER_CONTACT} are allowed. Leave --film out, since so thin a film hardly "
+                        "counts, or give a thicker one, or a smaller depth, force or ball")
+
+
 def fixed_mesh(case, radius, fineness, film=None):
     """For finite strains and films: square cells of one size up to 1.5 contact radii, outside of that twice as large
     with each
     doubling of the distance. radius: of the contact, in µm; film: its thickness in µm, of which cells are a whole
-    part."""
+    part. Raises UserError: of too thin a film."""
     n = fineness.n_over_radius
     size = radius / n
     if film is not None:
         size = film / parts_of_film(film, radius, size)
+        check_film(case, film, radius, size)
     size = case.units.length(size)
     size = rounded(size) if film is None else float(f"{size:.6g}")
     contact = case.units.length(radius)

@@ -9,12 +9,13 @@ import itertools
 import json
 import math
 import pathlib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ..columns import TABLES_OF_NAMES, known_columns
 from ..errors import UserError
 from ..files import read_text
-from ..program import find_case
+from ..parameter_file import lines_of
+from ..program import find_case, version_of
 from ..schema import check_path
 
 TAKES = ("last", "first", "maximum", "minimum")
@@ -44,19 +45,22 @@ class Curves:
 
 @dataclass
 class Case:
-    """case: the parameter file; common: entries of all its runs, by 'Section/Entry'; ranks: of each run."""
+    """case: the parameter file; common: entries of all its runs, by 'Section/Entry'; ranks: of each run; version: what
+    the program says of itself."""
     case: pathlib.Path
     common: dict
     ranks: int
+    version: str = field(default="", kw_only=True)
 
     @functools.cached_property
-    def case_text(self):
-        """In whatever 8-bit code."""
-        return self.case.read_text(encoding="utf-8", errors="surrogateescape")
+    def case_lines(self):
+        """With those of included files, in whatever 8-bit code. Raises UserError if one cannot be read."""
+        return [text for _, _, text in lines_of(self.case, "surrogateescape")]
 
     def folder(self, run):
-        """The name of the folder of a run: another one if the parameter file or any entry is another one."""
-        content = json.dumps([self.case_text, self.common | run], sort_keys=True)
+        """The name of the folder of a run: another one if the parameter file, a file that it includes, any entry or the
+        version of the program is another one."""
+        content = json.dumps([self.version, self.case_lines, self.common | run], sort_keys=True)
         return f"run_{hashlib.sha256(content.encode()).hexdigest()[:10]}"
 
 
@@ -132,7 +136,7 @@ def make_study(data, folder, program):
     study = Study(
         case=find_case(case, (folder, "."), program),
         common=read_entries(data.get("set", {}), "set"), runs=runs, numbers=numbers,
-        at_once=read_count(data, "at once"), ranks=read_count(data, "ranks"),
+        at_once=read_count(data, "at once"), ranks=read_count(data, "ranks"), version=version_of(program),
         x=choice(plot.get("x", names[0]), "plot/x", names),
         y=[choice(name, "plot/y", list(numbers))
            for name in check(plot.get("y", list(numbers)), "plot/y", list, "a list of names of 'numbers'")],

@@ -43,7 +43,7 @@ class Repetitions:
 
     def __call__(self, seed):
         """For each parameter whether its region holds the true value, and the deviation over the standard error; the
-        sum of squares; None if the fit has not converged."""
+        sum of squares; None if the fit, or one with a true value held that would be outside, has not converged."""
         noise = numpy.random.default_rng(seed).normal(size=len(self.exact))
         model = CorrectedModel(self.model, -self.exact - noise)
         everything = numpy.arange(len(self.truth))
@@ -53,7 +53,10 @@ class Repetitions:
         inside = []
         for i in everything:
             there = held(model, best, i, self.truth[i], [j for j in everything if j != i])
-            inside.append(there is not None and there.chi_square - best.chi_square <= stats.chi2.ppf(LEVEL, 1))
+            is_inside = there is not None and there.chi_square - best.chi_square <= stats.chi2.ppf(LEVEL, 1)
+            if not is_inside and (there is None or not there.converged):
+                return None
+            inside.append(is_inside)
         errors = numpy.sqrt(numpy.diag(covariance(best.jacobian)))
         return inside, (best.x - self.truth) / errors, best.chi_square
 

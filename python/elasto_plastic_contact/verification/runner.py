@@ -55,13 +55,17 @@ class Runner:
     def in_environment(self, **variables):
         """The runs meanwhile, with variables of the environment that count when the program is loaded."""
         library, self.library = self.library, None
+        before = {name: os.environ.get(name) for name in variables}
         os.environ.update(variables)
         try:
             yield
         finally:
             self.library = library
-            for name in variables:
-                del os.environ[name]
+            for name, value in before.items():
+                if value is None:
+                    del os.environ[name]
+                else:
+                    os.environ[name] = value
 
     def close(self):
         """Ends what waits for further runs."""
