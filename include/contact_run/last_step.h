@@ -4,8 +4,12 @@
 #ifndef contact_run_last_step_h
 #define contact_run_last_step_h
 
+#include <optional>
+#include <utility>
+
 #include "evaluation/mean_force.h"
 #include "evaluation/solve_result.h"
+#include "loading/load.h"
 
 namespace ElastoPlastic
 {
@@ -32,7 +36,7 @@ namespace ElastoPlastic
     /// area.
     double largest_forces       = 0;
     double largest_contact_area = 0;
-    double largest_depth = 0, largest_force = 0;
+    double largest_depth = 0, largest_force = 0, largest_displacement = 0;
 
     bool
     is_virgin() const
@@ -73,39 +77,44 @@ namespace ElastoPlastic
     /// By how much @p next, with @p new_displacement, deviates from what the
     /// rates until now would have led to: the part of it that is the local
     /// error of the implicit Euler method with steps of different lengths,
-    /// relative to the largest values until then. Of force and depth if there
-    /// @p is_indenter, else of the displacement. For a step that continues the
-    /// last one. Collective.
+    /// relative to the largest values until now; at most 1e6. Of what follows
+    /// where the other is given by the @p control of the indenter, force or
+    /// depth; without an indenter, of the displacement. For a step that
+    /// continues the last one. Collective.
     double
-    deviation_from_rates(const SolveResult &next,
-                         const VectorType  &new_displacement,
-                         const bool         is_indenter) const
+    deviation_from_rates(const SolveResult            &next,
+                         const VectorType             &new_displacement,
+                         const std::optional<Control> &control) const
     {
-      const double step = next.time - result.time;
-      const double part = step / (step + duration);
-      if (is_indenter)
-        return part * std::max(std::abs(next.force - result.force -
-                                        step * force_rate) /
-                                 std::max(largest_force, 1e-300),
-                               std::abs(next.depth - result.depth -
-                                        step * depth_rate) /
-                                 std::max(largest_depth, 1e-300));
-      VectorType difference = new_displacement;
-      difference.sadd(1., -1., displacement);
-      difference.add(-step, displacement_rate);
-      return part * difference.linfty_norm() /
-             std::max(new_displacement.linfty_norm(), 1e-300);
+      const double step      = next.time - result.time;
+      const auto   deviation = [&]() -> std::pair<double, double> {
+        if (control == Control::depth)
+          return {std::abs(next.force - result.force - step * force_rate),
+                  largest_force};
+        if (control == Control::force)
+          return {std::abs(next.depth - result.depth - step * depth_rate),
+                  largest_depth};
+        VectorType difference = new_displacement;
+        difference.sadd(1., -1., displacement);
+        difference.add(-step, displacement_rate);
+        return {difference.linfty_norm(), largest_displacement};
+      };
+      const auto [difference, largest] = deviation();
+      const double part                = step / (step + duration);
+      return part * std::min(difference / std::max(largest, 1e-300), 1e6);
     }
 
     /// Notes how fast @p next, with @p new_displacement, has been reached.
     void
     find_rates(const SolveResult &next, const VectorType &new_displacement)
     {
-      duration          = next.time - result.time;
-      depth_rate        = (next.depth - result.depth) / duration;
-      force_rate        = (next.force - result.force) / duration;
-      largest_depth     = std::max(largest_depth, std::abs(next.depth));
-      largest_force     = std::max(largest_force, std::abs(next.force));
+      duration      = next.time - result.time;
+      depth_rate    = (next.depth - result.depth) / duration;
+      force_rate    = (next.force - result.force) / duration;
+      largest_depth = std::max(largest_depth, std::abs(next.depth));
+      largest_force = std::max(largest_force, std::abs(next.force));
+      largest_displacement =
+        std::max(largest_displacement, new_displacement.linfty_norm());
       displacement_rate = new_displacement;
       if (!is_virgin())
         displacement_rate -= displacement;
@@ -118,7 +127,8 @@ namespace ElastoPlastic
     serialize(Archive &archive, const unsigned int /* version */)
     {
       archive &result &depth_rate &force_rate &duration &step_error &mean_force
-        &largest_forces &largest_contact_area &largest_depth &largest_force;
+        &largest_forces &largest_contact_area &largest_depth &largest_force
+          &largest_displacement;
     }
   };
 } // namespace ElastoPlastic

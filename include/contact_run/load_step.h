@@ -45,6 +45,12 @@ namespace ElastoPlastic
     void
     commit(SolveResult &result);
 
+    /// Whether accurate steps have become so long that this one, in equilibrium
+    /// with this @p result, errs by more than their tolerance allows: it is to
+    /// be taken back, and half of it to be tried.
+    bool
+    is_too_inaccurate(const SolveResult &result) const;
+
     /// The body is what it was after the last step. (The material points have
     /// not forgotten it.)
     void

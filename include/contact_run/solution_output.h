@@ -47,7 +47,7 @@ namespace ElastoPlastic
     void
     write_to_disk()
     {
-      field_output.write_to_disk(communicator_of(body.dof_handler));
+      field_output.write_to_disk(communicator_of(body.dof_handler()));
     }
 
     /// The list of what has been written, for checkpoints.

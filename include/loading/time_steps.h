@@ -84,6 +84,10 @@ namespace ElastoPlastic
     double
     next_time() const;
 
+    /// Whether the step under way is longer than a nominal one.
+    bool
+    is_longer_than_nominal() const;
+
     /// The ends of the nominal steps, increasing.
     const std::vector<double> &
     uncut_ends() const;

@@ -197,8 +197,8 @@ namespace ElastoPlastic
 
 
 
-  // @return whether it has converged. If not, it has been taken back, and half
-  // of it is to be tried.
+  // @return whether it has converged, and is accurate enough. If not, it has
+  // been taken back, and half of it is to be tried.
   template <int dim>
   bool
   ElastoPlasticContact<dim>::take_step(Statistics &statistics)
@@ -206,8 +206,13 @@ namespace ElastoPlastic
     try
       {
         step.begin();
-        SolveResult      result = solve_on_mesh_sequence(statistics);
-        const StepResult row    = evaluation.of_step(result);
+        SolveResult result = solve_on_mesh_sequence(statistics);
+        if (step.is_too_inaccurate(result) && step.halve())
+          {
+            step.take_back();
+            return false;
+          }
+        const StepResult row = evaluation.of_step(result);
         step.commit(result);
         if (parameters.evaluation.continuous_stiffness)
           result.contact_stiffness = unloading_stiffness.compute();

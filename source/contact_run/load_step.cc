@@ -8,6 +8,14 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// In tolerances: half of such a step errs by a quarter of it.
+    constexpr double largest_error = 4.;
+  } // namespace
+
+
+
   template <int dim>
   LoadStep<dim>::LoadStep(const Model<dim>  &model,
                           const Parameters  &parameters,
@@ -95,10 +103,24 @@ namespace ElastoPlastic
   {
     if (last_step.is_virgin() || load_program.is_segment_end(time_steps.time()))
       return 1.;
+    std::optional<Control> control;
+    if (body.gap_function().has_indenter())
+      control = load().control;
     return last_step.deviation_from_rates(result,
                                           body.displacement(),
-                                          body.gap_function().has_indenter()) /
+                                          control) /
            parameters.loading.step_tolerance;
+  }
+
+
+
+  template <int dim>
+  bool
+  LoadStep<dim>::is_too_inaccurate(const SolveResult &result) const
+  {
+    return parameters.loading.step_control == StepControl::accurate &&
+           time_steps.is_longer_than_nominal() &&
+           error_of(result) > largest_error;
   }
 
 

@@ -159,6 +159,14 @@ namespace ElastoPlastic
 
 
 
+  bool
+  TimeSteps::is_longer_than_nominal() const
+  {
+    return end() - position > 1 + negligible;
+  }
+
+
+
   const std::vector<double> &
   TimeSteps::uncut_ends() const
   {
