@@ -20,7 +20,9 @@ from elasto_plastic_contact import UserError, fit, run
 from elasto_plastic_contact.__main__ import main
 from elasto_plastic_contact.fitting.flow_stress import flow_stress
 from elasto_plastic_contact.fitting.predictions import QUANTITIES, Curve
+from elasto_plastic_contact.fitting.results import sentences
 from elasto_plastic_contact.fitting.runs import Runs
+from elasto_plastic_contact.fitting.statistics import UNKNOWN
 from elasto_plastic_contact.inputs.fit_data import measured
 from elasto_plastic_contact.study.plan import Case
 
@@ -109,6 +111,15 @@ class Fits(unittest.TestCase):
         self.assertEqual(again.values, found.values)
         self.assertEqual(before, self.finished())
 
+    def test_one_value(self):
+        """For two parameters: no small errors, and no end of a region that is found along what nothing is known of."""
+        (self.folder / "bar.csv").write_text("t,stress\n1,430\n")
+        found = self.fit(TENSION)
+        self.assertEqual(found.verdict, "not unique")
+        self.assertGreater(found.standard_errors["Y"], 1e6)
+        self.assertEqual([error < UNKNOWN for _, error, _ in found.directions], [True, False])
+        self.assertRegex("\n".join(sentences(found)), "the data say nothing of: [-+0-9. ]+ln\\(Y\\)|nothing of: .*H/")
+
     def check_files(self, found):
         with (self.output / "fit.csv").open(newline="") as file:
             rows = list(csv.DictReader(file))
@@ -117,7 +128,7 @@ class Fits(unittest.TestCase):
         self.assertAlmostEqual(float(rows[0]["value"]), found.values["Y"], places=9)
         data = json.loads((self.output / "fit.json").read_text())
         self.assertEqual(data["parameters"]["H"]["upper"], found.regions["H"].upper)
-        self.assertEqual(data["correlation"]["matrix"][0][0], 1.)
+        self.assertAlmostEqual(data["correlation"]["matrix"][0][0], 1., places=12)
         self.assertLess(data["correlation"]["matrix"][0][1], -0.5)  # constant and slope of a line
         numpy.testing.assert_allclose(data["residuals"][0]["measured"], self.stress)
         self.assertEqual(set(data["flat_direction"]["components"]), {"Y", "H"})

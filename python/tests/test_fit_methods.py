@@ -145,7 +145,7 @@ class Minima(unittest.TestCase):
 
     def test_wrong_derivatives(self):
         """Where improved derivatives lead nowhere, they are taken anew."""
-        with unittest.mock.patch.object(optimisation, "improved", lambda jacobian, *_: numpy.roll(jacobian, 40, axis=0)):
+        with unittest.mock.patch.object(optimisation, "improved", lambda slopes, *_: numpy.roll(slopes, 40, axis=0)):
             found = minimise(model_of(1), START, 0.02, tolerance=1e-4)
         self.assertTrue(found.converged, found.remark)
 

@@ -190,7 +190,8 @@ class Materials(unittest.TestCase):
         strains = [1e-10 * 10. ** (0.01 * i) for i in range(1031)]
         for material in (material for material in library().values() if isinstance(material.hardening, Ludwik)):
             entry = material.hardening.entries(material, MILLIMETRES)["Hardening table"]
-            points = [(0., 1e3 * material.yield_stress), *(tuple(map(float, row.split(":"))) for row in entry.split("|"))]
+            points = [(0., 1e3 * material.yield_stress),
+                      *(tuple(map(float, row.split(":"))) for row in entry.split("|"))]
             self.assertEqual(len(points), len(TABULATED) + 1)
             for strain in strains:
                 (left, low), (right, high) = next(pair for pair in zip(points, points[1:])
@@ -330,8 +331,8 @@ class Command(unittest.TestCase):
                 ("the force of the scale B is too large for this ball", "rockwell-ball", *SOFT),
                 ("the standard force is too large for this ball", "brinell", "--material", "copper", "--film",
                  "1 mm, 10 MPa, 100 kPa"),
-                ("no force of ISO 6506-1 leaves an imprint within 0.6 diameters of the ball in your material: the least "
-                 "one is 980.665 N, and [0-9]+ N are enough. Give --force", "brinell", *SOFT),
+                ("no force of ISO 6506-1 leaves an imprint within 0.6 diameters of the ball in your material: the "
+                 "least one is 980.665 N, and [0-9]+ N are enough. Give --force", "brinell", *SOFT),
                 ("--film is 0.002 mm thick, and the radius of the contact about 2.6. mm: 5[0-9]+ cells would lie over "
                  "it, where at most 400 are allowed. Leave --film out", "brinell", "--material", "steel", "--film",
                  "2 um, 400 GPa"),

@@ -107,7 +107,8 @@ def blocks_of_curve(curve, data, place, name, units):
     segments = segments_of(curve, data, place)
     wanted = texts(data, "segments", place) if "segments" in data else list(segments)
     lowest = number(data, "above", place, LOWEST, least=0., below=1.) * curve.force.max()
-    noisy = with_noise_of_case(data, place, factor(UNIT_KINDS[POWERS[compared]], curve.units_of_file[compared]) / scales[compared])
+    unit = factor(UNIT_KINDS[POWERS[compared]], curve.units_of_file[compared])
+    noisy = with_noise_of_case(data, place, unit / scales[compared])
     blocks = []
     for kind in wanted:
         choice(kind, f"{place}/segments", ["load", "unload"])

@@ -80,8 +80,8 @@ def family(x, ends, threshold):
 
 def representative(material, points, matrix, spread_of_normal):
     """Where the curves of the family cross (dao_2001). matrix: covariance of the coordinates in directions
-    that the data know (along others, the points say how far the stress goes); spread_of_normal: how many standard errors
-    the region of 95 % reaches to each side."""
+    that the data know (along others, the points say how far the stress goes); spread_of_normal: how many standard
+    errors the region of 95 % reaches to each side."""
     x = points[0]
     stresses = numpy.array([material.stress(point) for point in points])
     spread = stresses.max(axis=0) / stresses.min(axis=0) - 1.

@@ -98,4 +98,5 @@ def expected_radius(tip, materials, *, depth=None, force=None, goal=None):
     if depth is not None:
         return max(radius_where(lambda a, m=m: depth_at(tip, m, a), depth, tip.widest, goal or "--depth")
                    for m in materials)
-    return max(radius_where(lambda a, m=m: force_at(tip, m, a), force, tip.widest, goal or "--force") for m in materials)
+    return max(radius_where(lambda a, m=m: force_at(tip, m, a), force, tip.widest, goal or "--force")
+               for m in materials)
