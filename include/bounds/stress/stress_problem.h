@@ -35,6 +35,15 @@ namespace ElastoPlastic
   maximize_load(const SplitBody<dim> &body,
                 const unsigned int    degree,
                 const double          tolerance = usual_tolerance<dim>);
+
+  /// The same of a body of soil in plane strain, whose body forces do not grow,
+  /// with the sines of the angle of friction, see bounds/soil/friction.h. Its
+  /// displacement is not computed.
+  StressField<2>
+  maximize_load_of_soil(const SplitBody<2>        &body,
+                        const std::vector<double> &sines,
+                        const unsigned int         degree,
+                        const double               tolerance);
 } // namespace ElastoPlastic
 
 #endif

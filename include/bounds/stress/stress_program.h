@@ -60,6 +60,11 @@ namespace ElastoPlastic
     void
     add_gap();
 
+    /// Let the strength grow with the pressure, in plane strain, with @p sines
+    /// of the angle of friction by triangles.
+    void
+    add_friction(const std::vector<double> &sines);
+
     /// Add @p factor int p ds.
     void
     add_force(const double factor);

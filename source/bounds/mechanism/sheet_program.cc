@@ -8,6 +8,7 @@
 #include "bounds/conic/yield_conditions.h"
 #include "bounds/mechanism/quadratic_field.h"
 #include "bounds/mechanism/sheet_program.h"
+#include "bounds/soil/friction.h"
 
 namespace ElastoPlastic
 {
@@ -59,7 +60,8 @@ namespace ElastoPlastic
     class SheetProgram
     {
     public:
-      explicit SheetProgram(const SplitBody<2> &body);
+      /// @p sines are empty for a sheet.
+      SheetProgram(const SplitBody<2> &body, const std::vector<double> &sines);
 
       VelocityField<2>
       solve(const double tolerance) const;
@@ -73,6 +75,8 @@ namespace ElastoPlastic
       void
       add_tractions();
       void
+      add_body_force();
+      void
       add_block(const unsigned int triangle);
 
       /// The nodes that a force of the indenter moves, with factors, downwards.
@@ -85,10 +89,11 @@ namespace ElastoPlastic
       velocity_of(const unsigned int               triangle,
                   const std::vector<Tensor<1, 2>> &velocities) const;
 
-      const SplitBody<2> &body;
-      std::vector<Node>   nodes;
-      ConicProgram        program;
-      std::vector<bool>   vertex_is_pressed;
+      const SplitBody<2>        &body;
+      const std::vector<double> &sines;
+      std::vector<Node>          nodes;
+      ConicProgram               program;
+      std::vector<bool>          vertex_is_pressed;
     };
 
 
@@ -110,13 +115,16 @@ namespace ElastoPlastic
 
 
 
-    SheetProgram::SheetProgram(const SplitBody<2> &body)
+    SheetProgram::SheetProgram(const SplitBody<2>        &body,
+                               const std::vector<double> &sines)
       : body(body)
+      , sines(sines)
       , nodes(body.mesh.vertices.size() + body.mesh.faces.size())
       , vertex_is_pressed(body.mesh.vertices.size(), false)
     {
       number_equations();
       add_tractions();
+      add_body_force();
       for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         add_block(t);
     }
@@ -204,6 +212,27 @@ namespace ElastoPlastic
 
 
 
+    // A third of that of a triangle acts at the middle of each of its sides: it
+    // is the integral of the function of this node, and those of the corners
+    // have none.
+    void
+    SheetProgram::add_body_force()
+    {
+      const double unit = body.stress_unit * body.length_unit;
+      for (const auto &triangle : body.mesh.simplices)
+        for (const unsigned int s : triangle.faces)
+          {
+            const Node &node = nodes[body.mesh.vertices.size() + s];
+            for (unsigned int c = 0; c < 2; ++c)
+              if (!node.fixed[c])
+                program.right_hand_side[node.equations[c]] +=
+                  volume(body.mesh.corners(triangle)) / (3. * unit) *
+                  (body.body_force * node.directions[c]);
+          }
+    }
+
+
+
     // A quadratic function is 1 or more on a side if its three coefficients in
     // Bernstein's basis are: the values at the ends, a and b, and 2 m - (a + b)
     // / 2 with that in the middle, m. To each belongs a force.
@@ -240,6 +269,10 @@ namespace ElastoPlastic
       for (unsigned int corner = 0; corner < 3; ++corner)
         for (unsigned int c = 0; c < 3; ++c)
           stresses(n_stress_components<2> * corner + c, 3 * corner + c) = 1.;
+      if (!sines.empty())
+        for (unsigned int corner = 0; corner < 3; ++corner)
+          for (unsigned int c = 0; c < 2; ++c)
+            stresses(n_stress_components<2> * corner + 3, 3 * corner + c) = 0.5;
 
       ConicBlock &block = program.blocks.emplace_back(n);
       add_yield_conditions<2>(block,
@@ -247,6 +280,8 @@ namespace ElastoPlastic
                               {1., 1., 1.},
                               body.materials[t].yield_radius /
                                 body.stress_unit);
+      if (!sines.empty())
+        add_friction(block, stresses, {0., 0., 0.}, sines[t]);
       for (unsigned int f = 0; f < forces.size(); ++f)
         {
           block.linear_cost[n_stresses + f] = body.indenter_velocity[1];
@@ -334,6 +369,16 @@ namespace ElastoPlastic
   VelocityField<2>
   find_motion_of_sheet(const SplitBody<2> &body, const double tolerance)
   {
-    return SheetProgram(body).solve(tolerance);
+    return SheetProgram(body, {}).solve(tolerance);
+  }
+
+
+
+  VelocityField<2>
+  find_motion_of_soil(const SplitBody<2>        &body,
+                      const std::vector<double> &sines,
+                      const double               tolerance)
+  {
+    return SheetProgram(body, sines).solve(tolerance);
   }
 } // namespace ElastoPlastic

@@ -6,6 +6,7 @@
 #include "bounds/body/hencky_material.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/local_algebra.h"
+#include "bounds/soil/friction.h"
 #include "bounds/stress/stress_program.h"
 
 namespace ElastoPlastic
@@ -80,6 +81,31 @@ namespace ElastoPlastic
         block.cone_matrix(n_stress_components<dim> * i,
                           block.cone_matrix.n() - n + i) = -1.;
     add_tractions(t, stresses);
+  }
+
+
+
+  // The pressure of body forces is not in the stresses.
+  template <int dim>
+  void
+  StressProgram<dim>::add_friction(const std::vector<double> &sines)
+  {
+    const auto &points = Bernstein<dim>::points(degree);
+    for (unsigned int t = 0; t < sines.size(); ++t)
+      {
+        std::vector<double> pressures;
+        for (unsigned int k = 0; k < Element::n_parts; ++k)
+          for (const auto &point : points)
+            pressures.push_back(
+              body.pressure_of_body_force(
+                interpolate(point, Element::part_of(body.corners_of(t), k)),
+                /* load_factor = */ 0.) /
+              body.stress_unit);
+        ElastoPlastic::add_friction(program.blocks[t],
+                                    point_stresses(t),
+                                    pressures,
+                                    sines[t]);
+      }
   }
 
 

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Bounds of the limit load of a strip footing on weightless soil, on both sides
+// of Prandtl's N_c, of a smooth as of a rough footing.
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/grid/grid_generator.h>
+
+#include <cmath>
+#include <limits>
+
+#include "bounds/soil/soil_limit_load.h"
+#include "bounds/stress/stress_problem.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  constexpr double tolerance = 1e-7;
+
+
+
+  /// The right half of the ground, with smaller cells at the edge of the
+  /// footing of half-width 1.
+  void
+  make_mesh(parallel::distributed::Triangulation<2> &triangulation,
+            const unsigned int                       n,
+            const unsigned int                       n_refinements)
+  {
+    GridGenerator::subdivided_hyper_rectangle(triangulation,
+                                              {2 * n, n},
+                                              Point<2>(0, -1. * n),
+                                              Point<2>(2. * n, 0),
+                                              /* colorize = */ true);
+    for (unsigned int k = 0; k < n_refinements; ++k)
+      {
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (cell->is_locally_owned() &&
+              cell->center().distance(Point<2>(1., 0.)) <
+                2.5 * cell->diameter())
+            cell->set_refine_flag();
+        triangulation.execute_coarsening_and_refinement();
+      }
+  }
+
+
+
+  BoundaryConditions<2>
+  boundary_conditions()
+  {
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"left", "right"};
+    parameters.fixed   = {"bottom"};
+    parameters.contact = {"top"};
+    return {parameters, {{"left", 0}, {"right", 1}, {"bottom", 2}, {"top", 3}}};
+  }
+
+
+
+  SplitBody<2>
+  footing(const SplitMesh<2> &mesh,
+          const double        cohesion,
+          const double        sine,
+          const SurfaceFinish surface)
+  {
+    Material<double> material;
+    material.bulk_modulus      = 800.;
+    material.shear_modulus     = 400.;
+    material.yield_radius      = yield_radius_of_soil(cohesion, sine);
+    material.isotropic_modulus = 0.;
+    const auto gap             = [](const Point<2> &x) {
+      return x[0] <= 1. ? 0. : std::numeric_limits<double>::infinity();
+    };
+    return make_split_body<2>(mesh,
+                              boundary_conditions(),
+                              {material},
+                              {gap, surface},
+                              0.,
+                              Kinematics::cartesian);
+  }
+
+
+
+  void
+  test_footing(const SplitMesh<2> &mesh,
+               const double        degrees,
+               const SurfaceFinish surface)
+  {
+    const double phi = degrees * numbers::PI / 180., sine = std::sin(phi);
+    const double n_q =
+      std::exp(numbers::PI * std::tan(phi)) * (1. + sine) / (1. - sine);
+    const double        n_c  = (n_q - 1.) / std::tan(phi);
+    const SplitBody<2>  body = footing(mesh, 1., sine, surface);
+    const FrictionSines sines(mesh.simplices.size(), sine);
+    const auto stress = maximize_load_of_soil(body, sines, 1, tolerance);
+    const auto motion = minimize_plastic_work_of_soil(body, sines, tolerance);
+    output() << "Angle of friction " << degrees
+             << (surface == SurfaceFinish::rough ? ", rough" : "") << std::endl;
+    verify("lower bound", stress.force <= n_c && stress.force > 0.9 * n_c);
+    verify("upper bound", motion.bound >= n_c && motion.bound < 1.1 * n_c);
+    verify("admissible stress",
+           check_stress_of_soil(body, sines, stress).largest(),
+           1e-9);
+    verify("admissible velocity", motion.error, 1e-7);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize        mpi(argc, argv, 1);
+  parallel::distributed::Triangulation<2> triangulation(MPI_COMM_WORLD);
+  make_mesh(triangulation, 8, 4);
+  const SplitMesh<2> mesh = make_split_mesh(triangulation);
+  for (const SurfaceFinish surface :
+       {SurfaceFinish::smooth, SurfaceFinish::rough})
+    for (const double degrees : {10., 20., 30.})
+      test_footing(mesh, degrees, surface);
+}
