@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bounds/soil/soil_limit_load.h"
+#include "bounds/mechanism/soil_limit_load.h"
 #include "bounds/stress/stress_problem.h"
 #include "verdict.h"
 

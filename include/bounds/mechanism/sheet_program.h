@@ -20,7 +20,7 @@ namespace ElastoPlastic
   find_motion_of_sheet(const SplitBody<2> &body, const double tolerance);
 
   /// The same of soil in plane strain, with the sines of the angle of friction
-  /// by triangles, see bounds/soil/friction.h: the strain rate is in the dual
+  /// by triangles, see bounds/conic/friction.h: the strain rate is in the dual
   /// cone of the yield condition at the corners, and so everywhere.
   VelocityField<2>
   find_motion_of_soil(const SplitBody<2>        &body,

@@ -37,7 +37,7 @@ namespace ElastoPlastic
                 const double          tolerance = usual_tolerance<dim>);
 
   /// The same of a body of soil in plane strain, whose body forces do not grow,
-  /// with the sines of the angle of friction, see bounds/soil/friction.h. Its
+  /// with the sines of the angle of friction, see bounds/conic/friction.h. Its
   /// displacement is not computed.
   StressField<2>
   maximize_load_of_soil(const SplitBody<2>        &body,

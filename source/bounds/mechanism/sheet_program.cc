@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds/conic/friction.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/yield_conditions.h"
 #include "bounds/mechanism/quadratic_field.h"
 #include "bounds/mechanism/sheet_program.h"
-#include "bounds/soil/friction.h"
 
 namespace ElastoPlastic
 {

@@ -111,7 +111,8 @@ namespace ElastoPlastic
                         const unsigned int         degree,
                         const double               tolerance)
   {
-    AssertThrow(body.body_force_growth.norm() == 0., ExcNotImplemented());
+    AssertThrow(body.body_force_growth.norm() == 0.,
+                ExcMessage("The weight of soil is given, not looked for."));
     StressProgram<2> program(body, OutOfPlane::mean, degree);
     program.add_friction(sines);
     if (body.load_factor_unit == 0)

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "bounds/body/hencky_material.h"
+#include "bounds/conic/friction.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/local_algebra.h"
-#include "bounds/soil/friction.h"
 #include "bounds/stress/stress_program.h"
 
 namespace ElastoPlastic

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef bounds_soil_friction_h
-#define bounds_soil_friction_h
+#ifndef bounds_conic_friction_h
+#define bounds_conic_friction_h
 
 #include <vector>
 

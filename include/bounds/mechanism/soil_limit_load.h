@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef bounds_soil_soil_limit_load_h
-#define bounds_soil_soil_limit_load_h
+#ifndef bounds_mechanism_soil_limit_load_h
+#define bounds_mechanism_soil_limit_load_h
 
+#include "bounds/conic/friction.h"
 #include "bounds/mechanism/velocity_check.h"
-#include "bounds/soil/friction.h"
 #include "bounds/stress/stress_check.h"
 
 namespace ElastoPlastic

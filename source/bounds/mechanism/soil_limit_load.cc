@@ -7,7 +7,7 @@
 
 #include "base/largest_error.h"
 #include "bounds/mechanism/sheet_program.h"
-#include "bounds/soil/soil_limit_load.h"
+#include "bounds/mechanism/soil_limit_load.h"
 #include "bounds/stress/johnson_mercier.h"
 
 namespace ElastoPlastic

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "bounds/conic/friction.h"
 #include "bounds/conic/yield_conditions.h"
-#include "bounds/soil/friction.h"
 
 namespace ElastoPlastic
 {
