@@ -120,8 +120,11 @@ class BodyPanel(Panel):
         return size / WINDOW if size > LARGE_BODY else 1.
 
     def choose_scale(self, views, points):
+        """Finite displacements can be seen as they are, and the indenter fits them only so."""
         if self.arguments.scale != "auto":
             return self.arguments.scale
+        if any(view.results.parameters.get("Strain") == "logarithmic" for view in views):
+            return 1.
         largest = max(magnitude(view.fields("solution")["displacement"]).max() for view in views)
         length = (points.max(axis=0) - points.min(axis=0)).max()
         return max(1., round_down(0.06 * length / self.zoom / largest)) if largest > 0. else 1.
@@ -168,7 +171,7 @@ class BodyPanel(Panel):
         if self.draw_plastic_zone(axes, seen, fields, everywhere):
             handles.append(Line2D([], [], color=draw.PLASTIC, linewidth=1.8, label="plastic zone"))
         if self.scale != 1.:
-            axes.text(1., -0.02, f"displacement × {self.scale:g}", transform=axes.transAxes, ha="right", va="top",
+            axes.text(1., 1.01, f"displacement × {self.scale:g}", transform=axes.transAxes, ha="right", va="bottom",
                       fontsize=9)
         return handles
 

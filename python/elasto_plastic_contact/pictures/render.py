@@ -41,7 +41,8 @@ def parse_arguments(arguments):
                         help="what the colour shows, of vectors and tensors the root of the sum of the squares of "
                              "their components (default: %(default)s)")
     parser.add_argument("--scale", type=scale, default="auto",
-                        help="factor on the displacement: a number, or 'auto' for a dent that can be seen")
+                        help="factor on the displacement: a number, or 'auto' for a dent that can be seen (1 with finite "
+                             "strains)")
     parser.add_argument("--cut", default="auto", choices=["auto", "none", "x", "y"],
                         help="remove the part of a three-dimensional body in front of the contact, "
                              "at right angles to this axis (auto: if the contact is in the middle)")
