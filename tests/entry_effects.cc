@@ -101,7 +101,7 @@ main(int argc, char *argv[])
   compare("Linear solver/Maximum number of iterations",
           {{"Linear solver/Type", "direct"}});
   compare("Evaluation/Beta", history);
-  compare("Evaluation/Continuous stiffness", none);
+  compare("Evaluation/Continuous stiffness", history);
   compare("Output/Field times", {{"Output/Fields", "at times"}});
   compare("Output/Additional fields", {{"Output/Fields", "never"}});
   compare("Output/Additional fields", limit_load);
