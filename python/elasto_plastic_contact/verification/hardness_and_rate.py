@@ -22,11 +22,14 @@ def creep_hardness(runner):
     tables = runner.tables(CASE)
     hardness = {}
     for begin, end, rate in ((0.5, 15, 0.05), (15, 45, 0.01), (45, 55, 0.05)):
-        late = [step["force"] / step["contact_area"] for step in tables["history"]
-                if 0.5 * (begin + end) <= step["time"] <= end]
-        hardness[begin] = sum(late) / len(late)
-        for name, value in (("largest", max(late)), ("smallest", min(late))):
+        late = {step["step"]: step["force"] / step["contact_area"] for step in tables["history"]
+                if 0.5 * (begin + end) <= step["time"] <= end}
+        settled = [value for step, value in late.items() if not has_new_mesh(tables, step)]
+        hardness[begin] = sum(settled) / len(settled)
+        for name, value in (("largest", max(settled)), ("smallest", min(settled))):
             runner.compare(f"rate {rate}, up to t = {end}: {name} hardness", value, hardness[begin], 0.01)
+        # Stresses that are interpolated to another mesh are those of the flow only after some strain.
+        runner.compare(f"rate {rate}, up to t = {end}: smallest, also on new meshes", min(late.values()), hardness[begin], 0.03)
     runner.compare("hardness at the same rate, before and after", hardness[45], hardness[0.5], 0.01)
     *jumps, hold = tables["indentation"]
     for row in jumps:
@@ -35,6 +38,11 @@ def creep_hardness(runner):
     history = {step["time"]: step["depth"] for step in tables["history"]}
     runner.verify(f"depth grows in the hold, by {hold['creep_depth']:.3g}",
                   0 < hold["creep_depth"] < history[85] - history[55] + 1e-2 * history[55])
+
+
+def has_new_mesh(tables, step):
+    """Whether the mesh has changed before this step, or up to three before it."""
+    return any(0 < step - change["step"] <= 4 for change in tables["mesh_changes"])
 
 
 def at_rate(runner, rate, n_steps):
