@@ -127,3 +127,24 @@ def creep_contact(runner):
         impulse = force * (step["time"] - 0.005)
         exact = (3 * radius / 16 * (force / shear_modulus + impulse / viscosity)) ** (1 / 3)
         runner.compare(f"t = {step['time']:.3f}, contact radius", step["contact_radius"], exact, 0.02)
+
+
+def creep_accurate_steps(runner):
+    """The same with steps by their error: more for a smaller one, to the same depth; none too long meets the body."""
+    def steps(tolerance, *entries):
+        history = runner.history("creep/sphere_hold.prm", "Refinement/Elements over contact radius=5",
+                                 "Loading/Step control=accurate", f"Loading/Step tolerance={tolerance}", *entries)
+        return history, [after["time"] - before["time"] for before, after in zip(history, history[1:])]
+
+    coarse, fine = steps(0.008)[0], steps(0.0005)[0]
+    # Errors go with the square of a step: four times as many in the limit, fewer as the first ones are given.
+    runner.verify(f"{len(coarse)} and {len(fine)} steps", 2 * len(coarse) <= len(fine) <= 4 * len(coarse))
+    runner.compare("depth at the end", coarse[-1]["depth"], fine[-1]["depth"], 0.001)
+
+    gap, nominal = 0.06, 1 / 40
+    history, lengths = steps(0.002, f"Indenter/Initial gap={gap}", "Loading/History=1: depth 0.08",
+                             f"Loading/Number of steps={1 / nominal:.0f}")
+    in_air = [length for step, length in zip(history[1:], lengths) if step["depth"] < gap]
+    touching = [length for step, length in zip(history[1:], lengths) if step["depth"] >= gap]
+    runner.verify(f"longest step in the air {max(in_air):.3g}", max(in_air) > 4 * nominal)
+    runner.verify(f"step that meets the body {touching[0]:.3g}", touching[0] <= 1.001 * nominal)
