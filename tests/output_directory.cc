@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "restart/output_directory.h"
@@ -32,6 +33,21 @@ namespace
 
 
 
+  /// The text of a file without the comments that its first lines are: they
+  /// name the revision of the program.
+  std::string
+  contents(const fs::path &file)
+  {
+    std::ifstream      in(file);
+    std::ostringstream text;
+    for (std::string comment; in.peek() == '#';)
+      std::getline(in, comment);
+    text << in.rdbuf();
+    return text.str();
+  }
+
+
+
   /// All files with their contents.
   void
   print_files(const std::string &title)
@@ -45,7 +61,7 @@ namespace
             std::ostringstream text;
             text << fs::relative(entry.path(), directory).string();
             if (entry.file_size() > 0)
-              text << " (" << std::ifstream(entry.path()).rdbuf() << ')';
+              text << " (" << contents(entry.path()) << ')';
             files.push_back(text.str());
           }
       std::sort(files.begin(), files.end());
