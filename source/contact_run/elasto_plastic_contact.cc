@@ -207,8 +207,9 @@ namespace ElastoPlastic
       {
         step.begin();
         SolveResult result = solve_on_mesh_sequence(statistics);
-        if (step.is_too_inaccurate(result) && step.halve())
+        if (step.is_too_inaccurate(result))
           {
+            step.halve();
             step.take_back();
             return false;
           }
@@ -248,6 +249,8 @@ namespace ElastoPlastic
         const bool        is_last =
           !adaptation.mark_in_step(result.step, result.cycle);
         statistics.add_solve(result);
+        if (is_last && step.is_too_inaccurate(result))
+          return result;
         output.write(step, is_last);
         output_directory.accept_results();
         if (is_last)

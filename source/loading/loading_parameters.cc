@@ -77,7 +77,9 @@ namespace ElastoPlastic
       "at the ends of the segments and at 'Output/Field times'. Expressions in "
       "t may turn anywhere: with them, adaptive steps also end where fixed ones "
       "do. accurate: the same, with the factor sqrt('Step tolerance' / error of "
-      "the step), up to 64 of the 'Number of steps'.");
+      "the step), up to 64 of the 'Number of steps'; a step that is longer than "
+      "one of these and has an error above 4 tolerances is taken back, and half "
+      "of it tried.");
     prm.add_parameter(
       "Step tolerance",
       step_tolerance,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "base/compatibility.h"
@@ -221,14 +222,17 @@ namespace ElastoPlastic
 
 
 
-  // With the first that fails, those after it are not tried.
+  // With the first that fails, those after it are not tried. What the user has
+  // removed meanwhile is not missed.
   template <int dim>
   void
   FieldOutput<dim>::write_to_disk(const MPI_Comm communicator)
   {
-    const auto failed = std::find_if_not(written.begin(),
-                                         written.end(),
-                                         ElastoPlastic::write_to_disk);
+    const auto failed =
+      std::find_if(written.begin(), written.end(), [](const std::string &file) {
+        return std::filesystem::exists(file) &&
+               !ElastoPlastic::write_to_disk(file);
+      });
     check_written(communicator,
                   failed == written.end() ? "" : *failed,
                   failed == written.end());
