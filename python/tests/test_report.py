@@ -19,9 +19,10 @@ from elasto_plastic_contact.reporting.convergence import (common_ratio, entries_
 from elasto_plastic_contact.reporting.document import Document
 from elasto_plastic_contact.reporting.energy import balance
 from elasto_plastic_contact.reporting.facts import Facts
+from elasto_plastic_contact.reporting.key_numbers import UNLOADING, key_numbers
 from elasto_plastic_contact.reporting.mesh import contact_sizes
 from elasto_plastic_contact.reporting.methods import methods
-from elasto_plastic_contact.reporting.problem import loading_in_words
+from elasto_plastic_contact.reporting.problem import loading_in_words, row_in_words
 
 CONE = {"Geometry/Initial refinements": 3, "Loading/Number of steps": 24, "Output/Fields": "last cycle",
         "Output/Length unit": "mm", "Output/Force unit": "N"}
@@ -207,6 +208,37 @@ class Reports(unittest.TestCase):
         repeated = run(again, self.folder / "again")
         self.assertEqual(list(repeated.reactions["top_z"]), list(self.bar.reactions["top_z"]))
         self.assertEqual(loading_in_words(facts), "The boundary conditions act up to the time t = 2.")
+
+    def test_rate_sensitivity(self):
+        """A row of a hold is none of an unloading."""
+        folder = self.folder / "hold"
+        shutil.copytree(self.cone.directory, folder)
+        columns = ("modelled_part", "stiffness", *(column for column, _, _ in UNLOADING[1:]), "hold_rate_sensitivity",
+                   "jump_rate_sensitivity")
+        hold, unloading = "1,nan,700,0,0,0,0.19,nan", "1,9000,800,210000,820,220000,nan,nan"
+
+        def facts_with(*rows):
+            (folder / "indentation.csv").write_text("\n".join([",".join(columns), *rows, ""]))
+            return Facts(folder)
+
+        def numbers_of(facts):
+            return {number.name: number.value for number in key_numbers(facts)}
+
+        facts = facts_with(hold, unloading)
+        self.assertEqual(numbers_of(facts)["hardness, with the contact area"], 800.)
+        self.assertEqual(numbers_of(facts)["rate sensitivity of the hardness, by the first hold"], 0.19)
+        self.assertLessEqual({"oliver_pharr_1992", "lucas_oliver_1999"}, set(methods(facts, [])[1]))
+        facts = facts_with(hold)
+        self.assertNotIn("hardness, with the contact area", numbers_of(facts))
+        self.assertNotIn("Oliver", methods(facts, [])[0])
+        self.assertNotIn("lucas_oliver_1999", methods(facts_with(unloading), [])[1])
+
+    def test_history_in_words(self):
+        """Values are reached at a time, rates and holds last until then."""
+        self.assertEqual([row_in_words(*row) for row in ((1., "depth 0.05"), (20., "strain rate 0.05"), (30., "force rate 2"),
+                                                         (40., "hold"))],
+                         ["depth 0.05 at t = 1", "strain rate (dh/dt) / h = 0.05 until t = 20",
+                          "force rate 2 until t = 30", "held until t = 40"])
 
     def test_command(self):
         path = self.folder / "command.html"

@@ -100,9 +100,9 @@ class Facts:
 
     @functools.cached_property
     def history_rows(self):
-        """Of 'Loading/History': pairs of a time and what is reached then; empty without it."""
+        """Of 'Loading/History': pairs of a time and what is reached then, or happens until then; empty without it."""
         rows = [row.partition(":") for row in self.text("Loading/History").split("|") if row.strip()]
-        return [(float(time), target.strip()) for time, _, target in rows]
+        return [(float(time), " ".join(target.split())) for time, _, target in rows]
 
     @property
     def final_time(self):

@@ -6,7 +6,7 @@ from . import problem
 from .bibliography import key_of_deal_ii
 from .convergence import OVER_RADIUS, by_fineness
 from .facts import BOUNDED, LIMIT
-from .key_numbers import key_numbers
+from .key_numbers import key_numbers, rate_sensitivities
 from .mesh import contact_sizes, elements_in_words
 
 # Hardening and rate laws with a source: entry of a material, value or None for any, key.
@@ -131,9 +131,17 @@ def solver(facts):
 def evaluation(facts):
     if not facts.has_contact or not facts.run.has("indentation.csv"):
         return "", []
-    return ("Hardness and reduced modulus follow from the unloading by the method of Oliver and Pharr "
-            f"[oliver_pharr_1992], with beta = {facts.text('Evaluation/Beta')}, with the true contact area as well as "
-            "with the section of the tip at the contact depth.", ["oliver_pharr_1992"])
+    texts, keys = [], []
+    if len(facts.run.unloadings):
+        keys.append("oliver_pharr_1992")
+        texts.append("Hardness and reduced modulus follow from the unloading by the method of Oliver and Pharr "
+                     f"[oliver_pharr_1992], with beta = {facts.text('Evaluation/Beta')}, with the true contact area as "
+                     "well as with the section of the tip at the contact depth.")
+    if rate_sensitivities(facts):
+        keys.append("lucas_oliver_1999")
+        texts.append("The rate sensitivity d ln H / d ln((dh/dt) / h) of the hardness H, with the depth h, follows from "
+                     "holds of the force and jumps of the rate [lucas_oliver_1999].")
+    return " ".join(texts), keys
 
 
 def bounds(facts):
