@@ -122,12 +122,20 @@ class Reports(unittest.TestCase):
             self.assertIn(words, text)
         for words in ("hughes_1980", "munch_heister_2022", "logarithmic", "H α", "Q ("):
             self.assertNotIn(words, text)
+        in_forces = "Newton's iterations, with a line search in the norm of the forces on free unknowns, end when"
+        self.assertIn(in_forces, text)
+        self.assertIn("a line search in the energy, end when", text_with(Contact__Friction_coefficient="stick"))
+        for law, rate_law, words in (("linear elastic", "Norton", "in the energy"),
+                                     ("perfectly plastic", "Norton", in_forces),
+                                     ("perfectly plastic", "Perzyna", "in the energy"),
+                                     ("perfectly plastic", "Cowper-Symonds", in_forces)):
+            self.assertIn(words, text_with(Material__Law=law, Material__Rate_law=rate_law))
         text = text_with(Loading__History="", Loading__Number_of_steps="1", Contact__Friction_coefficient="stick",
                          Material__Law="nonlinear hardening", Material__Back_stress_moduli="2000",
                          Material__Recovery_rates="40",
                          Material__Rate_law="Perzyna")
         for words in ("Hencky's deformation theory in a single step [johnson_1978]", "complete adhesion",
-                      "[armstrong_frederick_1966, chaboche_1986, perzyna_1966]", "Newton's iterations end when"):
+                      "[armstrong_frederick_1966, chaboche_1986, perzyna_1966]", in_forces):
             self.assertIn(words, text)
 
     def test_other_kinds(self):
@@ -173,6 +181,14 @@ class Reports(unittest.TestCase):
         coarser()
         self.assertIn("holds another run, or one that has not finished, and is made anew", said[-2])
 
+    def test_elastic_body(self):
+        """The methods compare meshes by the first number that is not zero."""
+        elastic = run("material/voce.prm", self.folder / "elastic",
+                      {"Loading/Number of steps": 2, "Material/Law": "linear elastic"})
+        facts = Facts(elastic.directory)
+        self.assertIn("the work of the loads at the end on the two finest ones differs by 0 %.",
+                      methods(facts, [Facts(elastic.directory)])[0])
+
     def test_extrapolation(self):
         """Of what has the order 2, exactly; none of what swings or has an order that no elements have."""
         value, order, index = extrapolated(*(3. + 0.1 * size ** 2 for size in (1., 2., 4.)), 2., 1.)
@@ -183,6 +199,7 @@ class Reports(unittest.TestCase):
         self.assertIsNone(extrapolated(1., 1.1, 2.9, 2., 1.))  # (order 4.2)
         self.assertIsNotNone(extrapolated(1., 1.1, 2.9, 2., 2.))
         self.assertIsNone(extrapolated(1., 1., 1.1, 2., 1.))
+        self.assertIsNone(extrapolated(0., 0.1, 0.5, 2., 1.))
         self.assertAlmostEqual(common_ratio([1., 2., 4.04]), 2.01, places=2)
         self.assertIsNone(common_ratio([1., 2., 3.]))
         self.assertIsNone(common_ratio([1., 2.]))
