@@ -21,6 +21,13 @@ ORIGINS = {
 }
 
 
+def last_of_largest(forces):
+    """The number of the largest one; of those that are equal to it but for rounding, as in a hold, of the last."""
+    import numpy
+
+    return int(numpy.flatnonzero(forces >= forces.max() - 1e-9 * abs(forces.max()))[-1])
+
+
 class Results:
     """The output directory of a run. The tables are NumPy arrays with a field for each column:
     results.history["force"] is a column, results.history[-1] the last row."""

@@ -27,7 +27,8 @@ def write_table(path, rows):
 
 
 def write_run(folder, indenter, units=True, force_at_end=0.):
-    """A quarter of an indenter: the force 7.3549875 (30 kgf / 40) at the depth 0.06, contact area 0.02."""
+    """A quarter of an indenter: the force 7.3549875 (30 kgf / 40) at the depth 0.06, contact area 0.02, after a hold in
+    which it has been larger by rounding."""
     entries = "".join(f" set {name} = {value}\n" for name, value in indenter.items())
     output = " set Length unit = mm\n set Force unit = N\n" if units else ""
     (folder / "parameters.prm").write_text(f"set Dimension = 3\nsubsection Indenter\n{entries}end\nsubsection Output\n{output}end\n",
@@ -35,7 +36,8 @@ def write_run(folder, indenter, units=True, force_at_end=0.):
     write_table(folder / "history.csv",
                 [{"step": step, "time": step, "depth": depth, "force": force, "contact_area": area,
                   "contact_radius": math.sqrt(4. * area / math.pi)}
-                 for step, depth, force, area in ((1, 0.06, 0.75 * KGF, 0.02), (2, 0.05, force_at_end, 0.))])
+                 for step, depth, force, area in ((0, 0.055, 0.75 * (1. + 1e-12) * KGF, 0.018), (1, 0.06, 0.75 * KGF, 0.02),
+                                                  (2, 0.05, force_at_end, 0.))])
     write_table(folder / "surface_profile.csv",
                 [{"step": step, "time": step, "x": x, "y": y, "displacement_x": 0.001 * step, "displacement_y": 0.,
                   "contact_pressure": pressure if step == 1 else 0.}

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy
 
-from .facts import BOUNDED, LIMIT, last_of_largest
+from ..results import last_of_largest
+from .facts import BOUNDED, LIMIT
 
 ELEMENTS = {(2, 1): "bilinear quadrilaterals", (2, 2): "biquadratic quadrilaterals",
             (3, 1): "trilinear hexahedra", (3, 2): "triquadratic hexahedra"}
