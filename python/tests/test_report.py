@@ -20,6 +20,7 @@ from elasto_plastic_contact.reporting.document import Document
 from elasto_plastic_contact.reporting.energy import balance
 from elasto_plastic_contact.reporting.facts import Facts
 from elasto_plastic_contact.reporting.key_numbers import UNLOADING, key_numbers
+from elasto_plastic_contact.reporting.key_numbers import write as write_key_numbers
 from elasto_plastic_contact.reporting.mesh import contact_sizes
 from elasto_plastic_contact.reporting.methods import methods
 from elasto_plastic_contact.reporting.problem import loading_in_words, row_in_words
@@ -249,6 +250,17 @@ class Reports(unittest.TestCase):
         self.assertNotIn("hardness, with the contact area", numbers_of(facts))
         self.assertNotIn("Oliver", methods(facts, [])[0])
         self.assertNotIn("lucas_oliver_1999", methods(facts_with(unloading), [])[1])
+
+    def test_modelled_part(self):
+        """What the numbers are of is said where it is not the whole indenter."""
+        facts, words = Facts(self.cone.directory), "those of the part of the indenter that stands on the body"
+        for areas, is_said in ((1., False), (0.25, True)):
+            history = facts.run.history.copy()
+            history["contact_area"] *= areas
+            facts.run.table = {"history": history}.__getitem__
+            document = Document("")
+            write_key_numbers(facts, document)
+            self.assertEqual(f"{words}, 0.25 of the whole" in document.html(), is_said)
 
     def test_history_in_words(self):
         """Values are reached at a time, rates and holds last until then."""
