@@ -81,7 +81,7 @@ def write(facts, document):
         return write_meshes(facts, document, "error_bound", ("force", "relative_bound"))
     if facts.run.has("mesh_changes.csv") and has_rows(facts, "mesh_changes"):
         changes = facts.run.table("mesh_changes")
-        document.paragraph(f"The mesh has followed the solution: {len(changes)} changes between load steps.")
+        document.paragraph(f"The mesh has followed the solution; changes of it between load steps: {len(changes)}.")
     return None
 
 
