@@ -17,7 +17,7 @@ ORIGINS = {
     "surface_profile.csv": "it takes an indenter, and 'Output/Surface profile' other than 'none'",
     "indentation.csv": "it takes an indenter whose force falls, with three load steps between 95 and 50 % of its largest value, "
                        "or a rate law and a hold of the force or a jump of the rate",
-    "continuous_stiffness.csv": "it takes 'Evaluation/Continuous stiffness = true' and a contact",
+    "continuous_stiffness.csv": "it takes 'Evaluation/Continuous stiffness = true' and a contact that is not plane",
     "error_bound.csv": "it takes 'Analysis = contact with error bound'",
 }
 
