@@ -27,12 +27,12 @@ def write_table(path, rows):
 
 
 def write_run(folder, indenter, units=True, force_at_end=0.):
-    """A quarter of an indenter: the force 7.3549875 (30 kgf / 40) at the depth 0.06, contact area 0.02, after a hold in
-    which it has been larger by rounding."""
+    """A quarter of an indenter: the force 7.3549875 (30 kgf / 40) at the depth 0.06, contact area 0.02."""
     entries = "".join(f" set {name} = {value}\n" for name, value in indenter.items())
     output = " set Length unit = mm\n set Force unit = N\n" if units else ""
     (folder / "parameters.prm").write_text(f"set Dimension = 3\nsubsection Indenter\n{entries}end\nsubsection Output\n{output}end\n",
                                            encoding="utf-8")
+    # (The force has been held for a step, in which it has been larger by rounding.)
     write_table(folder / "history.csv",
                 [{"step": step, "time": step, "depth": depth, "force": force, "contact_area": area,
                   "contact_radius": math.sqrt(4. * area / math.pi)}

@@ -123,21 +123,22 @@ class Reports(unittest.TestCase):
             self.assertIn(words, text)
         for words in ("hughes_1980", "munch_heister_2022", "logarithmic", "H α", "Q ("):
             self.assertNotIn(words, text)
+        text = text_with(Loading__History="", Loading__Number_of_steps="1", Contact__Friction_coefficient="stick",
+                         Material__Law="nonlinear hardening", Material__Back_stress_moduli="2000",
+                         Material__Recovery_rates="40",
+                         Material__Rate_law="Perzyna")
+        for words in ("Hencky's deformation theory in a single step [johnson_1978]", "complete adhesion",
+                      "[armstrong_frederick_1966, chaboche_1986, perzyna_1966]"):
+            self.assertIn(words, text)
         in_forces = "Newton's iterations, with a line search in the norm of the forces on free unknowns, end when"
         self.assertIn(in_forces, text)
+        self.assertIn(in_forces, text_with(Contact__Friction_coefficient="0.1"))
         self.assertIn("a line search in the energy, end when", text_with(Contact__Friction_coefficient="stick"))
         for law, rate_law, words in (("linear elastic", "Norton", "in the energy"),
                                      ("perfectly plastic", "Norton", in_forces),
                                      ("perfectly plastic", "Perzyna", "in the energy"),
                                      ("perfectly plastic", "Cowper-Symonds", in_forces)):
             self.assertIn(words, text_with(Material__Law=law, Material__Rate_law=rate_law))
-        text = text_with(Loading__History="", Loading__Number_of_steps="1", Contact__Friction_coefficient="stick",
-                         Material__Law="nonlinear hardening", Material__Back_stress_moduli="2000",
-                         Material__Recovery_rates="40",
-                         Material__Rate_law="Perzyna")
-        for words in ("Hencky's deformation theory in a single step [johnson_1978]", "complete adhesion",
-                      "[armstrong_frederick_1966, chaboche_1986, perzyna_1966]", in_forces):
-            self.assertIn(words, text)
 
     def test_other_kinds(self):
         self.expect(["Kind of run: body without indenter", "σ_0 + Q (1 - exp(-b α))", "The run does not name its units",
