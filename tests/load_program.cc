@@ -214,6 +214,14 @@ namespace
     now.n_steps    = 2;
     now.depth      = "0.1";
     print_answer("shorter", before, now, 1.);
+
+    before.history = "1: depth 0.1 | 2: force  rate 3 | 4: force rate 0";
+    now            = before;
+    now.history    = "1: depth 0.1 | 2: force rate 3 | 4: force rate 1";
+    print_answer("another rate in future", before, now, 2.);
+    print_answer("another rate under way", before, now, 3.);
+    now.history = "1: depth 0.1 | 2: force rate 4 | 4: force rate 0";
+    print_answer("another rate in the past", before, now, 3.);
   }
 
 

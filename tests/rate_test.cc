@@ -112,11 +112,16 @@ namespace
   void
   check_silence()
   {
-    RateTest test({1., 2., 3.}, {{1., 2.}});
+    RateTest test({1., 2., 3., 4., 5.}, {{1., 2.}, {4., 5.}});
     bool     is_silent = !test.add({1, 1., 0.1, 5., 0.2});
     is_silent &= !test.add({2, 2., 0.1, 4., 0.2}); // relaxation
     is_silent &= !test.add({3, 3., 0.05, 0., 0.}); // unloading
     verify("Nothing of one step, a constant depth, an unloading", is_silent);
+    bool is_held = !test.add({4, 4., 0.1, 4., 0.2});
+    for (unsigned int i = 1; i <= 4; ++i)
+      is_held &= !test.add(
+        {4 + i, 4. + 0.25 * i, 0.1 * (1. + 4e-16 * i), 4. - 0.1 * i, 0.2});
+    verify("Nothing of a depth that grows by rounding errors", is_held);
   }
 } // namespace
 

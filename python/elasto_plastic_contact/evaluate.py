@@ -226,9 +226,15 @@ def main(arguments):
 
 
 def evaluate_run(arguments):
-    """The hardness numbers of a run."""
+    """The hardness numbers of a run. Raises UserError of options that are for curves."""
     from .hardness_numbers import show
-    run = run_to_compare(arguments.curve[0])
+    directory, = arguments.curve
+    unless_given = vars(parse_arguments([directory], __doc__))
+    for name, value in vars(arguments).items():
+        if name not in ("length_unit", "force_unit") and value != unless_given[name]:
+            raise UserError(f"--{name.replace('_', '-')} is for curves, and '{directory}' is a folder: leave it out, or "
+                            f"compare a curve with this run by --run {directory}")
+    run = run_to_compare(directory)
     length, force = units_of_run(run, arguments)
     return show(run, length / FACTORS["length"]["mm"], force / FACTORS["force"]["N"])
 

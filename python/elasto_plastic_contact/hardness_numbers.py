@@ -7,6 +7,7 @@ import math
 
 from .errors import UserError
 from .new_case.revolution import STANDARD_GRAVITY
+from .results import last_of_largest
 
 VICKERS_ANGLE = 68.  # between faces and axis
 
@@ -34,7 +35,7 @@ def residual_diagonal(run):
     """Of a Vickers imprint without load, in the unit of the run: twice how far the outermost point that has touched an
     edge of the pyramid at the largest force is from the axis then. None without a line of surface_profile.csv along an edge,
     at both times."""
-    largest = run.history[int(run.history["force"].argmax())]
+    largest = run.history[last_of_largest(run.history["force"])]
     unloaded = run.history[-1]
     if unloaded["force"] > 1e-3 * largest["force"] or not run.has("surface_profile.csv"):
         return None
@@ -62,9 +63,9 @@ def points_below_edge(run, step):
 
 
 def numbers_of_run(run, millimetre, newton):
-    """Name, value and unit of what the indenter of a run is made for. millimetre, newton: what to multiply lengths and
-    forces of the run by. Raises UserError."""
-    row = run.history[int(run.history["force"].argmax())]
+    """Name, value and unit of what the indenter of a run is made for, at the largest force, and after a hold of it at
+    its end. millimetre, newton: what to multiply lengths and forces of the run by. Raises UserError."""
+    row = run.history[last_of_largest(run.history["force"])]
     shape, force = run.parameters.get("Indenter/Type"), newton * row["force"] / run.modelled_part
     area = math.pi * (millimetre * row["contact_radius"]) ** 2
     if shape == "sphere":

@@ -15,10 +15,18 @@ from .tables import read_table
 # What it takes that a run writes a table.
 ORIGINS = {
     "surface_profile.csv": "it takes an indenter, and 'Output/Surface profile' other than 'none'",
-    "indentation.csv": "it takes an indenter whose force falls, with three load steps between 95 and 50 % of its largest value",
-    "continuous_stiffness.csv": "it takes 'Evaluation/Continuous stiffness = true' and a contact",
+    "indentation.csv": "it takes an indenter whose force falls, with three load steps between 95 and 50 % of its largest value, "
+                       "or a rate law and a hold of the force or a jump of the rate",
+    "continuous_stiffness.csv": "it takes 'Evaluation/Continuous stiffness = true' and a contact that is not plane",
     "error_bound.csv": "it takes 'Analysis = contact with error bound'",
 }
+
+
+def last_of_largest(forces):
+    """The number of the largest one; of those that are equal to it but for rounding, as in a hold, of the last."""
+    import numpy
+
+    return int(numpy.flatnonzero(forces >= forces.max() - 1e-9 * abs(forces.max()))[-1])
 
 
 class Results:

@@ -32,10 +32,12 @@ def write_run(folder, indenter, units=True, force_at_end=0.):
     output = " set Length unit = mm\n set Force unit = N\n" if units else ""
     (folder / "parameters.prm").write_text(f"set Dimension = 3\nsubsection Indenter\n{entries}end\nsubsection Output\n{output}end\n",
                                            encoding="utf-8")
+    # (The force has been held for a step, in which it has been larger by rounding.)
     write_table(folder / "history.csv",
                 [{"step": step, "time": step, "depth": depth, "force": force, "contact_area": area,
                   "contact_radius": math.sqrt(4. * area / math.pi)}
-                 for step, depth, force, area in ((1, 0.06, 0.75 * KGF, 0.02), (2, 0.05, force_at_end, 0.))])
+                 for step, depth, force, area in ((0, 0.055, 0.75 * (1. + 1e-12) * KGF, 0.018), (1, 0.06, 0.75 * KGF, 0.02),
+                                                  (2, 0.05, force_at_end, 0.))])
     write_table(folder / "surface_profile.csv",
                 [{"step": step, "time": step, "x": x, "y": y, "displacement_x": 0.001 * step, "displacement_y": 0.,
                   "contact_pressure": pressure if step == 1 else 0.}
@@ -84,6 +86,9 @@ class HardnessNumbers(unittest.TestCase):
             with self.assertRaisesRegex(UserError, "unit of length '', which is none of .*: give it by --length-unit"):
                 evaluated(folder)
             self.assertIn("HV", evaluated(folder, "--length-unit", "mm", "--force-unit", "N"))
+            for options in (("--json", "found.json"), ("--vickers",), ("--beta", "1.05")):
+                with self.assertRaisesRegex(UserError, f"{options[0]} is for curves, and '.*' is a folder: leave it out, or"):
+                    evaluated(folder, *options)
 
 
 if __name__ == "__main__":

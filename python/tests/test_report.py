@@ -19,9 +19,11 @@ from elasto_plastic_contact.reporting.convergence import (common_ratio, entries_
 from elasto_plastic_contact.reporting.document import Document
 from elasto_plastic_contact.reporting.energy import balance
 from elasto_plastic_contact.reporting.facts import Facts
+from elasto_plastic_contact.reporting.key_numbers import UNLOADING, key_numbers
+from elasto_plastic_contact.reporting.key_numbers import write as write_key_numbers
 from elasto_plastic_contact.reporting.mesh import contact_sizes
 from elasto_plastic_contact.reporting.methods import methods
-from elasto_plastic_contact.reporting.problem import loading_in_words
+from elasto_plastic_contact.reporting.problem import loading_in_words, row_in_words
 
 CONE = {"Geometry/Initial refinements": 3, "Loading/Number of steps": 24, "Output/Fields": "last cycle",
         "Output/Length unit": "mm", "Output/Force unit": "N"}
@@ -126,8 +128,17 @@ class Reports(unittest.TestCase):
                          Material__Recovery_rates="40",
                          Material__Rate_law="Perzyna")
         for words in ("Hencky's deformation theory in a single step [johnson_1978]", "complete adhesion",
-                      "[armstrong_frederick_1966, chaboche_1986, perzyna_1966]", "Newton's iterations end when"):
+                      "[armstrong_frederick_1966, chaboche_1986, perzyna_1966]"):
             self.assertIn(words, text)
+        in_forces = "Newton's iterations, with a line search in the norm of the forces on free unknowns, end when"
+        self.assertIn(in_forces, text)
+        self.assertIn(in_forces, text_with(Contact__Friction_coefficient="0.1"))
+        self.assertIn("a line search in the energy, end when", text_with(Contact__Friction_coefficient="stick"))
+        for law, rate_law, words in (("linear elastic", "Norton", "in the energy"),
+                                     ("perfectly plastic", "Norton", in_forces),
+                                     ("perfectly plastic", "Perzyna", "in the energy"),
+                                     ("perfectly plastic", "Cowper-Symonds", in_forces)):
+            self.assertIn(words, text_with(Material__Law=law, Material__Rate_law=rate_law))
 
     def test_other_kinds(self):
         self.expect(["Kind of run: body without indenter", "σ_0 + Q (1 - exp(-b α))", "The run does not name its units",
@@ -172,6 +183,14 @@ class Reports(unittest.TestCase):
         coarser()
         self.assertIn("holds another run, or one that has not finished, and is made anew", said[-2])
 
+    def test_elastic_body(self):
+        """The methods compare meshes by the first number that is not zero."""
+        elastic = run("material/voce.prm", self.folder / "elastic",
+                      {"Loading/Number of steps": 2, "Material/Law": "linear elastic"})
+        facts = Facts(elastic.directory)
+        self.assertIn("the work of the loads at the end on the two finest ones differs by 0 %.",
+                      methods(facts, [Facts(elastic.directory)])[0])
+
     def test_extrapolation(self):
         """Of what has the order 2, exactly; none of what swings or has an order that no elements have."""
         value, order, index = extrapolated(*(3. + 0.1 * size ** 2 for size in (1., 2., 4.)), 2., 1.)
@@ -182,6 +201,7 @@ class Reports(unittest.TestCase):
         self.assertIsNone(extrapolated(1., 1.1, 2.9, 2., 1.))  # (order 4.2)
         self.assertIsNotNone(extrapolated(1., 1.1, 2.9, 2., 2.))
         self.assertIsNone(extrapolated(1., 1., 1.1, 2., 1.))
+        self.assertIsNone(extrapolated(0., 0.1, 0.5, 2., 1.))
         self.assertAlmostEqual(common_ratio([1., 2., 4.04]), 2.01, places=2)
         self.assertIsNone(common_ratio([1., 2., 3.]))
         self.assertIsNone(common_ratio([1., 2.]))
@@ -207,6 +227,48 @@ class Reports(unittest.TestCase):
         repeated = run(again, self.folder / "again")
         self.assertEqual(list(repeated.reactions["top_z"]), list(self.bar.reactions["top_z"]))
         self.assertEqual(loading_in_words(facts), "The boundary conditions act up to the time t = 2.")
+
+    def test_rate_sensitivity(self):
+        """A row of a hold is none of an unloading."""
+        folder = self.folder / "hold"
+        shutil.copytree(self.cone.directory, folder)
+        columns = ("modelled_part", "stiffness", *(column for column, _, _ in UNLOADING[1:]), "hold_rate_sensitivity",
+                   "jump_rate_sensitivity")
+        hold, unloading = "1,nan,700,0,0,0,0.19,nan", "1,9000,800,210000,820,220000,nan,nan"
+
+        def facts_with(*rows):
+            (folder / "indentation.csv").write_text("\n".join([",".join(columns), *rows, ""]))
+            return Facts(folder)
+
+        def numbers_of(facts):
+            return {number.name: number.value for number in key_numbers(facts)}
+
+        facts = facts_with(hold, unloading)
+        self.assertEqual(numbers_of(facts)["hardness, with the contact area"], 800.)
+        self.assertEqual(numbers_of(facts)["rate sensitivity of the hardness, by the first hold"], 0.19)
+        self.assertLessEqual({"oliver_pharr_1992", "lucas_oliver_1999"}, set(methods(facts, [])[1]))
+        facts = facts_with(hold)
+        self.assertNotIn("hardness, with the contact area", numbers_of(facts))
+        self.assertNotIn("Oliver", methods(facts, [])[0])
+        self.assertNotIn("lucas_oliver_1999", methods(facts_with(unloading), [])[1])
+
+    def test_modelled_part(self):
+        """What the numbers are of is said where it is not the whole indenter."""
+        facts, words = Facts(self.cone.directory), "those of the part of the indenter that stands on the body"
+        for areas, is_said in ((1., False), (0.25, True)):
+            history = facts.run.history.copy()
+            history["contact_area"] *= areas
+            facts.run.table = {"history": history}.__getitem__
+            document = Document("")
+            write_key_numbers(facts, document)
+            self.assertEqual(f"{words}, 0.25 of the whole" in document.html(), is_said)
+
+    def test_history_in_words(self):
+        """Values are reached at a time, rates and holds last until then."""
+        self.assertEqual([row_in_words(*row) for row in ((1., "depth 0.05"), (20., "strain rate 0.05"), (30., "force rate 2"),
+                                                         (40., "hold"))],
+                         ["depth 0.05 at t = 1", "strain rate (dh/dt) / h = 0.05 until t = 20",
+                          "force rate 2 until t = 30", "held until t = 40"])
 
     def test_command(self):
         path = self.folder / "command.html"

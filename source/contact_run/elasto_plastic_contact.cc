@@ -209,6 +209,10 @@ namespace ElastoPlastic
         SolveResult result = solve_on_mesh_sequence(statistics);
         if (step.is_too_inaccurate(result))
           {
+            log.remark("The step from t = " +
+                       Patterns::Tools::to_string(step.times().time()) +
+                       " errs by more than 'Loading/Step tolerance' allows; "
+                       "trying half of it.");
             step.halve();
             step.take_back();
             return false;

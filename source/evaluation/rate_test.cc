@@ -13,6 +13,9 @@ namespace ElastoPlastic
   {
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
+    /// A depth that grows by a smaller part of itself is held, up to rounding.
+    constexpr double smallest_growth = 1e-12;
+
 
 
     /// That of the line of least squares through ln H over ln r of the steps
@@ -68,7 +71,8 @@ namespace ElastoPlastic
   RateTest::add(const IndentationPoint &point)
   {
     const IndentationPoint last = std::exchange(memory.last, point);
-    if (point.contact_area > 0. && last.depth > 0. && point.depth > last.depth)
+    if (point.contact_area > 0. && last.depth > 0. &&
+        point.depth > (1. + smallest_growth) * last.depth)
       memory.steps.push_back(
         {point.time,
          std::log(point.depth / last.depth) / (point.time - last.time),

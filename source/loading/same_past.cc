@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <cmath>
+#include <sstream>
 
 #include "base/exceptions.h"
+#include "base/text.h"
 #include "loading/load_program.h"
 #include "loading/same_past.h"
 #include "loading/time_steps.h"
@@ -62,6 +64,27 @@ namespace ElastoPlastic
 
 
 
+    /// What the row of the table that leads to @p time says behind its colon.
+    std::string
+    row_at(const LoadingParameters &parameters, const double time)
+    {
+      for (const std::string &row :
+           split("Loading/History", parameters.history, '|'))
+        {
+          const auto colon = row.find(':');
+          if (as_number(row.substr(0, colon)) < time)
+            continue;
+          std::istringstream words(row.substr(colon + 1));
+          std::string        result;
+          for (std::string word; words >> word;)
+            result += (result.empty() ? "" : " ") + word;
+          return result;
+        }
+      return {};
+    }
+
+
+
     void
     refuse(const double time, const std::string &what)
     {
@@ -77,6 +100,7 @@ namespace ElastoPlastic
 
 
   // The step under way at @p time, if it has been cut, belongs to the past.
+  // (Where the load depends on what is reached, it is the same if the row is.)
   void
   check_same_past(const LoadingParameters &before,
                   const LoadingParameters &now,
@@ -100,6 +124,15 @@ namespace ElastoPlastic
           refuse(time,
                  step + " leads to " + text(load) + " instead of " +
                    text(old_load));
+        if (!load)
+          {
+            const std::string old_row = row_at(before, old_ends[i]);
+            const std::string row     = row_at(now, ends[i]);
+            if (row != old_row)
+              refuse(time,
+                     step + " follows '" + row + "' instead of '" + old_row +
+                       "'");
+          }
         const auto old_place = old_program.path().displacement(old_ends[i]);
         const auto place     = program.path().displacement(ends[i]);
         if ((place - old_place).norm() > rounding * old_place.norm())

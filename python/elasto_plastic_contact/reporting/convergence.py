@@ -128,7 +128,7 @@ def observed_order(fine, medium, coarse, ratio, degree):
 def extrapolated(fine, medium, coarse, ratio, degree):
     """Richardson's extrapolation to vanishing elements, order and grid convergence index [roache_1994], or None."""
     order = observed_order(fine, medium, coarse, ratio, degree)
-    if order is None:
+    if order is None or fine == 0.:
         return None
     correction = (fine - medium) / (ratio ** order - 1.)
     return fine + correction, order, SAFETY * abs(correction / fine)

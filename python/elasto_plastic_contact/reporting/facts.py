@@ -7,12 +7,10 @@ import math
 import pathlib
 import re
 
-import numpy
-
 from ..errors import UserError
 from ..files import read_text
 from ..plots.figures import Units
-from ..results import Results
+from ..results import Results, last_of_largest
 from ..schema import entries
 
 # The lines with which parameters.prm begins.
@@ -33,11 +31,6 @@ def is_same(value, default):
         except ValueError:
             return False
     return value == default
-
-
-def last_of_largest(forces):
-    """The number of the largest one; of those that are equal to it but for rounding, of the last."""
-    return int(numpy.flatnonzero(forces >= forces.max() - 1e-9 * abs(forces.max()))[-1])
 
 
 class Facts:
@@ -100,9 +93,9 @@ class Facts:
 
     @functools.cached_property
     def history_rows(self):
-        """Of 'Loading/History': pairs of a time and what is reached then; empty without it."""
+        """Of 'Loading/History': pairs of a time and what is reached then, or happens until then; empty without it."""
         rows = [row.partition(":") for row in self.text("Loading/History").split("|") if row.strip()]
-        return [(float(time), target.strip()) for time, _, target in rows]
+        return [(float(time), " ".join(target.split())) for time, _, target in rows]
 
     @property
     def final_time(self):

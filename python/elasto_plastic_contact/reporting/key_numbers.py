@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The numbers of a run that a reader looks for first, and that two meshes are compared by."""
 
+import math
 from dataclasses import dataclass
 
 from .facts import BOUNDED, LIMIT, TEST
@@ -22,6 +23,10 @@ UNLOADING = (("stiffness", "initial slope of the unloading", "stiffness"),
              ("tip_hardness", "hardness by Oliver and Pharr", "stress"),
              ("tip_reduced_modulus", "reduced modulus by Oliver and Pharr", "stress"))
 
+# Of holds, and of jumps of the rate: column of indentation.csv, name.
+RATES = (("hold_rate_sensitivity", "rate sensitivity of the hardness, by the first hold"),
+         ("jump_rate_sensitivity", "rate sensitivity of the hardness, by the first jump of the rate"))
+
 
 def key_numbers(facts):
     return {LIMIT: of_limit_load, BOUNDED: of_bounds, TEST: of_test}.get(facts.kind, of_contact)(facts)
@@ -41,8 +46,18 @@ def of_contact(facts):
     if last["depth"] < top["depth"] and last["force"] < 0.01 * top["force"]:
         found.append(KeyNumber("depth after unloading", last["depth"], "length"))
     if facts.run.has("indentation.csv"):
-        row = facts.run.indentation[0]
-        found += [KeyNumber(name, row[column], kind) for column, name, kind in UNLOADING if row[column] > 0.]
+        found += [KeyNumber(name, row[column], kind) for row in facts.run.unloadings[:1]
+                  for column, name, kind in UNLOADING if row[column] > 0.]
+    return found + rate_sensitivities(facts)
+
+
+def rate_sensitivities(facts):
+    """None of runs without a rate law, or of versions that do not have them."""
+    found = []
+    table = facts.run.indentation if facts.run.has("indentation.csv") else None
+    for column, name in RATES:
+        if table is not None and column in table.dtype.names:
+            found += [KeyNumber(name, value, "number") for value in table[column] if math.isfinite(value)][:1]
     return found
 
 
@@ -86,4 +101,8 @@ def text_of(facts, number):
 
 def write(facts, document):
     document.heading("Results in short")
+    part = facts.run.modelled_part if facts.has_contact else 1.
+    if part < 0.99:
+        document.paragraph(f"Forces, areas, stiffness and energies are those of the part of the indenter that stands on the "
+                           f"body, {part:.3g} of the whole.")
     document.table([], [[number.name, text_of(facts, number)] for number in key_numbers(facts)])

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy
 
-from .facts import BOUNDED, LIMIT, last_of_largest
+from ..results import last_of_largest
+from .facts import BOUNDED, LIMIT
 
 ELEMENTS = {(2, 1): "bilinear quadrilaterals", (2, 2): "biquadratic quadrilaterals",
             (3, 1): "trilinear hexahedra", (3, 2): "triquadratic hexahedra"}
@@ -80,7 +81,7 @@ def write(facts, document):
         return write_meshes(facts, document, "error_bound", ("force", "relative_bound"))
     if facts.run.has("mesh_changes.csv") and has_rows(facts, "mesh_changes"):
         changes = facts.run.table("mesh_changes")
-        document.paragraph(f"The mesh has followed the solution: {len(changes)} changes between load steps.")
+        document.paragraph(f"The mesh has followed the solution; changes of it between load steps: {len(changes)}.")
     return None
 
 

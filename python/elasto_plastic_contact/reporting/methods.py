@@ -6,7 +6,7 @@ from . import problem
 from .bibliography import key_of_deal_ii
 from .convergence import OVER_RADIUS, by_fineness
 from .facts import BOUNDED, LIMIT
-from .key_numbers import key_numbers
+from .key_numbers import key_numbers, rate_sensitivities
 from .mesh import contact_sizes, elements_in_words
 
 # Hardening and rate laws with a source: entry of a material, value or None for any, key.
@@ -120,20 +120,41 @@ def solver(facts):
               "AMG": "iterations preconditioned by algebraic multigrid",
               "direct": "a sparse factorisation"}[facts.text("Linear solver/Type")]
     keys = ["munch_heister_2022"] if facts.text("Linear solver/Type") == "multigrid" else []
-    # (Without a potential, there is no energy to be searched in.)
-    has_potential = not any("Recovery rates" in values for values in problem.materials(facts))
-    search = ", with a line search in the energy," if has_potential else ""
-    return (f"Newton's iterations{search} end when the forces on free unknowns are below "
+    searched = "energy" if has_energy(facts) else "norm of the forces on free unknowns"
+    return (f"Newton's iterations, with a line search in the {searched}, end when the forces on free unknowns are below "
             f"{facts.text('Nonlinear solver/Tolerance')} of all nodal forces; the linear systems are given to "
             f"{linear}{cited(keys)}.", keys)
+
+
+def has_energy(facts):
+    """Whether load steps minimise an energy: not with Coulomb's friction, nor with all laws of materials."""
+    slips = facts.has_contact and not problem.is_frictionless(facts) and facts.text(
+        "Contact/Friction coefficient") != "stick"
+    return not slips and all(map(has_potential, problem.materials(facts)))
+
+
+def has_potential(values):
+    """Of one of problem.materials(): not if back stresses recover, nor where the viscous stress has no integral in
+    closed form."""
+    recovers = any(float(rate) > 0. for rate in values.get("Recovery rates", "0").split("|"))
+    rate_law = values.get("Rate law")
+    return not (recovers or rate_law == "Cowper-Symonds" or rate_law == "Norton" and values["Law"] != "linear elastic")
 
 
 def evaluation(facts):
     if not facts.has_contact or not facts.run.has("indentation.csv"):
         return "", []
-    return ("Hardness and reduced modulus follow from the unloading by the method of Oliver and Pharr "
-            f"[oliver_pharr_1992], with beta = {facts.text('Evaluation/Beta')}, with the true contact area as well as "
-            "with the section of the tip at the contact depth.", ["oliver_pharr_1992"])
+    texts, keys = [], []
+    if len(facts.run.unloadings):
+        keys.append("oliver_pharr_1992")
+        texts.append("Hardness and reduced modulus follow from the unloading by the method of Oliver and Pharr "
+                     f"[oliver_pharr_1992], with beta = {facts.text('Evaluation/Beta')}, with the true contact area as "
+                     "well as with the section of the tip at the contact depth.")
+    if rate_sensitivities(facts):
+        keys.append("lucas_oliver_1999")
+        texts.append("The rate sensitivity d ln H / d ln((dh/dt) / h) of the hardness H, with the depth h, follows from "
+                     "holds of the force and jumps of the rate [lucas_oliver_1999].")
+    return " ".join(texts), keys
 
 
 def bounds(facts):
@@ -148,10 +169,12 @@ def convergence(facts, others):
     if not others:
         return "", []
     meshes = by_fineness([facts, *others])
-    name, kind = next((number.name, number.value) for number in key_numbers(meshes[0]))
-    coarse = next(number.value for number in key_numbers(meshes[1]) if number.name == name)
+    finest, next_one = ({number.name: number.value for number in key_numbers(mesh)} for mesh in meshes[:2])
+    name = next((name for name, value in finest.items() if value != 0. and name in next_one), None)
+    if name is None:
+        return "", []
     return (f"With {len(meshes)} meshes, the {name} on the two finest ones differs by "
-            f"{100. * abs(coarse / kind - 1.):.2g} %.", [])
+            f"{100. * abs(next_one[name] / finest[name] - 1.):.2g} %.", [])
 
 
 def limit_load(facts):

@@ -201,14 +201,23 @@ def edge_in_words(facts):
     return "and the edge of the contact moves through the faces of the mesh"
 
 
+def row_in_words(time, target):
+    """Of 'Loading/History': a value that is reached at a time, or how the load changes until then."""
+    if target == "hold":
+        return f"held until t = {time:g}"
+    if " rate " in target:
+        return f"{target.replace('strain rate', 'strain rate (dh/dt) / h =')} until t = {time:g}"
+    return f"{target} at t = {time:g}"
+
+
 def loading_in_words(facts):
     if facts.kind == LIMIT:
         what = ("the force of the indenter" if facts.text("Limit load/Load") == "indenter" and
                 facts.text("Indenter/Type") != "none" else "a common factor of tractions and body forces")
         return f"Wanted is the largest value of {what} that the perfectly plastic body can bear."
     if facts.history_rows:
-        rows = "; ".join(f"{target} at t = {time:g}" for time, target in facts.history_rows)
-        text = f"Load history, linear in between and from zero at t = 0: {rows}."
+        text = ("Load history, from zero at t = 0, and linear up to given values: "
+                f"{'; '.join(row_in_words(*row) for row in facts.history_rows)}.")
     elif facts.kind == TEST:
         text = f"The boundary conditions act up to the time t = {facts.final_time:g}."
     else:

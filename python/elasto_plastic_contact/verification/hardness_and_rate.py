@@ -32,6 +32,7 @@ def creep_hardness(runner):
         runner.compare(f"rate {rate}, up to t = {end}: smallest, also on new meshes", min(late.values()), hardness[begin], 0.03)
     runner.compare("hardness at the same rate, before and after", hardness[45], hardness[0.5], 0.01)
     *jumps, hold = tables["indentation"]
+    runner.verify(f"jumps at t = {', '.join(str(row['time']) for row in jumps)}", [row["time"] for row in jumps] == [45, 55])
     for row in jumps:
         runner.compare(f"t = {row['time']}, sensitivity by the jump", row["jump_rate_sensitivity"], 1 / EXPONENT, 0.05)
     runner.compare("sensitivity by the hold", hold["hold_rate_sensitivity"], 1 / EXPONENT, 0.05)
