@@ -459,6 +459,9 @@ add_message_test(no_convergence 3 "has not converged in 1 iterations" ${_base} -
 add_message_test(overflow 3 "forces are no longer finite numbers" ${_base} --output-directory overflow --overwrite --set "Boundary conditions/Free=" --set "Boundary conditions/Traction=right: 1e300@ 0")
 
 # Each of these is said once, although all later steps are beyond the limit, too.
+add_message_test(residual_of_rounding 0 "Warning: The forces on the free unknowns are up to 1e-09 of all forces, above 'Nonlinear solver/Tolerance': .* this is said again only if they grow tenfold"
+  ${CMAKE_SOURCE_DIR}/parameter_files/creep/thick_cylinder.prm --overwrite --quiet --output-directory residual_of_rounding --set "Material/Rate law=none" --set "Material/Poisson's ratio=0.4999"
+  --set "Geometry/Initial refinements=1" --set "Discretization/Polynomial degree=2" --set "Loading/Final time=0.01" --set "Loading/Number of steps=4")
 add_message_test(large_plastic_strain 0 "^Warning: Step 3 leaves the theory of small strains: the largest equivalent plastic strain is 0.147 .limit: 0.1.. What follows"
   ${CMAKE_SOURCE_DIR}/parameter_files/material/uniaxial_isotropic.prm --overwrite --quiet --output-directory large_plastic_strain
   --set "Boundary conditions/Prescribed displacement=top: free; free; 0.2*t" --set "Loading/Final time=1" --set "Loading/Number of steps=4")

@@ -21,7 +21,7 @@ from elasto_plastic_contact.__main__ import main
 from elasto_plastic_contact.pictures import indenter, skin
 from elasto_plastic_contact.pictures.contact import contact_at
 from elasto_plastic_contact.pictures.joined import Joined
-from elasto_plastic_contact.plots import experiment, figures, friction, study
+from elasto_plastic_contact.plots import curves, experiment, figures, friction, study
 from elasto_plastic_contact.plots.cycles import turning_points
 
 CORNERS = numpy.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
@@ -169,6 +169,13 @@ class Files(unittest.TestCase):
                       self.message("render", self.cone, sphere))
         self.assertIn("no contact pressure to be seen from above",
                       self.message("render", self.cone, "--panels", "pressure"))
+
+    def test_names_of_imprints(self):
+        profile = {"step": [1., 2.]}
+        for later, name in (((0.5, 0.), "after unloading"), ((0.9, 3.), "unloaded in part"), ((1., 3.), "after relaxation")):
+            history = numpy.array([(1., 1., 8.), (2., *later)], [("step", float), ("depth", float), ("force", float)])
+            steps = curves.steps_of_imprint(types.SimpleNamespace(history=history), profile)
+            self.assertEqual(steps, {"at the largest depth": 1., name: 2.})
 
     def test_contact_of_one_node(self):
         points = numpy.array([[0.3, 0.3, 0.], [0.5, 0.3, 0.], [0.3, 0.7, 0.]])

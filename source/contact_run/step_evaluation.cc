@@ -317,13 +317,17 @@ namespace ElastoPlastic
   StepEvaluation<dim>::warn_of_residual(const SolveResult &result,
                                         const double       tolerance) const
   {
-    if (result.residual > tolerance)
-      log.warn(
-        "The forces on the free unknowns are " +
-        Patterns::Tools::to_string(result.residual) +
-        " of all forces, above 'Nonlinear solver/Tolerance': parts of the "
-        "body are so stiff, or so nearly incompressible, that the rounding "
-        "of the displacements does not allow for less.");
+    if (result.residual <= tolerance)
+      return;
+    std::ostringstream text;
+    text << "The forces on the free unknowns are up to "
+         << std::pow(10., std::ceil(std::log10(result.residual)))
+         << " of all forces, above 'Nonlinear solver/Tolerance': parts of the "
+            "body are so stiff, or so nearly incompressible, that the rounding "
+            "of the displacements does not allow for less. Column 'residual' "
+            "of statistics.csv has them at each step; this is said again only "
+            "if they grow tenfold.";
+    log.warn_once(text.str());
   }
 
 

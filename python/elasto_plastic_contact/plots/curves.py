@@ -122,9 +122,15 @@ def steps_of_imprint(run, table):
     lowest = int(later["force"].argmin())
     steps = {"at the largest depth": written["step"][deepest]}
     if lowest > 0:
-        steps["after unloading" if later["force"][lowest] < 0.01 * later["force"][0] else "unloaded in part"] = \
-            later["step"][lowest]
+        steps[name_of_later(later[lowest], later[0])] = later["step"][lowest]
     return steps
+
+
+def name_of_later(row, deepest):
+    """What to call a row of history.csv that follows the deepest one, with a smaller force."""
+    if row["force"] < 0.01 * deepest["force"]:
+        return "after unloading"
+    return "unloaded in part" if row["depth"] < (1. - 1e-9) * deepest["depth"] else "after relaxation"
 
 
 def imprint(run, arguments, scales, axes):

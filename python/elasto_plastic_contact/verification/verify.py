@@ -38,6 +38,7 @@ from .load_steps import adaptive_steps, checkpoint_memory
 from .new_cases import (new_berkovich, new_brinell, new_coating, new_cone, new_limit_load, new_material_test,
                         new_sphere)
 from .hardness_and_rate import creep_hardness, creep_punch, creep_runs, creep_similarity
+from .ratchetting import ratchetting_drift
 from .rate_dependence import creep_accurate_steps, creep_contact, creep_cylinder, creep_sphere, rates_uniaxial
 from .rounding import contrast, direct_contact, moved_body, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
@@ -292,7 +293,7 @@ def strip_punch_locks(runner):
 ALL = {
     function.__name__: function
     for function in (step42, step42_fine, confined_block, confined_history, uniaxial,
-                     uniaxial_history, nonlinear_history, recovery_converges, chaboche_contact,
+                     uniaxial_history, nonlinear_history, recovery_converges, ratchetting_drift, chaboche_contact,
                      rates_uniaxial, creep_cylinder, creep_sphere, creep_contact, creep_accurate_steps, creep_hardness, creep_punch,
                      creep_similarity, creep_runs,
                      force_control, hertz, hertz_axisymmetric, hertz_cylinder,
