@@ -89,6 +89,7 @@ namespace ElastoPlastic
                       "hardening' and 'combined hardening'. Unit: stress.",
                       Patterns::List(Patterns::Double(), 1));
     add_nonlinear_hardening(prm);
+    criteria.add_parameters(prm);
     rates.add_parameters(prm);
     prm.leave_subsection();
   }
