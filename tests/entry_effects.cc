@@ -84,6 +84,9 @@ main(int argc, char *argv[])
           {{"Material/Law", "nonlinear hardening"},
            {"Material/Back stress moduli", "2000"}});
   compare("Material/Rate stress", {{"Material/Rate law", "Norton"}});
+  compare("Material/Hosford exponent",
+          {{"Material/Yield criterion", "Hosford"}});
+  compare("Material/Axes", {{"Material/Yield criterion", "Hill"}});
   compare("Loading/Step tolerance", {{"Loading/Step control", "accurate"}});
   compare("Indenter/Radius", {{"Indenter/Type", "cone"}});
   compare("Indenter/Semi-apex angle", {{"Indenter/Type", "spheroconical tip"}});

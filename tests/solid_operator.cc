@@ -6,8 +6,8 @@
 // revolution:
 // forces are derivatives of the energy, the tangent is the derivative of the
 // forces, and matrix and diagonal are those of the tangent. The same, but for
-// the energy, with back stresses that recover; and all of it with logarithmic
-// strains.
+// the energy, with back stresses that recover; with other yield criteria; and
+// all of it with logarithmic strains.
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -17,9 +17,9 @@
 #include <iomanip>
 
 #include "base/compatibility.h"
-#include "material/material_parameters.h"
 #include "mechanics/rigid_body_modes.h"
 #include "mechanics/solid_operator.h"
+#include "sample_body_materials.h"
 #include "sample_mesh.h"
 #include "solver/tangent_preconditioner.h"
 #include "verdict.h"
@@ -28,52 +28,6 @@ using namespace ElastoPlastic;
 
 namespace
 {
-  MaterialParameters
-  linear_materials()
-  {
-    MaterialParameters parameters;
-    parameters.laws             = {MaterialLaw::isotropic_hardening,
-                                   MaterialLaw::combined_hardening};
-    parameters.young_moduli     = {2., 3.};
-    parameters.poisson_ratios   = {0.3, 0.4};
-    parameters.yield_stresses   = {0.2, 0.4};
-    parameters.isotropic_moduli = {0.1};
-    parameters.kinematic_moduli = {0.2};
-    return parameters;
-  }
-
-
-
-  /// With a table that becomes steeper.
-  MaterialParameters
-  nonlinear_materials()
-  {
-    MaterialParameters parameters = linear_materials();
-    parameters.laws               = {MaterialLaw::nonlinear_hardening,
-                                     MaterialLaw::combined_hardening};
-    parameters.voce_stresses      = {0.1};
-    parameters.voce_rates         = {20.};
-    parameters.hardening_tables   = {"0.05: 0.4| 10: 20"};
-    return parameters;
-  }
-
-
-
-  MaterialParameters
-  recovering_materials()
-  {
-    MaterialParameters parameters = linear_materials();
-    parameters.laws               = {MaterialLaw::nonlinear_hardening,
-                                     MaterialLaw::combined_hardening};
-    parameters.voce_stresses      = {0.1};
-    parameters.voce_rates         = {20.};
-    parameters.back_stress_moduli = {"4 | 0.3"};
-    parameters.recovery_rates     = {"20 | 1"};
-    return parameters;
-  }
-
-
-
   template <int dim>
   class Body
   {
@@ -340,8 +294,11 @@ namespace
       for (const auto treatment :
            {VolumetricTreatment::standard, VolumetricTreatment::b_bar})
         {
+          StrainModel strain_model(treatment, kinematics, strain);
+          strain_model.has_general_criteria = materials.criteria.are_general();
           if (kinematics == Kinematics::plane_stress &&
-              treatment == VolumetricTreatment::b_bar)
+              (treatment == VolumetricTreatment::b_bar ||
+               strain_model.has_general_criteria))
             continue;
           output()
             << dim << "D, p = " << degree << ", "
@@ -351,7 +308,7 @@ namespace
                                                          "")
             << (strain == Strain::logarithmic ? ", logarithmic strain" : "")
             << std::endl;
-          Body<dim> body(degree, {treatment, kinematics, strain}, materials);
+          Body<dim> body(degree, strain_model, materials);
           body.check();
           body.commit();
           body.check();
@@ -375,7 +332,10 @@ main(int argc, char *argv[])
                         Degrees{1}),
         std::make_tuple("Recovering back stresses",
                         recovering_materials(),
-                        Degrees{1})})
+                        Degrees{1}),
+        std::make_tuple("Other yield criteria",
+                        materials_with_criteria(),
+                        Degrees{1, 2})})
     {
       output() << name << std::endl;
       for (const auto strain : {Strain::small, Strain::logarithmic})

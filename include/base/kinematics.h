@@ -80,9 +80,29 @@ namespace ElastoPlastic
       return strain == Strain::logarithmic;
     }
 
+    /// Whether tangents are those of nominal stresses with respect to
+    /// displacement gradients, without any special form.
+    bool
+    has_nominal_tangents() const
+    {
+      return is_finite() || has_general_criteria;
+    }
+
+    /// The same with another treatment.
+    StrainModel
+    with_treatment(const VolumetricTreatment other) const
+    {
+      StrainModel result(other, kinematics, strain);
+      result.has_general_criteria = has_general_criteria;
+      return result;
+    }
+
     VolumetricTreatment treatment;
     Kinematics          kinematics;
     Strain              strain;
+    /// Whether materials yield by other criteria than that of von Mises
+    /// (ElastoPlastic::has_general_criterion()).
+    bool has_general_criteria = false;
   };
 
 

@@ -104,6 +104,9 @@ namespace ElastoPlastic
 
     void
     check_friction_and_path() const;
+
+    void
+    check_yield_criterion() const;
   };
 } // namespace ElastoPlastic
 

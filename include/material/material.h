@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "base/lanes.h"
+#include "material/general_criterion.h"
 #include "material/hardening_curve.h"
 #include "material/rate_law.h"
 
@@ -36,11 +37,11 @@ namespace ElastoPlastic
 
 
 
-  /// The constants of an isotropic elasto-plastic material, in the form the
-  /// radial return needs them. Its yield stress is sigma_0 + H alpha +
-  /// h(alpha), alpha being the equivalent plastic strain; its back stress is
-  /// the sum of several. @p Number is double, or a VectorizedArray when the
-  /// cells of a batch consist of different materials.
+  /// The constants of an elasto-plastic material, isotropic as long as it is
+  /// elastic, in the form the radial return needs them. Its yield stress is
+  /// sigma_0 + H alpha + h(alpha), alpha being the equivalent plastic strain;
+  /// its back stress is the sum of several. @p Number is double, or a
+  /// VectorizedArray when the cells of a batch consist of different materials.
   template <typename Number>
   struct Material
   {
@@ -60,14 +61,19 @@ namespace ElastoPlastic
     /// h, of each lane; none if it is zero.
     std::array<std::shared_ptr<const HardeningCurve>, n_lanes<Number>> curves;
 
+    /// Of each lane; none in any of them if that of von Mises holds for all
+    /// materials of the body.
+    std::array<std::shared_ptr<const GeneralCriterion>, n_lanes<Number>>
+      criteria;
+
     /// Of each lane.
     std::array<RateLaw, n_lanes<Number>> rate_laws;
 
     /// How long the load step under way takes. Only rate laws read it.
     double step_duration = 0;
 
-    /// Whether there is neither h nor recovery nor rate dependence: the return
-    /// to the yield surface then is a formula.
+    /// Whether there is neither h nor recovery nor rate dependence, nor a
+    /// GeneralCriterion: the return to the yield surface then is a formula.
     bool is_linear = true;
   };
 
@@ -90,6 +96,15 @@ namespace ElastoPlastic
       if (law.recovery > 0)
         return true;
     return false;
+  }
+
+
+
+  template <typename Number>
+  bool
+  has_general_criterion(const Material<Number> &material)
+  {
+    return material.criteria[0] != nullptr;
   }
 
 
@@ -165,6 +180,7 @@ namespace ElastoPlastic
             lane_of(result.back_stresses[k].recovery, lane) = recovery;
           }
         result.curves[lane]    = material.curves[0];
+        result.criteria[lane]  = material.criteria[0];
         result.rate_laws[lane] = material.rate_laws[0];
         result.step_duration   = material.step_duration;
         result.is_linear       = result.is_linear && material.is_linear;
@@ -188,6 +204,7 @@ namespace ElastoPlastic
       result.back_stresses.push_back(
         {lane_of(modulus, lane), lane_of(recovery, lane)});
     result.curves[0]     = material.curves[lane];
+    result.criteria[0]   = material.criteria[lane];
     result.rate_laws[0]  = material.rate_laws[lane];
     result.step_duration = material.step_duration;
     result.is_linear     = material.is_linear;

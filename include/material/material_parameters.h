@@ -12,6 +12,7 @@
 #include "base/enum_names.h"
 #include "material/hardening_input.h"
 #include "material/rate_law_parameters.h"
+#include "material/yield_criterion_parameters.h"
 
 namespace ElastoPlastic
 {
@@ -59,6 +60,7 @@ namespace ElastoPlastic
     std::vector<std::string> back_stress_moduli          = {"none"};
     std::vector<std::string> recovery_rates              = {"none"};
     RateLawParameters        rates;
+    YieldCriterionParameters criteria;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -5,6 +5,7 @@
 #define material_radial_return_h
 
 #include "material/deviatoric_tangent.h"
+#include "material/general_return.h"
 #include "material/material_state.h"
 #include "material/return_equation.h"
 
@@ -16,7 +17,9 @@ namespace ElastoPlastic
   /// hardening. If both are linear, it is the closed-form radial return
   /// @cite simo_hughes_1998 (box 3.1), on all lanes of a VectorizedArray at
   /// once, with masks in place of branches. If not, or if the flow depends on
-  /// its rate, a scalar equation is solved lane by lane (ReturnEquation).
+  /// its rate, a scalar equation is solved lane by lane (ReturnEquation). The
+  /// same with other criteria, with which the return is not radial
+  /// (GeneralReturn).
   ///
   /// Everything is deviatoric; the pressure K tr(strain) is the caller's.
   template <typename Number>
@@ -62,7 +65,12 @@ namespace ElastoPlastic
       modulus    = linear_modulus();
       multiplier = std::max(norm - radius, Number(0.)) / modulus;
       if (!material.is_linear)
-        return_with_nonlinear_law(relative_stress);
+        {
+          if (has_general_criterion(material))
+            return_with_general_criteria(relative_stress);
+          else
+            return_with_nonlinear_law(relative_stress);
+        }
     }
 
     /// s = 2 G (e - e_p) at the end of the step.
@@ -81,11 +89,12 @@ namespace ElastoPlastic
     {
       Number released = 0.5 * linear_modulus() * multiplier * multiplier;
       if (!material.is_linear)
-        released += lane_by_lane(
-          [this](const FlowStress &stress, const unsigned int lane) {
-            return stress.complement(std::sqrt(2. / 3.) *
-                                     lane_of(multiplier, lane));
-          });
+        released += excess_of_linear_hardening() +
+                    lane_by_lane([this](const FlowStress  &stress,
+                                        const unsigned int lane) {
+                      return stress.complement(
+                        lane_of(Number(equivalence * multiplier), lane));
+                    });
       return material.shear_modulus *
                (elastic_trial_strain * elastic_trial_strain) -
              relaxation * released;
@@ -100,7 +109,8 @@ namespace ElastoPlastic
     }
 
     /// The derivative of deviatoric_stress() with respect to the strain, with
-    /// the flow direction left open @cite rudi_shih_stadler_2020.
+    /// the flow direction left open @cite rudi_shih_stadler_2020. With a
+    /// GeneralCriterion, it is one of similar size.
     OpenTangent<Number>
     tangent() const
     {
@@ -122,6 +132,12 @@ namespace ElastoPlastic
               soft * reciprocal,
               (omega * reciprocal) * (turn - (direction * turn) * direction)};
     }
+
+    /// The derivative of deviatoric_stress() with respect to the strain, with a
+    /// GeneralCriterion. It is symmetric, and zero for multiples of the
+    /// identity.
+    SymmetricTensor<4, 3, Number>
+    general_tangent() const;
 
     /// The flow direction that Newton's method predicts for a strain that is
     /// larger by @p increment, if it takes strain and flow direction as
@@ -183,7 +199,7 @@ namespace ElastoPlastic
     {
       MaterialState<Number> result = old_state;
       result.plastic_strain += plastic_length() * direction;
-      result.equivalent_plastic_strain += std::sqrt(2. / 3.) * plastic_length();
+      result.equivalent_plastic_strain += equivalence * plastic_length();
       // beta + w (theta (beta + c x n) - beta), and 1 - theta = theta g x
       for (unsigned int k = 0; k < result.back_stresses.size(); ++k)
         {
@@ -301,6 +317,29 @@ namespace ElastoPlastic
     void
     solve_return_equations(const Tensor3 &trial);
 
+    /// Step 3 with a GeneralCriterion in each lane: multiplier and direction,
+    /// and what depends on them.
+    void
+    return_with_general_criteria(const Tensor3 &trial);
+
+    /// 2 G + sum_k c_k
+    Number
+    kinematic_modulus() const
+    {
+      return linear_modulus() - material.isotropic_modulus;
+    }
+
+    /// With a GeneralCriterion, by how much H x^2 / 2, x being the growth of
+    /// alpha, exceeds what it would be with the criterion of von Mises.
+    Number
+    excess_of_linear_hardening() const
+    {
+      if (!has_general_criterion(material))
+        return Number(0.);
+      return 0.5 * material.isotropic_modulus *
+             (1.5 * equivalence * equivalence - 1.) * multiplier * multiplier;
+    }
+
     Number
     stored_by_hardening(const MaterialState<Number> &state) const
     {
@@ -335,36 +374,11 @@ namespace ElastoPlastic
     Number multiplier;
     /// See RateLaw.
     Number relaxation = Number(1.);
+    /// How much alpha grows per length of the plastic strain.
+    Number equivalence = Number(std::sqrt(2. / 3.));
   };
-
-
-
-  template <typename Number>
-  void
-  RadialReturn<Number>::solve_return_equations(const Tensor3 &trial)
-  {
-    const unsigned int n_back_stresses = old_state.back_stresses.size();
-
-    std::array<std::array<Number, max_back_stresses + 1>, max_back_stresses + 1>
-      products;
-    for (unsigned int i = 0; i <= n_back_stresses; ++i)
-      for (unsigned int j = 0; j <= i; ++j)
-        products[i][j] = products[j][i] =
-          (i == 0 ? trial : old_state.back_stresses[i - 1]) *
-          (j == 0 ? trial : old_state.back_stresses[j - 1]);
-
-    for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
-      if (lane_of(multiplier, lane) > 0)
-        {
-          ReturnEquation equation = {
-            FlowResistance(material, old_state.equivalent_plastic_strain, lane),
-            {}};
-          for (unsigned int i = 0; i <= n_back_stresses; ++i)
-            for (unsigned int j = 0; j <= n_back_stresses; ++j)
-              equation.products[i][j] = lane_of(products[i][j], lane);
-          lane_of(multiplier, lane) = equation.solve();
-        }
-  }
 } // namespace ElastoPlastic
+
+#include "material/radial_return.templates.h"
 
 #endif

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/exceptions.h"
+#include "material/hardening_input.h"
 
 namespace ElastoPlastic
 {

@@ -66,6 +66,27 @@ namespace ElastoPlastic
       }
     return entries;
   }
+
+
+
+  /// The derivative of a nominal stress with respect to the displacement
+  /// gradient, column by column; @p stress_of makes the one of the other.
+  template <int dim, typename Number, typename Stress>
+  Tensor<2, n_gradient_entries<dim>, Number>
+  nominal_derivative(const Stress &stress_of)
+  {
+    Tensor<2, n_gradient_entries<dim>, Number> derivative;
+    for (unsigned int k = 0; k < n_gradient_entries<dim>; ++k)
+      {
+        GradientEntries<dim, Number> unit;
+        unit[k] = Number(1.);
+        const GradientEntries<dim, Number> column =
+          as_entries<dim>(stress_of(as_matrix<dim>(unit)));
+        for (unsigned int l = 0; l < n_gradient_entries<dim>; ++l)
+          derivative[l][k] = column[l];
+      }
+    return derivative;
+  }
 } // namespace ElastoPlastic
 
 #endif

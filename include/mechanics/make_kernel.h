@@ -12,13 +12,16 @@ namespace ElastoPlastic
 {
   /// The @p Implementation of the interface @p Kernel for the elements of
   /// @p degree and the strain measure of @p strain_model, in which
-  /// @p FiniteMeasure stands for logarithmic strains.
+  /// @p FiniteMeasure stands for logarithmic strains, and @p GeneralMeasure for
+  /// small ones of materials with general criteria.
   template <typename Kernel,
             int dim,
             template <int, typename>
             class Implementation,
             template <typename>
-            class FiniteMeasure>
+            class FiniteMeasure,
+            template <typename>
+            class GeneralMeasure>
   std::unique_ptr<Kernel>
   make_kernel(const unsigned int degree, const StrainModel &strain_model)
   {
@@ -33,6 +36,8 @@ namespace ElastoPlastic
       using Coordinates = decltype(coordinates);
       return strain_model.is_finite() ?
                of_measure(FiniteMeasure<Coordinates>()) :
+             strain_model.has_general_criteria ?
+               of_measure(GeneralMeasure<Coordinates>()) :
                of_measure(SmallStrain<Coordinates>());
     };
 

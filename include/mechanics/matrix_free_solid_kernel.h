@@ -247,17 +247,19 @@ namespace ElastoPlastic
       u, law, [&](const auto &deformation, auto &strains, auto &stresses) {
         if constexpr (StrainMeasure::has_nominal_tangents)
           {
-            const OfBatch of_cells(tangents, strains.batch);
+            const Number bulk = OfBatch(tangents, strains.batch).bulk_modulus;
             for (unsigned int q = 0; q < n_points; ++q)
               {
                 Tensor<2, n_gradient_entries<dim>, Number> derivative;
                 GradientEntries<dim, Number>               volumetric_slope;
-                StrainMeasure::linearize(derivative,
-                                         volumetric_slope,
-                                         deformation[q],
-                                         stresses[q],
-                                         of_cells.law(q),
-                                         of_cells.bulk_modulus);
+                tangents.with_law(strains.batch, q, [&](const auto &law) {
+                  StrainMeasure::linearize(derivative,
+                                           volumetric_slope,
+                                           deformation[q],
+                                           stresses[q],
+                                           law,
+                                           bulk);
+                });
                 tangents.set_nominal(strains.batch,
                                      q,
                                      derivative,

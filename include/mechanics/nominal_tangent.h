@@ -10,8 +10,9 @@
 
 namespace ElastoPlastic
 {
-  /// The tangent of a finite deformation: the derivative of the nominal stress
-  /// with respect to the displacement gradient, both as GradientEntries, is
+  /// The tangent of a finite deformation, or of a small one whose material has
+  /// a GeneralCriterion: the derivative of the nominal stress with respect to
+  /// the displacement gradient, both as GradientEntries, is
   ///   stiffness + K v v^T,
   /// where v is the slope of the volumetric strain. (With B-bar, its mean takes
   /// the place of the second v.)

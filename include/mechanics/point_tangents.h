@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/inlining.h"
+#include "base/kinematics.h"
 #include "base/single_precision_storage.h"
 #include "base/tensors.h"
 #include "mechanics/packed_deviator.h"
@@ -21,8 +22,8 @@ namespace ElastoPlastic
   /// rounded to single precision, directions more than that. A batch in which
   /// nothing flows has one shear modulus. The flow directions are those of the
   /// prediction (doc/theory, "Newton's method for plasticity"). If the
-  /// strains are finite, the products take what SolidKernel::linearize() makes
-  /// of all tangents, the nominal ones.
+  /// strains are finite, or the criteria general, the products take what
+  /// SolidKernel::linearize() makes of all tangents, the nominal ones.
   template <int dim>
   class PointTangents
   {
@@ -46,10 +47,11 @@ namespace ElastoPlastic
     /// tangents unsymmetric.
     PointTangents(const unsigned int n_points_per_cell,
                   const bool         recovers,
-                  const bool         strains_are_finite)
+                  const StrainModel &strain_model)
       : n_points(n_points_per_cell)
       , recovers(recovers)
-      , strains_are_finite(strains_are_finite)
+      , are_nominal(strain_model.has_nominal_tangents())
+      , are_general(strain_model.has_general_criteria)
       , flow_share(recovers ? 0. : 0.5)
     {}
 
@@ -65,9 +67,9 @@ namespace ElastoPlastic
       tangents        = Batches<PointTangent>(n_cell_batches);
       flow_directions = Batches<PackedDeviator<dim>>(n_cell_batches);
       recoveries = Batches<PackedDeviator<dim>>(recovers ? n_cell_batches : 0);
-      if (strains_are_finite)
+      if (are_nominal)
         nominal_tangents.reinit(n_points * n_cell_batches);
-      if (strains_are_finite && recovers)
+      if (are_nominal && recovers)
         skew_parts.reinit(n_points * n_cell_batches);
     }
 
@@ -115,6 +117,32 @@ namespace ElastoPlastic
       recoveries[batch].resize(n_points);
       for (unsigned int q = 0; q < n_points; ++q)
         recoveries[batch][q] = PackedDeviator<dim>(of_points[q].recovery);
+    }
+
+    using GeneralTangent = SymmetricTensor<4, 3, Number>;
+
+    /// The deviatoric tangents at the points of a batch of cells, with general
+    /// criteria: those of which nominal tangents are made next.
+    void
+    set_general(const std::array<GeneralTangent, max_points> &of_points)
+    {
+      general_tangents = of_points;
+    }
+
+    /// Calls @p use with the law of the deviatoric stress at a point of the
+    /// batch of cells for which set() has just been called.
+    template <typename Use>
+    void
+    with_law(const unsigned int batch,
+             const unsigned int point,
+             const Use         &use) const
+    {
+      if (are_general)
+        use([&](const Tensor3 &strain) {
+          return general_tangents[point] * strain;
+        });
+      else
+        use(OfBatch(*this, batch).law(point));
     }
 
     /// The derivative of the nominal stress is @p matrix, without the part of
@@ -323,7 +351,8 @@ namespace ElastoPlastic
 
     const unsigned int n_points;
     const bool         recovers;
-    const bool         strains_are_finite;
+    const bool         are_nominal;
+    const bool         are_general;
     /// See DeviatoricTangent::product().
     const Number flow_share;
 
@@ -334,7 +363,9 @@ namespace ElastoPlastic
     Batches<PackedDeviator<dim>> flow_directions;
     /// What recovering back stresses add to the flow of the tangents.
     Batches<PackedDeviator<dim>> recoveries;
-    /// Of finite strains only.
+    /// Of the batch under way.
+    std::array<GeneralTangent, max_points> general_tangents;
+    /// Those of are_nominal only.
     SinglePrecisionStorage<NominalTangent<dim, Number>> nominal_tangents;
     SinglePrecisionStorage<SkewPart<dim, Number>>       skew_parts;
   };

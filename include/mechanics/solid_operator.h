@@ -242,6 +242,15 @@ namespace ElastoPlastic
     double
     find_stresses(const Strains &strains, Stresses &stresses) const;
 
+    /// Whether linearize() takes the exact flow directions, which are not
+    /// predicted: if a hardening curve becomes steeper, and with general
+    /// criteria.
+    bool
+    is_flow_exact() const
+    {
+      return becomes_steeper || has_general_criteria;
+    }
+
     /// Sets those of the mixed form.
     void
     moderate_bulk_moduli();
@@ -260,9 +269,11 @@ namespace ElastoPlastic
     Number
     stiffness_ratio(const unsigned int batch) const;
 
-    BatchMaterials     materials;
-    const bool         is_sheet;
-    const bool         is_finite;
+    BatchMaterials materials;
+    const bool     is_sheet;
+    const bool     is_finite;
+    /// Of the StrainModel.
+    const bool         has_general_criteria, has_nominal_tangents;
     const bool         is_b_bar;
     const unsigned int n_points;
     const bool         has_potential;
@@ -270,7 +281,7 @@ namespace ElastoPlastic
     const bool recovers;
     /// Whether a hardening curve becomes steeper. Then a point can be stiff in
     /// the flow direction, and only the exact one makes the tangent positive
-    /// definite: it is not predicted.
+    /// definite.
     const bool becomes_steeper;
 
     const std::unique_ptr<Kernel> kernel;

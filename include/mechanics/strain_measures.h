@@ -331,15 +331,10 @@ namespace ElastoPlastic
       };
       const typename LogarithmicStrain<dim, Number>::Tangent tangent(
         deformation.logarithmic, stress);
-      for (unsigned int k = 0; k < n_gradient_entries<dim>; ++k)
-        {
-          GradientEntries<dim, Number> unit;
-          unit[k] = Number(1.);
-          const auto column =
-            as_entries<dim>(tangent(as_matrix<dim>(unit), law));
-          for (unsigned int l = 0; l < n_gradient_entries<dim>; ++l)
-            derivative[l][k] = column[l];
-        }
+      derivative = nominal_derivative<dim, Number>(
+        [&](const Tensor<2, 3, Number> &gradient) {
+          return tangent(gradient, law);
+        });
       // (what a sheet's volume does is part of the law)
       volumetric_slope =
         Coordinates::is_sheet ?

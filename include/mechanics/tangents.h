@@ -62,7 +62,7 @@ namespace ElastoPlastic
 
 
   /// The tangents of a level of multigrid: in single precision, one for each
-  /// cell, symmetric.
+  /// cell, symmetric; nominal ones if StrainModel::has_nominal_tangents().
   template <int dim>
   class CellTangents
   {
@@ -72,35 +72,34 @@ namespace ElastoPlastic
 
     static constexpr bool constant_on_cells = true;
 
-    explicit CellTangents(const bool strains_are_finite)
-      : strains_are_finite(strains_are_finite)
+    explicit CellTangents(const bool are_nominal)
+      : are_nominal(are_nominal)
     {}
 
     void
     reinit(const unsigned int n_cell_batches)
     {
       tangents.resize(n_cell_batches);
-      if (strains_are_finite)
+      if (are_nominal)
         nominal_tangents.resize(n_cell_batches);
     }
 
     /// The number of numbers that describe a cell's tangent: those of a
-    /// Tangent; or, if the strains are finite, the bulk modulus and those of a
+    /// Tangent; or, if they are nominal, the bulk modulus and those of a
     /// NominalTangent.
     static constexpr unsigned int
-    n_values(const bool strains_are_finite)
+    n_values(const bool are_nominal)
     {
-      return strains_are_finite ? 1 + NominalTangent<dim, Number>::n_values :
-                                  Tangent<dim, Number>::n_values;
+      return are_nominal ? 1 + NominalTangent<dim, Number>::n_values :
+                           Tangent<dim, Number>::n_values;
     }
 
     /// One of these numbers.
     Number &
     value(const unsigned int batch, const unsigned int i)
     {
-      return strains_are_finite && i > 0 ?
-               nominal_tangents[batch].value(i - 1) :
-               tangents[batch].value(i);
+      return are_nominal && i > 0 ? nominal_tangents[batch].value(i - 1) :
+                                    tangents[batch].value(i);
     }
 
     /// The tangent of a batch of cells.
@@ -161,7 +160,7 @@ namespace ElastoPlastic
     AlignedVector<Number> cell_matrices;
 
   private:
-    const bool                                 strains_are_finite;
+    const bool                                 are_nominal;
     AlignedVector<Tangent<dim, Number>>        tangents;
     AlignedVector<NominalTangent<dim, Number>> nominal_tangents;
   };

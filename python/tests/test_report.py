@@ -123,6 +123,12 @@ class Reports(unittest.TestCase):
             self.assertIn(words, text)
         for words in ("hughes_1980", "munch_heister_2022", "logarithmic", "H α", "Q ("):
             self.assertNotIn(words, text)
+        text = text_with(Material__Yield_criterion="Hill", Material__Hill_ratios="1 | 1.1 | 1 | 1 | 1 | 1",
+                         Material__Axes="30")
+        for words in ("Hill's orthotropic yield condition", "[hill_1948]",
+                      "Hill ratios 1 | 1.1 | 1 | 1 | 1 | 1, Axes 30", "return to the yield surface with"):
+            self.assertIn(words, text)
+        self.assertNotIn("radial return", text)
         text = text_with(Loading__History="", Loading__Number_of_steps="1", Contact__Friction_coefficient="stick",
                          Material__Law="nonlinear hardening", Material__Back_stress_moduli="2000",
                          Material__Recovery_rates="40",

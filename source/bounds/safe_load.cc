@@ -24,6 +24,7 @@ namespace ElastoPlastic
     has_limit_load(const Model<2> &model)
     {
       return !model.strain_model.is_finite() &&
+             !model.strain_model.has_general_criteria &&
              model.contact.friction_coefficient() == 0. &&
              !(model.body_force.is_present() &&
                model.strain_model.kinematics == Kinematics::plane_stress) &&

@@ -39,7 +39,7 @@ namespace ElastoPlastic
   {
     const double yield_stress = largest_yield_stress(material, plastic_strain);
     if (!(yield_stress < std::numeric_limits<double>::infinity()) ||
-        is_rate_dependent(material))
+        is_rate_dependent(material) || has_general_criterion(material))
       return std::numeric_limits<double>::infinity();
     const double K = material.bulk_modulus, G = material.shear_modulus;
     const double E      = 9. * K * G / (3. * K + G);

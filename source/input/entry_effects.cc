@@ -137,6 +137,11 @@ namespace ElastoPlastic
           "Material",
           {"Recovery rates"},
           all({nonlinear, without("Material/Back stress moduli", "none")}));
+      const Reason hosford = with("Material/Yield criterion", {"Hosford"});
+      const Reason hill    = with("Material/Yield criterion", {"Hill"});
+      add(effects, "Material", {"Yield criterion"}, always());
+      add(effects, "Material", {"Hosford exponent"}, hosford);
+      add(effects, "Material", {"Hill ratios", "Axes"}, hill);
       add(effects,
           "Material",
           {"Rate exponent", "Reference rate"},

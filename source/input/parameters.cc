@@ -179,6 +179,7 @@ namespace ElastoPlastic
     check_friction_and_path();
     loading.check();
     material.check();
+    check_yield_criterion();
     indenter.check(dimension);
     refinement.check();
     if (refinement.goal == RefinementGoal::force &&
@@ -266,6 +267,32 @@ namespace ElastoPlastic
           (analysis == Analysis::limit_load ?
              " Set 'Indenter/Surface = rough' if nothing slides." :
              ""));
+  }
+
+
+
+  void
+  Parameters::check_yield_criterion() const
+  {
+    const auto &criteria = material.criteria;
+    if (!criteria.are_general())
+      return;
+    const std::string entry = "Material/Yield criterion";
+    const std::string value = Patterns::Tools::to_string(criteria.criteria);
+    if (analysis != Analysis::contact)
+      throw InputError(entry,
+                       value,
+                       "'Analysis = " + Patterns::Tools::to_string(analysis) +
+                         "' has bounds for the criterion of von Mises only. "
+                         "Choose 'von Mises', or 'Analysis = contact'.");
+    if (discretization.kinematics == Kinematics::plane_stress)
+      throw InputError(entry,
+                       value,
+                       "the strain across a sheet is known for the criterion "
+                       "of von Mises only. Choose 'von Mises', 'Kinematics = "
+                       "plane strain', or model the sheet in space.");
+    if (dimension == 2)
+      criteria.check_third_axis();
   }
 
 

@@ -89,6 +89,7 @@ namespace ElastoPlastic
                       "hardening' and 'combined hardening'. Unit: stress.",
                       Patterns::List(Patterns::Double(), 1));
     add_nonlinear_hardening(prm);
+    criteria.add_parameters(prm);
     rates.add_parameters(prm);
     prm.leave_subsection();
   }
@@ -191,6 +192,7 @@ namespace ElastoPlastic
     check_yield_strains();
     check_nonlinear_hardening();
     check_rate_laws();
+    criteria.check(materials());
   }
 
 
@@ -296,8 +298,8 @@ namespace ElastoPlastic
       {"Hardening table", hardening_tables.size()},
       {"Back stress moduli", back_stress_moduli.size()},
       {"Recovery rates", recovery_rates.size()}};
-    for (const auto &of_rates : rates.list_lengths())
-      result.push_back(of_rates);
+    for (const auto &more : {rates.list_lengths(), criteria.list_lengths()})
+      result.insert(result.end(), more.begin(), more.end());
     return result;
   }
 
@@ -380,7 +382,10 @@ namespace ElastoPlastic
             material.is_linear = false;
           }
         material.rate_laws[0] = rates.rate_law(id);
-        material.is_linear = material.is_linear && !is_rate_dependent(material);
+        material.criteria[0]  = criteria.criterion(id);
+        material.is_linear    = material.is_linear &&
+                             !is_rate_dependent(material) &&
+                             !has_general_criterion(material);
         result.push_back(material);
       }
     return result;

@@ -24,6 +24,7 @@ namespace ElastoPlastic
     return make_kernel<CellKernel<dim, CellTangents<dim>>,
                        dim,
                        LevelKernel,
+                       FiniteIncrement,
                        FiniteIncrement>(degree, strain_model);
   }
 

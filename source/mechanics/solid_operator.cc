@@ -39,15 +39,21 @@ namespace ElastoPlastic
     : materials(materials)
     , is_sheet(strain_model.kinematics == Kinematics::plane_stress)
     , is_finite(strain_model.is_finite())
+    , has_general_criteria(strain_model.has_general_criteria)
+    , has_nominal_tangents(strain_model.has_nominal_tangents())
     , is_b_bar(strain_model.treatment == VolumetricTreatment::b_bar)
     , n_points(Utilities::fixed_power<dim>(degree + 1))
     , has_potential(this->materials.have_potential())
     , recovers(this->materials.recover())
     , becomes_steeper(this->materials.become_steeper())
     , kernel(make_solid_kernel<dim>(degree, strain_model))
-    , tangents(n_points, recovers, is_finite)
+    , tangents(n_points, recovers, strain_model)
     , history(this->materials.n_back_stresses())
-  {}
+  {
+    AssertThrow(has_general_criteria ==
+                  ElastoPlastic::has_general_criterion(materials.front()),
+                ExcMessage("The strain model knows what criteria there are."));
+  }
 
 
 
@@ -227,8 +233,9 @@ namespace ElastoPlastic
   void
   SolidOperator<dim>::linearize(const VectorType &u)
   {
-    AtPoints<OpenTangent<Number>> of_points;
-    AtPoints<Strain>              flow_directions;
+    AtPoints<OpenTangent<Number>>                         of_points;
+    AtPoints<Strain>                                      flow_directions;
+    AtPoints<typename PointTangents<dim>::GeneralTangent> general;
     kernel->linearize(
       tangents, u, [&](const Strains &strains, Stresses &stresses) {
         for (unsigned int q = 0; q < n_points; ++q)
@@ -237,12 +244,16 @@ namespace ElastoPlastic
             const auto &plasticity = at_point.plasticity();
             stresses[q]            = at_point.stress();
             of_points[q]           = plasticity.tangent();
-            if (becomes_steeper)
+            if (is_flow_exact())
               flow_directions[q] = plasticity.flow_direction();
+            if (has_general_criteria)
+              general[q] = plasticity.general_tangent();
           }
         tangents.set(strains.batch, of_points);
-        if (becomes_steeper && !tangents.are_constant(strains.batch))
+        if (is_flow_exact() && !tangents.are_constant(strains.batch))
           tangents.set_flow_directions(strains.batch, flow_directions);
+        if (has_general_criteria)
+          tangents.set_general(general);
       });
     if (is_nearly_incompressible())
       moderate_bulk_moduli();
@@ -250,13 +261,12 @@ namespace ElastoPlastic
 
 
 
-  // (linearize() takes the exact ones if a hardening curve becomes steeper.)
   template <int dim>
   void
   SolidOperator<dim>::predict_flow(const VectorType &old_u,
                                    const VectorType &new_u)
   {
-    if (becomes_steeper)
+    if (is_flow_exact())
       return;
     AtPoints<Strain> directions;
     const auto       predict = [&](const std::vector<Strains> &strains) {

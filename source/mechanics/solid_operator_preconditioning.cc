@@ -106,10 +106,10 @@ namespace ElastoPlastic
   {
     const Number         weight = 1. / n_points;
     Tangent<dim, Number> mean;
-    std::vector<Number>  values(CellTangents<dim>::n_values(is_finite),
-                               Number(0.));
+    std::vector<Number>  values(
+      CellTangents<dim>::n_values(has_nominal_tangents), Number(0.));
     for (unsigned int q = 0; q < n_points; ++q)
-      if (is_finite)
+      if (has_nominal_tangents)
         {
           const auto tangent = tangents.nominal(batch, q);
           for (unsigned int i = 1; i < values.size(); ++i)
@@ -122,7 +122,7 @@ namespace ElastoPlastic
           mean.deviatoric.normal += weight * tangent.normal;
           mean.deviatoric.flow += weight * tangent.flow;
         }
-    if (!is_finite)
+    if (!has_nominal_tangents)
       for (unsigned int i = 1; i < values.size(); ++i)
         values[i] = mean.value(i);
     values[0] = is_nearly_incompressible() ?
@@ -140,7 +140,8 @@ namespace ElastoPlastic
       void(const typename DoFHandler<dim>::active_cell_iterator &cell,
            const std::vector<double> &values)> &receive) const
   {
-    std::vector<double> of_cell(CellTangents<dim>::n_values(is_finite));
+    std::vector<double> of_cell(
+      CellTangents<dim>::n_values(has_nominal_tangents));
     for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
       {
         const auto values = mean_tangent(batch);

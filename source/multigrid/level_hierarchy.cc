@@ -117,10 +117,9 @@ namespace ElastoPlastic
         // Quadratic elements do not lock, so the linear ones that correct them
         // must not either.
         level_operators[l] = std::make_unique<LevelOperator<dim>>(
-          level_degree < degree ? StrainModel(VolumetricTreatment::b_bar,
-                                              body.strain_model.kinematics,
-                                              body.strain_model.strain) :
-                                  body.strain_model,
+          level_degree < degree ?
+            body.strain_model.with_treatment(VolumetricTreatment::b_bar) :
+            body.strain_model,
           *level.dof_handler,
           *level.constraints);
       }
@@ -208,7 +207,7 @@ namespace ElastoPlastic
   {
     const OwnedCells<dim>    cells(*levels.back().mesh);
     std::vector<LevelVector> values(
-      CellTangents<dim>::n_values(body.strain_model.is_finite()));
+      CellTangents<dim>::n_values(body.strain_model.has_nominal_tangents()));
     for (LevelVector &value : values)
       value.reinit(cells.size());
     solid.for_each_cell_tangent(

@@ -12,7 +12,7 @@ namespace ElastoPlastic
     const DoFHandler<dim>           &dof_handler,
     const AffineConstraints<double> &constraints)
     : kernel(make_level_kernel<dim>(dof_handler.get_fe().degree, strain_model))
-    , tangents(strain_model.is_finite())
+    , tangents(strain_model.has_nominal_tangents())
   {
     kernel->reinit(dof_handler, constraints);
     cut_off_indices = kernel->eliminated_entries();

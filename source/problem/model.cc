@@ -156,10 +156,13 @@ namespace ElastoPlastic
   make_model(const Parameters &parameters)
   {
     const Geometry<dim> geometry(parameters.geometry);
+    StrainModel         strain_model = parameters.discretization.strain_model();
+    strain_model.has_general_criteria =
+      parameters.material.criteria.are_general();
     return {{BoundaryConditions<dim>(parameters.boundary_conditions,
                                      geometry.boundary_names()),
              BodyForce<dim>(parameters.body_force.components),
-             parameters.discretization.strain_model()},
+             strain_model},
             geometry,
             parameters.discretization.degree,
             parameters.material.materials(),

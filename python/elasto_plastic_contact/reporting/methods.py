@@ -9,9 +9,10 @@ from .facts import BOUNDED, LIMIT
 from .key_numbers import key_numbers, rate_sensitivities
 from .mesh import contact_sizes, elements_in_words
 
-# Hardening and rate laws with a source: entry of a material, value or None for any, key.
+# Hardening, criteria and rate laws with a source: entry of a material, value or None for any, key.
 SOURCES = (("Voce stress", None, "voce_1948"), ("Power law exponent", None, "swift_1952"),
            ("Back stress moduli", None, "armstrong_frederick_1966"), ("Back stress moduli", None, "chaboche_1986"),
+           ("Yield criterion", "Hosford", "hosford_1972"), ("Yield criterion", "Hill", "hill_1948"),
            ("Rate law", "Perzyna", "perzyna_1966"), ("Rate law", "Norton", "norton_1929"),
            ("Rate law", "Cowper-Symonds", "cowper_symonds_1957"), ("Rate law", "Duvaut-Lions", "duvaut_lions_1972"))
 
@@ -74,7 +75,8 @@ def material(facts):
     unit = f"; stresses in {facts.units.stress.replace('$^2$', '²')}" if facts.units.stress else ""
     for sentence, values in zip(problem.materials_in_words(facts), problem.materials(facts)):
         own = sources_of(values)
-        numbers = ", ".join(f"{entry} {value}" for entry, value in values.items() if entry not in ("Law", "Rate law"))
+        numbers = ", ".join(f"{entry} {value}" for entry, value in values.items()
+                            if entry not in ("Law", "Yield criterion", "Rate law"))
         texts.append(f"{sentence.removesuffix('.')}{cited(own)} ({numbers}{unit}).")
         keys += own
     return " ".join(texts), keys
@@ -88,7 +90,9 @@ def integration(facts):
                 "step [johnson_1978]; the stress follows by radial return [simo_hughes_1998].", ["simo_hughes_1998"])
     plane_stress = facts.dimension == 2 and facts.text("Kinematics") == "plane stress"
     keys = ["simo_hughes_1998", *(["simo_taylor_1986"] if plane_stress else [])]
-    return ("The flow rule is integrated by the implicit Euler method: radial return with the consistent "
+    is_radial = all("Yield criterion" not in values for values in problem.materials(facts))
+    return ("The flow rule is integrated by the implicit Euler method: "
+            f"{'radial return' if is_radial else 'return to the yield surface'} with the consistent "
             f"tangent{cited(keys)}.",
             keys)
 

@@ -20,6 +20,9 @@ OF_LAW = {"linear elastic": (), "perfectly plastic": (YIELD,), "isotropic harden
 OF_RATE = (("Rate exponent", "n", NUMBER), ("Reference rate", "r_0", RATE), ("Rate stress", "D", STRESS))
 OF_RATE_LAW = {"none": (), "Perzyna": OF_RATE, "Norton": OF_RATE, "Cowper-Symonds": OF_RATE[:2],
                "Duvaut-Lions": (("Relaxation time", "t_r", TIME),)}
+OF_CRITERION = {"von Mises": (), "Hosford": (("Hosford exponent", "a", NUMBER),),
+                "Hill": (("Hill ratios", "R_ij", ""), ("Axes", "", ""))}
+CRITERION_OF = {"von Mises": "von Mises'", "Hosford": "Hosford's", "Hill": "Hill's orthotropic"}
 
 # The entries of an indenter's shape: path below 'Indenter/', kind of quantity.
 OF_INDENTER = {
@@ -49,8 +52,8 @@ def listed(text):
 
 def materials(facts):
     """For each material its law and the entries it reads: dictionaries of path (below 'Material/') to text."""
-    number = max(len(listed(facts.text(f"Material/{entry}"))) for entry in ("Law", "Rate law", "Yield stress",
-                                                                            "Young's modulus", "Poisson's ratio"))
+    number = max(len(listed(facts.text(f"Material/{entry}"))) for entry in (
+        "Law", "Rate law", "Yield criterion", "Yield stress", "Young's modulus", "Poisson's ratio"))
     return [material(facts, i) for i in range(number)]
 
 
@@ -62,14 +65,17 @@ def value_of(facts, entry, i):
 
 def material(facts, i):
     law, rate_law = value_of(facts, "Law", i), value_of(facts, "Rate law", i) or "none"
+    criterion = value_of(facts, "Yield criterion", i) or "von Mises"
     elastic = () if facts.kind == LIMIT else ELASTIC
-    read = [entry for entry, _, _ in (*elastic, *OF_LAW[law], *OF_RATE_LAW[rate_law])]
+    read = [entry for entry, _, _ in (*elastic, *OF_LAW[law], *OF_CRITERION[criterion],
+                                   *OF_RATE_LAW[rate_law])]
     found = {"Law": law} | {entry: value_of(facts, entry, i) for entry in read}
     if found.get("Power law exponent", "0") in NOTHING:
         found.pop("Power law reference strain", None)
     optional = {entry for entry, _, _ in NONLINEAR}
     found = {entry: value for entry, value in found.items() if entry not in optional or value not in NOTHING}
-    return found | ({"Rate law": rate_law} if rate_law != "none" else {})
+    return (found | ({"Yield criterion": criterion} if criterion != "von Mises" else {})
+            | ({"Rate law": rate_law} if rate_law != "none" else {}))
 
 
 def law_in_words(values):
@@ -80,7 +86,8 @@ def law_in_words(values):
     flow_stress = (f"the yield stress σ_Y(α) = {' + '.join(['σ_0', *hardening])}, α being the equivalent plastic strain"
                    if hardening else "the yield stress σ_0")
     text = ("linear elastic" if values["Law"] == "linear elastic" else
-            f"elasto-plastic with von Mises' yield condition, associated flow and {flow_stress}")
+            f"elasto-plastic with {CRITERION_OF[values.get('Yield criterion', 'von Mises')]} yield condition, "
+            f"associated flow and {flow_stress}")
     if values.get("Kinematic hardening modulus", "0") not in NOTHING:
         text += "; with Prager's back stress, which grows by 2/3 H_k times the plastic strain"
     if "Back stress moduli" in values:
@@ -103,7 +110,8 @@ def material_table(facts):
     """Head and rows: one column a material."""
     all_of = materials(facts)
     known = {entry: (symbol, unit) for entry, symbol, unit in
-             (*ELASTIC, YIELD, KINEMATIC, *NONLINEAR, *OF_RATE, *OF_RATE_LAW["Duvaut-Lions"])}
+             (*ELASTIC, YIELD, KINEMATIC, *NONLINEAR, *OF_CRITERION["Hosford"], *OF_CRITERION["Hill"], *OF_RATE,
+              *OF_RATE_LAW["Duvaut-Lions"])}
     rows = []
     for entry in dict.fromkeys(entry for values in all_of for entry in values):
         symbol, unit = known.get(entry, ("", ""))

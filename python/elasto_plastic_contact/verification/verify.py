@@ -43,6 +43,8 @@ from .rate_dependence import creep_accurate_steps, creep_contact, creep_cylinder
 from .rounding import contrast, direct_contact, moved_body, nearly_incompressible
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .units import prescribed_from_nothing, units
+from .yield_criteria import (criteria_and_von_mises, hill_indentation, hill_plane_strain, hill_tension, hosford_cylinder,
+                             turned_axes)
 from .zero_load import far_indenter, zero_force, zero_stress
 from ..arguments import number
 from ..pages.command import main as tables_of_pages
@@ -296,6 +298,7 @@ ALL = {
                      uniaxial_history, nonlinear_history, recovery_converges, ratchetting_drift, chaboche_contact,
                      rates_uniaxial, creep_cylinder, creep_sphere, creep_contact, creep_accurate_steps, creep_hardness, creep_punch,
                      creep_similarity, creep_runs,
+                     hill_tension, hill_plane_strain, turned_axes, hosford_cylinder, criteria_and_von_mises, hill_indentation,
                      force_control, hertz, hertz_axisymmetric, hertz_cylinder,
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space, sectors, pyramid_sectors,

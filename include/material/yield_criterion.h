@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef material_yield_criterion_h
+#define material_yield_criterion_h
+
+#include "base/enum_names.h"
+
+namespace ElastoPlastic
+{
+  /// The values of the entry "Yield criterion".
+  enum class YieldCriterion
+  {
+    von_mises,
+    hosford,
+    hill
+  };
+
+  template <>
+  inline const EnumNames<YieldCriterion> enum_names<YieldCriterion> = {
+    {"von Mises", YieldCriterion::von_mises},
+    {"Hosford", YieldCriterion::hosford},
+    {"Hill", YieldCriterion::hill}};
+} // namespace ElastoPlastic
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef material_yield_criterion_parameters_h
+#define material_yield_criterion_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "material/material.h"
+#include "material/yield_criterion.h"
+
+namespace ElastoPlastic
+{
+  using namespace dealii;
+
+  /// The entries of the section "Material" that have to do with the
+  /// YieldCriterion: lists as in MaterialParameters.
+  struct YieldCriterionParameters
+  {
+    std::vector<YieldCriterion> criteria          = {YieldCriterion::von_mises};
+    std::vector<double>         hosford_exponents = {8.};
+    std::vector<std::string>    hill_ratios       = {"1 | 1 | 1 | 1 | 1 | 1"};
+    std::vector<std::string>    axes              = {"0"};
+
+    /// Adds the entries to the section that has been entered.
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// @throws InputError for a value out of range, and if one of the
+    /// @p materials has back stresses that recover beside a general criterion,
+    /// which would make tangents unsymmetric.
+    void
+    check(const std::vector<Material<double>> &materials) const;
+
+    /// The number of values of each entry.
+    std::vector<std::pair<std::string, unsigned int>>
+    list_lengths() const;
+
+    /// Whether a material has another criterion than that of von Mises.
+    bool
+    are_general() const;
+
+    /// That of the material @p id. Where others have a general one, that of von
+    /// Mises is one of Hill; where none has, none.
+    std::shared_ptr<const GeneralCriterion>
+    criterion(const unsigned int id) const;
+
+    /// @throws InputError if the third axis of the body is none of a material
+    /// that obeys Hill's criterion: then two dimensions are not enough.
+    void
+    check_third_axis() const;
+  };
+} // namespace ElastoPlastic
+
+#endif

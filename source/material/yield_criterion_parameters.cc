@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/exceptions.h"
+#include "base/text.h"
+#include "material/value_per_material.h"
+#include "material/yield_criterion_parameters.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    const std::string ratios_path = "Material/Hill ratios";
+    const std::string axes_path   = "Material/Axes";
+
+    /// The numbers in @p text between '|'; fewer where one of the parts is
+    /// none.
+    std::vector<double>
+    parts_of(const std::string &path, const std::string &text)
+    {
+      std::vector<double> numbers;
+      for (const auto &part : split(path, text, '|'))
+        if (const auto number = as_number(part); number && is_moderate(*number))
+          numbers.push_back(*number);
+        else
+          return {};
+      return numbers;
+    }
+
+
+
+    HillRatios
+    read_ratios(const std::string &text)
+    {
+      const auto numbers = parts_of(ratios_path, text);
+      HillRatios ratios;
+      if (numbers.size() != ratios.size())
+        throw InputError(ratios_path,
+                         text,
+                         "it must be six numbers, R_11 | R_22 | R_33 | R_12 | "
+                         "R_13 | R_23, such as '1 | 1.1 | 0.9 | 1 | 1 | 1'.");
+      std::copy(numbers.begin(), numbers.end(), ratios.begin());
+      if (std::any_of(ratios.begin(), ratios.end(), [](const double ratio) {
+            return ratio < 0.01 || ratio > 100.;
+          }))
+        throw InputError(ratios_path,
+                         text,
+                         "the ratios must be greater than 0, from 0.01 to "
+                         "100.");
+      if (!HillCriterion::are_convex(ratios))
+        throw InputError(
+          ratios_path,
+          text,
+          "with these ratios the yield surface would not be closed and "
+          "convex: of 1 / R_11, 1 / R_22 and 1 / R_33, the largest must be "
+          "smaller than the sum of the others, by 1 percent at least, so that "
+          "F G + G H + H F is positive.");
+      return ratios;
+    }
+
+
+
+    Tensor<2, 3>
+    rotation(const unsigned int axis, const double degrees)
+    {
+      const double       angle = degrees * numbers::PI / 180.;
+      const unsigned int i = (axis + 1) % 3, j = (axis + 2) % 3;
+      Tensor<2, 3>       result;
+      result[axis][axis] = 1.;
+      result[i][i] = result[j][j] = std::cos(angle);
+      result[j][i]                = std::sin(angle);
+      result[i][j]                = -std::sin(angle);
+      return result;
+    }
+
+
+
+    /// The axes as columns.
+    Tensor<2, 3>
+    read_axes(const std::string &text)
+    {
+      const auto angles = parts_of(axes_path, text);
+      if (angles.size() == 1)
+        return rotation(2, angles[0]);
+      if (angles.size() == 3)
+        return rotation(2, angles[0]) * rotation(0, angles[1]) *
+               rotation(2, angles[2]);
+      throw InputError(axes_path,
+                       text,
+                       "it must be one angle, about the third axis, or "
+                       "Bunge's three Euler angles, such as '30 | 90 | 0'. "
+                       "Unit: degrees.");
+    }
+  } // namespace
+
+
+
+  void
+  YieldCriterionParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter(
+      "Yield criterion",
+      criteria,
+      "What is compared with the yield stress. 'von Mises': the equivalent "
+      "stress of that name. 'Hosford': ((|s_1 - s_2|^a + |s_2 - s_3|^a + |s_3 "
+      "- s_1|^a) / 2)^(1/a) with the principal stresses s_i. 'Hill': that of "
+      "1948 for orthotropic materials. The last two are for small and "
+      "logarithmic strains in plane strain, revolution and space, with all "
+      "laws but back stresses that recover.",
+      Patterns::List(*Patterns::Tools::Convert<YieldCriterion>::to_pattern(),
+                     1));
+    prm.add_parameter("Hosford exponent",
+                      hosford_exponents,
+                      "a of 'Hosford', from 2 to 100. 2 and 4 are von Mises, "
+                      "8 (aluminium) and 6 (iron) are customary, large ones "
+                      "tend to Tresca. No unit.",
+                      Patterns::List(Patterns::Double(), 1));
+    prm.add_parameter(
+      "Hill ratios",
+      hill_ratios,
+      "R_11 | R_22 | R_33 | R_12 | R_13 | R_23 of 'Hill': the yield stress in "
+      "tension along an axis of the material, or sqrt(3) times that in shear "
+      "between two of them, over that of the entry 'Yield stress'. No unit.",
+      Patterns::List(Patterns::Anything(), 1));
+    prm.add_parameter(
+      "Axes",
+      axes,
+      "How the axes 1, 2, 3 of the material lie, of 'Hill'. One angle: they "
+      "are those of the body, turned about the third by so much, from the "
+      "first to the second. Three: Bunge's Euler angles phi_1 | Phi | phi_2, "
+      "turns about the third, the new first and the new third axis. In two "
+      "dimensions the third axis of the body is out of plane, of a body of "
+      "revolution circumferential. Unit: degrees.",
+      Patterns::List(Patterns::Anything(), 1));
+  }
+
+
+
+  void
+  YieldCriterionParameters::check(
+    const std::vector<Material<double>> &materials) const
+  {
+    require(
+      "Hosford exponent",
+      hosford_exponents,
+      [](const double a) { return a >= 2 && a <= 100; },
+      "it must lie between 2 (von Mises) and 100 (almost Tresca).");
+    for (const std::string &text : hill_ratios)
+      read_ratios(text);
+    for (const std::string &text : axes)
+      read_axes(text);
+    if (are_general() &&
+        std::any_of(materials.begin(), materials.end(), has_recovery))
+      throw InputError("Material/Yield criterion",
+                       Patterns::Tools::to_string(criteria),
+                       "with other criteria than that of von Mises back "
+                       "stresses cannot recover. Set 'Recovery rates' to 0, "
+                       "or choose 'von Mises' for all materials.");
+  }
+
+
+
+  std::vector<std::pair<std::string, unsigned int>>
+  YieldCriterionParameters::list_lengths() const
+  {
+    return {{"Yield criterion", criteria.size()},
+            {"Hosford exponent", hosford_exponents.size()},
+            {"Hill ratios", hill_ratios.size()},
+            {"Axes", axes.size()}};
+  }
+
+
+
+  bool
+  YieldCriterionParameters::are_general() const
+  {
+    return std::any_of(criteria.begin(),
+                       criteria.end(),
+                       [](const YieldCriterion criterion) {
+                         return criterion == YieldCriterion::hosford ||
+                                criterion == YieldCriterion::hill;
+                       });
+  }
+
+
+
+  std::shared_ptr<const GeneralCriterion>
+  YieldCriterionParameters::criterion(const unsigned int id) const
+  {
+    if (!are_general())
+      return nullptr;
+    switch (of_material(criteria, id))
+      {
+        case YieldCriterion::von_mises:
+          return std::make_shared<GeneralCriterion>(
+            HillCriterion({{1., 1., 1., 1., 1., 1.}}, rotation(2, 0.)));
+        case YieldCriterion::hosford:
+          return std::make_shared<GeneralCriterion>(
+            HosfordCriterion(of_material(hosford_exponents, id)));
+        case YieldCriterion::hill:
+          return std::make_shared<GeneralCriterion>(
+            HillCriterion(read_ratios(of_material(hill_ratios, id)),
+                          read_axes(of_material(axes, id))));
+      }
+    AssertThrow(false, ExcInternalError());
+    return nullptr;
+  }
+
+
+
+  void
+  YieldCriterionParameters::check_third_axis() const
+  {
+    const auto lengths = list_lengths();
+    const auto longest = std::max_element(lengths.begin(),
+                                          lengths.end(),
+                                          [](const auto &a, const auto &b) {
+                                            return a.second < b.second;
+                                          });
+    for (unsigned int id = 0; id < longest->second; ++id)
+      if (of_material(criteria, id) == YieldCriterion::hill &&
+          !HillCriterion(read_ratios(of_material(hill_ratios, id)),
+                         read_axes(of_material(axes, id)))
+             .has_third_axis())
+        throw InputError(axes_path,
+                         of_material(axes, id),
+                         "in two dimensions one of the axes of the material "
+                         "must be the third of the body. Give one angle, or "
+                         "set 'Dimension = 3'.");
+  }
+} // namespace ElastoPlastic
