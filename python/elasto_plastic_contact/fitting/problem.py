@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy
 
-from ..program import version_of
+from ..program import build_of
 from ..study.plan import Case
 
 
@@ -110,4 +110,4 @@ class Problem:
 
 def case_of(path, entries, ranks, program=None):
     return Case(case=pathlib.Path(path), common={"Output/Fields": "never"} | entries, ranks=ranks,
-                version=version_of(program))
+                build=build_of(program))
