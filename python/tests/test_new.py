@@ -17,6 +17,7 @@ import unittest
 import unittest.mock
 
 from elasto_plastic_contact.__main__ import main
+from elasto_plastic_contact.inputs.height_maps import write_pgm
 from elasto_plastic_contact.new_case.contact import Tip, cone, depth_at, expected_radius, force_at
 from elasto_plastic_contact.new_case.duration import check_file, expected_seconds, unknowns_and_steps
 from elasto_plastic_contact.new_case.hardening import TABULATED, Ludwik, Perfect, PowerLaw, read_hardening
@@ -264,6 +265,50 @@ class Command(unittest.TestCase):
         (self.folder / "rough_heights.txt").write_text("mine")
         self.expect_message("'rough_heights.txt' exists", "rough", "--material", "steel", "--rms", "1 um", "--size",
                             "20 um")
+
+    def surface(self, name, *others, size="20 um"):
+        """The arguments for a measured surface."""
+        return ("rough", "--material", "steel", "--surface", name, "--size", size, "--mesh", "coarse", *others)
+
+    def test_measured_surface(self):
+        """A matrix of heights and an image, of which the file names the place as seen from its own folder."""
+        rows = [[math.sin(0.3 * i) * math.cos(0.2 * j) for j in range(40)] for i in range(40)]
+        (self.folder / "heights.txt").write_text("\n".join(" ".join(f"{250 * h:.1f}" for h in row) for row in rows))
+        write_pgm(self.folder / "heights.pgm", rows)
+        (self.folder / "cases").mkdir()
+        for name, kind, scale, factor in (("heights.txt", "height matrix", "1 nm", "0.001"),
+                                          ("heights.pgm", "image", "500 nm", "0.5")):
+            path = self.folder / f"cases/{kind[:5]}.prm"
+            process = command(self.folder, *self.surface(name, "--height-scale", scale, "--depth", "300 nm", "--output",
+                                                         path.relative_to(self.folder)))
+            self.assertEqual(process.returncode, 0, process.stderr)
+            text = path.read_text(encoding="utf-8")
+            for words in (f"Type +.*= {kind}", f"File +.*= ../{name}", f"Height scale +.*= {factor} ",
+                          "Side down +.*= light"):
+                self.assertRegex(text, words)
+
+    def test_messages_on_surfaces(self):
+        (self.folder / "heights.txt").write_text("1 2 3 4 5\n2 3 four 5 6\n")
+        scale, depth = ("--height-scale", "1 nm"), ("--depth", "1 um")
+        for pattern, *arguments in (
+                ("--surface is 'nowhere.txt', which cannot be read: No such file",
+                 *self.surface("nowhere.txt", *scale, *depth)),
+                ("--surface is '.', which cannot be read: Is a directory", *self.surface(".", *scale, *depth)),
+                ("the program refuses the file, perhaps for the surface 'heights.txt': .*number 3 in line 2 is not a",
+                 *self.surface("heights.txt", *scale, *depth)),
+                ("--surface needs --height-scale '1 nm', the height of the number 1",
+                 *self.surface("heights.txt", *depth)),
+                ("--surface needs --depth '500 nm'", *self.surface("heights.txt", *scale)),
+                ("--seed is that of a random surface", *self.surface("heights.txt", *scale, *depth, "--seed", "3")),
+                ("--rms and --surface are given, but only one of them can be the surface",
+                 *self.surface("heights.txt", *scale, *depth, "--rms", "1 um")),
+                ("--height-scale is that of a measured surface", "rough", "--material", "steel", "--rms", "1 um",
+                 "--size", "20 um", *scale)):
+            with self.subTest(pattern):
+                status, line = self.ending_of(arguments)
+                self.assertEqual(status, 2)
+                self.assertRegex(line, f"^new: .*{pattern}")
+        self.assertFalse((self.folder / "rough.prm").exists())
 
     def test_without_a_program(self):
         process = command(self.folder, "cone", "--material", "steel", "--depth", "1 um", "--program", "/nowhere")
