@@ -41,8 +41,8 @@ class Parameter:
 class Block:
     """Numbers that are measured in one go, and how to find their like in the Results of a run, in units of the case.
 
-    kind: load, unload, imprint, columns or quantity. x: places (empty for a quantity); y: what was measured there (nan
-    in a candidate); sigma: standard deviations, or weights if the noise is not known. labels: of x and y."""
+    kind: load, unload, hold, imprint, columns or quantity. x: places (empty for a quantity); y: what was measured there
+    (nan in a candidate); sigma: standard deviations, or weights if the noise is not known. labels: of x and y."""
     name: str
     kind: str
     x: numpy.ndarray
