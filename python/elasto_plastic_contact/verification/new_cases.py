@@ -8,16 +8,21 @@ import math
 import pathlib
 import tempfile
 
+from ..hardness_numbers import numbers_of_run
 from ..new_case.kinds import make_case, read_given
 from ..new_case.materials import library
+from ..program import run
 
 # What laboratories have measured with the materials of the library.
 BRINELL_OF_4340 = 286.  # HBW 10/3000 of HRC 30 (ASTM E140, table 1)
 CURVATURE_OF_6061 = 27.44  # GPa: mean of six indents, from 26.99 to 28.19 (Dao et al. 2001, in Lu et al. 2020)
 
+VICKERS_OF_4340 = 302.  # HV of HRC 30 (ASTM E140, table 1)
+
 HERTZ = {"young_modulus": "200 GPa", "tip_radius": "10 um", "depth": "100 nm"}
 ALUMINIUM = {"material": "aluminium-6061", "depth": "10 um"}
 BALL = {"material": "steel-4340"}
+PYRAMID = {"material": "steel-4340", "force": "1 N"}
 FILM = {"material": "aluminium-6061", "depth": "300 nm"}
 
 
@@ -36,6 +41,13 @@ def file_of(kind, mesh, texts):
 def tables_of(runner, kind, mesh, texts, *entries):
     with file_of(kind, mesh, texts) as path:
         return runner.tables(path, *entries)
+
+
+def hardness_numbers(kind, mesh, program):
+    """Those that 'epc evaluate DIRECTORY' prints of a pyramid with PYRAMID, whose file is in µm and mN, by name."""
+    with file_of(kind, mesh, PYRAMID) as path, tempfile.TemporaryDirectory() as folder:
+        results = run(path, folder, {"Output/Fields": "never"}, overwrite=True, program=program)
+        return {name: value for name, value, _ in numbers_of_run(results, 1e-3, 1e-3)}
 
 
 def loading_of(tables):
@@ -88,6 +100,13 @@ def new_berkovich(runner):
     """epc new berkovich: the loading curvature of aluminium 6061 (measured; a minute)."""
     tables = tables_of(runner, "berkovich", "coarse", ALUMINIUM)
     runner.compare("force over depth squared in GPa", 6. * loading_curvature(tables), CURVATURE_OF_6061, 0.05)
+
+
+def new_vickers(runner):
+    """epc new vickers: the hardness of a steel by the contact area, and by the residual diagonal (tables; minutes)."""
+    found = hardness_numbers("vickers", "coarse", runner.program)
+    for name in ("HV_of_area", "HV"):
+        runner.compare(f"{name} of 4340 at 30 HRC", found[name], VICKERS_OF_4340, 0.1)
 
 
 def new_coating(runner):
