@@ -44,9 +44,9 @@ def residual_diagonal(run):
 
 
 def corner(at_largest, at_end):
-    """The distance from the axis at the end of the outermost point of a line that touches at the largest force, or, where
-    the edge is inside there, of the point between it and the next one at which a linear gap is zero (so ends a contact
-    within faces); 0 if none touches. The points of a line by their undeformed distance from the axis."""
+    """The distance from the axis at the end of the outermost point of a line that touches at the largest force, or,
+    where the edge is inside there, of the point between it and the next one at which a linear gap is zero (so ends a
+    contact within faces); 0 if none touches. The points of a line by their undeformed distance from the axis."""
     touching = [place for place, (pressure, _, _) in at_largest.items() if pressure > 0. and place in at_end]
     if not touching:
         return 0.
@@ -58,8 +58,8 @@ def corner(at_largest, at_end):
 
 
 def lines_below_edges(run, step):
-    """For each edge of the pyramid, by its number, the points of surface_profile.csv below it in this step: pressure, gap,
-    and distance from the axis as it is then, by the undeformed distance."""
+    """For each edge of the pyramid, by its number, the points of surface_profile.csv below it in this step: pressure,
+    gap, and distance from the axis as it is then, by the undeformed distance."""
     position = run.numbers("Indenter/Position") or [0., 0.]
     to_edges = math.radians(run.number("Indenter/Rotation") + 45.)
     found = {}

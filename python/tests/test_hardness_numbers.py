@@ -28,8 +28,8 @@ def write_table(path, rows):
 
 
 def write_run(folder, indenter, units=True, force_at_end=0., inside=0.):
-    """A quarter of an indenter: the force 7.3549875 (30 kgf / 40) at the depth 0.06, contact area 0.02. inside: the gap of
-    the last point that touches."""
+    """A quarter of an indenter: the force 7.3549875 (30 kgf / 40) at the depth 0.06, contact area 0.02. inside: the gap
+    of the last point that touches."""
     entries = "".join(f" set {name} = {value}\n" for name, value in indenter.items())
     output = " set Length unit = mm\n set Force unit = N\n" if units else ""
     (folder / "parameters.prm").write_text(f"set Dimension = 3\nsubsection Indenter\n{entries}end\nsubsection Output\n{output}end\n",
@@ -41,8 +41,8 @@ def write_run(folder, indenter, units=True, force_at_end=0., inside=0.):
     write_table(folder / "surface_profile.csv",
                 [{"step": step, "time": step, "x": x, "y": y, "displacement_x": 0.001 * step, "displacement_y": 0.,
                   "contact_pressure": pressure if step == 1 else 0., "gap": gap}
-                 for step in (1, 2) for x, y, pressure, gap in ((0.1, 0., 5., 0.), (0.2, 0., 3., inside), (0.3, 0., 0., 0.003),
-                                                                (0.25, 0.25, 4., 0.))])
+                 for step in (1, 2) for x, y, pressure, gap in ((0.1, 0., 5., 0.), (0.2, 0., 3., inside),
+                                                                (0.3, 0., 0., 0.003), (0.25, 0.25, 4., 0.))])
 
 
 def evaluated(*arguments):

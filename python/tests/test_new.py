@@ -15,7 +15,9 @@ import sys
 import tempfile
 import unittest
 import unittest.mock
+from dataclasses import replace
 
+from elasto_plastic_contact import UserError
 from elasto_plastic_contact.__main__ import main
 from elasto_plastic_contact.inputs.height_maps import write_pgm
 from elasto_plastic_contact.new_case.contact import Tip, cone, depth_at, expected_radius, force_at
@@ -206,6 +208,25 @@ class Materials(unittest.TestCase):
         self.assertEqual((changed.young_modulus, changed.yield_stress, changed.hardening), (200., 0.5, Perfect()))
         self.assertEqual((changed.elastic_source, changed.plastic_source), ("given", "given"))
         self.assertTrue(chosen_material(None, "70 GPa", None, None, None).is_elastic)
+
+
+    def test_strain_rate(self):
+        """Johnson and Cook's rate term, for all stresses of the curve; of numbers that are given nobody knows it."""
+        slow, measured = chosen_material("steel", None, None, None, None, "0.001"), library()["steel"]
+        for strain in (0., 0.01, 0.3):
+            self.assertAlmostEqual(slow.stress(strain) / measured.stress(strain), 1. - 0.022 * math.log(1000.), 12)
+        self.assertRegex(slow.plastic_source,
+                         r"at the strain rate 1/s; brought to 0.001/s by its rate term, 1 \+ 0.022 ln\(rate\) = 0.848$")
+        self.assertEqual(chosen_material("copper", None, None, None, None, "1"),
+                         replace(library()["copper"], plastic_source=unittest.mock.ANY))
+        for message, *arguments in (
+                ("--strain-rate takes a curve of the library .* of steel, steel-4340,", "aluminium-6061", None, None,
+                 None, None, "0.1"),
+                ("--strain-rate takes a curve", "steel", None, None, "400 MPa", None, "0.1"),
+                ("--strain-rate takes a curve", None, "210 GPa", None, None, None, "0.1"),
+                ("--strain-rate is 'slow', but must be a number above 1e-06", "steel", None, None, None, None, "slow")):
+            with self.assertRaisesRegex(UserError, message):
+                chosen_material(*arguments)
 
 
 class Units(unittest.TestCase):

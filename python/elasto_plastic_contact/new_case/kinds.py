@@ -61,7 +61,7 @@ KINDS = {
                        ("punch",)),
 }
 
-MATERIAL_OPTIONS = ("material", "young_modulus", "poisson_ratio", "yield_stress", "hardening")
+MATERIAL_OPTIONS = ("material", "young_modulus", "poisson_ratio", "yield_stress", "hardening", "strain_rate")
 
 
 @dataclass(frozen=True)
@@ -153,6 +153,8 @@ MATERIAL_QUESTIONS = {
     "poisson_ratio": Option("Poisson's ratio (default: that of the material, or 0.3)", "0.3"),
     "yield_stress": Option("the yield stress; without one, a material of numbers is linear elastic", "400 MPa"),
     "hardening": Option("the hardening law: none, linear H, power n, Ludwik B, n or Voce Q, b", "power 0.1"),
+    "strain_rate": Option("the strain rate in 1/s of the stress-strain curve of the library, where its source says how "
+                          "it depends on that (default: as it was measured)", "0.01"),
 }
 
 

@@ -19,9 +19,12 @@ CURVATURE_OF_6061 = 27.44  # GPa: mean of six indents, from 26.99 to 28.19 (Dao 
 
 VICKERS_OF_4340 = 302.  # HV of HRC 30 (ASTM E140, table 1)
 
+ROCKWELL_OF_1006 = 94.  # HRF (Johnson and Cook 1983, table 1)
+
 HERTZ = {"young_modulus": "200 GPa", "tip_radius": "10 um", "depth": "100 nm"}
 ALUMINIUM = {"material": "aluminium-6061", "depth": "10 um"}
 BALL = {"material": "steel-4340"}
+SCALE = {"material": "steel", "scale": "F"}
 PYRAMID = {"material": "steel-4340", "force": "1 N"}
 FILM = {"material": "aluminium-6061", "depth": "300 nm"}
 
@@ -68,6 +71,12 @@ def brinell_hardness(tables, diameter):
     return 0.102 * 2. * row["force"] / (math.pi * diameter * (diameter - math.sqrt(diameter ** 2 - imprint ** 2)))
 
 
+def rockwell_hardness(tables):
+    """By the depths under the preliminary force, before and after the total one; lengths in mm."""
+    depth = {row["time"]: row["depth"] for row in tables["history"]}
+    return 130. - (depth[1.2] - depth[0.2]) / 0.002
+
+
 def hertz_ratios(tables):
     """Force, contact radius and largest pressure over those of Hertz, for HERTZ; lengths in µm, forces in mN."""
     row, modulus, radius = loading_of(tables)[-1], 200. / (1. - 0.3 ** 2), 10.
@@ -88,6 +97,12 @@ def new_brinell(runner):
     """epc new brinell: the hardness of a steel (tables)."""
     tables = tables_of(runner, "brinell", "coarse", BALL)
     runner.compare("HBW 10/3000 of 4340 at 30 HRC", brinell_hardness(tables, 10.), BRINELL_OF_4340, 0.05)
+
+
+def new_rockwell(runner):
+    """epc new rockwell-ball: the hardness of a steel, with its stress-strain curve at the rate of the test."""
+    tables = tables_of(runner, "rockwell-ball", "coarse", SCALE | {"strain_rate": "0.01"})
+    runner.compare("HRF of 1006 at F-94", rockwell_hardness(tables), ROCKWELL_OF_1006, 0.02)
 
 
 def new_cone(runner):
