@@ -60,6 +60,26 @@ def fit_of_hold(runs):
     return Content(rows_of_parameters(found, CREEP), {"runs": f"{found.n_runs}"})
 
 
+@measured_table(600)
+def curve_and_imprint_fit(runs):
+    """The fits of one of two materials with equal curves: to the curve alone, and to curve and imprint."""
+    from ..verification.curve_and_imprint_fit import fits_of  # (which needs SciPy)
+    with tempfile.TemporaryDirectory() as folder:
+        found = fits_of(pathlib.Path(folder), runs.program, 2, functools.partial(print, flush=True))
+    return content_of_pair(found)
+
+
+def content_of_pair(found):
+    """found: the Fit of the curve alone, and of both."""
+    from ..verification.curve_and_imprint import PAIR
+    from ..verification.curve_and_imprint_fit import FITS, region_in_words
+    rows = []
+    for parameter, true in zip(found[FITS[0]].values, PAIR[0]):
+        cells = [f"{found[name].values[parameter]:.4g}, {region_in_words(found[name].regions[parameter])}" for name in FITS]
+        rows.append([None, f"{true:g}", *cells])
+    return Content(rows, {"runs": f"{sum(fit.n_runs for fit in found.values())}"})
+
+
 @measured_table(400)
 def published_metals(runs):
     """Two aluminium alloys: what their tension tests give, and the fits, against what was measured."""
