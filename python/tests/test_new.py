@@ -124,6 +124,13 @@ class Kinds(unittest.TestCase):
             part = float(re.search("1: force ([0-9.]+)", history)[1])
             self.assertAlmostEqual(part / case.units.force(10. * force), 1., 5)
 
+    def test_friction(self):
+        """The corner of a cube sticks unless told, other tips are smooth."""
+        for kind, told, found in (("cube-corner", None, "stick"), ("cube-corner", "0.2", "0.2"), ("cone", None, None),
+                                  ("berkovich", "stick", "stick")):
+            rows = {name: value for name, value, _ in case_of(kind, friction=told).sections.get("Contact", [])}
+            self.assertEqual(rows.get("Friction coefficient"), found)
+
     def test_solver(self):
         """The default one: multigrid takes half of the time of a factorisation."""
         for kind in EXAMPLES:
@@ -375,8 +382,10 @@ class Command(unittest.TestCase):
                  "1 um, gold"),
                 ("--angle is '95', but must be a number above 20 and below 90", *cone_of, "--depth", "1 um", "--angle",
                  "95"),
-                ("--friction is 'x', but must be a number above 0 and below 2", *cone_of, "--depth", "1 um",
-                 "--friction", "x"),
+                ("--friction, unless it is 'stick', is 'x', but must be a number above 0 and below 2", *cone_of,
+                 "--depth", "1 um", "--friction", "x"),
+                ("--friction is 'stick', with which no tip is drawn along a surface", "scratch", "--material", "steel",
+                 "--tip-radius", "1 um", "--depth", "100 nm", "--friction", "stick"),
                 ("--poisson-ratio is '0.5', but must be a number above -1 and below 0.5", *cone_of, "--depth", "1 um",
                  "--poisson-ratio", "0.5"),
                 ("--hardening is 'Swift 3', but must be 'none', 'linear 2 GPa', 'power 0.1', 'Ludwik", *cone_of,

@@ -7,6 +7,7 @@ import pathlib
 from dataclasses import dataclass, field
 
 from . import others, pyramids, revolution, space
+from .contact import STICK
 from .materials import Material, chosen_material, of_library
 from .units import plain_number, quantity
 from ..errors import UserError
@@ -93,6 +94,11 @@ def read_film(text, name):
                                     0.25, yield_stress))
 
 
+def read_friction(text, name):
+    """A coefficient, or 'stick'. Raises UserError."""
+    return text if text == STICK else plain_number(text, f"{name}, unless it is '{STICK}',", above=0., below=2.)
+
+
 def read_surface(text, name):
     """The path of a height map, and whether it is an image. Raises UserError."""
     path = pathlib.Path(text)
@@ -130,8 +136,7 @@ OPTIONS = {
                     lambda text, name: plain_number(text, name, above=20., below=90.)),
     "film": Option("thickness and Young's modulus of a film, also its yield stress, or a material of the library",
                    "2 um, 400 GPa", read_film),
-    "friction": Option("the coefficient of friction", "0.1", lambda text, name: plain_number(text, name, above=0.,
-                                                                                             below=2.)),
+    "friction": Option("the coefficient of friction, or 'stick': what touches does not slide", "0.1", read_friction),
     "length": length_option("the length of the scratch (default: three contact radii)", "5 um"),
     "rms": length_option("the root mean square of the heights", "100 nm"),
     "surface": Option("a measured height map: an image (PNG, PGM, PBM), or a text with a matrix of numbers; its peaks "

@@ -7,7 +7,7 @@ import pathlib
 from dataclasses import dataclass
 
 from .case import Case
-from .contact import Tip, cone, expected_radius
+from .contact import STICK, Tip, cone, expected_radius
 from .revolution import set_friction, set_materials, set_tip
 from .rules import FINENESS, describe_steps, needs_finite_strains, rounded, set_elements, set_output, set_strain
 from .units import text_of, units_for
@@ -35,7 +35,10 @@ class Surface:
 
 
 def scratch(given):
-    """A sphere or cone with a spherical cap: pressed in, drawn along the surface, lifted. A half of the body."""
+    """A sphere or cone with a spherical cap: pressed in, drawn along the surface, lifted. A half of the body. Raises
+    UserError."""
+    if given.friction == STICK:
+        raise UserError(f"--friction is '{STICK}', with which no tip is drawn along a surface: give a coefficient")
     slope = None if given.angle is None else cone(given.angle).slope
     tip = Tip(given.tip_radius, slope)
     units = units_for(given.depth)
