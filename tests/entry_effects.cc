@@ -118,6 +118,22 @@ main(int argc, char *argv[])
        entries_without_effect(set, with_changes(none)))
     output() << sentence << std::endl;
 
+  std::ofstream("changing.prm")
+    << "subsection Indenter\n set Type = none\nend\n"
+    << "subsection Loading\n set Depth = 2\nend\n";
+  CommandLine command_line;
+  command_line.parameter_file = "changing.prm";
+  std::ofstream("written.prm")
+    << Parameters::read(command_line).effective_input;
+  command_line.parameter_file = "written.prm";
+  const Parameters written    = Parameters::read(command_line);
+  verify("the program writes all entries",
+         entries_set_in("written.prm", written.entries).size() ==
+           written.entries.size());
+  verify("those that it was told",
+         written.entries_changed_in("written.prm") ==
+           std::set<std::string>{"Indenter/Type", "Loading/Depth"});
+
   verify("units of the defaults", doubtful_units(with_changes({})).empty());
   for (const EntryValues &changes :
        {EntryValues{{"Material/Yield stress", "0.4"}},

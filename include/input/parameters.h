@@ -6,6 +6,7 @@
 
 #include <iosfwd>
 #include <map>
+#include <set>
 #include <string>
 
 #include "adaptivity/refinement.h"
@@ -77,6 +78,12 @@ namespace ElastoPlastic
     /// @throws InputError with file, line, section, entry, value and remedy.
     static Parameters
     read(const CommandLine &command_line);
+
+    /// The entries that the file, or one that it includes, sets to other values
+    /// than the defaults. (One that the program has written sets all entries.)
+    /// @throws InputError as read().
+    std::set<std::string>
+    entries_changed_in(const std::string &file) const;
 
     /// Whether the entries make sense, each alone and together, as far as
     /// can be said before there is a mesh.

@@ -33,6 +33,7 @@ DEVELOPER_COMMANDS = {
     "rough_spots": ("verification.rough_spots", "force and pressure of many spots for values of 'Contact/Edge'"),
     "fit_coverage": ("verification.fit_coverage", "how often the regions of a fit hold the true values"),
     "curve_and_imprint": ("verification.curve_and_imprint", "two materials with equal curves and other imprints"),
+    "curve_and_imprint_fit": ("verification.curve_and_imprint_fit", "fits to a curve alone and with its imprint"),
     "published_metals": ("verification.published_metals", "fits of published measurements against tension tests"),
     "ten_cases": ("verification.ten_cases", "a number of each of ten short runs, to compare systems"),
     "full_disk_test": ("verification.full_disk_test", "fill disks, resume and compare"),

@@ -32,33 +32,45 @@ def martens(force, depth, n_faces, face_angle):
 
 
 def residual_diagonal(run):
-    """Of a Vickers imprint without load, in the unit of the run: twice how far the outermost point that has touched an
-    edge of the pyramid at the largest force is from the axis then. None without a line of surface_profile.csv along an edge,
-    at both times."""
+    """Of a Vickers imprint without load, in the unit of the run: twice how far its outermost corner is from the axis
+    then. A corner is where the contact ends on an edge of the pyramid at the largest force. None without a line of
+    surface_profile.csv along an edge, at both times."""
     largest = run.history[last_of_largest(run.history["force"])]
     unloaded = run.history[-1]
     if unloaded["force"] > 1e-3 * largest["force"] or not run.has("surface_profile.csv"):
         return None
-    at_largest, at_end = (points_below_edge(run, step) for step in (largest["step"], unloaded["step"]))
-    touching = [name for name, (pressure, _) in at_largest.items() if pressure > 0.]
-    common = [name for name in touching if name in at_end]
-    if not common:
-        return None
-    return 2. * max(at_end[name][1] for name in common)
+    at_largest, at_end = (lines_below_edges(run, step) for step in (largest["step"], unloaded["step"]))
+    corners = [corner(points, at_end.get(edge, {})) for edge, points in at_largest.items()]
+    return 2. * max(filter(None, corners), default=0.) or None
 
 
-def points_below_edge(run, step):
-    """Pressure, and distance from the axis as it is then, of the points of surface_profile.csv below an edge of the
-    pyramid in this step, by their undeformed places."""
+def corner(at_largest, at_end):
+    """The distance from the axis at the end of the outermost point of a line that touches at the largest force, or,
+    where the edge is inside there, of the point between it and the next one at which a linear gap is zero (so ends a
+    contact within faces); 0 if none touches. The points of a line by their undeformed distance from the axis."""
+    touching = [place for place, (pressure, _, _) in at_largest.items() if pressure > 0. and place in at_end]
+    if not touching:
+        return 0.
+    last = max(touching)
+    beyond = min((place for place in at_largest if place > last and place in at_end), default=last)
+    inside, outside = at_largest[last][1], at_largest[beyond][1]
+    share = inside / (inside - outside) if inside < 0. < outside else 0.
+    return at_end[last][2] + share * (at_end[beyond][2] - at_end[last][2])
+
+
+def lines_below_edges(run, step):
+    """For each edge of the pyramid, by its number, the points of surface_profile.csv below it in this step: pressure,
+    gap, and distance from the axis as it is then, by the undeformed distance."""
     position = run.numbers("Indenter/Position") or [0., 0.]
     to_edges = math.radians(run.number("Indenter/Rotation") + 45.)
     found = {}
     for row in run.table("surface_profile"):
         x, y = row["x"] - position[0], row["y"] - position[1]
-        if row["step"] != step or abs(math.sin(2. * (math.atan2(y, x) - to_edges))) > 1e-6:
+        quarters = (math.atan2(y, x) - to_edges) / (0.5 * math.pi)
+        if row["step"] != step or abs(math.sin(math.pi * quarters)) > 1e-6:
             continue
-        found[row["x"], row["y"]] = (row["contact_pressure"],
-                                     math.hypot(x + row["displacement_x"], y + row["displacement_y"]))
+        found.setdefault(round(quarters) % 4, {})[math.hypot(x, y)] = (
+            row["contact_pressure"], row["gap"], math.hypot(x + row["displacement_x"], y + row["displacement_y"]))
     return found
 
 

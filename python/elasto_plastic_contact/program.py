@@ -4,8 +4,10 @@
 
 import difflib
 import functools
+import hashlib
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -70,19 +72,31 @@ def find_program(program=None):
     return os.path.abspath(found)
 
 
-def version_of(program=None):
-    """What the program says to --version; empty if there is no program."""
+def build_of(program=None):
+    """What tells builds of the program apart, also those of one version: a hash of its file and of the library of its
+    parts, if it has one; empty if there is no program. (Other libraries, such as deal.II, do not count.)"""
     try:
-        return answer_of(find_program(program), "--version")
+        path = find_program(program)
+        files = [(file, os.stat(file)) for file in (path, *own_libraries(path))]
+        return "".join(hash_of(file, facts.st_mtime_ns, facts.st_size) for file, facts in files)
     except (OSError, UserError):
         return ""
 
 
+def own_libraries(path):
+    """The shared libraries of this project that the loader takes for the program, of which a package has one for each
+    kind of processor; none if it is linked as a whole, or is no program that 'ldd' knows."""
+    if shutil.which("ldd") is None:
+        return []
+    listed = subprocess.run(["ldd", path], capture_output=True, text=True, check=False).stdout
+    return re.findall(r"libelasto_plastic_contact\S* => (/.*) \(", listed)
+
+
 @functools.cache
-def answer_of(path, option):
-    """What the program at a path writes when it is given an option alone."""
-    return subprocess.run([path, option], env=os.environ | MPI_ENVIRONMENT, stdin=subprocess.DEVNULL,
-                          capture_output=True, text=True, check=False).stdout.strip()
+def hash_of(path, *_):
+    """Of what stands in a file, once for each time at which it has been changed and each size."""
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def as_text(value):

@@ -23,8 +23,9 @@ from elasto_plastic_contact.fitting.predictions import QUANTITIES, Curve
 from elasto_plastic_contact.fitting.results import sentences
 from elasto_plastic_contact.fitting.runs import Runs
 from elasto_plastic_contact.fitting.statistics import UNKNOWN
-from elasto_plastic_contact.inputs.fit_data import measured
-from elasto_plastic_contact.study.plan import Case
+from elasto_plastic_contact.inputs.fit_data import CREEP, measured
+from elasto_plastic_contact.program import ROOT
+from elasto_plastic_contact.study.plan import Case, read_json
 
 YOUNG, YIELD_STRESS, HARDENING, STRAIN, NOISE = 200000., 400., 2000., 0.02, 2.
 TIMES = numpy.arange(1, 9) / 8.
@@ -251,6 +252,27 @@ class Fits(unittest.TestCase):
         self.assertTrue(0.6 < found.quality.chi_square / found.quality.freedom < 1.5)
         stress = 400. * (1. + found.representative.plastic_strain * YOUNG / 400.) ** 0.2
         self.assertTrue(found.representative.lower < stress < found.representative.upper)
+
+    def test_creep(self):
+        """The rate exponent from the hold of the ready problem, on its coarse mesh: the true one lies in its region."""
+        problem = read_json(ROOT / "parameter_files/fit/creep.json")
+        experiment = problem["experiments"]["sphere"]
+        experiment["set"] |= experiment.pop("coarse")
+        truth = {path: CREEP[name] for path, name in problem["entries"].items()}
+        history = run(experiment["case"], self.folder / "truth",
+                      experiment["set"] | truth | {"Output/Fields": "never"}).history
+        noise = 0.002 * history["depth"].max() * numpy.random.default_rng(3).normal(size=len(history))
+        (self.folder / "creep.csv").write_text("Time (s),Depth (µm),Force (mN)\n0,0,0\n" + "".join(
+            f"{row['time']},{row['depth'] + error},{row['force']}\n" for row, error in zip(history, noise)))
+        problem |= {"parameters": {"n": problem["parameters"]["n"] | {"start": 3}}, "constants": {"D": CREEP["D"]},
+                    "step": 0.05}
+        found = self.fit(problem)
+        region = found.regions["n"]
+        self.assertTrue(region.lower < CREEP["n"] < region.upper, (found.values, region))
+        self.assertLess(region.upper - region.lower, 0.1 * CREEP["n"])
+        self.assertIsNone(found.representative)  # (the stress depends on the rate, too)
+        residuals, = json.loads((self.output / "fit.json").read_text())["residuals"]
+        self.assertEqual(residuals["kind"], "hold")
 
     def test_quantities(self):
         """Of a run, by its tables, and by what is known of elastic unloading and of works."""

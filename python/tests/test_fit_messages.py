@@ -187,7 +187,7 @@ class Problems(unittest.TestCase):
                          indents=[2])
         self.refuse_data("cycle' is 2, but must be an integer >= 1 and <= 1", curve="curve.csv", cycle=2)
         self.refuse_data("compare: there is no \"time\"", curve="curve.csv", compare="time")
-        self.refuse_data("segments: there is no \"hold\"", curve="curve.csv", segments=["hold"])
+        self.refuse_data("segments: there is no \"held\"", curve="curve.csv", segments=["held"])
         self.refuse_data("segments' is 3, but must be a text or a list of texts", curve="curve.csv", segments=3)
         self.refuse_data("zero point': it is '5', but must be a number with a unit", curve="curve.csv",
                          **{"zero point": 5})
@@ -200,6 +200,34 @@ class Problems(unittest.TestCase):
         self.refuse_data("noise' is zero for some values", curve="curve.csv", noise={"relative": 0})
         (self.folder / "load.csv").write_text("\n".join(CURVE.splitlines()[:40]))
         self.refuse_data("has no unloading; leave 'unload' out", curve="load.csv", segments=["load", "unload"])
+
+    def test_holds(self):
+        """Depths over the time since the hold began, in units of the case, also of a load that is not unloaded."""
+        force = numpy.concatenate([numpy.linspace(0., 5., 51), numpy.full(60, 5.), numpy.linspace(4.9, 0., 50)])
+        depth = numpy.concatenate([numpy.sqrt(force[:51]), 5. ** 0.5 + 0.01 * numpy.arange(1, 61) ** 0.5,
+                                   2.3 - 0.1 * (5. - force[111:])])
+        rows = [f"{time},{h},{f}" for time, (h, f) in enumerate(zip(depth, force))]
+        for name, used in (("held.csv", rows), ("end.csv", rows[:111]), ("loaded.csv", rows[:51])):
+            (self.folder / name).write_text("\n".join(["Time (s),Depth (µm),Force (N)", *used]))
+        data = {"curve": "held.csv", "segments": "hold", "noise": {"absolute": 0.02}}
+        problem = self.changed(DATA, data)
+        del problem["experiments"]["cone"]["load to"]
+        problem["experiments"]["cone"]["units"]["time"] = "min"
+        for item in (data, data | {"curve": "end.csv", "segments": ["hold"]}):
+            problem["experiments"]["cone"]["data"] = [item]
+            hold, = self.read(problem).experiments[0].blocks
+            self.assertEqual((hold.kind, hold.labels), ("hold", ("time", "depth")))
+            numpy.testing.assert_allclose(hold.x, numpy.arange(61.)[:len(hold.x)] / 60., atol=1e-12)
+            self.assertGreaterEqual(len(hold.x), 60)
+            numpy.testing.assert_allclose(hold.y[1:], 1e-3 * depth[51:51 + len(hold.x) - 1])
+            numpy.testing.assert_allclose(hold.sigma, 2e-5)
+        self.assertEqual([block.kind for block in self.block({"curve": "held.csv"})], ["load", "unload"])
+        for message, changes in (("has no time, which its hold takes", {"curve": "curve.csv"}),
+                                 ("has no hold at its largest force", {"curve": "loaded.csv"}),
+                                 ("give it an item of 'data' of its own", {"segments": ["load", "hold"]}),
+                                 ("leave out 'compare' and 'above'", {"compare": "force"}),
+                                 ("leave out 'compare' and 'above'", {"above": 0.1})):
+            self.refuse_data(message, **data | changes)
 
     def test_top(self):
         """With a force that is largest before the deepest point, or behind it, this is where the loading ends."""

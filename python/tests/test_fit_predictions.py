@@ -8,7 +8,7 @@ import unittest
 import numpy
 
 from elasto_plastic_contact import UserError
-from elasto_plastic_contact.fitting.predictions import QUANTITIES, Curve, column_at, curve_at, imprint_at
+from elasto_plastic_contact.fitting.predictions import QUANTITIES, Curve, column_at, curve_at, hold_at, imprint_at
 
 
 def run_of(depth, force, **tables):
@@ -43,6 +43,22 @@ class Predictions(unittest.TestCase):
             numpy.testing.assert_allclose(curve.load[-1], [2., 400.])
             numpy.testing.assert_allclose(curve.unload[0], [2. + creep, 400. - relaxed])
             self.assertEqual(len(curve.unload), 11)
+
+    def test_creep(self):
+        """The depth over the time since the force is held, up to the end of the run or to its unloading."""
+        time = numpy.arange(1., 31.)
+        force, depth = numpy.minimum(time, 10.), numpy.where(time < 10., 0.1 * time, 1. + 0.01 * (time - 10.))
+        places = numpy.array([0., 2.5, 20.])
+        for unload in ([], [8., 4., 0.]):
+            rows = (numpy.append(time, 31. + numpy.arange(len(unload))), numpy.append(depth, 0.1 * numpy.array(unload)),
+                    numpy.append(force, unload))
+            history = numpy.array(list(zip(*rows)), [(name, float) for name in ("time", "depth", "force")])
+            run = types.SimpleNamespace(history=history, number=lambda path: 0.1)
+            numpy.testing.assert_allclose(hold_at(run, places), 0.9 + 0.01 * places)
+        self.refuse("the measured hold lasts 22 .*and that of the run only 20: hold longer", hold_at, run,
+                    numpy.array([22.]))
+        run.history = history[:11]
+        self.refuse("the run has no hold of two steps or more at its largest force", hold_at, run, places)
 
     def test_quantities(self):
         values = {name: QUANTITIES[name][0](self.RUN) for name in QUANTITIES if "hardness" not in name}

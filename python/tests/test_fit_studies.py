@@ -4,16 +4,20 @@
 errors are those of a linear problem."""
 
 import pathlib
+import tempfile
+import types
 import unittest
 
 import numpy
 
 from elasto_plastic_contact.fitting.reading import read_problem
-from elasto_plastic_contact.pages.fits import content_of_metals
+from elasto_plastic_contact.fitting.solve import Region
+from elasto_plastic_contact.pages.fits import content_of_metals, content_of_pair
 from elasto_plastic_contact.pages.places import fill, names
 from elasto_plastic_contact.schema import check_path
 from elasto_plastic_contact.verification.curve_and_imprint import (DEPTH, LOADING, NOISE, PAIR, PLACES, STEP, UNLOADING,
                                                                    coordinates_of, entries, residuals, standard_errors)
+from elasto_plastic_contact.verification.curve_and_imprint_fit import FITS, problem_of_fit
 from elasto_plastic_contact.verification.published_metals import METALS, problem_of, tensile_entries
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "doc/recipes/fit.md"
@@ -52,6 +56,34 @@ class Studies(unittest.TestCase):
                 check_path(path, "set")
             numpy.testing.assert_allclose([values["Material/Yield stress"], values["Material/Power law exponent"],
                                            values["Material/Young's modulus"]], material)
+
+    def test_fits_of_pair(self):
+        """They begin at the second material, within bounds that hold both, and one has the imprint beside the curve."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            down = [f"{0.02 - 0.0001 * k},{400 - 30 * k}\n" for k in range(1, 13)]
+            (folder / "curve.csv").write_text("Depth (mm),Force (N)\n" + "".join(
+                [*(f"{0.001 * k},{k * k}\n" for k in range(1, 21)), *down]))
+            (folder / "imprint.csv").write_text("x,height\n0,-0.02\n0.05,0.001\n0.1,0\n")
+            problems = [read_problem(problem_of_fit(folder, fit)) for fit in FITS]
+        self.assertEqual([[block.kind for _, block in problem.blocks()] for problem in problems],
+                         [["load", "unload"], ["load", "unload", "imprint"]])
+        for problem in problems:
+            self.assertEqual([parameter.start for parameter in problem.parameters], list(PAIR[1]))
+            for parameter, true in zip(problem.parameters, PAIR[0]):
+                self.assertTrue(parameter.lower < true < parameter.upper)
+            found = problem.experiments[0].entries(problem.values(problem.start()))
+            known = entries(coordinates_of(PAIR[1]))
+            numpy.testing.assert_allclose([found[path] for path in known], list(known.values()))
+
+    def test_table_of_pair(self):
+        """One row for each parameter, with both regions; an end that the data do not give has a mark."""
+        regions = {name: Region(1., 2., (True, name != "n"), ("", "")) for name in ("sigma_Y", "n", "E")}
+        one = types.SimpleNamespace(values=dict.fromkeys(regions, 1.5), regions=regions, n_runs=30)
+        content = content_of_pair(dict.fromkeys(FITS, one))
+        self.assertEqual([row[2:] for row in content.rows],
+                         [["1.5, 1 to 2"] * 2, ["1.5, 1 to > 2"] * 2, ["1.5, 1 to 2"] * 2])
+        self.assertEqual(content.numbers, {"runs": "60"})
 
     def test_standard_errors(self):
         """Of what is linear in the coordinates: one number each in loading, unloading and imprint."""

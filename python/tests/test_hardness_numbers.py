@@ -10,9 +10,10 @@ import pathlib
 import tempfile
 import unittest
 
-from elasto_plastic_contact import UserError
+from elasto_plastic_contact import UserError, run
 from elasto_plastic_contact.evaluate import main
 from elasto_plastic_contact.hardness_numbers import brinell, martens, vickers
+from elasto_plastic_contact.new_case.kinds import make_case, read_given
 
 KGF = 9.80665
 VICKERS = {"Type": "pyramid", "Number of faces": 4, "Face angle": 68, "Rotation": 45, "Rounding radius": 0, "Truncation": 0,
@@ -26,8 +27,9 @@ def write_table(path, rows):
         writer.writerows(rows)
 
 
-def write_run(folder, indenter, units=True, force_at_end=0.):
-    """A quarter of an indenter: the force 7.3549875 (30 kgf / 40) at the depth 0.06, contact area 0.02."""
+def write_run(folder, indenter, units=True, force_at_end=0., inside=0.):
+    """A quarter of an indenter: the force 7.3549875 (30 kgf / 40) at the depth 0.06, contact area 0.02. inside: the gap
+    of the last point that touches."""
     entries = "".join(f" set {name} = {value}\n" for name, value in indenter.items())
     output = " set Length unit = mm\n set Force unit = N\n" if units else ""
     (folder / "parameters.prm").write_text(f"set Dimension = 3\nsubsection Indenter\n{entries}end\nsubsection Output\n{output}end\n",
@@ -40,8 +42,9 @@ def write_run(folder, indenter, units=True, force_at_end=0.):
                                                   (2, 0.05, force_at_end, 0.))])
     write_table(folder / "surface_profile.csv",
                 [{"step": step, "time": step, "x": x, "y": y, "displacement_x": 0.001 * step, "displacement_y": 0.,
-                  "contact_pressure": pressure if step == 1 else 0.}
-                 for step in (1, 2) for x, y, pressure in ((0.1, 0., 5.), (0.2, 0., 3.), (0.3, 0., 0.), (0.25, 0.25, 4.))])
+                  "contact_pressure": pressure if step == 1 else 0., "gap": gap}
+                 for step in (1, 2) for x, y, pressure, gap in ((0.1, 0., 5., 0.), (0.2, 0., 3., inside),
+                                                                (0.3, 0., 0., 0.003), (0.25, 0.25, 4., 0.))])
 
 
 def evaluated(*arguments):
@@ -71,10 +74,33 @@ class HardnessNumbers(unittest.TestCase):
             self.assertAlmostEqual(found["residual_diagonal"], 2. * 0.202)  # (not the point below a face, nor one outside)
             self.assertAlmostEqual(found["HV"], vickers(3. * KGF, 0.404), places=3)
             self.assertAlmostEqual(found["HM"], martens(3. * KGF, 0.06, 4, 68.), places=1)
+            write_run(folder, VICKERS, inside=-0.001)  # a quarter of the way to the next point
+            self.assertAlmostEqual(evaluated(folder)["residual_diagonal"], 2. * 0.227)
             write_run(folder, VICKERS, force_at_end=1.)
             self.assertNotIn("HV", evaluated(folder))
             write_run(folder, {"Type": "sphere", "Radius": 2.5})
             self.assertAlmostEqual(evaluated(folder)["HBW"], brinell(3. * KGF, 5., 2. * math.sqrt(0.08 / math.pi)), places=3)
+
+    def test_computed_pyramids(self):
+        """Runs of 'epc new', with two to four elements over the contact: the definitions, and a Vickers hardness within
+        what an element more or less in the contact makes of the 302 of this steel (ASTM E140)."""
+        for kind, factor in (("vickers", 26.43), ("berkovich", 26.97)):
+            case = make_case(kind, read_given(kind, {"material": "steel-4340", "force": "1 N"}, "coarse"))
+            with self.subTest(kind), tempfile.TemporaryDirectory() as name:
+                path, folder = pathlib.Path(name, "case.prm"), pathlib.Path(name, "output")
+                path.write_text(case.text().replace("{stem}", "case"), encoding="utf-8")
+                results = run(path, folder, {"Geometry/Initial refinements": 1, "Loading/Number of steps": 22,
+                                             "Output/Fields": "never"})
+                found = evaluated(folder)
+                row = results.history[int(results.history["force"].argmax())]
+                self.assertAlmostEqual(found["force"], 1., places=6)
+                self.assertAlmostEqual(found["HM"] * factor * (1e-3 * row["depth"]) ** 2, 1., delta=1e-3)
+                if kind == "vickers":
+                    pressure = 1e3 * row["force"] / row["contact_area"]  # in N/mm²
+                    self.assertAlmostEqual(found["HV_of_area"] * KGF / pressure, math.sin(math.radians(68.)), places=3)
+                    self.assertAlmostEqual(found["residual_diagonal"] / found["diagonal_of_area"], 1., delta=0.2)
+                    for number in ("HV", "HV_of_area"):
+                        self.assertAlmostEqual(found[number] / 302., 1., delta=0.3, msg=number)
 
     def test_what_is_refused(self):
         with tempfile.TemporaryDirectory() as name:

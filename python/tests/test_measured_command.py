@@ -241,6 +241,19 @@ class Command(unittest.TestCase):
         self.expect_message("--zero-point has a unit, and the curve is evaluated", table, "--berkovich", "--zero-point",
                             "5 nm")
 
+    def test_hold_of_a_run(self):
+        """A curve of the program as a measured one: the rate sensitivity of its hold is that of indentation.csv, whose
+        contact area is the computed one in place of the section of the tip, and that of the material."""
+        creeping = run("creep/rate_jump.prm", self.folder / "creeping", {
+            "Geometry/Initial refinements": 3, "Refinement/Elements over contact radius": 5, "Output/Fields": "never",
+            "Loading/History": "0.5: depth 0.1 | 6: strain rate 0.1 | 20: force rate 0", "Loading/Number of steps": 40})
+        units = [part for unit in ("depth=mm", "force=N", "time=s") for part in ("--unit", unit)]
+        found = self.found(creeping.path("history.csv"), "--cone", 70.3, *units)["indents"][0]["last_hold"]
+        row = creeping.table("indentation")[-1]
+        self.assertAlmostEqual(found["creep_depth"] / (1e6 * row["creep_depth"]), 1., delta=0.02)
+        self.assertAlmostEqual(found["hold_rate_sensitivity"] / row["hold_rate_sensitivity"], 1., delta=0.05)
+        self.assertAlmostEqual(found["hold_rate_sensitivity"] / 0.2, 1., delta=0.05)
+
     def test_beside_a_run(self):
         """A curve in nm and mN of what a run has computed gives the numbers of the run."""
         cone = run("indentation/cone_axisymmetric.prm", self.folder / "cone", {

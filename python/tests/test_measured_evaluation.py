@@ -11,6 +11,7 @@ import numpy
 from elasto_plastic_contact.measured import MeasuredCurve
 from elasto_plastic_contact.measured.arguments import zero_point
 from elasto_plastic_contact.measured.corrections import drift_in_hold
+from elasto_plastic_contact.measured.creep import integral
 from elasto_plastic_contact.measured.curve import Notes
 from elasto_plastic_contact.measured.evaluation import Constants, evaluate_indent, statistics
 from elasto_plastic_contact.measured.segments import find_segments
@@ -53,6 +54,27 @@ def evaluated(curve, **constants):
     segments, cycles = find_segments(curve)
     return evaluate_indent(curve, segments, cycles,
                            Constants(**{"tip": Tip.polynomial([SHARP]), "epsilon": 0.75} | constants))
+
+
+def creeping(sensitivity, reduced, force=10., rate=0.02, duration=60.):
+    """A load in 10 s, a hold in which the hardness is HARDNESS (r / rate)^sensitivity at the rate r = (dh/dt) / h, and
+    the unloading, of a material with this reduced modulus in GPa."""
+    first = math.sqrt(force / HARDNESS / SHARP)
+    contact = numpy.linspace(first, 2. * first, 4000)
+    stiffness = 2. * reduced * contact * math.sqrt(SHARP / math.pi)
+    depth = contact + 0.75 * force / stiffness
+    rates = rate * (contact / first) ** (-2. / sensitivity)
+    spent = integral(1. / (depth * rates), depth)
+    held = numpy.linspace(0., duration, int(20 * duration))
+    creep = numpy.interp(held, spent, depth)
+    end_stiffness = numpy.interp(creep[-1], depth, stiffness)
+    up, down = numpy.linspace(0., force, 200), numpy.linspace(force, 0.1 * force, 200)
+    final = creep[-1] - EXPONENT * force / end_stiffness
+    depths = [depth[0] * numpy.sqrt(up / force), creep[1:],
+              final + (creep[-1] - final) * (down[1:] / force) ** (1. / EXPONENT)]
+    times = [10. * up / force, 10. + held[1:], 10. + duration + 10. * (1. - down[1:] / force)]
+    forces = [up, numpy.full(len(held) - 1, force), down[1:]]
+    return MeasuredCurve("1", *map(numpy.concatenate, (depths, forces, times)))
 
 
 class Evaluation(unittest.TestCase):
@@ -114,6 +136,43 @@ class Evaluation(unittest.TestCase):
         found, = evaluated(indent(hold=10., drift=2e-3)).unloadings
         self.assertAlmostEqual(found["creep_rate"], 2., places=3)
         self.assertAlmostEqual(found["creep_depth"], 20., delta=0.5)
+
+    def test_rate_sensitivity_of_holds(self):
+        """Also where a third of the depth is elastic, so that the section grows faster than the square of the depth."""
+        for sensitivity, reduced in ((0.2, 1e3), (0.02, 1e3), (0.2, 50.), (0.02, 50.)):
+            found, = evaluated(creeping(sensitivity, reduced)).unloadings
+            self.assertAlmostEqual(found["tip_reduced_modulus"] / reduced, 1., delta=1e-3)
+            self.assertAlmostEqual(found["hold_rate_sensitivity"] / sensitivity, 1., delta=0.01)
+
+    def test_rate_sensitivity_with_noise(self):
+        """A line through noisy rates would have a much smaller slope."""
+        curve = creeping(0.02, 70.)
+        noise = 3e-4 * numpy.random.default_rng(3).normal(size=len(curve.depth))
+        found, = evaluated(MeasuredCurve("1", curve.depth + noise, curve.force, curve.time)).unloadings
+        self.assertAlmostEqual(found["hold_rate_sensitivity"] / 0.02, 1., delta=0.05)
+
+    def test_rate_sensitivity_of_a_hold_at_the_end(self):
+        """A sharp pyramid into a body without elasticity: h = h_0 (1 + t / tau)^(m / 2)."""
+        time, sensitivity = numpy.linspace(0., 60., 900), 0.1
+        depth = (1. + time[1:] / 2.) ** (0.5 * sensitivity)
+        up = numpy.linspace(0., 10., 100)
+        curve = MeasuredCurve("1", numpy.append(numpy.sqrt(0.1 * up), depth), numpy.append(up, numpy.full(899, 10.)),
+                              numpy.append(up, 10. + time[1:]))
+        found = evaluated(curve)
+        self.assertEqual(found.unloadings, [])
+        self.assertAlmostEqual(found.last_hold["hold_rate_sensitivity"], sensitivity, places=4)
+        self.assertRegex(found.remarks[0],
+                         "hold at the end: its rate sensitivity is that of the section of the tip at the depth itself")
+        self.assertNotIn("hold_rate_sensitivity", evaluated(curve, tip=None).last_hold)
+
+    def test_holds_without_a_rate_sensitivity(self):
+        """Of a depth that stays, grows steadily (a drift), or falls."""
+        for drift in (0., 2e-3, -1e-4):
+            found = evaluated(indent(hold=10., drift=drift))
+            self.assertNotIn("hold_rate_sensitivity", found.unloadings[0])
+            self.assertRegex(found.remarks[0],
+                             "unloading 1: the depth in its hold does not grow slower and slower so that a "
+                             "rate sensitivity would stand out from noise and drift")
 
     def test_drift_in_hold(self):
         curve = indent(hold=10., drift=2e-4)

@@ -15,8 +15,11 @@ import sys
 import tempfile
 import unittest
 import unittest.mock
+from dataclasses import replace
 
+from elasto_plastic_contact import UserError
 from elasto_plastic_contact.__main__ import main
+from elasto_plastic_contact.inputs.height_maps import write_pgm
 from elasto_plastic_contact.new_case.contact import Tip, cone, depth_at, expected_radius, force_at
 from elasto_plastic_contact.new_case.duration import check_file, expected_seconds, unknowns_and_steps
 from elasto_plastic_contact.new_case.hardening import TABULATED, Ludwik, Perfect, PowerLaw, read_hardening
@@ -121,6 +124,13 @@ class Kinds(unittest.TestCase):
             part = float(re.search("1: force ([0-9.]+)", history)[1])
             self.assertAlmostEqual(part / case.units.force(10. * force), 1., 5)
 
+    def test_friction(self):
+        """The corner of a cube sticks unless told, other tips are smooth."""
+        for kind, told, found in (("cube-corner", None, "stick"), ("cube-corner", "0.2", "0.2"), ("cone", None, None),
+                                  ("berkovich", "stick", "stick")):
+            rows = {name: value for name, value, _ in case_of(kind, friction=told).sections.get("Contact", [])}
+            self.assertEqual(rows.get("Friction coefficient"), found)
+
     def test_solver(self):
         """The default one: multigrid takes half of the time of a factorisation."""
         for kind in EXAMPLES:
@@ -207,6 +217,25 @@ class Materials(unittest.TestCase):
         self.assertTrue(chosen_material(None, "70 GPa", None, None, None).is_elastic)
 
 
+    def test_strain_rate(self):
+        """Johnson and Cook's rate term, for all stresses of the curve; of numbers that are given nobody knows it."""
+        slow, measured = chosen_material("steel", None, None, None, None, "0.001"), library()["steel"]
+        for strain in (0., 0.01, 0.3):
+            self.assertAlmostEqual(slow.stress(strain) / measured.stress(strain), 1. - 0.022 * math.log(1000.), 12)
+        self.assertRegex(slow.plastic_source,
+                         r"at the strain rate 1/s; brought to 0.001/s by its rate term, 1 \+ 0.022 ln\(rate\) = 0.848$")
+        self.assertEqual(chosen_material("copper", None, None, None, None, "1"),
+                         replace(library()["copper"], plastic_source=unittest.mock.ANY))
+        for message, *arguments in (
+                ("--strain-rate takes a curve of the library .* of steel, steel-4340,", "aluminium-6061", None, None,
+                 None, None, "0.1"),
+                ("--strain-rate takes a curve", "steel", None, None, "400 MPa", None, "0.1"),
+                ("--strain-rate takes a curve", None, "210 GPa", None, None, None, "0.1"),
+                ("--strain-rate is 'slow', but must be a number above 1e-06", "steel", None, None, None, None, "slow")):
+            with self.assertRaisesRegex(UserError, message):
+                chosen_material(*arguments)
+
+
 class Units(unittest.TestCase):
     def test_consistent(self):
         newton, metre = 1e3, 1e6
@@ -265,6 +294,50 @@ class Command(unittest.TestCase):
         self.expect_message("'rough_heights.txt' exists", "rough", "--material", "steel", "--rms", "1 um", "--size",
                             "20 um")
 
+    def surface(self, name, *others, size="20 um"):
+        """The arguments for a measured surface."""
+        return ("rough", "--material", "steel", "--surface", name, "--size", size, "--mesh", "coarse", *others)
+
+    def test_measured_surface(self):
+        """A matrix of heights and an image, of which the file names the place as seen from its own folder."""
+        rows = [[math.sin(0.3 * i) * math.cos(0.2 * j) for j in range(40)] for i in range(40)]
+        (self.folder / "heights.txt").write_text("\n".join(" ".join(f"{250 * h:.1f}" for h in row) for row in rows))
+        write_pgm(self.folder / "heights.pgm", rows)
+        (self.folder / "cases").mkdir()
+        for name, kind, scale, factor in (("heights.txt", "height matrix", "1 nm", "0.001"),
+                                          ("heights.pgm", "image", "500 nm", "0.5")):
+            path = self.folder / f"cases/{kind[:5]}.prm"
+            process = command(self.folder, *self.surface(name, "--height-scale", scale, "--depth", "300 nm", "--output",
+                                                         path.relative_to(self.folder)))
+            self.assertEqual(process.returncode, 0, process.stderr)
+            text = path.read_text(encoding="utf-8")
+            for words in (f"Type +.*= {kind}", f"File +.*= ../{name}", f"Height scale +.*= {factor} ",
+                          "Side down +.*= light"):
+                self.assertRegex(text, words)
+
+    def test_messages_on_surfaces(self):
+        (self.folder / "heights.txt").write_text("1 2 3 4 5\n2 3 four 5 6\n")
+        scale, depth = ("--height-scale", "1 nm"), ("--depth", "1 um")
+        for pattern, *arguments in (
+                ("--surface is 'nowhere.txt', which cannot be read: No such file",
+                 *self.surface("nowhere.txt", *scale, *depth)),
+                ("--surface is '.', which cannot be read: Is a directory", *self.surface(".", *scale, *depth)),
+                ("the program refuses the file, perhaps for the surface 'heights.txt': .*number 3 in line 2 is not a",
+                 *self.surface("heights.txt", *scale, *depth)),
+                ("--surface needs --height-scale '1 nm', the height of the number 1",
+                 *self.surface("heights.txt", *depth)),
+                ("--surface needs --depth '500 nm'", *self.surface("heights.txt", *scale)),
+                ("--seed is that of a random surface", *self.surface("heights.txt", *scale, *depth, "--seed", "3")),
+                ("--rms and --surface are given, but only one of them can be the surface",
+                 *self.surface("heights.txt", *scale, *depth, "--rms", "1 um")),
+                ("--height-scale is that of a measured surface", "rough", "--material", "steel", "--rms", "1 um",
+                 "--size", "20 um", *scale)):
+            with self.subTest(pattern):
+                status, line = self.ending_of(arguments)
+                self.assertEqual(status, 2)
+                self.assertRegex(line, f"^new: .*{pattern}")
+        self.assertFalse((self.folder / "rough.prm").exists())
+
     def test_without_a_program(self):
         process = command(self.folder, "cone", "--material", "steel", "--depth", "1 um", "--program", "/nowhere")
         self.assertEqual(process.returncode, 0, process.stderr)
@@ -309,8 +382,10 @@ class Command(unittest.TestCase):
                  "1 um, gold"),
                 ("--angle is '95', but must be a number above 20 and below 90", *cone_of, "--depth", "1 um", "--angle",
                  "95"),
-                ("--friction is 'x', but must be a number above 0 and below 2", *cone_of, "--depth", "1 um",
-                 "--friction", "x"),
+                ("--friction, unless it is 'stick', is 'x', but must be a number above 0 and below 2", *cone_of,
+                 "--depth", "1 um", "--friction", "x"),
+                ("--friction is 'stick', with which no tip is drawn along a surface", "scratch", "--material", "steel",
+                 "--tip-radius", "1 um", "--depth", "100 nm", "--friction", "stick"),
                 ("--poisson-ratio is '0.5', but must be a number above -1 and below 0.5", *cone_of, "--depth", "1 um",
                  "--poisson-ratio", "0.5"),
                 ("--hardening is 'Swift 3', but must be 'none', 'linear 2 GPa', 'power 0.1', 'Ludwik", *cone_of,

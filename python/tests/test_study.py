@@ -12,13 +12,14 @@ import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 
 from elasto_plastic_contact import UserError
 from elasto_plastic_contact.__main__ import main
 from elasto_plastic_contact.errors import FileError
 from elasto_plastic_contact.files import new_file
 from elasto_plastic_contact.plots.study import draw
-from elasto_plastic_contact.program import answer_of
+from elasto_plastic_contact.program import build_of
 from elasto_plastic_contact.study.execution import curves_of_runs
 from elasto_plastic_contact.study.plan import read_study
 
@@ -119,22 +120,42 @@ class Studies(unittest.TestCase):
         self.assertEqual(self.finished(), {})
 
     def test_names_of_folders(self):
-        """Others for another entry in an included file, and for another version of the program; not for a comment."""
+        """Others for another entry in an included file, and for a program built anew, also with the same version;
+        not for a comment."""
         included, case = self.folder / "steel.txt", self.folder / "case.prm"
         case.write_text("subsection Material\n  include steel.txt\nend\n")
         program = self.folder / "program"
 
-        def name(stress, version):
+        def name(stress, build):
             included.write_text(f"set Yield stress = {stress}")
-            program.write_text(f"#!/bin/sh\necho {version}\n")
+            program.write_text(f"#!/bin/sh\necho 0.3.0\n# {build}\n")
             program.chmod(0o755)
-            answer_of.cache_clear()
             study = read_study(self.command({**STUDY, "case": str(case)})[1], str(program))
             return study.folder(study.runs[0])
 
-        names = [name(stress, version) for stress, version in ((300, 1), (300, 2), (400, 1), ("300  # MPa", 1))]
+        names = [name(stress, build) for stress, build in ((300, "one"), (300, "another"), (400, "one"),
+                                                           ("300  # MPa", "one"))]
         self.assertEqual(len(set(names[:3])), 3)
         self.assertEqual(names[3], names[0])
+
+    def test_build_with_a_library(self):
+        """A program as a package has it, whose parts are in a library; 'ldd' says which."""
+        bin_folder, library = self.folder / "bin", self.folder / "libelasto_plastic_contact_parts.so"
+        bin_folder.mkdir()
+        for name, text in (("ldd", f"echo 'libm.so.6 => /lib/libm.so.6 (0x1)'\n"
+                                   f"echo ' {library.name} => {library} (0x2)'\n"), ("program", "")):
+            (bin_folder / name).write_text(f"#!/bin/sh\n{text}")
+            (bin_folder / name).chmod(0o755)
+        path, program = f"{bin_folder}:{os.environ['PATH']}", bin_folder / "program"
+        builds = []
+        for text in ("one", "another", "one"):
+            library.write_text(text)
+            with unittest.mock.patch.dict(os.environ, PATH=path):
+                builds.append(build_of(program))
+        self.assertNotEqual(builds[0], builds[1])
+        self.assertEqual(builds[0], builds[2])
+        self.assertNotIn(build_of(program), builds)
+        self.assertEqual(build_of(self.folder / "none"), "")
 
     def test_folder_of_others(self):
         self.output.mkdir()

@@ -14,7 +14,6 @@
 #include "bounds/safe_load.h"
 #include "contact_run/elasto_plastic_contact.h"
 #include "input/entry_effects.h"
-#include "input/parameter_input.h"
 #include "output/log.h"
 #include "restart/output_directory.h"
 
@@ -253,7 +252,7 @@ namespace ElastoPlastic
       Log log(communicator, Verbosity::quiet);
       on_first_rank(communicator, [&]() {
         std::set<std::string> set =
-          entries_set_in(command_line.parameter_file, parameters.entries);
+          parameters.entries_changed_in(command_line.parameter_file);
         for (const auto &[path, value] : command_line.overrides)
           set.insert(path);
         warn_of("Entries that are set and have no effect: ",

@@ -131,6 +131,23 @@ namespace ElastoPlastic
 
 
 
+  std::set<std::string>
+  Parameters::entries_changed_in(const std::string &file) const
+  {
+    ParameterHandler prm;
+    Parameters       parameters;
+    parameters.add_parameters(prm);
+    const std::map<std::string, std::string> defaults = all_entries(prm);
+
+    std::set<std::string> changed;
+    for (const std::string &path : entries_set_in(file, entries))
+      if (entries.at(path) != defaults.at(path))
+        changed.insert(path);
+    return changed;
+  }
+
+
+
   void
   Parameters::read_input(const CommandLine &command_line, ParameterHandler &prm)
   {

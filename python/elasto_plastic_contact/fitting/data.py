@@ -6,11 +6,12 @@ from dataclasses import dataclass, replace
 
 import numpy
 
-from .predictions import QUANTITIES, column_at, curve_at, imprint_at
+from .predictions import QUANTITIES, column_at, curve_at, hold_at, imprint_at
 from .problem import Block
 from .values import number, texts
 from ..errors import UserError
 from ..measured.corrections import from_zero_point
+from ..measured.evaluation import hold_at_end
 from ..measured.readers import read_curve
 from ..measured.segments import find_segments
 from ..measured.units import FACTORS, factor, value_with_unit
@@ -23,6 +24,9 @@ COMMON = ("noise", "weight", "independent points")
 KINDS = {"curve": ("columns", "units", "indents", "cycle", "zero point", "segments", "compare", "above", "points"),
          "imprint": ("columns", "unit", "points"), "table": ("columns", "computed", "points"),
          "quantity": ("value", "unit")}
+
+# What is compared of a curve unless told: depth and force; a hold is depth over time.
+CURVES = ("load", "unload")
 
 # A measured force that turns back by less than this share of its largest value begins no new segment.
 TURN = 0.05
@@ -42,9 +46,11 @@ NOISES = ("absolute", "relative", "of largest")
 
 @dataclass(frozen=True)
 class CaseUnits:
-    """Length and force of a case in µm and mN, None if they are not known. place: the experiment, for messages."""
+    """Length and force of a case in µm and mN, None if they are not known, and its time in s. place: the experiment,
+    for messages."""
     length: float
     force: float
+    time: float
     place: str
 
     def of(self, powers):
@@ -56,11 +62,11 @@ class CaseUnits:
 
 
 def read_units(given, entries, place):
-    """Of an experiment: what it says, else the entries of its case."""
-    check_keys(given, f"{place}/units", (), ("length", "force"))
+    """Of an experiment: what it says, else the entries of its case, and a time in s."""
+    check_keys(given, f"{place}/units", (), ("length", "force", "time"))
     found = []
-    for kind in ("length", "force"):
-        unit = given.get(kind, entries.get(f"Output/{kind.capitalize()} unit", ""))
+    for kind, default in (("length", ""), ("force", ""), ("time", "s")):
+        unit = given.get(kind, entries.get(f"Output/{kind.capitalize()} unit", default))
         if unit and factor(kind, str(unit)) is None:
             raise UserError(f"'{place}/units/{kind}' is '{unit}', but must be one of {', '.join(FACTORS[kind])}")
         found.append(factor(kind, unit) if unit else None)
@@ -100,18 +106,23 @@ def chosen_indents(data, place, n_curves):
 
 
 def blocks_of_curve(curve, data, place, name, units):
-    """Load and unload of one cycle, in units of the case."""
+    """Load and unload of one cycle, or its hold, in units of the case."""
+    if data.get("segments") in ("hold", ["hold"]):
+        return [block_of_hold(curve, data, place, name, units)]
     compared = choice(data.get("compare", "force"), f"{place}/compare", ["force", "depth"])
     curve = with_zero_point(curve, data, place)
     scales = {quantity: units.of(powers) for quantity, powers in POWERS.items()}
     segments = segments_of(curve, data, place)
-    wanted = texts(data, "segments", place) if "segments" in data else list(segments)
+    wanted = texts(data, "segments", place) if "segments" in data else [kind for kind in CURVES if kind in segments]
     lowest = number(data, "above", place, LOWEST, least=0., below=1.) * curve.force.max()
     unit = factor(UNIT_KINDS[POWERS[compared]], curve.units_of_file[compared])
     noisy = with_noise_of_case(data, place, unit / scales[compared])
     blocks = []
     for kind in wanted:
-        choice(kind, f"{place}/segments", ["load", "unload"])
+        if kind == "hold":
+            raise UserError(f"'{place}/segments': the depths of a hold are compared over time: give it an item of "
+                            "'data' of its own")
+        choice(kind, f"{place}/segments", [*CURVES, "hold"])
         if kind not in segments:
             raise UserError(f"'{place}': the curve '{name}' has no unloading; leave 'unload' out of 'segments'")
         rows = slice(segments[kind].begin, segments[kind].end + 1)
@@ -127,6 +138,24 @@ def blocks_of_curve(curve, data, place, name, units):
     return blocks
 
 
+def block_of_hold(curve, data, place, name, units):
+    """The depth over the time since the beginning of the hold at the largest force, in units of the case."""
+    if data.get("compare", "depth") != "depth" or "above" in data:
+        raise UserError(f"'{place}' compares the depths of a hold over time: leave out 'compare' and 'above'")
+    if curve.time is None:
+        raise UserError(f"'{place}': the curve '{name}' has no time, which its hold takes: say which column it is by "
+                        "'columns', and its unit by 'units'")
+    curve = with_zero_point(curve, data, place)
+    hold = segments_of(curve, data, place).get("hold")
+    if hold is None:
+        raise UserError(f"'{place}': the curve '{name}' has no hold at its largest force")
+    rows = slice(hold.begin, hold.end + 1)
+    length = units.of(POWERS["depth"])
+    noisy = with_noise_of_case(data, place, factor("length", curve.units_of_file["depth"]) / length)
+    return block_of(noisy, place, f"{name}, hold", "hold", (curve.time[rows] - curve.time[hold.begin]) / units.time,
+                    curve.depth[rows] / length, hold_at, ("time", "depth"))
+
+
 def with_zero_point(curve, data, place):
     chosen = data.get("zero point")
     if chosen is not None and chosen != "fit":
@@ -138,13 +167,14 @@ def with_zero_point(curve, data, place):
 
 
 def segments_of(curve, data, place):
-    """Load and unload of the cycle that is chosen, by name."""
+    """Load, unload and hold of the cycle that is chosen, as far as they are there, by name."""
     segments, cycles = find_segments(curve, TURN)
     if not cycles:
-        return {segment.kind: segment for segment in segments if segment.kind == "load"}
+        held = hold_at_end(segments)
+        return {segment.kind: segment for segment in segments if segment.kind == "load" or segment is held}
     cycle = cycles[number(data, "cycle", place, 1, convert=int, least=1, most=len(cycles)) - 1]
     if cycle.hold is not None:
-        return {"load": cycle.load, "unload": cycle.unload}
+        return {"load": cycle.load, "unload": cycle.unload, "hold": cycle.hold}
     top = deepest(curve, cycle)
     return {"load": replace(cycle.load, end=top), "unload": replace(cycle.unload, begin=top)}
 

@@ -193,7 +193,7 @@ def trusted_step(model, x, residuals, jacobian, radius, report, in_words):
 def polish(model, x, jacobian, free, tolerance=TOLERANCE, residuals=None):
     """The Minimum over the coordinates 'free' from a point near it, by Gauss-Newton steps that take the derivatives
     from elsewhere and improve them with each run, or None if the run at x fails."""
-    free = numpy.asarray(free)
+    free = numpy.asarray(free, int)
     if residuals is None:
         residuals, = model.evaluate([x])
     if isinstance(residuals, Failure):

@@ -79,6 +79,23 @@ def curve_at(run, segment, compared, places):
     return interpolated(known, values, places, other)
 
 
+def hold_at(run, places):
+    """The depth at these times since the beginning of the hold at the largest force."""
+    history, force = run.history, run.history["force"]
+    is_held = force >= (1. - SAME) * force.max()
+    first = int(is_held.argmax())
+    length = len(force) - first if is_held[first:].all() else int(is_held[first:].argmin())
+    held = slice(first, first + length)
+    time, depth = history["time"][held] - history["time"][first], history["depth"][held]
+    if len(time) < 3:
+        raise UserError("the run has no hold of two steps or more at its largest force, which is to be compared: say "
+                        "so in 'Loading/History', such as '10: force 2 | 70: hold', and 'Loading/Number of steps'")
+    if places.max() > (1. + BEYOND) * time[-1]:
+        raise UserError(f"the measured hold lasts {places.max():.6g} (in units of the case), and that of the run only "
+                        f"{time[-1]:.6g}: hold longer by 'Loading/History'")
+    return interpolated(time, depth - run.number("Indenter/Initial gap"), places, "time")
+
+
 def imprint_at(run, places):
     """The height of the surface at the last step of surface_profile.csv, over its present distance from the axis."""
     profile = run.table("surface_profile")

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy
 
-from ..program import version_of
+from ..program import build_of
 from ..study.plan import Case
 
 
@@ -41,8 +41,8 @@ class Parameter:
 class Block:
     """Numbers that are measured in one go, and how to find their like in the Results of a run, in units of the case.
 
-    kind: load, unload, imprint, columns or quantity. x: places (empty for a quantity); y: what was measured there (nan
-    in a candidate); sigma: standard deviations, or weights if the noise is not known. labels: of x and y."""
+    kind: load, unload, hold, imprint, columns or quantity. x: places (empty for a quantity); y: what was measured there
+    (nan in a candidate); sigma: standard deviations, or weights if the noise is not known. labels: of x and y."""
     name: str
     kind: str
     x: numpy.ndarray
@@ -110,4 +110,4 @@ class Problem:
 
 def case_of(path, entries, ranks, program=None):
     return Case(case=pathlib.Path(path), common={"Output/Fields": "never"} | entries, ranks=ranks,
-                version=version_of(program))
+                build=build_of(program))

@@ -138,7 +138,7 @@ class ExperimentReader:
                        if "load to" in data else {})
             cases[stage] = case_of(path, entries | history, read_count(data, "ranks"), self.program)
         names = {kind: known.get(f"Output/{kind.capitalize()} unit", "") for kind in ("length", "force")}
-        return Experiment(name, cases, formulas, blocks, names | data.get("units", {}))
+        return Experiment(name, cases, formulas, blocks, {"time": "s"} | names | data.get("units", {}))
 
     def planned(self, name, data):
         """A candidate, whose blocks are functions that make them."""

@@ -58,7 +58,9 @@ class Material:
 
     @property
     def is_plastic(self):
-        return not self.base.get("Material/Law", "").startswith("linear elastic")
+        """Whether there is a stress-strain curve: with a rate law, the stress depends on the rate, too."""
+        return (not self.base.get("Material/Law", "").startswith("linear elastic")
+                and set(self.base.get("Material/Rate law", "none").replace(" ", "").split(",")) == {"none"})
 
     def log_slopes(self, x, plastic_strain):
         """Derivatives of the logarithm of the stress with respect to the coordinates."""

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Makes the curves of the ready fits: computed by the program on the meshes of the ready cases, with a noise of the
-force of 1 % of its largest value (normal, the same numbers each time).
+force of 1 % of its largest value (normal, the same numbers each time); and that of a hold, in which a body creeps, with
+a noise of the depth of 0.2 %.
 
 usage: scripts/command.py fit_data [--output-directory DIRECTORY] [--program PROGRAM]
 """
@@ -12,10 +13,12 @@ import pathlib
 import tempfile
 
 import numpy
+from scipy.interpolate import PchipInterpolator
 
 from ..files import new_file
 from ..fitting.predictions import Curve, curve_at
 from ..program import ROOT, run
+from ..study.plan import read_json
 from ..verification.runner import add_program
 
 # Swift's law with the reference strain sigma_Y / E: sigma_Y (1 + E plastic strain / sigma_Y)^n, in MPa.
@@ -27,6 +30,12 @@ MATERIAL = {"Material/Law": "nonlinear hardening", "Material/Isotropic hardening
 # Name of the curve and case.
 CURVES = {"sphere": "indentation/sphere_finite_strain.prm", "cone": "indentation/cone_finite_strain.prm"}
 NOISE = 0.01
+
+# The problem of the hold, what its parameters are, its noise relative to the largest depth, and its points in time.
+HOLD = "creep"
+CREEP = {"D": 0.1, "n": 5.}
+NOISE_OF_HOLD = 0.002
+TIMES = numpy.append(numpy.linspace(0.2, 10., 50), numpy.linspace(10.5, 70., 120))
 POINTS = {"load": 120, "unload": 60}
 
 
@@ -42,6 +51,27 @@ def measured(results, noise, generator):
     return rows
 
 
+def creeping(folder, program, generator):
+    """Rows of time, depth and force of the experiment in creep.json, with its fine mesh and the true parameters."""
+    problem = read_json(folder / f"{HOLD}.json")
+    experiment, = problem["experiments"].values()
+    entries = experiment["set"] | {path: CREEP[name] for path, name in problem["entries"].items()}
+    with tempfile.TemporaryDirectory() as directory:
+        history = run(experiment["case"], directory, entries | {"Output/Fields": "never"}, overwrite=True,
+                      program=program).history
+    depth, force = (PchipInterpolator(numpy.append(0., history["time"]), numpy.append(0., history[column]))(TIMES)
+                    for column in ("depth", "force"))
+    return zip(TIMES, depth + NOISE_OF_HOLD * depth.max() * generator.normal(size=len(TIMES)), force)
+
+
+def write(path, head, rows):
+    with new_file(path) as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(head)
+        writer.writerows(rows)
+    print(path)
+
+
 def main(arguments):
     parser = argparse.ArgumentParser(prog="fit_data", formatter_class=argparse.RawDescriptionHelpFormatter,
                                      description=__doc__)
@@ -55,9 +85,9 @@ def main(arguments):
             results = run(case, directory, MATERIAL | {"Output/Fields": "never"}, overwrite=True,
                           program=chosen.program)
             rows = measured(results, NOISE, generator)
-        with new_file(folder / f"{name}.csv") as file:
-            writer = csv.writer(file, lineterminator="\n")
-            writer.writerow(["Depth (µm)", "Force (N)"])
-            writer.writerows([f"{1e3 * depth:.5g}", f"{force:.5g}"] for depth, force in rows)
-        print(folder / f"{name}.csv")
+        write(folder / f"{name}.csv", ["Depth (µm)", "Force (N)"],
+              ([f"{1e3 * depth:.5g}", f"{force:.5g}"] for depth, force in rows))
+    write(folder / f"{HOLD}.csv", ["Time (s)", "Depth (nm)", "Force (mN)"],
+          ([f"{time:.4g}", f"{1e3 * depth:.5g}", f"{force:.5g}"] for time, depth, force in
+           creeping(ROOT / "parameter_files/fit", chosen.program, generator)))
     return 0

@@ -153,7 +153,10 @@ def own_name(title, i, curves):
 
 
 def tidied(curve, path):
-    """Without rows that lack a number, and with depth and force that grow into the body. Raises UserError."""
+    """Without rows that lack a number, or a stiffness that is nowhere, and with depth and force that grow into the
+    body. Raises UserError."""
+    if curve.stiffness is not None and not (curve.stiffness > 0.).any():
+        curve = replace(curve, stiffness=None)
     complete = numpy.isfinite(curve.depth) & numpy.isfinite(curve.force)
     if curve.time is not None:
         complete &= numpy.isfinite(curve.time)

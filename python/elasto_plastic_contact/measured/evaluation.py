@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy
 
+from .creep import creep, sensitivity_of_hold
 from ..oliver_pharr import contact_of, fit_unloading
 
 # What is found of each unloading: name, how a table calls it, unit.
@@ -16,7 +17,8 @@ QUANTITIES = {
     "tip_hardness": ("H", "GPa"), "tip_reduced_modulus": ("E_r", "GPa"), "plane_strain_modulus": ("E*", "GPa"),
     "youngs_modulus": ("E", "GPa"), "loading_curvature": ("C", "GPa"), "loading_exponent": ("n", ""),
     "total_work": ("W_t", "nJ"), "plastic_work": ("W_p", "nJ"), "plastic_share": ("W_p/W_t", ""),
-    "creep_depth": ("creep", "nm"), "creep_rate": ("rate", "nm/s")}
+    "creep_depth": ("creep", "nm"), "creep_rate": ("rate", "nm/s"),
+    "hold_rate_sensitivity": ("m_rate", "")}
 
 # The part of the loading, by its force, to which C h^2 is fitted.
 LOWEST_LOADING = 0.1
@@ -48,13 +50,14 @@ class Constants:
 
 @dataclass(frozen=True)
 class Indent:
-    """loading: up to the largest force, also of a curve that is not unloaded; unloadings: of each cycle; both are
-    dictionaries by QUANTITIES. continuous: arrays by the same names, empty without a measured stiffness; remarks:
-    sentences."""
+    """loading: up to the largest force, also of a curve that is not unloaded; unloadings: of each cycle; last_hold: of
+    a load that is held at the end of the curve; all are dictionaries by QUANTITIES. continuous: arrays by the same
+    names, empty without a measured stiffness; remarks: sentences."""
     curve: object
     segments: list
     loading: dict
     unloadings: list
+    last_hold: dict = field(default_factory=dict)
     continuous: dict = field(default_factory=dict)
     remarks: tuple = ()
 
@@ -69,35 +72,56 @@ def evaluate_indent(curve, segments, cycles, constants):
         remarks += [f"unloading {number}: {remark}"] if remark else []
     last = int(curve.force.argmax())
     loading = {"max_force": curve.force[last], "max_depth": curve.depth[last]} | of_loading(curve, last)
-    return Indent(curve, segments, numbers(loading), unloadings, continuous(curve, constants), tuple(remarks))
+    last_hold, remark = of_hold(curve, hold_at_end(segments), constants)
+    remarks += [f"hold at the end: {remark}"] if remark else []
+    return Indent(curve, segments, numbers(loading), unloadings, numbers(last_hold), continuous(curve, constants),
+                  tuple(remarks))
+
+
+def hold_at_end(segments):
+    """That of a load that is not unloaded; None if the curve does not end with it."""
+    return segments[-1] if [segment.kind for segment in segments[-2:]] == ["load", "hold"] else None
 
 
 def evaluate_cycle(curve, cycle, constants):
     """A dictionary by QUANTITIES, and a sentence if something is missing."""
+    found, remark = evaluate_unloading(curve, cycle, constants)
+    held, remark_on_hold = of_hold(curve, cycle.hold, constants, found.get("tip_reduced_modulus"))
+    return numbers(found | held), "; ".join(filter(None, (remark, remark_on_hold)))
+
+
+def evaluate_unloading(curve, cycle, constants):
+    """As evaluate_cycle(), without what the hold says."""
     part = numpy.column_stack([curve.depth, curve.force])[cycle.unload.begin:cycle.unload.end + 1]
     found = {"max_force": part[0, 1], "max_depth": part[0, 0]}
     found |= of_loading(curve, cycle.load.end)
-    found |= creep(curve, cycle.hold)
     fit = fit_unloading(part, constants.shares) if part[0, 1] > 0. else None
     if fit is None or not (numpy.isfinite(fit).all() and fit[0] > 0.):
         low, high = (100. * share for share in constants.shares)
-        return numbers(found), (f"fewer than three points that fall between {high:g} and {low:g} % of its force, so that "
-                                "it has no slope")
+        return found, (f"fewer than three points that fall between {high:g} and {low:g} % of its force, so that it "
+                       "has no slope")
     found |= dict(zip(("stiffness", "exponent", "final_depth"), fit))
     found |= works(curve, cycle, fit)
     if constants.tip is None:
-        return numbers(found), ""
+        return found, ""
     contact = contact_of(constants.tip, part[0, 0], part[0, 1], fit[0], beta=constants.beta, epsilon=constants.epsilon)
     found["contact_depth"] = contact[0]
     if not (numpy.isfinite(contact).all() and contact[3] > 0.):
-        return numbers(found), (f"its contact depth is {contact[0]:.4g} µm, where the section of the tip is "
-                                f"{contact[1]:.4g} µm²: is the tip the right one, and the depth counted from the first "
-                                "contact?")
+        return found, (f"its contact depth is {contact[0]:.4g} µm, where the section of the tip is {contact[1]:.4g} "
+                       "µm²: is the tip the right one, and the depth counted from the first contact?")
     found |= dict(zip(("tip_area", "tip_hardness", "tip_reduced_modulus"), contact[1:]))
     moduli = constants.moduli(contact[3])
-    return numbers(found | moduli), "" if moduli else ("its reduced modulus is above what the indenter alone would "
-                                                       "give: is the compliance of the frame subtracted twice, or "
-                                                       "--indenter wrong?")
+    return found | moduli, "" if moduli else ("its reduced modulus is above what the indenter alone would give: is the "
+                                              "compliance of the frame subtracted twice, or --indenter wrong?")
+
+
+def of_hold(curve, hold, constants, reduced_modulus=None):
+    """Creep of a hold and, with a tip, its rate sensitivity; and a sentence if something is to be said of that."""
+    found = creep(curve, hold)
+    if constants.tip is None:
+        return found, ""
+    sensitivity, remark = sensitivity_of_hold(curve, hold, constants, reduced_modulus)
+    return found | ({} if sensitivity is None else {"hold_rate_sensitivity": sensitivity}), remark
 
 
 def numbers(values):
@@ -116,15 +140,6 @@ def of_loading(curve, last):
     depth, force = depth[rows], force[rows]
     return {"loading_curvature": (force * depth ** 2).sum() / (depth ** 4).sum(),
             "loading_exponent": numpy.polyfit(numpy.log(depth), numpy.log(force), 1)[0]}
-
-
-def creep(curve, hold):
-    """How much the depth grows in the hold, and how fast in its second half; empty without a hold or a time."""
-    if hold is None or curve.time is None or hold.end - hold.begin < 4:
-        return {}
-    half = slice((hold.begin + hold.end) // 2, hold.end + 1)
-    return {"creep_depth": 1e3 * (curve.depth[hold.end] - curve.depth[hold.begin]),
-            "creep_rate": 1e3 * numpy.polyfit(curve.time[half], curve.depth[half], 1)[0]}
 
 
 def works(curve, cycle, fit):

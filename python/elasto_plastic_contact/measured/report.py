@@ -12,7 +12,7 @@ from .evaluation import QUANTITIES, statistics
 # The columns of the table on the screen; JSON has all quantities.
 SHOWN = ("max_force", "max_depth", "stiffness", "contact_depth", "tip_area", "tip_hardness", "tip_reduced_modulus",
          "plane_strain_modulus", "youngs_modulus", "loading_curvature", "total_work", "plastic_share",
-         "creep_depth", "creep_rate")
+         "creep_depth", "creep_rate", "hold_rate_sensitivity")
 
 CONTINUOUS = ("tip_hardness", "tip_reduced_modulus", "plane_strain_modulus", "youngs_modulus")
 
@@ -113,6 +113,15 @@ def mean_and_deviation(found):
     return f"{found['mean']:.4g}" + ("" if found["deviation"] is None else f" ± {found['deviation']:.2g}")
 
 
+def print_last_holds(indents):
+    """Of loads that are not unloaded."""
+    for indent in indents:
+        if indent.last_hold:
+            texts = (f"{QUANTITIES[name][0]} {value:.4g} {QUANTITIES[name][1]}".rstrip()
+                     for name, value in indent.last_hold.items())
+            print(f"hold at the end of indent {indent.curve.name}: {', '.join(texts)}")
+
+
 def print_continuous(indents):
     """Means over the deeper half of the loading, where tips are best known."""
     for indent in indents:
@@ -131,6 +140,7 @@ def print_evaluation(evaluation):
     print_segments(evaluation.indents)
     print()
     print_table(evaluation.indents)
+    print_last_holds(evaluation.indents)
     print_continuous(evaluation.indents)
 
 
@@ -152,7 +162,7 @@ def as_json(evaluation):
 def indent_as_json(indent):
     return {"name": indent.curve.name, "remarks": list(indent.remarks), "instrument": indent.curve.notes.others,
             "segments": [segment_as_json(indent.curve, segment) for segment in indent.segments],
-            "loading": indent.loading, "unloadings": indent.unloadings,
+            "loading": indent.loading, "unloadings": indent.unloadings, "last_hold": indent.last_hold,
             "continuous": {name: plain(values) for name, values in indent.continuous.items()}}
 
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A parameter file with its comments, before it is written."""
 
+import pathlib
 from dataclasses import dataclass, field
 
 TOP = ""  # the section of the entries that are in none
@@ -11,7 +12,8 @@ TOP = ""  # the section of the entries that are in none
 class Case:
     """title: one sentence without its full stop; remarks: lines of the head of the file; chosen: what has been chosen
     and why, by
-    its name, to print and for the head; files: texts by their names, that lie beside it; kind_of_time: see duration."""
+    its name, to print and for the head; files: texts by their names, that lie beside it; surface: None, or the path of
+    the user's height map, which the file names '{surface}'; kind_of_time: see duration."""
     title: str
     units: object
     kind_of_time: str = ""
@@ -19,6 +21,7 @@ class Case:
     chosen: dict = field(default_factory=dict)
     sections: dict = field(default_factory=lambda: {TOP: []})
     files: dict = field(default_factory=dict)
+    surface: pathlib.Path | None = None
 
     def set(self, section, entry, value, comment=""):
         """An entry, in the order of the calls."""

@@ -8,6 +8,7 @@ is asked for on a terminal, and an error elsewhere.
     epc new coating --material steel --film "2 um, 400 GPa" --depth "300 nm"
 """
 
+import os
 import pathlib
 import sys
 
@@ -73,8 +74,11 @@ def write_case(case, path, overwrite):
         if not overwrite:
             raise UserError(f"'{existing}' exists: choose another --output, or replace it by --overwrite")
     case.set("Output", "Directory", f"output/{path.stem}")
+    text = case.text().replace("{stem}", path.stem)
+    if case.surface is not None:
+        text = text.replace("{surface}", os.path.relpath(case.surface, path.parent))
     with new_file(path) as file:
-        file.write(case.text().replace("{stem}", path.stem))
+        file.write(text)
     for name, text in beside.items():
         with new_file(name) as file:
             file.write(text)
@@ -88,13 +92,19 @@ def print_choices(case):
 
 
 def print_duration(case, path, program):
-    """What the run will take on this machine. Without a program, the file is written all the same."""
+    """What the run will take on this machine. Without a program, the file is written all the same; one whose surface
+    the program refuses is removed. Raises UserError."""
     try:
         program = find_program(program)
     except UserError as error:
         print(f"{'Time':16} not estimated, and the file not checked: {error}")
         return
-    report, warnings = check_file(program, path)
+    try:
+        report, warnings = check_file(program, path, case.surface)
+    except UserError:
+        if case.surface is not None:
+            path.unlink()
+        raise
     if warnings:
         print(warnings, file=sys.stderr)
     seconds = expected_seconds(case.kind_of_time, report, speed_of_this_machine(program))

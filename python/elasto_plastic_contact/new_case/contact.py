@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 from ..errors import UserError
 
+STICK = "stick"  # in place of a coefficient of friction: what touches does not slide
 CONSTRAINT = 2.8  # mean pressure over the representative stress (Tabor)
 STRAIN_OF_SLOPE = 0.2  # representative strain over the slope at the edge (Tabor)
 

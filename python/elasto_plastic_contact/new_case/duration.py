@@ -49,13 +49,15 @@ def speed_of_this_machine(program):
         return (processor_seconds() - before) / SECONDS_OF_SHORT_RUN
 
 
-def check_file(program, path):
-    """What --validate says of the file: its report, and its warnings. Raises UserError."""
+def check_file(program, path, surface=None):
+    """What --validate says of the file: its report, and its warnings. surface: a file of the user that it names. Raises
+    UserError."""
     process = subprocess.run([program, path, "--validate"], env=os.environ | MPI_ENVIRONMENT, capture_output=True,
                              text=True,
                              check=False)
     if process.returncode != 0:
-        raise UserError(f"the program refuses the file, which should not happen: {process.stderr.strip()}")
+        reason = "which should not happen" if surface is None else f"perhaps for the surface '{surface}'"
+        raise UserError(f"the program refuses the file, {reason}: {process.stderr.strip()}")
     return process.stdout, process.stderr.strip()
 
 

@@ -68,6 +68,10 @@ class Ludwik:
     factor: float
     exponent: float
 
+    def times(self, factor):
+        """With other stresses."""
+        return Ludwik(factor * self.factor, self.exponent)
+
     def added(self, strain, yield_stress, young_modulus):
         return self.factor * strain ** self.exponent
 

@@ -3,9 +3,11 @@
 """The kinds of tests, what each needs to know and may be told, and how a text becomes what is given."""
 
 import functools
+import pathlib
 from dataclasses import dataclass, field
 
 from . import others, pyramids, revolution, space
+from .contact import STICK
 from .materials import Material, chosen_material, of_library
 from .units import plain_number, quantity
 from ..errors import UserError
@@ -53,13 +55,14 @@ KINDS = {
                                                                                                          "friction")),
     "coating": Kind("a film on a substrate under a cone or a ball", revolution.coating, ("film", DEPTH_OR_FORCE),
                     ("angle", "tip_radius", "ball", "friction")),
-    "rough": Kind("a rough surface pressed onto a block", space.rough, ("rms", "size"), ("depth", "seed", "friction")),
+    "rough": Kind("a rough surface, random or measured, pressed onto a block", space.rough,
+                  (("rms", "surface"), "size"), ("depth", "seed", "height_scale", "friction")),
     "material-test": Kind("tension or cycles of the material alone", others.material_test, takes=("strain", "cycles")),
     "limit-load": Kind("the limit load of a flat punch between two bounds", others.limit_load, ("half_width",),
                        ("punch",)),
 }
 
-MATERIAL_OPTIONS = ("material", "young_modulus", "poisson_ratio", "yield_stress", "hardening")
+MATERIAL_OPTIONS = ("material", "young_modulus", "poisson_ratio", "yield_stress", "hardening", "strain_rate")
 
 
 @dataclass(frozen=True)
@@ -91,6 +94,21 @@ def read_film(text, name):
                                     0.25, yield_stress))
 
 
+def read_friction(text, name):
+    """A coefficient, or 'stick'. Raises UserError."""
+    return text if text == STICK else plain_number(text, f"{name}, unless it is '{STICK}',", above=0., below=2.)
+
+
+def read_surface(text, name):
+    """The path of a height map, and whether it is an image. Raises UserError."""
+    path = pathlib.Path(text)
+    try:
+        with path.open("rb") as file:
+            return space.Surface(path, file.read(8).startswith(IMAGES))
+    except OSError as error:
+        raise UserError(f"{name} is '{text}', which cannot be read: {error.strerror}") from None
+
+
 def whole_number(text, name):
     if not text.isdigit() or not 1 <= int(text) <= 10 ** 6:
         raise UserError(f"{name} is '{text}', but must be a whole number from 1 to 1000000")
@@ -105,6 +123,9 @@ def word_of(allowed):
     return read
 
 
+# What images of height maps begin with: PNG, PBM and PGM.
+IMAGES = (b"\x89PNG\r\n\x1a\n", b"P1", b"P2", b"P4", b"P5")
+
 OPTIONS = {
     "depth": length_option("the largest depth", "500 nm"),
     "force": Option("the largest force", "10 mN", lambda text, name: quantity(text, "force", "10 mN", name)),
@@ -115,10 +136,13 @@ OPTIONS = {
                     lambda text, name: plain_number(text, name, above=20., below=90.)),
     "film": Option("thickness and Young's modulus of a film, also its yield stress, or a material of the library",
                    "2 um, 400 GPa", read_film),
-    "friction": Option("the coefficient of friction", "0.1", lambda text, name: plain_number(text, name, above=0.,
-                                                                                             below=2.)),
+    "friction": Option("the coefficient of friction, or 'stick': what touches does not slide", "0.1", read_friction),
     "length": length_option("the length of the scratch (default: three contact radii)", "5 um"),
     "rms": length_option("the root mean square of the heights", "100 nm"),
+    "surface": Option("a measured height map: an image (PNG, PGM, PBM), or a text with a matrix of numbers; its peaks "
+                      "touch first", "heights.txt", read_surface),
+    "height_scale": length_option("of --surface: the height of the number 1 of a matrix, or of white above black",
+                                  "1 nm"),
     "size": length_option("the side of the square", "10 um"),
     "seed": Option("of the random surface (default: 1978)", "7", whole_number),
     "strain": Option("the largest strain (default: 0.1)", "0.1", lambda text, name: plain_number(text, name, above=0.,
@@ -134,6 +158,8 @@ MATERIAL_QUESTIONS = {
     "poisson_ratio": Option("Poisson's ratio (default: that of the material, or 0.3)", "0.3"),
     "yield_stress": Option("the yield stress; without one, a material of numbers is linear elastic", "400 MPa"),
     "hardening": Option("the hardening law: none, linear H, power n, Ludwik B, n or Voce Q, b", "power 0.1"),
+    "strain_rate": Option("the strain rate in 1/s of the stress-strain curve of the library, where its source says how "
+                          "it depends on that (default: as it was measured)", "0.01"),
 }
 
 
@@ -171,8 +197,8 @@ def read_given(kind, texts, mesh):
             raise UserError(f"{dashed(name)} has no effect for '{kind}', which takes {', '.join(map(dashed, allowed))}")
     for need in record.needs:
         if not isinstance(need, str) and all(texts.get(name) for name in need):
-            raise UserError(f"{' and '.join(map(dashed, need))} are given, but only one of them can be the goal of the "
-                            "loading")
+            raise UserError(f"{' and '.join(map(dashed, need))} are given, but only one of them can be the "
+                            f"{'surface' if 'surface' in need else 'goal of the loading'}")
     material = chosen_material(*(texts.get(name) for name in MATERIAL_OPTIONS))
     options = {name: OPTIONS[name].read(text, dashed(name)) for name, text in texts.items() if text and name in OPTIONS}
     return Given(material, mesh, options)

@@ -5,6 +5,7 @@
 import difflib
 import functools
 import json
+import math
 import pathlib
 from dataclasses import dataclass, replace
 
@@ -17,14 +18,17 @@ FILE = pathlib.Path(__file__).with_name("library.json")
 
 @dataclass(frozen=True)
 class Material:
-    """young_modulus and yield_stress in GPa; without a yield stress, the material is linear elastic. elastic_source,
-    plastic_source: where the numbers are from; remark: what else is known of it, such as its hardness."""
+    """young_modulus and yield_stress in GPa; without a yield stress, the material is linear elastic. rate_coefficient:
+    C of the rate term of the plastic source, in which all stresses go with 1 + C ln(strain rate in 1/s); None: it has
+    none. elastic_source, plastic_source: where the numbers are from; remark: what else is known of it, such as its
+    hardness."""
     name: str
     description: str
     young_modulus: float
     poisson_ratio: float
     yield_stress: float | None = None
     hardening: object = Perfect()
+    rate_coefficient: float | None = None
     elastic_source: str = "given"
     plastic_source: str = "given"
     remark: str = ""
@@ -59,8 +63,8 @@ def library():
                            record["Poisson's ratio"],
                            quantity(record["yield stress"], "stress", "1 GPa", name) if "yield stress" in record
                            else None,
-                           read_hardening(record.get("hardening", "none")), record["elastic source"],
-                           record.get("plastic source", ""), record.get("remark", ""))
+                           read_hardening(record.get("hardening", "none")), record.get("rate coefficient"),
+                           record["elastic source"], record.get("plastic source", ""), record.get("remark", ""))
             for name, record in json.loads(FILE.read_text(encoding="utf-8"))["materials"].items()}
 
 
@@ -78,7 +82,20 @@ def of_library(name):
     return found
 
 
-def chosen_material(name, young_modulus, poisson_ratio, yield_stress, hardening):
+def at_strain_rate(material, text):
+    """With the stress-strain curve at another strain rate, in 1/s, by the rate term of its source. Raises UserError."""
+    rate = plain_number(text, "--strain-rate", above=1e-6, below=1e6)
+    if material.rate_coefficient is None:
+        known = ", ".join(name for name, other in library().items() if other.rate_coefficient is not None)
+        raise UserError(f"--strain-rate takes a curve of the library whose source says how it depends on the rate: of "
+                        f"{known}. Leave it out, or --yield-stress and --hardening")
+    factor = 1. + material.rate_coefficient * math.log(rate)
+    return replace(material, yield_stress=factor * material.yield_stress, hardening=material.hardening.times(factor),
+                   plastic_source=f"{material.plastic_source}; brought to {text_of(rate)}/s by its rate term, "
+                                  f"1 + {text_of(material.rate_coefficient)} ln(rate) = {factor:.3f}")
+
+
+def chosen_material(name, young_modulus, poisson_ratio, yield_stress, hardening, strain_rate=None):
     """A material of the library, or one of numbers; of both, the numbers count. The arguments are texts or None.
     Raises UserError."""
     material = of_library(name) if name else Material(
@@ -99,8 +116,9 @@ def chosen_material(name, young_modulus, poisson_ratio, yield_stress, hardening)
     if name and changes.keys() & {"young_modulus", "poisson_ratio"}:
         changes["elastic_source"] = "given"
     if changes.keys() & {"yield_stress", "hardening"}:
-        changes |= {"plastic_source": "given", "remark": ""}
-    return replace(material, **changes)
+        changes |= {"plastic_source": "given", "remark": "", "rate_coefficient": None}
+    material = replace(material, **changes)
+    return at_strain_rate(material, strain_rate) if strain_rate else material
 
 
 def print_library():
@@ -111,5 +129,8 @@ def print_library():
               f"    E = {text_of(material.young_modulus)} GPa, nu = {material.poisson_ratio} "
               f"({material.elastic_source})\n"
               f"    {plastic}" + (f" ({material.plastic_source})" if material.plastic_source else ""))
+        if material.rate_coefficient is not None:
+            print(f"    stresses go with 1 + {text_of(material.rate_coefficient)} ln(strain rate in 1/s) "
+                  "(--strain-rate)")
         if material.remark:
             print(f"    {material.remark}")

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from ..pyramids import PYRAMIDS as STANDARD
 from ..pyramids import area_factor
 from .case import Case
-from .contact import Tip, expected_radius
+from .contact import STICK, Tip, expected_radius
 from .revolution import set_friction, set_materials, units_of
 from .rules import BODY_OVER_CONTACT, FINENESS, describe_steps, rounded, set_elements, set_output
 from .units import text_of
@@ -17,11 +17,11 @@ from .units import text_of
 
 @dataclass(frozen=True)
 class Pyramid:
-    """face_angle: between axis and faces, in degrees. friction: unless told; 0: none."""
+    """face_angle: between axis and faces, in degrees. friction: unless told, a coefficient or STICK; 0: none."""
     title: str
     n_faces: int
     face_angle: float
-    friction: float = 0.
+    friction: float | str = 0.
 
     @property
     def tip(self):
@@ -32,8 +32,8 @@ class Pyramid:
 PYRAMIDS = {
     "berkovich": Pyramid("Berkovich's pyramid", *STANDARD["berkovich"]),
     "vickers": Pyramid("Vickers' pyramid", *STANDARD["vickers"]),
-    # (Without friction, elements beside such a sharp edge collapse: doc/lookup/new_cases.md.)
-    "cube-corner": Pyramid("the corner of a cube", *STANDARD["cube_corner"], 0.15),
+    # (Where the surface slides, elements beside such a sharp edge collapse: doc/lookup/new_cases.md.)
+    "cube-corner": Pyramid("the corner of a cube", *STANDARD["cube_corner"], STICK),
 }
 
 

@@ -6,7 +6,7 @@ computed; forces and areas are those of the whole."""
 import math
 
 from .case import Case
-from .contact import Tip, cone, expected_radius, force_at
+from .contact import STICK, Tip, cone, expected_radius, force_at
 from .rules import (FINENESS, describe_steps, fixed_mesh, following_mesh, needs_finite_strains, set_elements,
                     set_output, set_strain, set_supports_of_section)
 from .units import MILLIMETRES, text_of, units_for
@@ -120,10 +120,12 @@ def history_times(history):
 
 
 def set_friction(case, given, unless_told=0.):
-    coefficient = unless_told if given.friction is None else given.friction
-    if coefficient > 0.:
-        case.set("Contact", "Friction coefficient", text_of(coefficient))
-        case.chosen["friction"] = f"{text_of(coefficient)}{'' if given.friction is not None else ', unless told'}"
+    """given.friction, unless_told: coefficients, or STICK."""
+    chosen = unless_told if given.friction is None else given.friction
+    if chosen != 0.:
+        text = chosen if chosen == STICK else text_of(chosen)
+        case.set("Contact", "Friction coefficient", text)
+        case.chosen["friction"] = f"{text}{'' if given.friction is not None else ', unless told'}"
 
 
 def brinell(given):

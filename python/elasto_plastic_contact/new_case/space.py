@@ -3,12 +3,15 @@
 """Tests that need a body in space: a scratch, a rough surface."""
 
 import math
+import pathlib
+from dataclasses import dataclass
 
 from .case import Case
-from .contact import Tip, cone, expected_radius
+from .contact import STICK, Tip, cone, expected_radius
 from .revolution import set_friction, set_materials, set_tip
 from .rules import FINENESS, describe_steps, needs_finite_strains, rounded, set_elements, set_output, set_strain
 from .units import text_of, units_for
+from ..errors import UserError
 from ..inputs.height_maps import rough_surface
 
 # Of a scratch: steps of the way for each contact radius, and contact radii around the way that are meshed finely, and
@@ -24,8 +27,18 @@ SEED = 1978
 N_COARSE = 16  # cells of the coarse mesh along each side
 
 
+@dataclass(frozen=True)
+class Surface:
+    """A measured height map: its file, and whether that is an image or a matrix of numbers."""
+    path: pathlib.Path
+    is_image: bool
+
+
 def scratch(given):
-    """A sphere or cone with a spherical cap: pressed in, drawn along the surface, lifted. A half of the body."""
+    """A sphere or cone with a spherical cap: pressed in, drawn along the surface, lifted. A half of the body. Raises
+    UserError."""
+    if given.friction == STICK:
+        raise UserError(f"--friction is '{STICK}', with which no tip is drawn along a surface: give a coefficient")
     slope = None if given.angle is None else cone(given.angle).slope
     tip = Tip(given.tip_radius, slope)
     units = units_for(given.depth)
@@ -98,12 +111,13 @@ def set_way(case, given, radius, length):
 
 
 def rough(given):
-    """A rough, rigid surface pressed onto a block with symmetric sides, as one of many alike."""
-    rms = given.rms
-    depth = 2. * rms if given.depth is None else given.depth
+    """A rough, rigid surface pressed onto a block with symmetric sides, as one of many alike. Raises UserError."""
+    check_options_of_surface(given)
+    depth = 2. * given.rms if given.depth is None else given.depth
     units = units_for(0.2 * given.size)
-    case = Case(f"A rough surface, {text_of(units.length(rms))} {units.length_unit} rms, pressed onto "
-                f"{given.material.name}", units)
+    name = ("A measured surface" if given.surface is not None else
+            f"A rough surface, {text_of(units.length(given.rms))} {units.length_unit} rms,")
+    case = Case(f"{name} pressed onto {given.material.name}", units)
     side = units.length(given.size)
     n_refinements = {"coarse": 1, "usual": 2, "fine": 3}[given.mesh]
     n_cells = N_COARSE * 2 ** n_refinements
@@ -119,7 +133,9 @@ def rough(given):
              "as if the surface went on as its mirror image")
     case.set("Boundary conditions", "Contact", "top")
     set_materials(case, [given.material], None)
-    set_surface(case, given, side)
+    (set_random_surface if given.surface is None else set_measured_surface)(case, given, side)
+    case.set("Indenter", "Size", f"{text_of(side)}, {text_of(side)}")
+    case.set("Indenter", "Position", f"{text_of(0.5 * side)}, {text_of(0.5 * side)}")
     set_friction(case, given)
     n_steps = 10 if given.mesh == "coarse" else 20
     case.set("Loading", "History", f"1: depth {text_of(units.length(depth))} | 1.2: force 0")
@@ -129,16 +145,43 @@ def rough(given):
     case.set("Refinement", "Strategy", "none")
     set_output(case, "1, 1.2")
     case.chosen["depth"] = f"{text_of(units.length(depth))} {units.length_unit} beyond the first contact"
-    case.chosen["mesh"] = f"{n_cells} cells along each side, {n_cells / SHORTEST:.1f} to the shortest wave"
+    shortest = f", {n_cells / SHORTEST:.1f} to the shortest wave" if given.surface is None else ""
+    case.chosen["mesh"] = f"{n_cells} cells along each side{shortest}"
     case.chosen["strain"] = "small: the slopes of rough surfaces are"
     case.remarks += ["Results: contact_area and force of history.csv; the spots: contact_pressure of surface.pvd."]
     case.kind_of_time = "small strains, space"
     return case
 
 
-def set_surface(case, given, side):
-    """The heights of a file, or a self-affine surface that is made and lies beside the file. side: of the square, as
-    in the file."""
+def check_options_of_surface(given):
+    """Raises UserError: a measured surface needs its heights and how deep it is pressed, a random one has neither file
+    nor scale."""
+    if given.surface is None:
+        if given.height_scale is not None:
+            raise UserError("--height-scale is that of a measured surface: give it by --surface, or leave it out")
+        return
+    for name, what in (("height_scale",
+                        "--height-scale '1 nm', the height of the number 1 of a matrix, or of white above black"),
+                       ("depth", "--depth '500 nm', how far it goes beyond the first contact")):
+        if getattr(given, name) is None:
+            raise UserError(f"--surface needs {what}")
+    if given.seed is not None:
+        raise UserError("--seed is that of a random surface: leave it out, or --surface")
+
+
+def set_measured_surface(case, given, side):
+    """The height map of a file. side: of the square, as in the file of the case."""
+    case.surface = given.surface.path
+    case.set("Indenter", "Type", "image" if given.surface.is_image else "height matrix")
+    case.set("Indenter", "File", "{surface}")
+    case.set("Indenter", "Height scale", text_of(case.units.length(given.height_scale)),
+             "white above black" if given.surface.is_image else "of the number 1")
+    case.set("Indenter", "Side down", "light", "the peaks touch first")
+    case.remarks += [f"Surface: {given.surface.path.name}, stretched over the square of the side {text_of(side)}."]
+
+
+def set_random_surface(case, given, side):
+    """A self-affine surface that is made and lies beside the file. side: of the square, as in the file."""
     case.set("Indenter", "Type", "height matrix")
     name = "{stem}_heights.txt"
     heights = rough_surface(N_HEIGHTS, HURST, LONGEST, SHORTEST, random_seed(given))
@@ -150,8 +193,6 @@ def set_surface(case, given, side):
                         "per side, the lowest touch first\n" +
                         "".join(" ".join(text_of(factor * (h - mean)) for h in row) + "\n" for row in heights))
     case.set("Indenter", "File", name)
-    case.set("Indenter", "Size", f"{text_of(side)}, {text_of(side)}")
-    case.set("Indenter", "Position", f"{text_of(0.5 * side)}, {text_of(0.5 * side)}")
     case.remarks += [f"Surface: self-affine, Hurst's exponent {HURST}, waves from 1/{LONGEST} to 1/{SHORTEST} of the "
                      f"side, random phases (seed {random_seed(given)})."]
 

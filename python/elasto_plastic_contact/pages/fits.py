@@ -22,24 +22,62 @@ def fits(runs):
                                      report=functools.partial(print, flush=True)) for name in PROBLEMS})
 
 
+def rows_of_parameters(fit, truth):
+    """Parameter, what is true, what is found, standard error, region."""
+    rows = []
+    for parameter, value in fit.values.items():
+        region = fit.regions[parameter]
+        ends = [f"{mark * (not closed)}{end:.3g}" for end, closed, mark in
+                ((region.lower, region.closed[0], "< "), (region.upper, region.closed[1], "> "))]
+        rows.append([None, f"{truth[parameter]:g}", f"{value:.4g}", f"{fit.standard_errors[parameter]:.2g}",
+                     " to ".join(ends)])
+    return rows
+
+
 def content_of(found):
     """found: the Fit of each problem."""
     from ..inputs.fit_data import EXPONENT, YIELD_STRESS, YOUNG  # (which needs NumPy)
     truth = {"sigma_Y": YIELD_STRESS, "n": EXPONENT, "E": YOUNG}
     rows, numbers = [], {}
     for name, fit in found.items():
-        for parameter, value in fit.values.items():
-            region = fit.regions[parameter]
-            ends = [f"{mark * (not closed)}{end:.3g}" for end, closed, mark in
-                    ((region.lower, region.closed[0], "< "), (region.upper, region.closed[1], "> "))]
-            rows.append([None, None, f"{truth[parameter]:g}", f"{value:.4g}", f"{fit.standard_errors[parameter]:.2g}",
-                         " to ".join(ends)])
+        rows += [[None, *row] for row in rows_of_parameters(fit, truth)]
         best, strain = fit.representative, fit.representative.plastic_strain
         true_stress = YIELD_STRESS * (1. + YOUNG * strain / YIELD_STRESS) ** EXPONENT
         rows.append([None, f"stress at the plastic strain {strain:.2g}", f"{true_stress:.4g}", f"{best.stress:.4g}", "",
                      f"{best.lower:.4g} to {best.upper:.4g}"])
         numbers[f"{name}_runs"] = f"{fit.n_runs}"
     return Content(rows, numbers)
+
+
+@measured_table(60)
+def fit_of_hold(runs):
+    """The ready problem of a hold: values, errors and regions, and the number of runs."""
+    from ..fitting.command import fit  # (which needs SciPy)
+    from ..inputs.fit_data import CREEP
+    with tempfile.TemporaryDirectory() as folder:
+        found = fit(ROOT / "parameter_files/fit/creep.json", folder, program=runs.program,
+                    report=functools.partial(print, flush=True))
+    return Content(rows_of_parameters(found, CREEP), {"runs": f"{found.n_runs}"})
+
+
+@measured_table(600)
+def curve_and_imprint_fit(runs):
+    """The fits of one of two materials with equal curves: to the curve alone, and to curve and imprint."""
+    from ..verification.curve_and_imprint_fit import fits_of  # (which needs SciPy)
+    with tempfile.TemporaryDirectory() as folder:
+        found = fits_of(pathlib.Path(folder), runs.program, 2, functools.partial(print, flush=True))
+    return content_of_pair(found)
+
+
+def content_of_pair(found):
+    """found: the Fit of the curve alone, and of both."""
+    from ..verification.curve_and_imprint import PAIR
+    from ..verification.curve_and_imprint_fit import FITS, region_in_words
+    rows = []
+    for parameter, true in zip(found[FITS[0]].values, PAIR[0]):
+        cells = [f"{found[name].values[parameter]:.4g}, {region_in_words(found[name].regions[parameter])}" for name in FITS]
+        rows.append([None, f"{true:g}", *cells])
+    return Content(rows, {"runs": f"{sum(fit.n_runs for fit in found.values())}"})
 
 
 @measured_table(400)

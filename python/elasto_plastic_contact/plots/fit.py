@@ -15,7 +15,7 @@ GREY, ORANGE, GREEN = "#707070", "#d9822b", "#3c8a4e"
 LARGEST_STRAIN = 0.12
 
 CURVES = ("load", "unload")
-KINDS = {"depth": "length", "force": "force", "distance": "length", "height": "length"}
+KINDS = {"time": "time", "depth": "length", "force": "force", "distance": "length", "height": "length"}
 QUANTITIES = "quantities"
 
 

@@ -15,7 +15,7 @@ from ..columns import TABLES_OF_NAMES, known_columns
 from ..errors import UserError
 from ..files import read_text
 from ..parameter_file import lines_of
-from ..program import find_case, version_of
+from ..program import build_of, find_case
 from ..schema import check_path
 
 TAKES = ("last", "first", "maximum", "minimum")
@@ -45,12 +45,12 @@ class Curves:
 
 @dataclass
 class Case:
-    """case: the parameter file; common: entries of all its runs, by 'Section/Entry'; ranks: of each run; version: what
-    the program says of itself."""
+    """case: the parameter file; common: entries of all its runs, by 'Section/Entry'; ranks: of each run; build:
+    what tells this build of the program from others."""
     case: pathlib.Path
     common: dict
     ranks: int
-    version: str = field(default="", kw_only=True)
+    build: str = field(default="", kw_only=True)
 
     @functools.cached_property
     def case_lines(self):
@@ -59,8 +59,8 @@ class Case:
 
     def folder(self, run):
         """The name of the folder of a run: another one if the parameter file, a file that it includes, any entry or the
-        version of the program is another one."""
-        content = json.dumps([self.version, self.case_lines, self.common | run], sort_keys=True)
+        build of the program is another one."""
+        content = json.dumps([self.build, self.case_lines, self.common | run], sort_keys=True)
         return f"run_{hashlib.sha256(content.encode()).hexdigest()[:10]}"
 
 
@@ -136,7 +136,7 @@ def make_study(data, folder, program):
     study = Study(
         case=find_case(case, (folder, "."), program),
         common=read_entries(data.get("set", {}), "set"), runs=runs, numbers=numbers,
-        at_once=read_count(data, "at once"), ranks=read_count(data, "ranks"), version=version_of(program),
+        at_once=read_count(data, "at once"), ranks=read_count(data, "ranks"), build=build_of(program),
         x=choice(plot.get("x", names[0]), "plot/x", names),
         y=[choice(name, "plot/y", list(numbers))
            for name in check(plot.get("y", list(numbers)), "plot/y", list, "a list of names of 'numbers'")],

@@ -8,16 +8,24 @@ import math
 import pathlib
 import tempfile
 
+from ..hardness_numbers import numbers_of_run
 from ..new_case.kinds import make_case, read_given
 from ..new_case.materials import library
+from ..program import run
 
 # What laboratories have measured with the materials of the library.
 BRINELL_OF_4340 = 286.  # HBW 10/3000 of HRC 30 (ASTM E140, table 1)
 CURVATURE_OF_6061 = 27.44  # GPa: mean of six indents, from 26.99 to 28.19 (Dao et al. 2001, in Lu et al. 2020)
 
+VICKERS_OF_4340 = 302.  # HV of HRC 30 (ASTM E140, table 1)
+
+ROCKWELL_OF_1006 = 94.  # HRF (Johnson and Cook 1983, table 1)
+
 HERTZ = {"young_modulus": "200 GPa", "tip_radius": "10 um", "depth": "100 nm"}
 ALUMINIUM = {"material": "aluminium-6061", "depth": "10 um"}
 BALL = {"material": "steel-4340"}
+SCALE = {"material": "steel", "scale": "F"}
+PYRAMID = {"material": "steel-4340", "force": "1 N"}
 FILM = {"material": "aluminium-6061", "depth": "300 nm"}
 
 
@@ -38,6 +46,13 @@ def tables_of(runner, kind, mesh, texts, *entries):
         return runner.tables(path, *entries)
 
 
+def hardness_numbers(kind, mesh, program):
+    """Those that 'epc evaluate DIRECTORY' prints of a pyramid with PYRAMID, whose file is in µm and mN, by name."""
+    with file_of(kind, mesh, PYRAMID) as path, tempfile.TemporaryDirectory() as folder:
+        results = run(path, folder, {"Output/Fields": "never"}, overwrite=True, program=program)
+        return {name: value for name, value, _ in numbers_of_run(results, 1e-3, 1e-3)}
+
+
 def loading_of(tables):
     """The rows of history.csv until the time 1, from the undeformed state on."""
     return [{"depth": 0., "force": 0.}, *(row for row in tables["history"] if row["time"] <= 1.)]
@@ -54,6 +69,12 @@ def brinell_hardness(tables, diameter):
     row = loading_of(tables)[-1]
     imprint = 2. * row["contact_radius"]
     return 0.102 * 2. * row["force"] / (math.pi * diameter * (diameter - math.sqrt(diameter ** 2 - imprint ** 2)))
+
+
+def rockwell_hardness(tables):
+    """By the depths under the preliminary force, before and after the total one; lengths in mm."""
+    depth = {row["time"]: row["depth"] for row in tables["history"]}
+    return 130. - (depth[1.2] - depth[0.2]) / 0.002
 
 
 def hertz_ratios(tables):
@@ -78,6 +99,12 @@ def new_brinell(runner):
     runner.compare("HBW 10/3000 of 4340 at 30 HRC", brinell_hardness(tables, 10.), BRINELL_OF_4340, 0.05)
 
 
+def new_rockwell(runner):
+    """epc new rockwell-ball: the hardness of a steel, with its stress-strain curve at the rate of the test."""
+    tables = tables_of(runner, "rockwell-ball", "coarse", SCALE | {"strain_rate": "0.01"})
+    runner.compare("HRF of 1006 at F-94", rockwell_hardness(tables), ROCKWELL_OF_1006, 0.02)
+
+
 def new_cone(runner):
     """epc new cone: the loading curvature of aluminium 6061 (measured)."""
     tables = tables_of(runner, "cone", "coarse", ALUMINIUM)
@@ -88,6 +115,13 @@ def new_berkovich(runner):
     """epc new berkovich: the loading curvature of aluminium 6061 (measured; a minute)."""
     tables = tables_of(runner, "berkovich", "coarse", ALUMINIUM)
     runner.compare("force over depth squared in GPa", 6. * loading_curvature(tables), CURVATURE_OF_6061, 0.05)
+
+
+def new_vickers(runner):
+    """epc new vickers: the hardness of a steel by the contact area, and by the residual diagonal (tables; minutes)."""
+    found = hardness_numbers("vickers", "coarse", runner.program)
+    for name in ("HV_of_area", "HV"):
+        runner.compare(f"{name} of 4340 at 30 HRC", found[name], VICKERS_OF_4340, 0.1)
 
 
 def new_coating(runner):

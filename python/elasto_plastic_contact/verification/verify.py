@@ -36,7 +36,7 @@ from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_c
 from .job_preview import curved_body, job_preview
 from .load_steps import adaptive_steps, checkpoint_memory
 from .new_cases import (new_berkovich, new_brinell, new_coating, new_cone, new_limit_load, new_material_test,
-                        new_sphere)
+                        new_rockwell, new_sphere, new_vickers)
 from .hardness_and_rate import creep_hardness, creep_punch, creep_runs, creep_similarity
 from .ratchetting import ratchetting_drift
 from .rate_dependence import creep_accurate_steps, creep_contact, creep_cylinder, creep_sphere, rates_uniaxial
@@ -314,7 +314,8 @@ ALL = {
                      ssnv128, bonded_punch, adhesion, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
                      friction_symmetries, friction_ranks, friction_resume,
                      symmetric_bodies, cone_in_space, pyramids,
-                     new_sphere, new_brinell, new_cone, new_berkovich, new_coating, new_material_test, new_limit_load)
+                     new_sphere, new_brinell, new_rockwell, new_cone, new_berkovich, new_vickers, new_coating, new_material_test,
+                     new_limit_load)
 }
 
 
