@@ -12,6 +12,7 @@
 #include "base/enum_names.h"
 #include "material/hardening_input.h"
 #include "material/rate_law_parameters.h"
+#include "material/soil_parameters.h"
 
 namespace ElastoPlastic
 {
@@ -59,6 +60,7 @@ namespace ElastoPlastic
     std::vector<std::string> back_stress_moduli          = {"none"};
     std::vector<std::string> recovery_rates              = {"none"};
     RateLawParameters        rates;
+    SoilParameters           soil;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -72,6 +74,10 @@ namespace ElastoPlastic
     /// for every id.
     std::vector<Material<double>>
     materials() const;
+
+    /// The longest list.
+    unsigned int
+    n_materials() const;
 
   private:
     void
@@ -89,10 +95,6 @@ namespace ElastoPlastic
     /// The number of values of each entry.
     std::vector<std::pair<std::string, unsigned int>>
     list_lengths() const;
-
-    /// The longest list.
-    unsigned int
-    n_materials() const;
 
     /// What the material @p id has beyond linear isotropic hardening if its law
     /// is nonlinear hardening.

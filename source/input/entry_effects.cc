@@ -96,17 +96,21 @@ namespace ElastoPlastic
       const Reason nonlinear = with("Material/Law", {"nonlinear hardening"});
       add(effects,
           "Material",
-          {"Law", "Young's modulus", "Poisson's ratio", "Rate law"},
+          {"Law",
+           "Young's modulus",
+           "Poisson's ratio",
+           "Rate law",
+           "Yield criterion"},
           always());
       add(effects,
           "Material",
           {"Yield stress"},
-          with("Material/Law",
-               {"perfectly plastic",
-                "isotropic hardening",
-                "kinematic hardening",
-                "combined hardening",
-                "nonlinear hardening"}));
+          all({without("Material/Law", "linear elastic"),
+               with("Material/Yield criterion", {"von Mises"})}));
+      add(effects,
+          "Material",
+          {"Cohesion", "Friction angle"},
+          with("Material/Yield criterion", {"Mohr-Coulomb"}));
       add(effects,
           "Material",
           {"Isotropic hardening modulus"},

@@ -90,6 +90,7 @@ namespace ElastoPlastic
                       Patterns::List(Patterns::Double(), 1));
     add_nonlinear_hardening(prm);
     rates.add_parameters(prm);
+    soil.add_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -191,6 +192,7 @@ namespace ElastoPlastic
     check_yield_strains();
     check_nonlinear_hardening();
     check_rate_laws();
+    soil.check();
   }
 
 
@@ -203,6 +205,7 @@ namespace ElastoPlastic
         const double yield_stress  = of_material(yield_stresses, id);
         const double young_modulus = of_material(young_moduli, id);
         if (of_material(laws, id) != MaterialLaw::linear_elastic &&
+            !soil.is_soil(id) &&
             yield_stress < smallest_yield_strain * young_modulus)
           throw InputError(
             "Material/Yield stress",
@@ -296,8 +299,8 @@ namespace ElastoPlastic
       {"Hardening table", hardening_tables.size()},
       {"Back stress moduli", back_stress_moduli.size()},
       {"Recovery rates", recovery_rates.size()}};
-    for (const auto &of_rates : rates.list_lengths())
-      result.push_back(of_rates);
+    for (const auto &of_section : {rates.list_lengths(), soil.list_lengths()})
+      result.insert(result.end(), of_section.begin(), of_section.end());
     return result;
   }
 
@@ -369,7 +372,9 @@ namespace ElastoPlastic
         Material<double> material;
         material.bulk_modulus      = E / (3 * (1 - 2 * nu));
         material.shear_modulus     = E / (2 * (1 + nu));
-        material.yield_radius      = std::sqrt(2. / 3.) * sigma_0;
+        material.yield_radius      = law.yields && soil.is_soil(id) ?
+                                       soil.yield_radius(id) :
+                                       std::sqrt(2. / 3.) * sigma_0;
         material.isotropic_modulus = 2. / 3. * H;
         for (const auto &back_stress : back_stresses(id))
           material.back_stresses.push_back(back_stress);

@@ -40,6 +40,7 @@ from .new_cases import (new_berkovich, new_brinell, new_coating, new_cone, new_l
 from .hardness_and_rate import creep_hardness, creep_punch, creep_runs, creep_similarity
 from .rate_dependence import creep_accurate_steps, creep_contact, creep_cylinder, creep_sphere, rates_uniaxial
 from .rounding import contrast, direct_contact, moved_body, nearly_incompressible
+from .soils import soil_fine, soil_footing, soil_weight
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .units import prescribed_from_nothing, units
 from .zero_load import far_indenter, zero_force, zero_stress
@@ -300,7 +301,7 @@ ALL = {
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space, sectors, pyramid_sectors,
                      sphere_indentation, cone_indentation, continuous_stiffness, contact_edge, contact_mesh, contact_pressure, imprint,
                      imprint_ranks, probes, mean_strain_of_rings, strip_punch, strip_punch_locks,
-                     limit_load, limit_load_revolution, limit_load_space, limit_load_factors, body_force, blas_kernels,
+                     limit_load, limit_load_revolution, limit_load_space, limit_load_factors, soil_footing, soil_weight, soil_fine, body_force, blas_kernels,
                      safe_load, error_bound, error_bound_ranks,
                      error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, equilibrium_hertz, equilibrium_limit, limit_load_runs, zero_stress,
                      zero_force, far_indenter, units, prescribed_from_nothing, contrast, direct_contact, moved_body,
