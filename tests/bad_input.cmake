@@ -48,6 +48,19 @@ add_message_test(error_bound_nonlinear 2 "entry 'Analysis' is 'contact with erro
 add_message_test(limit_load_no_indenter 2 "entry 'Indenter/Type' is 'none', but .*largest force of an indenter" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --validate --set "Indenter/Type=none")
 add_message_test(limit_load_quadratic_in_space 2 "entry 'Limit load/Stresses' is 'quadratic', but stresses in space are linear" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/square_punch_3d.prm --validate --set "Limit load/Stresses=quadratic")
 add_message_test(limit_load_resume 2 "nothing to resume. Leave out --resume" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --resume)
+
+# Soil
+set(_soil ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/footing.prm --validate --set)
+add_message_test(soil_cohesion 2 "entry 'Material/Cohesion' is '0', but it must be greater than 0: without cohesion, stresses at a free surface" ${_soil} "Material/Cohesion=0")
+add_message_test(soil_angle 2 "entry 'Material/Friction angle' is '61', but it must lie between 0 and 60 degrees" ${_soil} "Material/Friction angle=61")
+add_message_test(soil_number_of_values 2 "entry 'Material/Friction angle' has 2 values, but another entry of this section has 3" ${_soil} "Material/Cohesion=1, 2, 3" --set "Material/Friction angle=10, 20")
+add_message_test(soil_law 2 "entry 'Analysis' is 'limit load', but only a body of perfectly plastic materials" ${_soil} "Material/Law=linear elastic")
+add_message_test(soil_analysis 2 "entry 'Material/Yield criterion' is 'Mohr-Coulomb', but 'Mohr-Coulomb' is for limit loads" ${_soil} "Analysis=contact")
+add_message_test(soil_error_bound 2 "'Mohr-Coulomb' is for limit loads. Set 'Analysis = limit load'" ${_soil} "Analysis=contact with error bound")
+add_message_test(soil_revolution 2 "'Mohr-Coulomb' is for plane strain. Set 'Dimension = 2' and 'Kinematics = plane strain'" ${_soil} "Kinematics=axisymmetric")
+add_message_test(soil_plane_stress 2 "'Mohr-Coulomb' is for plane strain" ${_soil} "Kinematics=plane stress")
+add_message_test(soil_space 2 "'Mohr-Coulomb' is for plane strain" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/square_punch_3d.prm --validate --set "Material/Yield criterion=Mohr-Coulomb")
+add_message_test(soil_normal 2 "entry 'Contact/Geometry' is 'normal', but on soil .*indenters press vertically" ${_soil} "Contact/Geometry=normal")
 set(_full_width ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --quiet --overwrite
   --set "Indenter/Half width=10" --set "Boundary conditions/Free=" --set "Boundary conditions/Fixed=bottom, right")
 add_message_test(limit_load_enclosed 3 "There is no limit load: the supports enclose the body, which bears any load, or the indenter reaches a point that is held. Let .Indenter/Reach. end before" ${_full_width} --output-directory limit_load_enclosed)

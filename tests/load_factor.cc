@@ -24,7 +24,7 @@ using namespace ElastoPlastic;
 
 namespace
 {
-  const double k = 1. / std::sqrt(3.); // the yield stress is 1
+  const double k = 1. / std::sqrt(3.); // the yield stress is 1, or c cos(phi)
 
   const Gap nowhere = [](const Point<2> &) {
     return std::numeric_limits<double>::infinity();
@@ -38,10 +38,11 @@ namespace
     double                    inner_radius;
     std::string               tractions;
     std::string               body_force;
-    std::vector<std::string>  free    = {};
-    std::vector<std::string>  contact = {};     ///< an anvil
-    std::vector<std::string>  fixed   = {};     ///< the others are rollers
-    std::vector<unsigned int> degrees = {1, 2}; ///< of the stresses
+    std::vector<std::string>  free          = {};
+    std::vector<std::string>  contact       = {}; ///< an anvil
+    std::vector<std::string>  fixed         = {}; ///< the others are rollers
+    std::vector<unsigned int> degrees       = {1, 2}; ///< of the stresses
+    double                    friction_sine = 0.;
   };
 
 
@@ -68,12 +69,15 @@ namespace
     const BodyForce<2>          body_force(problem.body_force);
     SplitMesh<2>                split_mesh = make_split_mesh(mesh);
     const Loads<2> loads = growing_loads(split_mesh, conditions, body_force);
-    return make_split_body<2>(std::move(split_mesh),
-                              conditions,
-                              {material()},
-                              {problem.contact.empty() ? nowhere : everywhere},
-                              loads,
-                              problem.kinematics);
+    auto           body =
+      make_split_body<2>(std::move(split_mesh),
+                         conditions,
+                         {material()},
+                         {problem.contact.empty() ? nowhere : everywhere},
+                         loads,
+                         problem.kinematics);
+    set_friction(body, {problem.friction_sine});
+    return body;
   }
 
 
@@ -110,6 +114,60 @@ namespace
                    (bounds.upper_bound - bounds.lower_bound)),
                  1e-5);
         }
+  }
+
+
+
+  /// Soil with the friction of 30 degrees, on smooth ground.
+  Problem
+  soil(const std::string              &tractions,
+       const std::string              &body_force,
+       const std::vector<std::string> &free    = {},
+       const std::vector<std::string> &contact = {},
+       const std::vector<std::string> &fixed   = {})
+  {
+    return {Kinematics::cartesian,
+            0.,
+            tractions,
+            body_force,
+            free,
+            contact,
+            fixed,
+            {1, 2},
+            0.5};
+  }
+
+
+
+  void
+  test_soil(const double exactly)
+  {
+    test("Soil in compression",
+         soil("top: 0; -t", "", {"right"}),
+         4. * k,
+         1. - exactly,
+         1. + exactly);
+    test("Soil in compression under a constant pressure",
+         soil("top: 0; -t | right: -0.3; 0", ""),
+         4. * k + 3. * 0.3,
+         1. - exactly,
+         1. + exactly);
+    test("Soil in tension between rollers",
+         soil("top: 0; t", ""),
+         2. * k,
+         1. - exactly,
+         1. + exactly);
+    test("Soil drawn to the side under an anvil",
+         soil("right: t; 0", "", {}, {"top"}),
+         4. / 3. * k,
+         1. - exactly,
+         1. + exactly);
+    // It falls as a whole, and the highest triangles stretch.
+    test("Soil that hangs between rollers",
+         soil("", "0; -t", {"bottom"}, {}, {"top"}),
+         2. * k,
+         1. - exactly,
+         4. / 3. + exactly);
   }
 
 
@@ -192,5 +250,6 @@ main(int argc, char *argv[])
        2. * k,
        1. - exactly,
        1. + exactly);
+  test_soil(exactly);
   test_relative_difference();
 }

@@ -29,11 +29,11 @@ namespace ElastoPlastic
 
     /// By simplices, with a share of what is on their faces: plastic work of
     /// the mechanism less the power of the stresses,
-    /// int sqrt(2/3) sigma_0 |e(v)| - tau : e(v) dx. It is never negative, and
-    /// zero where the two fields belong together; all together are the
-    /// difference of the bounds at most, or that by the power of the loads that
-    /// grow. (Beside the edge of a disc, where both have meshes of their own,
-    /// they are indicators.)
+    /// int sqrt(2/3) sigma_0 |e(v)| - tau : e(v) dx, or that of a soil. It is
+    /// never negative, and zero where the two fields belong together; all
+    /// together are the difference of the bounds at most, or that by the power
+    /// of the loads that grow. (Beside the edge of a disc, where both have
+    /// meshes of their own, they are indicators.)
     std::vector<double> gaps;
   };
 

@@ -107,6 +107,9 @@ namespace ElastoPlastic
     check_equilibrium_method() const;
 
     void
+    check_soil() const;
+
+    void
     check_contact_geometry() const;
 
     void

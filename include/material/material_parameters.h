@@ -75,6 +75,10 @@ namespace ElastoPlastic
     std::vector<Material<double>>
     materials() const;
 
+    /// The longest list.
+    unsigned int
+    n_materials() const;
+
   private:
     void
     add_nonlinear_hardening(ParameterHandler &prm);
@@ -91,10 +95,6 @@ namespace ElastoPlastic
     /// The number of values of each entry.
     std::vector<std::pair<std::string, unsigned int>>
     list_lengths() const;
-
-    /// The longest list.
-    unsigned int
-    n_materials() const;
 
     /// What the material @p id has beyond linear isotropic hardening if its law
     /// is nonlinear hardening.

@@ -8,19 +8,22 @@
 
 namespace ElastoPlastic
 {
-  /// The values of the entry "Yield criterion".
+  /// The values of the entry "Yield criterion": which stresses a material bears
+  /// without plastic flow.
   enum class YieldCriterion
   {
     von_mises,
     hosford,
-    hill
+    hill,
+    mohr_coulomb
   };
 
   template <>
   inline const EnumNames<YieldCriterion> enum_names<YieldCriterion> = {
     {"von Mises", YieldCriterion::von_mises},
     {"Hosford", YieldCriterion::hosford},
-    {"Hill", YieldCriterion::hill}};
+    {"Hill", YieldCriterion::hill},
+    {"Mohr-Coulomb", YieldCriterion::mohr_coulomb}};
 } // namespace ElastoPlastic
 
 #endif

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "material/material.h"
+#include "material/soil_parameters.h"
 #include "material/yield_criterion.h"
 
 namespace ElastoPlastic
@@ -26,6 +27,7 @@ namespace ElastoPlastic
     std::vector<double>         hosford_exponents = {8.};
     std::vector<std::string>    hill_ratios       = {"1 | 1 | 1 | 1 | 1 | 1"};
     std::vector<std::string>    axes              = {"0"};
+    SoilParameters              soil;
 
     /// Adds the entries to the section that has been entered.
     void
@@ -41,12 +43,25 @@ namespace ElastoPlastic
     std::vector<std::pair<std::string, unsigned int>>
     list_lengths() const;
 
-    /// Whether a material has another criterion than that of von Mises.
+    /// Whether the criterion of a material is that of Mohr and Coulomb.
+    bool
+    is_soil(const unsigned int id) const;
+
+    /// Whether that of any is.
+    bool
+    has_soil() const;
+
+    /// By material id, of the first @p n_materials: sin(phi) of a soil, or 0.
+    std::vector<double>
+    friction_sines(const unsigned int n_materials) const;
+
+    /// Whether a material has the criterion of Hosford or of Hill.
     bool
     are_general() const;
 
     /// That of the material @p id. Where others have a general one, that of von
-    /// Mises is one of Hill; where none has, none.
+    /// Mises is one of Hill; where none has, none. Soil has none: beside it,
+    /// there are no general ones.
     std::shared_ptr<const GeneralCriterion>
     criterion(const unsigned int id) const;
 

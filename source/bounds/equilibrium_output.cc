@@ -62,7 +62,7 @@ namespace ElastoPlastic
         for (unsigned int b = 0; b < 3; ++b)
           values.push_back(stress[a][b]);
       values.push_back(std::sqrt(1.5) * deviator_norm);
-      values.push_back(deviator_norm / body.materials[t].yield_radius);
+      values.push_back(deviator_norm / body.yield_radius(t, stress));
       values.push_back(fields.errors[t]);
       values.push_back(
         body.mesh.cells[body.mesh.simplices[t].cell].material_id);

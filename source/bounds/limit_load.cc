@@ -12,6 +12,27 @@ namespace ElastoPlastic
 {
   namespace
   {
+    /// What the stresses lack of the pressure of body forces, at a point of a
+    /// part. Without friction, velocities change no volume, and it does not
+    /// count.
+    template <int dim>
+    double
+    pressure_at(const LimitLoad<dim>   &bounds,
+                const unsigned int      t,
+                const unsigned int      part,
+                const Barycentric<dim> &inside)
+    {
+      const auto &body = bounds.body_of_velocity;
+      if (!body.has_friction())
+        return 0.;
+      const auto corners =
+        JohnsonMercier<dim>::part_of(body.corners_of(t), part);
+      return body.pressure_of_body_force(interpolate(inside, corners),
+                                         bounds.stress.load_factor);
+    }
+
+
+
     /// The power of the stresses in a simplex. In the plane, stresses are
     /// quadratic on each part at most, and so are strain rates, but for a flux;
     /// in space both are linear at most.
@@ -30,7 +51,9 @@ namespace ElastoPlastic
                                              bounds.velocity.velocity[t],
                                              t,
                                              point_of_part<dim>(k, inside));
-            sum += weight / n_parts * (stress * rate);
+            sum +=
+              weight / n_parts *
+              (stress * rate - pressure_at(bounds, t, k, inside) * trace(rate));
           }
       return volume(bounds.body_of_velocity.corners_of(t)) * sum;
     }

@@ -52,7 +52,8 @@ namespace ElastoPlastic
     {
       const ContactGeometry geometry = model.contact.geometry;
       if (geometry == ContactGeometry::vertical ||
-          model.strain_model.kinematics == Kinematics::plane_stress)
+          model.strain_model.kinematics == Kinematics::plane_stress ||
+          parameters.material.criteria.has_soil())
         return ContactGeometry::vertical;
       return parameters.analysis == Analysis::limit_load ?
                geometry :
@@ -91,6 +92,20 @@ namespace ElastoPlastic
     /// In space, make_split_body() looks at them.
     void
     check_loads(const SplitBody<3> &, const Parameters &)
+    {}
+
+
+
+    void
+    add_friction(SplitBody<2> &body, const Parameters &parameters)
+    {
+      const MaterialParameters &material = parameters.material;
+      set_friction(body,
+                   material.criteria.friction_sines(material.n_materials()));
+    }
+
+    void
+    add_friction(SplitBody<3> &, const Parameters &)
     {}
 
 
@@ -222,6 +237,7 @@ namespace ElastoPlastic
                                                           gap_function.footprint()},
                                   mesh_loads,
                                   model.strain_model.kinematics);
+      add_friction(body, parameters);
       check_loads(body, parameters);
       if (model.indenter.shape)
         check_reach_of_indenter(body);

@@ -101,12 +101,13 @@ namespace ElastoPlastic
       add(effects,
           "Material",
           {"Yield stress"},
-          with("Material/Law",
-               {"perfectly plastic",
-                "isotropic hardening",
-                "kinematic hardening",
-                "combined hardening",
-                "nonlinear hardening"}));
+          all({without("Material/Law", "linear elastic"),
+               with("Material/Yield criterion",
+                    {"von Mises", "Hosford", "Hill"})}));
+      add(effects,
+          "Material",
+          {"Cohesion", "Friction angle"},
+          with("Material/Yield criterion", {"Mohr-Coulomb"}));
       add(effects,
           "Material",
           {"Isotropic hardening modulus"},

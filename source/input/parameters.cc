@@ -192,6 +192,7 @@ namespace ElastoPlastic
                        "there is nothing that locks. Choose 'standard'.");
     if (analysis != Analysis::contact)
       check_equilibrium_method();
+    check_soil();
     check_contact_geometry();
     check_friction_and_path();
     loading.check();
@@ -222,6 +223,36 @@ namespace ElastoPlastic
         "There is an indenter ('Indenter/Type = " + indenter.type +
         "'), but 'Boundary conditions/Contact' is empty. Name "
         "the boundary that it presses on, for example top.");
+  }
+
+
+
+  // The flow rule of soil is that of a rigid body that collapses, where it
+  // changes the volume in the plane.
+  void
+  Parameters::check_soil() const
+  {
+    if (!material.criteria.has_soil())
+      return;
+    const std::string entry = "Material/Yield criterion",
+                      value =
+                        Patterns::Tools::to_string(material.criteria.criteria);
+    if (analysis != Analysis::limit_load)
+      throw InputError(entry,
+                       value,
+                       "'Mohr-Coulomb' is for limit loads. Set 'Analysis = "
+                       "limit load', or choose 'von Mises'.");
+    if (dimension == 3 || discretization.kinematics != Kinematics::cartesian)
+      throw InputError(entry,
+                       value,
+                       "'Mohr-Coulomb' is for plane strain. Set 'Dimension = "
+                       "2' and 'Kinematics = plane strain', or choose 'von "
+                       "Mises'.");
+    if (contact.geometry == ContactGeometry::normal)
+      throw InputError("Contact/Geometry",
+                       Patterns::Tools::to_string(contact.geometry),
+                       "on soil ('Material/Yield criterion = Mohr-Coulomb') "
+                       "indenters press vertically. Choose 'vertical'.");
   }
 
 

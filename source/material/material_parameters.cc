@@ -205,6 +205,7 @@ namespace ElastoPlastic
         const double yield_stress  = of_material(yield_stresses, id);
         const double young_modulus = of_material(young_moduli, id);
         if (of_material(laws, id) != MaterialLaw::linear_elastic &&
+            !criteria.is_soil(id) &&
             yield_stress < smallest_yield_strain * young_modulus)
           throw InputError(
             "Material/Yield stress",
@@ -371,7 +372,9 @@ namespace ElastoPlastic
         Material<double> material;
         material.bulk_modulus      = E / (3 * (1 - 2 * nu));
         material.shear_modulus     = E / (2 * (1 + nu));
-        material.yield_radius      = std::sqrt(2. / 3.) * sigma_0;
+        material.yield_radius      = law.yields && criteria.is_soil(id) ?
+                                       criteria.soil.yield_radius(id) :
+                                       std::sqrt(2. / 3.) * sigma_0;
         material.isotropic_modulus = 2. / 3. * H;
         for (const auto &back_stress : back_stresses(id))
           material.back_stresses.push_back(back_stress);

@@ -109,9 +109,14 @@ namespace ElastoPlastic
       "What is compared with the yield stress. 'von Mises': the equivalent "
       "stress of that name. 'Hosford': ((|s_1 - s_2|^a + |s_2 - s_3|^a + |s_3 "
       "- s_1|^a) / 2)^(1/a) with the principal stresses s_i. 'Hill': that of "
-      "1948 for orthotropic materials. The last two are for small and "
+      "1948 for orthotropic materials. These two are for small and "
       "logarithmic strains in plane strain, revolution and space, with all "
-      "laws but back stresses that recover.",
+      "laws but back stresses that recover. 'Mohr-Coulomb', a soil: bears the "
+      "stresses with which the shear stress on each plane is not more than "
+      "'Cohesion' plus tan('Friction angle') times the pressure on it, "
+      "whatever the yield stress; flow along the normal of this condition "
+      "dilates it. That is for limit loads in plane strain, with 'Law = "
+      "perfectly plastic'.",
       Patterns::List(*Patterns::Tools::Convert<YieldCriterion>::to_pattern(),
                      1));
     prm.add_parameter("Hosford exponent",
@@ -137,6 +142,7 @@ namespace ElastoPlastic
       "dimensions the third axis of the body is out of plane, of a body of "
       "revolution circumferential. Unit: degrees.",
       Patterns::List(Patterns::Anything(), 1));
+    soil.add_parameters(prm);
   }
 
 
@@ -150,6 +156,7 @@ namespace ElastoPlastic
       hosford_exponents,
       [](const double a) { return a >= 2 && a <= 100; },
       "it must lie between 2 (von Mises) and 100 (almost Tresca).");
+    soil.check();
     for (const std::string &text : hill_ratios)
       read_ratios(text);
     for (const std::string &text : axes)
@@ -168,10 +175,43 @@ namespace ElastoPlastic
   std::vector<std::pair<std::string, unsigned int>>
   YieldCriterionParameters::list_lengths() const
   {
-    return {{"Yield criterion", criteria.size()},
-            {"Hosford exponent", hosford_exponents.size()},
-            {"Hill ratios", hill_ratios.size()},
-            {"Axes", axes.size()}};
+    std::vector<std::pair<std::string, unsigned int>> result =
+      soil.list_lengths();
+    result.insert(result.end(),
+                  {{"Yield criterion", criteria.size()},
+                   {"Hosford exponent", hosford_exponents.size()},
+                   {"Hill ratios", hill_ratios.size()},
+                   {"Axes", axes.size()}});
+    return result;
+  }
+
+
+
+  bool
+  YieldCriterionParameters::is_soil(const unsigned int id) const
+  {
+    return of_material(criteria, id) == YieldCriterion::mohr_coulomb;
+  }
+
+
+
+  bool
+  YieldCriterionParameters::has_soil() const
+  {
+    return std::find(criteria.begin(),
+                     criteria.end(),
+                     YieldCriterion::mohr_coulomb) != criteria.end();
+  }
+
+
+
+  std::vector<double>
+  YieldCriterionParameters::friction_sines(const unsigned int n_materials) const
+  {
+    std::vector<double> result;
+    for (unsigned int id = 0; id < n_materials; ++id)
+      result.push_back(is_soil(id) ? soil.friction_sine(id) : 0.);
+    return result;
   }
 
 
@@ -206,6 +246,8 @@ namespace ElastoPlastic
           return std::make_shared<GeneralCriterion>(
             HillCriterion(read_ratios(of_material(hill_ratios, id)),
                           read_axes(of_material(axes, id))));
+        case YieldCriterion::mohr_coulomb:
+          return nullptr;
       }
     AssertThrow(false, ExcInternalError());
     return nullptr;

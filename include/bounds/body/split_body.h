@@ -4,6 +4,8 @@
 #ifndef bounds_body_split_body_h
 #define bounds_body_split_body_h
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <functional>
 #include <vector>
 
@@ -163,7 +165,14 @@ namespace ElastoPlastic
     Tensor<1, dim> body_force;
     Tensor<1, dim> body_force_growth;
 
-    /// A typical stress: the smallest yield stress, or a modulus of elasticity.
+    /// By triangles, in plane strain: the sine of the angle of internal
+    /// friction, see bounds/conic/friction.h; none if no strength depends on
+    /// the pressure.
+    std::vector<double> friction_sines;
+
+    /// A typical stress: the smallest yield stress, or a modulus of elasticity;
+    /// with friction, the strength that comes from constant loads if that is
+    /// more.
     double stress_unit;
     /// A typical strain: this stress by Young's modulus.
     double strain_unit;
@@ -180,6 +189,14 @@ namespace ElastoPlastic
 
     bool
     is_axisymmetric() const;
+
+    bool
+    has_friction() const;
+
+    /// Whether velocities may slide along faces: not where such a slip is no
+    /// pure shear, in plane stress and with friction.
+    bool
+    can_slide() const;
 
     /// Of a body of revolution, with rounding errors.
     bool
@@ -242,6 +259,12 @@ namespace ElastoPlastic
     Tensor<1, dim>
     outward_normal(const unsigned int face) const;
 
+    /// The largest norm that the deviator of this stress may have, in the
+    /// material of a simplex that does not harden.
+    double
+    yield_radius(const unsigned int           simplex,
+                 const SymmetricTensor<2, 3> &stress) const;
+
     /// The yield stress in shear of the weaker of the simplices at a face.
     double
     shear_strength(const unsigned int face) const;
@@ -283,6 +306,11 @@ namespace ElastoPlastic
                   const IndenterOnBody<dim>           &indenter,
                   const Loads<dim>                    &loads,
                   const Kinematics kinematics = Kinematics::cartesian);
+
+  /// Lets the strength of a body depend on the pressure: @p sines by material
+  /// id, or one for all; nothing changes if all are zero.
+  void
+  set_friction(SplitBody<2> &body, const std::vector<double> &sines);
 } // namespace ElastoPlastic
 
 #endif

@@ -8,19 +8,14 @@
 
 #include "bounds/conic/conic_program.h"
 
+// The sine of the angle of internal friction is 0 <= sin(phi) < 1. With the
+// cohesion c, Mohr and Coulomb's yield condition in plane strain is, tension
+// being positive,
+//   |((s_11 - s_22) / 2, s_12)| <= c cos(phi) - sin(phi) (s_11 + s_22) / 2.
+// The yield radius of the material is sqrt(2) c cos(phi).
+
 namespace ElastoPlastic
 {
-  /// The sine of the angle of internal friction, 0 <= sin phi < 1, by
-  /// simplices. With the cohesion c, Mohr and Coulomb's yield condition in
-  /// plane strain is, tension being positive,
-  ///   |((s_11 - s_22) / 2, s_12)| <= c cos phi - sin phi (s_11 + s_22) / 2.
-  /// The yield radius of the simplex's material is sqrt(2) c cos phi.
-  using FrictionSines = std::vector<double>;
-
-  /// The yield radius of a soil with this @p cohesion.
-  double
-  yield_radius_of_soil(const double cohesion, const double sine);
-
   /// Lets the yield conditions of plane stresses, with which the cones of a
   /// @p block begin, depend on the pressure.
   /// @param point_stresses what add_yield_conditions() was given
@@ -31,6 +26,14 @@ namespace ElastoPlastic
                const FullMatrix<double>  &point_stresses,
                const std::vector<double> &pressures,
                const double               sine);
+
+  /// The same for a pressure that is in proportion to an @p unknown of the
+  /// block: its @p pressures where that is one.
+  void
+  add_growing_pressure(ConicBlock                &block,
+                       const unsigned int         unknown,
+                       const std::vector<double> &pressures,
+                       const double               sine);
 } // namespace ElastoPlastic
 
 #endif

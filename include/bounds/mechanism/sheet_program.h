@@ -8,24 +8,18 @@
 
 namespace ElastoPlastic
 {
-  /// The mechanism in plane stress that takes least plastic work among all
-  /// continuous piecewise quadratic velocities. The strain rate is linear on a
-  /// triangle: so the work is at most a third of the area times the sum of that
-  /// at the corners, because it is a convex function.
+  /// The mechanism in plane stress, or in plane strain with friction, that
+  /// takes least plastic work among all continuous piecewise quadratic
+  /// velocities. The strain rate is linear on a triangle: so the work is at
+  /// most a third of the area times the sum of that at the corners, because it
+  /// is a convex function; and with friction, the rate is in the dual cone of
+  /// the yield condition everywhere because it is at the corners.
   ///
   /// Velocities are up to a factor. The force is what has been minimised; work
   /// and errors are not yet computed.
   /// @throws ConvergenceError, UnboundedError if there is no mechanism.
   VelocityField<2>
   find_motion_of_sheet(const SplitBody<2> &body, const double tolerance);
-
-  /// The same of soil in plane strain, with the sines of the angle of friction
-  /// by triangles, see bounds/conic/friction.h: the strain rate is in the dual
-  /// cone of the yield condition at the corners, and so everywhere.
-  VelocityField<2>
-  find_motion_of_soil(const SplitBody<2>        &body,
-                      const std::vector<double> &sines,
-                      const double               tolerance);
 } // namespace ElastoPlastic
 
 #endif

@@ -13,9 +13,11 @@ namespace ElastoPlastic
   struct VelocityErrors
   {
     /// Times the size of the simplex. Not in plane stress, where the sheet
-    /// changes its thickness.
+    /// changes its thickness; with friction, what it lacks, see
+    /// missing_dilatation().
     double divergence = 0;
-    /// What passes through a face; in plane stress also what slides along it.
+    /// What passes through a face; in plane stress and with friction also what
+    /// slides along it.
     double separation  = 0;
     double penetration = 0; ///< into the indenter
 

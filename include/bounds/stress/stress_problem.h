@@ -27,7 +27,8 @@ namespace ElastoPlastic
 
   /// The stresses with the largest load factor, or if no load grows, with the
   /// largest force of the indenter, that satisfy the yield condition
-  /// everywhere. This is a lower bound of the limit load.
+  /// everywhere. This is a lower bound of the limit load. In plane strain, the
+  /// strength may depend on the pressure, see SplitBody::friction_sines.
   /// @param degree of the stresses, 1 or 2; in space 1
   /// @throws ConvergenceError, in particular if there is no limit.
   template <int dim>
@@ -35,15 +36,6 @@ namespace ElastoPlastic
   maximize_load(const SplitBody<dim> &body,
                 const unsigned int    degree,
                 const double          tolerance = usual_tolerance<dim>);
-
-  /// The same of a body of soil in plane strain, whose body forces do not grow,
-  /// with the sines of the angle of friction, see bounds/conic/friction.h. Its
-  /// displacement is not computed.
-  StressField<2>
-  maximize_load_of_soil(const SplitBody<2>        &body,
-                        const std::vector<double> &sines,
-                        const unsigned int         degree,
-                        const double               tolerance);
 } // namespace ElastoPlastic
 
 #endif

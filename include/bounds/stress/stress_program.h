@@ -24,16 +24,19 @@ namespace ElastoPlastic
   /// "Points" are what the coefficients belong to.
   ///
   /// Each simplex is a block. Its unknowns are those of the equilibrated basis
-  /// (see LocalStresses); the coefficients of sigma_33, if that is unknown; and
+  /// (see LocalStresses); the coefficients of sigma_33, if that is unknown;
   /// those of zeta, off the axis, the growth of the yield surface, if the
-  /// material hardens. Each point of a face under the indenter is a block, too;
-  /// its unknown is the coefficient of the pressure (see contact_unit()). The
-  /// equations, one for each component at each point of the faces, say that the
-  /// tractions of the two simplices, or of simplex and indenter, add up to
-  /// zero, or to what is prescribed. There are none on the axis of a body of
-  /// revolution, where nothing acts. The yield condition holds everywhere if
-  /// the coefficients over those of the weight satisfy it, because the set of
-  /// admissible stresses is convex: with coefficients S_a of S and r_a of r,
+  /// material hardens; and with friction, where the weight grows, the load
+  /// factor, whose pressure counts. Each point of a face under the indenter is
+  /// a block, too; its unknown is the coefficient of the pressure (see
+  /// contact_unit()). The equations, one for each component at each point of
+  /// the faces, say that the tractions of the two simplices, or of simplex and
+  /// indenter, add up to zero, or to what is prescribed. There are none on the
+  /// axis of a body of revolution, where nothing acts. The last equations, one
+  /// for each simplex, say that its load factor is that of all. The yield
+  /// condition holds everywhere if the coefficients over those of the weight
+  /// satisfy it, because the set of admissible stresses is convex: with
+  /// coefficients S_a of S and r_a of r,
   ///   |dev S| <= sum_a B_a |dev S_a| <= sum_a B_a r_a R = r R.
   template <int dim>
   class StressProgram
@@ -59,11 +62,6 @@ namespace ElastoPlastic
     /// pressure, by integrate_on_face().
     void
     add_gap();
-
-    /// Let the strength grow with the pressure, in plane strain, with @p sines
-    /// of the angle of friction by triangles.
-    void
-    add_friction(const std::vector<double> &sines);
 
     /// Add @p factor int p ds.
     void
@@ -96,6 +94,12 @@ namespace ElastoPlastic
     add_block(const unsigned int simplex);
     unsigned int
     n_growths(const unsigned int simplex) const;
+    /// Whether each simplex needs to know the load factor.
+    bool
+    has_growing_pressure() const;
+    void
+    add_friction_to(const unsigned int        simplex,
+                    const FullMatrix<double> &stresses);
     FullMatrix<double>
     point_stresses(const unsigned int simplex) const;
 

@@ -107,3 +107,19 @@ def degrees_of_stresses(runs):
             cells += [f"{n_cycles}, {count(row['triangles'])}", f"{time:.1f} s", percent(row["relative_difference"])]
         rows.append([None, *cells])
     return Content(rows)
+
+
+@table(900)
+def footings(runs):
+    """Footings on weightless ground, the last meshes."""
+    rough, surcharge = "Indenter/Surface=rough", "Boundary conditions/Traction=top: 0; -3"
+    problems = ((10,), (20,), (30,), (30, rough), (20, surcharge))
+    return Content([[None, None] + meshes(runs.limit_load("footing", f"Material/Friction angle={degrees}", *entries)[-1:], 1)[0]
+                    for degrees, *entries in problems])
+
+
+@table(900)
+def heavy_ground(runs):
+    """Footings on heavy ground, and a vertical cut, the last meshes."""
+    problems = (("footing_weight", "Indenter/Surface=smooth"), ("footing_weight",), ("vertical_cut_friction",))
+    return Content([[None, None] + meshes(runs.limit_load(case, *entries)[-1:], 1)[0] for case, *entries in problems])

@@ -4,8 +4,6 @@
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "base/exceptions.h"
 #include "base/largest_error.h"
@@ -313,19 +311,6 @@ namespace ElastoPlastic
       (mesh.corners(inside)[opposite_corner<dim>(inside.place_of_face(face))] -
        corners[0]);
     return height < 0. ? n : -n;
-  }
-
-
-
-  template <int dim>
-  double
-  SplitBody<dim>::shear_strength(const unsigned int face) const
-  {
-    double radius = std::numeric_limits<double>::max();
-    for (unsigned int i = 0; i < mesh.faces[face].n_neighbors(); ++i)
-      radius =
-        std::min(radius, materials[mesh.faces[face].neighbors[i]].yield_radius);
-    return std::sqrt(0.5) * radius;
   }
 
 

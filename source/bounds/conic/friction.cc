@@ -8,14 +8,6 @@
 
 namespace ElastoPlastic
 {
-  double
-  yield_radius_of_soil(const double cohesion, const double sine)
-  {
-    return std::sqrt(2. * (1. - sine * sine)) * cohesion;
-  }
-
-
-
   // The deviator of a stress with s_33 = (s_11 + s_22) / 2 has sqrt(2) times
   // the norm of ((s_11 - s_22) / 2, s_12).
   void
@@ -35,5 +27,18 @@ namespace ElastoPlastic
           block.cone_matrix(row, j) +=
             factor * (point_stresses(row, j) + point_stresses(row + 1, j));
       }
+  }
+
+
+
+  void
+  add_growing_pressure(ConicBlock                &block,
+                       const unsigned int         unknown,
+                       const std::vector<double> &pressures,
+                       const double               sine)
+  {
+    for (unsigned int p = 0; p < pressures.size(); ++p)
+      block.cone_matrix(n_stress_components<2> * p, unknown) -=
+        std::sqrt(2.) * sine * pressures[p];
   }
 } // namespace ElastoPlastic

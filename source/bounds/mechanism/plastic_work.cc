@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds/mechanism/dilatancy.h"
 #include "bounds/mechanism/face_view.h"
 #include "bounds/mechanism/velocity_check.h"
 #include "bounds/stress/inverse_square.h"
@@ -97,6 +98,8 @@ namespace ElastoPlastic
                 const SimplexVelocity<2> &velocity,
                 const unsigned int        t)
     {
+      if (body.has_friction())
+        return work_of_soil(body, velocity, t);
       static const std::vector<Part> parts = parts_of_triangle();
 
       const auto corners = body.corners_of(t);
@@ -191,7 +194,7 @@ namespace ElastoPlastic
     std::vector<double> work;
     for (unsigned int t = 0; t < velocity.size(); ++t)
       work.push_back(work_inside(body, velocity[t], t));
-    if (body.kinematics == Kinematics::plane_stress)
+    if (!body.can_slide())
       return work;
     for (const auto &view : views_of_faces(body))
       if (view.resists_slip())

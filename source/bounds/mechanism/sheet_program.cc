@@ -17,6 +17,8 @@ namespace ElastoPlastic
     /// Stresses at the corners of a triangle: 11, 22, 12.
     constexpr unsigned int n_stresses = 9;
 
+    constexpr double part_of_tolerance = 1e-3;
+
     constexpr unsigned int invalid = numbers::invalid_unsigned_int;
 
 
@@ -60,8 +62,7 @@ namespace ElastoPlastic
     class SheetProgram
     {
     public:
-      /// @p sines are empty for a sheet.
-      SheetProgram(const SplitBody<2> &body, const std::vector<double> &sines);
+      explicit SheetProgram(const SplitBody<2> &body);
 
       VelocityField<2>
       solve(const double tolerance) const;
@@ -89,11 +90,10 @@ namespace ElastoPlastic
       velocity_of(const unsigned int               triangle,
                   const std::vector<Tensor<1, 2>> &velocities) const;
 
-      const SplitBody<2>        &body;
-      const std::vector<double> &sines;
-      std::vector<Node>          nodes;
-      ConicProgram               program;
-      std::vector<bool>          vertex_is_pressed;
+      const SplitBody<2> &body;
+      std::vector<Node>   nodes;
+      ConicProgram        program;
+      std::vector<bool>   vertex_is_pressed;
     };
 
 
@@ -115,10 +115,8 @@ namespace ElastoPlastic
 
 
 
-    SheetProgram::SheetProgram(const SplitBody<2>        &body,
-                               const std::vector<double> &sines)
+    SheetProgram::SheetProgram(const SplitBody<2> &body)
       : body(body)
-      , sines(sines)
       , nodes(body.mesh.vertices.size() + body.mesh.faces.size())
       , vertex_is_pressed(body.mesh.vertices.size(), false)
     {
@@ -222,12 +220,19 @@ namespace ElastoPlastic
       for (const auto &triangle : body.mesh.simplices)
         for (const unsigned int s : triangle.faces)
           {
-            const Node &node = nodes[body.mesh.vertices.size() + s];
+            const Node  &node = nodes[body.mesh.vertices.size() + s];
+            const double third =
+              volume(body.mesh.corners(triangle)) / (3. * unit);
             for (unsigned int c = 0; c < 2; ++c)
               if (!node.fixed[c])
-                program.right_hand_side[node.equations[c]] +=
-                  volume(body.mesh.corners(triangle)) / (3. * unit) *
-                  (body.body_force * node.directions[c]);
+                {
+                  const auto        &d = node.directions[c];
+                  const unsigned int n = node.equations[c];
+                  program.right_hand_side[n] += third * (body.body_force * d);
+                  if (body.load_factor_unit > 0)
+                    program.growth[n] += third * body.load_factor_unit *
+                                         (body.body_force_growth * d);
+                }
           }
     }
 
@@ -269,7 +274,7 @@ namespace ElastoPlastic
       for (unsigned int corner = 0; corner < 3; ++corner)
         for (unsigned int c = 0; c < 3; ++c)
           stresses(n_stress_components<2> * corner + c, 3 * corner + c) = 1.;
-      if (!sines.empty())
+      if (body.has_friction())
         for (unsigned int corner = 0; corner < 3; ++corner)
           for (unsigned int c = 0; c < 2; ++c)
             stresses(n_stress_components<2> * corner + 3, 3 * corner + c) = 0.5;
@@ -280,8 +285,8 @@ namespace ElastoPlastic
                               {1., 1., 1.},
                               body.materials[t].yield_radius /
                                 body.stress_unit);
-      if (!sines.empty())
-        add_friction(block, stresses, {0., 0., 0.}, sines[t]);
+      if (body.has_friction())
+        add_friction(block, stresses, {0., 0., 0.}, body.friction_sines[t]);
       for (unsigned int f = 0; f < forces.size(); ++f)
         {
           block.linear_cost[n_stresses + f] = body.indenter_velocity[1];
@@ -326,7 +331,11 @@ namespace ElastoPlastic
     VelocityField<2>
     SheetProgram::solve(const double tolerance) const
     {
-      const ConicSolution solution = minimize(program, tolerance);
+      // With friction, rates must be in the dual cones of the yield condition:
+      // what they lack becomes smaller with the gap.
+      const double smaller =
+        body.has_friction() ? part_of_tolerance * tolerance : tolerance;
+      const ConicSolution solution = minimize(program, smaller);
 
       std::vector<Tensor<1, 2>> velocities(nodes.size());
       for (unsigned int i = 0; i < nodes.size(); ++i)
@@ -342,7 +351,7 @@ namespace ElastoPlastic
                                                body.load_factor_unit :
                                                body.stress_unit * body.length_unit);
       field.n_iterations = solution.n_iterations;
-      field.is_optimal   = solution.is_optimal;
+      field.is_optimal   = solution.relative_gap <= tolerance;
       return field;
     }
 
@@ -369,16 +378,6 @@ namespace ElastoPlastic
   VelocityField<2>
   find_motion_of_sheet(const SplitBody<2> &body, const double tolerance)
   {
-    return SheetProgram(body, {}).solve(tolerance);
-  }
-
-
-
-  VelocityField<2>
-  find_motion_of_soil(const SplitBody<2>        &body,
-                      const std::vector<double> &sines,
-                      const double               tolerance)
-  {
-    return SheetProgram(body, sines).solve(tolerance);
+    return SheetProgram(body).solve(tolerance);
   }
 } // namespace ElastoPlastic

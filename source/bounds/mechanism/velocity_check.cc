@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/largest_error.h"
+#include "bounds/mechanism/dilatancy.h"
 #include "bounds/mechanism/face_view.h"
 #include "bounds/mechanism/velocity_check.h"
 
@@ -82,6 +83,31 @@ namespace ElastoPlastic
 
 
 
+    void
+    check_volume(VelocityErrors           &errors,
+                 const SplitBody<2>       &body,
+                 const SimplexVelocity<2> &velocity,
+                 const unsigned int        t)
+    {
+      if (body.has_friction())
+        enlarge(errors.divergence,
+                missing_dilatation(body, velocity, t) *
+                  std::sqrt(volume(body.corners_of(t))));
+      else if (body.kinematics != Kinematics::plane_stress)
+        check_divergence(errors, body, velocity, t);
+    }
+
+    void
+    check_volume(VelocityErrors           &errors,
+                 const SplitBody<3>       &body,
+                 const SimplexVelocity<3> &velocity,
+                 const unsigned int        t)
+    {
+      check_divergence(errors, body, velocity, t);
+    }
+
+
+
     template <int dim>
     void
     check_face(VelocityErrors        &errors,
@@ -89,14 +115,13 @@ namespace ElastoPlastic
                const FaceView<dim>   &view,
                const Velocities<dim> &velocity)
     {
-      const bool slips = body.kinematics != Kinematics::plane_stress;
       for (const auto &point : Bernstein<dim - 1>::points(trace_degree<dim>))
         {
           const Tensor<1, dim> jump =
             view.jump(velocity, point) / body.weight_unit();
           if (view.face.is_inside() || view.support.is_closed)
             enlarge(errors.separation, std::abs(jump * view.normal));
-          if (!slips && view.resists_slip())
+          if (!body.can_slide() && view.resists_slip())
             enlarge(errors.separation, view.along(jump).norm());
         }
       if (view.condition.is_reached)
@@ -177,9 +202,8 @@ namespace ElastoPlastic
   check_velocity(const SplitBody<dim> &body, const Velocities<dim> &velocity)
   {
     VelocityErrors errors;
-    if (body.kinematics != Kinematics::plane_stress)
-      for (unsigned int t = 0; t < velocity.size(); ++t)
-        check_divergence(errors, body, velocity[t], t);
+    for (unsigned int t = 0; t < velocity.size(); ++t)
+      check_volume(errors, body, velocity[t], t);
     for (const auto &view : views_of_faces(body))
       check_face(errors, body, view, velocity);
     return errors;

@@ -17,9 +17,8 @@ namespace ElastoPlastic
     VelocityField<2>
     find_mechanism(const SplitBody<2> &body, const double tolerance)
     {
-      return body.kinematics == Kinematics::plane_stress ?
-               find_motion_of_sheet(body, tolerance) :
-               find_stream(body, tolerance);
+      return body.can_slide() ? find_stream(body, tolerance) :
+                                find_motion_of_sheet(body, tolerance);
     }
 
     VelocityField<3>

@@ -200,7 +200,11 @@ namespace ElastoPlastic
               if (!HenckyMaterial::hardens(body.materials[t]))
                 enlarge(errors.yield_excess,
                         inverse_weight(body, x) * deviator(weighted).norm() -
-                          body.materials[t].yield_radius);
+                          body.yield_radius(t,
+                                            inverse_weight(body, x) * weighted -
+                                              body.pressure_of_body_force(
+                                                x, field.load_factor) *
+                                                unit_symmetric_tensor<3>()));
             }
         }
     }

@@ -105,26 +105,6 @@ namespace ElastoPlastic
 
 
 
-  StressField<2>
-  maximize_load_of_soil(const SplitBody<2>        &body,
-                        const std::vector<double> &sines,
-                        const unsigned int         degree,
-                        const double               tolerance)
-  {
-    AssertThrow(body.body_force_growth.norm() == 0.,
-                ExcMessage("The weight of soil is given, not looked for."));
-    StressProgram<2> program(body, OutOfPlane::mean, degree);
-    program.add_friction(sines);
-    if (body.load_factor_unit == 0)
-      program.add_force(-body.strain_unit * body.length_unit);
-    StressField<2> field =
-      explain_missing_limit([&]() { return program.solve(tolerance); });
-    field.displacement.clear();
-    return field;
-  }
-
-
-
   template StressField<2>
   equilibrate_with_force(const SplitBody<2> &, const double);
   template StressField<3>

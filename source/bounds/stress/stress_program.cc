@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <functional>
 
 #include "bounds/body/hencky_material.h"
 #include "bounds/conic/friction.h"
@@ -58,12 +59,13 @@ namespace ElastoPlastic
                                          degree,
                                          basis,
                                          out_of_plane,
-                                         basis.n() + n_unknown + n_growths(t));
+                                         basis.n() + n_unknown + n_growths(t) +
+                                           has_growing_pressure());
   }
 
 
 
-  // |dev tau| <= R + zeta
+  // |dev tau| <= R + zeta, or with friction R - sqrt(2) sin(phi) p.
   template <int dim>
   void
   StressProgram<dim>::add_block(const unsigned int t)
@@ -80,7 +82,18 @@ namespace ElastoPlastic
       for (unsigned int i = 0, n = n_growths(t); i < n; ++i)
         block.cone_matrix(n_stress_components<dim> * i,
                           block.cone_matrix.n() - n + i) = -1.;
+    if (body.has_friction())
+      add_friction_to(t, stresses);
     add_tractions(t, stresses);
+  }
+
+
+
+  template <int dim>
+  bool
+  StressProgram<dim>::has_growing_pressure() const
+  {
+    return body.has_friction() && body.body_force_growth.norm() > 0.;
   }
 
 
@@ -88,24 +101,39 @@ namespace ElastoPlastic
   // The pressure of body forces is not in the stresses.
   template <int dim>
   void
-  StressProgram<dim>::add_friction(const std::vector<double> &sines)
+  StressProgram<dim>::add_friction_to(const unsigned int        t,
+                                      const FullMatrix<double> &stresses)
   {
-    const auto &points = Bernstein<dim>::points(degree);
-    for (unsigned int t = 0; t < sines.size(); ++t)
-      {
-        std::vector<double> pressures;
-        for (unsigned int k = 0; k < Element::n_parts; ++k)
-          for (const auto &point : points)
-            pressures.push_back(
-              body.pressure_of_body_force(
-                interpolate(point, Element::part_of(body.corners_of(t), k)),
-                /* load_factor = */ 0.) /
-              body.stress_unit);
-        ElastoPlastic::add_friction(program.blocks[t],
-                                    point_stresses(t),
-                                    pressures,
-                                    sines[t]);
-      }
+    ConicBlock  &block          = program.blocks[t];
+    const double sine           = body.friction_sines[t];
+    const auto   pressures_with = [&](const double load_factor) {
+      std::vector<double> pressures;
+      for (unsigned int k = 0; k < Element::n_parts; ++k)
+        for (const auto &point : Bernstein<dim>::points(degree))
+          pressures.push_back(
+            body.pressure_of_body_force(
+              interpolate(point, Element::part_of(body.corners_of(t), k)),
+              load_factor) /
+            body.stress_unit);
+      return pressures;
+    };
+    const auto constant = pressures_with(0.);
+    add_friction(block, stresses, constant, sine);
+    if (!has_growing_pressure())
+      return;
+    auto growing = pressures_with(body.load_factor_unit);
+    std::transform(growing.begin(),
+                   growing.end(),
+                   constant.begin(),
+                   growing.begin(),
+                   std::minus<>());
+    const unsigned int unknown = stresses.n() - 1;
+    add_growing_pressure(block, unknown, growing, sine);
+    Vector<double> row(stresses.n());
+    row[unknown] = 1.;
+    block.add_to_equation(program.right_hand_side.size() -
+                            body.mesh.simplices.size() + t,
+                          row);
   }
 
 
@@ -212,6 +240,11 @@ namespace ElastoPlastic
                                   identity,
                                   LocalStresses::weights(body, t, degree),
                                   /* radius = */ 1.);
+        if (body.has_friction())
+          add_friction(block,
+                       identity,
+                       std::vector<double>(values.size() / n_components, 0.),
+                       body.friction_sines[t]);
         LocalAlgebra::add_transposed_product(all.begin(), block.cone_matrix, z);
       }
 

@@ -40,6 +40,11 @@ namespace ElastoPlastic
               growth.push_back(more[i]);
             }
         }
+    if (has_growing_pressure())
+      {
+        values.resize(values.size() + body.mesh.simplices.size(), 0.);
+        growth.resize(values.size(), 1.);
+      }
     program.right_hand_side = Vector<double>(values.begin(), values.end());
     if (body.load_factor_unit > 0)
       program.growth = Vector<double>(growth.begin(), growth.end());

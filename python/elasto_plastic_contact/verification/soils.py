@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cases of verify: limit loads of ground that obeys Mohr's and Coulomb's yield condition."""
+
+import math
+
+FOOTING = "limit_load/footing.prm"
+# At 30 degrees, by the method of characteristics (Martin 2005), smooth and rough.
+N_GAMMA = {"smooth": 7.653, "rough": 14.754}
+HEAVY_COHESION = 0.001  # of footing_weight.prm
+# H gamma / c at 30 degrees: the upper bound of a log spiral through the toe (Chen 1975), and what a better mechanism is
+# better by without friction (3.7776 against 3.83).
+VERTICAL_CUT = (0.98 * 6.69, 6.69)
+
+
+def n_q(degrees):
+    """What a surcharge adds to the bearing capacity, over the surcharge (Reissner 1924)."""
+    phi = math.radians(degrees)
+    return math.exp(math.pi * math.tan(phi)) * math.tan(math.pi / 4 + phi / 2)**2
+
+
+def n_c(degrees):
+    """The bearing capacity of weightless ground, over its cohesion (Prandtl 1920)."""
+    return (n_q(degrees) - 1) / math.tan(math.radians(degrees))
+
+
+def verify_bounds(runner, name, limit, difference, case, *entries):
+    """The bounds of all meshes are on both sides of the limit load, those of the last one within a relative difference."""
+    rows = runner.tables(case, *entries)["limit_load"]
+    for row in rows:
+        runner.verify(f"{name}: {row['lower_bound']:.6g} <= {limit:.6g} <= {row['upper_bound']:.6g}",
+                      row["lower_bound"] <= limit <= row["upper_bound"])
+    runner.compare(f"{name}: difference of the bounds", rows[-1]["relative_difference"], 0, difference, absolute=True)
+    runner.compare(f"{name}: largest error of stresses and velocities",
+                   max(max(row["stress_error"], row["velocity_error"]) for row in rows), 0, 1e-8, absolute=True)
+    return rows
+
+
+def soil_footing(runner):
+    """A footing on weightless ground around Prandtl's and Reissner's values, and on ground without friction that of metals."""
+    coarse = "Refinement/Number of cycles=5"
+    for degrees in (10, 20, 30):
+        verify_bounds(runner, f"{degrees} degrees", n_c(degrees), 0.06, FOOTING, coarse,
+                      f"Material/Friction angle={degrees}")
+    rows = verify_bounds(runner, "rough footing", n_c(20), 0.08, FOOTING, coarse, "Material/Friction angle=20",
+                         "Indenter/Surface=rough")
+    with runner.on_ranks(2 if runner.ranks == 1 else 1):
+        other = runner.tables(FOOTING, "Refinement/Number of cycles=3", "Material/Friction angle=20",
+                              "Indenter/Surface=rough")["limit_load"]
+    runner.compare("lower bound on another number of ranks", other[-1]["lower_bound"], rows[2]["lower_bound"], 1e-9)
+    verify_bounds(runner, "surcharge", n_c(20) + 3 * n_q(20), 0.06, FOOTING, coarse, "Material/Friction angle=20",
+                  "Boundary conditions/Traction=top: 0; -3")
+    without, metal = (runner.tables(FOOTING, "Refinement/Number of cycles=3", *entries)["limit_load"]
+                      for entries in (("Material/Friction angle=0",),
+                                      ("Material/Yield criterion=von Mises", f"Material/Yield stress={math.sqrt(3)}")))
+    for row, other in zip(without, metal):
+        for bound in ("lower_bound", "upper_bound"):
+            runner.compare(f"no friction, {bound}", row[bound], other[bound], 1e-9)
+
+
+def heavy(surface):
+    """The limit load of footing_weight.prm, between two numbers: weight and cohesion together bear more than each alone."""
+    least = N_GAMMA[surface] + HEAVY_COHESION * n_c(30)
+    return least, 1.01 * least
+
+
+def verify_range(runner, name, least, most, difference, case, *entries):
+    """The bounds of all meshes are above and below a range that holds the limit load."""
+    rows = runner.tables(case, *entries)["limit_load"]
+    for row in rows:
+        runner.verify(f"{name}: {row['lower_bound']:.6g} <= limit load <= {row['upper_bound']:.6g}",
+                      row["lower_bound"] <= most and row["upper_bound"] >= least)
+    runner.compare(f"{name}: difference of the bounds", rows[-1]["relative_difference"], 0, difference, absolute=True)
+    runner.compare(f"{name}: largest error of stresses and velocities",
+                   max(max(row["stress_error"], row["velocity_error"]) for row in rows), 0, 1e-8, absolute=True)
+
+
+def soil_weight(runner):
+    """Heavy ground under smooth and rough footings around N_gamma, and beside a vertical cut."""
+    for surface in N_GAMMA:
+        verify_range(runner, f"{surface} footing", *heavy(surface), 0.3, "limit_load/footing_weight.prm",
+                     "Refinement/Number of cycles=3", f"Indenter/Surface={surface}")
+    cut = "limit_load/vertical_cut_friction.prm"
+    verify_range(runner, "vertical cut", *VERTICAL_CUT, 0.1, cut, "Refinement/Number of cycles=5")
+    whole, half = (runner.tables(cut, "Refinement/Number of cycles=2", *entries)["limit_load"][-1]
+                   for entries in ((), ("Material/Cohesion=0.5e3",)))
+    for bound in ("lower_bound", "upper_bound"):
+        runner.compare(f"vertical cut in other units, {bound}", half[bound], 0.5e3 * whole[bound], 1e-5)
+
+
+def soil_fine(runner):
+    """Footings on weightless ground within 1 %, on heavy ground and a vertical cut on fine meshes (many minutes)."""
+    for degrees in (10, 20, 30):
+        for surface in N_GAMMA:
+            verify_bounds(runner, f"{degrees} degrees, {surface}", n_c(degrees), 0.01, FOOTING,
+                          f"Material/Friction angle={degrees}", f"Indenter/Surface={surface}")
+    verify_bounds(runner, "surcharge", n_c(20) + 3 * n_q(20), 0.01, FOOTING, "Material/Friction angle=20",
+                  "Boundary conditions/Traction=top: 0; -3")
+    for surface in N_GAMMA:
+        verify_range(runner, f"heavy ground, {surface}", *heavy(surface), 0.05, "limit_load/footing_weight.prm",
+                     f"Indenter/Surface={surface}")
+    verify_range(runner, "vertical cut", *VERTICAL_CUT, 0.02, "limit_load/vertical_cut_friction.prm")

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/largest_error.h"
+#include "bounds/body/split_body.h"
+
+// What the materials of a SplitBody bear.
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// The largest load that does not grow, as a stress.
+    double
+    largest_constant_load(const SplitBody<2> &body)
+    {
+      double largest = body.body_force.norm() * body.length_unit;
+      for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
+        for (const auto &component : body.conditions[f].components)
+          if (component.type == ConditionType::traction)
+            for (unsigned int i = 0; i < 2; ++i)
+              enlarge(largest,
+                      std::abs(component.value(
+                        corner_point<2>(body.corners_of_face(f), i))));
+      return largest;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  SplitBody<dim>::has_friction() const
+  {
+    return !friction_sines.empty();
+  }
+
+
+
+  template <int dim>
+  bool
+  SplitBody<dim>::can_slide() const
+  {
+    return kinematics != Kinematics::plane_stress && !has_friction();
+  }
+
+
+
+  // With s_33 = (s_11 + s_22) / 2, the deviator has sqrt(2) times the norm of
+  // ((s_11 - s_22) / 2, s_12).
+  template <int dim>
+  double
+  SplitBody<dim>::yield_radius(const unsigned int           simplex,
+                               const SymmetricTensor<2, 3> &stress) const
+  {
+    const double without_pressure = materials[simplex].yield_radius;
+    return has_friction() ?
+             without_pressure - std::sqrt(0.5) * friction_sines[simplex] *
+                                  (stress[0][0] + stress[1][1]) :
+             without_pressure;
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::shear_strength(const unsigned int face) const
+  {
+    double radius = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i < mesh.faces[face].n_neighbors(); ++i)
+      radius =
+        std::min(radius, materials[mesh.faces[face].neighbors[i]].yield_radius);
+    return std::sqrt(0.5) * radius;
+  }
+
+
+
+  // A strength that comes from the pressure of constant loads may be much
+  // larger than the cohesion.
+  void
+  set_friction(SplitBody<2> &body, const std::vector<double> &sines)
+  {
+    const double largest_sine = *std::max_element(sines.begin(), sines.end());
+    if (largest_sine == 0.)
+      return;
+    for (const auto &triangle : body.mesh.simplices)
+      body.friction_sines.push_back(
+        sines.size() == 1 ? sines.front() :
+                            sines[body.mesh.cells[triangle.cell].material_id]);
+    const double factor =
+      std::max(1.,
+               largest_sine * largest_constant_load(body) / body.stress_unit);
+    body.stress_unit *= factor;
+    body.strain_unit *= factor;
+    body.load_factor_unit *= factor;
+  }
+
+
+
+  template bool
+  SplitBody<2>::has_friction() const;
+  template bool
+  SplitBody<3>::has_friction() const;
+  template bool
+  SplitBody<2>::can_slide() const;
+  template bool
+  SplitBody<3>::can_slide() const;
+  template double
+  SplitBody<2>::yield_radius(const unsigned int,
+                             const SymmetricTensor<2, 3> &) const;
+  template double
+  SplitBody<3>::yield_radius(const unsigned int,
+                             const SymmetricTensor<2, 3> &) const;
+  template double
+  SplitBody<2>::shear_strength(const unsigned int) const;
+  template double
+  SplitBody<3>::shear_strength(const unsigned int) const;
+} // namespace ElastoPlastic

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/numbers.h>
+
+#include <cmath>
+
+#include "material/soil_parameters.h"
+#include "material/value_per_material.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// Beyond, a body that can collapse is hard to tell from one that cannot.
+    constexpr double largest_friction_angle = 60.;
+
+
+
+    double
+    in_radians(const double degrees)
+    {
+      return degrees * numbers::PI / 180.;
+    }
+  } // namespace
+
+
+
+  void
+  SoilParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Cohesion",
+                      cohesions,
+                      "c > 0, the shear stress that a 'Mohr-Coulomb' material "
+                      "bears on planes without pressure. A ground without "
+                      "cohesion is approached by a small one. Unit: stress.",
+                      Patterns::List(Patterns::Double(), 1));
+    prm.add_parameter("Friction angle",
+                      friction_angles,
+                      "phi, from 0 to 60 degrees: the shear stress that a "
+                      "'Mohr-Coulomb' material bears grows by tan(phi) times "
+                      "the pressure on its plane. Unit: degrees.",
+                      Patterns::List(Patterns::Double(), 1));
+  }
+
+
+
+  void
+  SoilParameters::check() const
+  {
+    require(
+      "Cohesion",
+      cohesions,
+      [](const double c) { return c > 0; },
+      "it must be greater than 0: without cohesion, stresses at a free surface "
+      "are at the limit whatever the load. A small one (a thousandth of weight "
+      "times width) changes little.");
+    require(
+      "Friction angle",
+      friction_angles,
+      [](const double phi) {
+        return phi >= 0 && phi <= largest_friction_angle;
+      },
+      "it must lie between 0 and 60 degrees.");
+  }
+
+
+
+  std::vector<std::pair<std::string, unsigned int>>
+  SoilParameters::list_lengths() const
+  {
+    return {{"Cohesion", cohesions.size()},
+            {"Friction angle", friction_angles.size()}};
+  }
+
+
+
+  double
+  SoilParameters::friction_sine(const unsigned int id) const
+  {
+    return std::sin(in_radians(of_material(friction_angles, id)));
+  }
+
+
+
+  double
+  SoilParameters::yield_radius(const unsigned int id) const
+  {
+    return std::sqrt(2.) * of_material(cohesions, id) *
+           std::cos(in_radians(of_material(friction_angles, id)));
+  }
+} // namespace ElastoPlastic
