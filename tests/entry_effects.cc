@@ -77,6 +77,7 @@ main(int argc, char *argv[])
   compare("Geometry/Local radius", {{"Geometry/Local refinements", "2"}});
   compare("Geometry/Circle centre", {{"Geometry/Circle radius", "0.5"}});
   compare("Material/Yield stress", {{"Material/Law", "linear elastic"}});
+  compare("Initial stress/Stress xz", {{"Dimension", "2"}});
   compare("Material/Voce rate",
           {{"Material/Law", "linear elastic, nonlinear hardening"},
            {"Material/Voce stress", "0, 100"}});
