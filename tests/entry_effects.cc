@@ -80,6 +80,7 @@ main(int argc, char *argv[])
   compare("Material/Yield stress",
           {{"Material/Yield criterion", "Mohr-Coulomb"}});
   compare("Material/Cohesion", {{"Material/Yield criterion", "Mohr-Coulomb"}});
+  compare("Initial stress/Stress xz", {{"Dimension", "2"}});
   compare("Material/Voce rate",
           {{"Material/Law", "linear elastic, nonlinear hardening"},
            {"Material/Voce stress", "0, 100"}});

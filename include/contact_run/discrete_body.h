@@ -52,7 +52,8 @@ namespace ElastoPlastic
 
     /// Prepares everything that depends on the mesh, for the end of a load step
     /// at @p time, with this @p load of the indenter. The displacement is zero,
-    /// the material is virgin.
+    /// the material is virgin and bears the initial stress.
+    /// @throws InputError if that is far from an equilibrium.
     void
     reinit(const double time, const Load &load);
 
@@ -205,6 +206,23 @@ namespace ElastoPlastic
       return loads;
     }
 
+    /// The nodal forces in equilibrium with the initial stress.
+    const VectorType &
+    forces_at_rest() const
+    {
+      return initial_forces;
+    }
+
+    /// What to say of the initial stress and its equilibrium on the present
+    /// mesh.
+    std::string
+    remark_on_initial_stress() const;
+
+    /// What may be expected of the sum of the magnitudes of forces that the
+    /// initial stress is made of.
+    double
+    initial_force_scale() const;
+
     const VectorType &
     displacement() const
     {
@@ -234,6 +252,17 @@ namespace ElastoPlastic
 
     void
     reinit_contact(const double time, const Load &load);
+
+    /// Lets the virgin body bear the initial stress, if there is one: what of
+    /// it is not in equilibrium with the supports and loads at t = 0, the
+    /// elastic response to that corrects.
+    void
+    set_initial_stress();
+
+    /// The correction of set_initial_stress(). @return its elastic energy.
+    double
+    balance_initial_stress(const VectorType &loads_at_rest,
+                           const double      energy);
 
     /// Lets supports, external forces and indenter be those at @p time.
     void
@@ -275,7 +304,11 @@ namespace ElastoPlastic
     VectorType                     loads;
     VectorType                     u;
     VectorType                     residual_forces;
-    Vector<float>                  indicators;
+    VectorType                     initial_forces;
+    /// Of the initial stress, as it is given: the part, in the norm of the
+    /// elastic energy, that has not been in equilibrium on the present mesh.
+    double        initial_imbalance = 0;
+    Vector<float> indicators;
 
     const LinearSolverParameters &linear_solver;
     Log                          &log;

@@ -15,12 +15,14 @@ namespace ElastoPlastic
 {
   /// The equilibrium at the end of the last load step, which the next one
   /// begins with, how fast things have changed on the way there, and how large
-  /// they have been until now. Vectors are empty in the virgin state.
+  /// they have been until now. The displacement is empty in the virgin state,
+  /// as are all vectors without an initial stress.
   struct LastStep
   {
     SolveResult result;
     VectorType  displacement;
-    /// The nodal forces in equilibrium with the stresses.
+    /// The nodal forces in equilibrium with the stresses; in the virgin state
+    /// with the initial one, if there is one.
     VectorType forces;
     VectorType displacement_rate;
     /// How far the surface has slipped along the indenter.
@@ -61,6 +63,8 @@ namespace ElastoPlastic
       if (!is_virgin())
         work += 0.5 * (forces * new_displacement - new_forces * displacement -
                        forces * displacement);
+      else if (forces.size() > 0)
+        work += 0.5 * (forces * new_displacement);
       return work;
     }
 

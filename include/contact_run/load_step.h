@@ -164,6 +164,11 @@ namespace ElastoPlastic
     failure() const;
 
   private:
+    /// Before the first step: the nodal forces of the initial stress on the
+    /// present mesh, if there is one.
+    void
+    take_initial_forces();
+
     /// Whether it may be expected to go on like the last one.
     bool
     continues_last() const;
@@ -173,7 +178,7 @@ namespace ElastoPlastic
     error_of(const SolveResult &result) const;
 
     /// Since the last step: tractions do not grow if they only become smaller.
-    /// The virgin body bears none.
+    /// The virgin body bears none, unless it has an initial stress.
     bool
     tractions_grow() const;
 

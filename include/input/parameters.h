@@ -21,6 +21,7 @@
 #include "loads/boundary_conditions.h"
 #include "material/material_parameters.h"
 #include "mechanics/discretization_parameters.h"
+#include "mechanics/initial_stress.h"
 #include "mesh/geometry.h"
 #include "output/output_parameters.h"
 #include "solver/linear_solver_parameters.h"
@@ -56,6 +57,7 @@ namespace ElastoPlastic
     BodyForceParameters         body_force;
     BoundaryConditionParameters boundary_conditions;
     MaterialParameters          material;
+    InitialStressParameters     initial_stress;
     IndenterParameters          indenter;
     ContactParameters           contact;
     LoadingParameters           loading;

@@ -38,6 +38,12 @@ namespace ElastoPlastic
     void
     set_step_duration(const double duration);
 
+    double
+    step_duration() const
+    {
+      return materials.front().step_duration;
+    }
+
     /// The largest number of back stresses that a material has.
     unsigned int
     n_back_stresses() const;

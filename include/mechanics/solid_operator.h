@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "mechanics/batch_materials.h"
+#include "mechanics/initial_strains.h"
+#include "mechanics/initial_stress.h"
 #include "mechanics/point_history.h"
 #include "mechanics/point_response.h"
 #include "mechanics/solid_kernel.h"
@@ -48,9 +50,21 @@ namespace ElastoPlastic
     /// The volume (in plane strain: the area) that the point stands for, before
     /// the deformation.
     double volume;
-    /// Per unit of volume: the elastic energy, what hardening has stored, and
-    /// the plastic work and the dissipation of the step under way.
+    /// Per unit of volume: the elastic energy beyond that of the initial
+    /// stress, what hardening has stored, and the plastic work and the
+    /// dissipation of the step under way.
     double elastic_energy, hardening_energy, plastic_work, dissipation;
+  };
+
+
+
+  /// How large the initial stress of a body is.
+  struct InitialStressSize
+  {
+    /// Its elastic energy.
+    double energy = 0;
+    /// The integral of its norm over the body.
+    double norm = 0;
   };
 
 
@@ -92,7 +106,8 @@ namespace ElastoPlastic
     bool
     is_rate_dependent() const;
 
-    /// Prepares everything that depends on the mesh; all points are virgin.
+    /// Prepares everything that depends on the mesh; all points are virgin,
+    /// and bear no stress.
     /// @p dof_handler and @p constraints must outlive this object or the next
     /// call.
     /// @throws InputError if a cell's material id has no material.
@@ -100,11 +115,32 @@ namespace ElastoPlastic
     reinit(const DoFHandler<dim>           &dof_handler,
            const AffineConstraints<double> &constraints);
 
+    /// Lets the body bear @p stress as long as it is not deformed. Collective.
+    /// @throws InputError if it is not finite somewhere, or beyond the yield
+    /// stress of a material without a rate law.
+    void
+    set_initial_stress(const InitialStress<dim> &stress);
+
+    /// Adds to the initial stress that of @p displacement if the body were
+    /// elastic and without stress.
+    void
+    add_to_initial_stress(const VectorType &displacement);
+
+    /// Collective.
+    InitialStressSize
+    initial_stress_size() const;
+
     /// Begins a load step of this @p duration, which lasts until commit(). In
     /// between steps, no time passes: what flows at a finite rate only does not
     /// flow.
     void
     begin_step(const double duration);
+
+    double
+    step_duration() const
+    {
+      return materials.step_duration();
+    }
 
     /// Ends a load step with the displacement @p u: what the points then
     /// remember is what the next step begins with.
@@ -230,9 +266,26 @@ namespace ElastoPlastic
     template <typename T>
     using AtPoints = std::array<T, Strains::max_points>;
 
-    /// The strain at a point. Out of plane, the material of a sheet says it.
+    /// The strain at a point that the material feels, that of the initial
+    /// stress included. Out of plane, the material of a sheet says it.
     Strain
     strain_at(const Strains &strains, const unsigned int point) const;
+
+    /// The volumetric strain that the material feels.
+    Number
+    volumetric_strain_at(const Strains &strains, const unsigned int point) const
+    {
+      return initial_strains.are_present() ?
+               strains.volumetric[point] +
+                 trace(initial_strains.at(strains.batch, point)) :
+               strains.volumetric[point];
+    }
+
+    /// What is not counted of the elastic energy of a point: that of the
+    /// initial stress, less the work of its pressure on what distinguishes the
+    /// volumetric strain from its mean over the cell.
+    Number
+    initial_energy_at(const Strains &strains, const unsigned int point) const;
 
     PointResponse<Number>
     response(const Strains &strains, const unsigned int point) const;
@@ -289,6 +342,8 @@ namespace ElastoPlastic
     PointTangents<dim> tangents;
     /// The states before the step.
     PointHistory history;
+    /// The elastic strains of the initial stress, if there is one.
+    InitialStrains initial_strains;
   };
 } // namespace ElastoPlastic
 

@@ -15,6 +15,7 @@
 #include "loading/load_program.h"
 #include "loads/loaded_body.h"
 #include "material/material.h"
+#include "mechanics/initial_stress.h"
 #include "mesh/geometry.h"
 
 namespace ElastoPlastic
@@ -42,6 +43,8 @@ namespace ElastoPlastic
     /// As it is before the first step: an analysis takes a copy, which
     /// remembers what has been reached.
     LoadProgram load_program;
+
+    InitialStress<dim> initial_stress = {};
 
     /// The same problem with Geometry::with_few_cells(@p n_cells).
     Model

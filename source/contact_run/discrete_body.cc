@@ -105,13 +105,15 @@ namespace ElastoPlastic
                                            log.warn(warning);
                                          });
     indicators.reinit(mesh.n_active_cells());
+    set_initial_stress();
   }
 
 
 
   // What is no longer needed makes room for what comes: the levels of the old
   // mesh, and the values in transfer as soon as there are unknowns for them.
-  // Virgin material has no states to transfer.
+  // Virgin material has no states to transfer; the initial stress is found
+  // anew, for a body that has no past.
   template <int dim>
   void
   DiscreteBody<dim>::refine(const double time, const Load &load, LastStep &last)
@@ -141,9 +143,9 @@ namespace ElastoPlastic
     transfer.interpolate(fields);
     for (VectorType *field : fields)
       held.constraints().distribute(*field);
+    reinit_contact(time, load);
     if (!is_virgin)
       solid_body.set_states(state_transfer.take());
-    reinit_contact(time, load);
   }
 
 

@@ -100,6 +100,8 @@ namespace ElastoPlastic
     log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     for (const std::string &remark : remarks_on_holds(model))
       log.remark(remark);
+    if (model.initial_stress.is_present())
+      log.remark(body.remark_on_initial_stress());
     output_directory.begin_run(overwrite, parameters.effective_input);
     body.place_indenter(0., 0.);
     output.write_initial_state();

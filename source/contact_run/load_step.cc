@@ -43,6 +43,19 @@ namespace ElastoPlastic
   LoadStep<dim>::make_body()
   {
     body.reinit(time_steps.next_time(), load());
+    take_initial_forces();
+  }
+
+
+
+  template <int dim>
+  void
+  LoadStep<dim>::take_initial_forces()
+  {
+    if (!model.initial_stress.is_present())
+      return;
+    last_step.forces = body.forces_at_rest();
+    note_forces(body.initial_force_scale());
   }
 
 
@@ -161,6 +174,8 @@ namespace ElastoPlastic
   {
     ++mesh_number;
     body.refine(time_steps.next_time(), load(), last_step);
+    if (last_step.is_virgin())
+      take_initial_forces();
     if (under_way)
       return;
     last_step.displacement = body.displacement();
@@ -240,7 +255,7 @@ namespace ElastoPlastic
   LoadStep<dim>::tractions_grow() const
   {
     VectorType growth = body.external_forces();
-    if (!last_step.is_virgin())
+    if (!last_step.is_virgin() || model.initial_stress.is_present())
       growth -= body.external_forces_at(time_steps.time());
     return growth * body.external_forces() > 0;
   }

@@ -99,6 +99,11 @@ namespace ElastoPlastic
           {"Law", "Young's modulus", "Poisson's ratio", "Rate law"},
           always());
       add(effects,
+          "Initial stress",
+          {"Stress xx", "Stress yy", "Stress zz", "Stress xy"},
+          always());
+      add(effects, "Initial stress", {"Stress xz", "Stress yz"}, of_space);
+      add(effects,
           "Material",
           {"Yield stress"},
           all({without("Material/Law", "linear elastic"),

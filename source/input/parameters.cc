@@ -97,6 +97,7 @@ namespace ElastoPlastic
     geometry.add_parameters(prm);
     boundary_conditions.add_parameters(prm);
     material.add_parameters(prm);
+    initial_stress.add_parameters(prm);
     indenter.add_parameters(prm);
     contact.add_parameters(prm);
     loading.add_parameters(prm);
@@ -388,6 +389,15 @@ namespace ElastoPlastic
                             " in plane stress" :
                             "") +
                          ". Leave it empty.");
+    if (initial_stress.is_present())
+      throw InputError(
+        entry + (analysis == Analysis::limit_load ?
+                   " finds what does not depend on an initial stress: the "
+                   "limit load of a perfectly plastic body is the same with "
+                   "any. Leave the entries of 'Initial stress' empty." :
+                   " bounds the error in bodies without stress at the "
+                   "beginning. Leave the entries of 'Initial stress' empty, or "
+                   "set 'Analysis = contact'."));
     if (analysis == Analysis::contact_with_error_bound &&
         !loading.is_single_step())
       throw InputError("Analysis",

@@ -87,6 +87,7 @@ namespace ElastoPlastic
     for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
       tangents.set_bulk_modulus(batch, materials[batch].bulk_modulus);
     history.reinit(kernel->n_batches(), n_points);
+    initial_strains.clear();
   }
 
 
@@ -106,6 +107,8 @@ namespace ElastoPlastic
                                 const unsigned int point) const
   {
     Strain strain = strains.strain[point];
+    if (initial_strains.are_present())
+      strain += initial_strains.at(strains.batch, point);
     if (is_sheet)
       strain[2][2] = out_of_plane_strain(materials[strains.batch],
                                          strain,
@@ -123,7 +126,7 @@ namespace ElastoPlastic
     return PointResponse<Number>(is_sheet,
                                  materials[strains.batch],
                                  strain_at(strains, point),
-                                 strains.volumetric[point],
+                                 volumetric_strain_at(strains, point),
                                  history.state(strains.batch, point));
   }
 
@@ -174,6 +177,8 @@ namespace ElastoPlastic
         stresses[q]         = at_point.stress();
         energies +=
           at_point.incremental_energy(has_energy()) * strains.volume[q];
+        if (initial_strains.are_present())
+          energies -= initial_energy_at(strains, q) * strains.volume[q];
       }
     double energy = 0;
     for (unsigned int lane = 0; lane < kernel->n_cells(strains.batch); ++lane)
@@ -340,13 +345,18 @@ namespace ElastoPlastic
       const unsigned int n_cells = kernel->n_cells(strains.batch);
       for (unsigned int q = 0; q < n_points; ++q)
         {
-          const auto   at_point   = response(strains, q);
-          const auto  &plasticity = at_point.plasticity();
-          const auto   state      = plasticity.state();
-          const auto   strain     = strain_at(strains, q);
+          const auto  at_point       = response(strains, q);
+          const auto &plasticity     = at_point.plasticity();
+          const auto  state          = plasticity.state();
+          Strain      strain         = strain_at(strains, q);
+          Number      elastic_energy = at_point.elastic_energy();
+          if (initial_strains.are_present())
+            {
+              strain -= initial_strains.at(strains.batch, q);
+              elastic_energy -= initial_energy_at(strains, q);
+            }
           const Number thickness =
             is_sheet && is_finite ? std::exp(strain[2][2]) : Number(1.);
-          const Number elastic_energy   = at_point.elastic_energy();
           const Number hardening_energy = plasticity.hardening_energy();
           const Number plastic_work     = plasticity.plastic_work();
           const Number dissipation      = plasticity.dissipation();

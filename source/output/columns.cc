@@ -80,7 +80,7 @@ namespace ElastoPlastic
       {"linear_iterations", "1", "on the last mesh", &R::linear_iterations},
       {"estimated_error", "indicator", "of the last mesh, as in statistics.csv", &R::estimated_error},
       {"wall_seconds", "seconds", "on the last mesh", &R::wall_seconds},
-      {"elastic_energy", "force x length", "stored in the body elastically", &R::elastic_energy},
+      {"elastic_energy", "force x length", "stored in the body elastically; with an initial stress, beyond its energy", &R::elastic_energy},
       {"hardening_energy", "force x length", "stored in the body by hardening", &R::hardening_energy},
       {"plastic_work", "force x length", "since the virgin state", &R::plastic_work},
       {"dissipation", "force x length", "the part of the plastic work that is not stored", &R::dissipation},

@@ -188,13 +188,13 @@ namespace ElastoPlastic
 
     const double largest =
       largest_load_at_any_time(model, steps, dof_handler, triangulation);
-    if (largest == 0.)
+    if (largest == 0. && !model.initial_stress.is_present())
       throw InputError(
         "Nothing loads the body: at the ends of all load steps, neither depth "
         "nor force of the indenter is greater than 0, and tractions, prescribed "
         "displacements and body forces are zero, as far as there are any. "
         "Check 'Loading', 'Boundary conditions' and 'Body force'.");
-    if (largest < smallest_load)
+    if (largest > 0. && largest < smallest_load)
       throw InputError(
         "The loads are so small that the rounding of numbers hides what they "
         "do: at the ends of all load steps, the largest of them strains the "

@@ -168,7 +168,9 @@ namespace ElastoPlastic
             parameters.material.materials(),
             make_indenter<dim>(parameters.indenter),
             contact_of(parameters),
-            LoadProgram(parameters.loading)};
+            LoadProgram(parameters.loading),
+            InitialStress<dim>(parameters.initial_stress,
+                               parameters.discretization.kinematics)};
   }
 
 

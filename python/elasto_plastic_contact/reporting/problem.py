@@ -152,7 +152,10 @@ def boundaries_in_words(facts):
     parts += [f"{entry.lower()}: {facts.text(path)}" for entry, path in (
         ("Prescribed displacement", "Boundary conditions/Prescribed displacement"),
         ("Traction", "Boundary conditions/Traction"), ("Body force", "Body force")) if facts.text(path)]
-    return "Boundaries. " + "; ".join(parts) + "."
+    stresses = [f"{component} {facts.text(path)}" for component in ("xx", "yy", "zz", "xy", "xz", "yz")
+                if facts.text(path := f"Initial stress/Stress {component}")]
+    initial = f" It bears an initial stress: {', '.join(stresses)}." if stresses else ""
+    return "Boundaries. " + "; ".join(parts) + "." + initial
 
 
 def indenter_in_words(facts):

@@ -1,0 +1,176 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Verification of initial stresses; see verify."""
+
+import math
+import pathlib
+import tempfile
+
+from ..program import command_line
+from ..tables import read_tables
+from . import uniaxial
+from .runner import E
+
+BAR = "material/uniaxial_isotropic.prm"
+SHEET = "material/plane_stress_tension.prm"
+STRAIN = "0.02*if(t <= 1, t, if(t <= 2, 3 - 2*t, t - 3))"
+N_STEPS = 60
+REVOLUTION = ("Dimension=2", "Kinematics=axisymmetric", "Boundary conditions/Roller=left, bottom",
+              "Boundary conditions/Free=right", f"Boundary conditions/Prescribed displacement=top: free; {STRAIN}")
+LAWS = {
+    "perfectly plastic": uniaxial.Law(E, 400),
+    "Armstrong-Frederick": uniaxial.Law(E, 400, isotropic=1000, back=((30000, 150), (2000, 0))),
+}
+
+# A ring between smooth plates, free inside and outside unless a pressure acts: div sigma = 0 and sigma n = 0, with
+# polynomials that linear elements integrate exactly.
+RING = ("Dimension=2", "Kinematics=axisymmetric", "Geometry/Lower corner=1, 0", "Geometry/Upper corner=2, 1",
+        "Geometry/Initial refinements=3", "Boundary conditions/Roller=bottom, top",
+        "Boundary conditions/Prescribed displacement=", "Output/Probe points=rim: 2, 0.5 | inside: 1.3, 0.4")
+FREE = "Boundary conditions/Free=left, right"
+RING_STRESS = ("Initial stress/Stress xx=150*(x-1)*(2-x)", "Initial stress/Stress zz=150*(-3*x^2+6*x-2)",
+               "Initial stress/Stress yy=100*(x-1.5)")
+
+
+def initial_stress(runner):
+    """Bars and rings that bear a stress from the beginning: at rest, first yield, elastic response, work (exact)."""
+    stretched_bars(runner)
+    bars_at_finite_strain(runner)
+    bodies_at_rest(runner)
+    rings_under_pressure(runner)
+
+
+def strains():
+    """Of a bar, at the ends of all steps."""
+    return [0.02 * (t if t <= 1 else 3 - 2 * t if t <= 2 else t - 3)
+            for t in (3 * (step + 1) / N_STEPS for step in range(N_STEPS))]
+
+
+def stretched_bars(runner):
+    """A bar under the stress S is one that has been stretched by S / E before, with all laws."""
+    for name, law in LAWS.items():
+        for stress in (150, -300):
+            exact = [row[0] for row in uniaxial.steps(
+                law, [stress / E] + [strain + stress / E for strain in strains()])][1:]
+            for body, case, column, component, area, entries in (
+                    ("bar", BAR, "top_z", "zz", 1, ()), ("sheet", SHEET, "top_y", "yy", 1, ()),
+                    ("bar of revolution", BAR, "top_y", "yy", math.pi, REVOLUTION)):
+                rows = runner.history(case, *entries, *law.entries(), f"Initial stress/Stress {component}={stress}")
+                error = max(abs(row[column] / area - value) for row, value in zip(rows, exact))
+                runner.compare(f"{body}, {name}, {stress} MPa: largest error of a stress", error / 400, 0, 1e-9,
+                               absolute=True)
+
+
+def bars_at_finite_strain(runner):
+    """The stress that belongs to the logarithmic strain is that of a bar which has been stretched before."""
+    law, stress = LAWS["Armstrong-Frederick"], -300
+    exact = [row[0] for row in uniaxial.steps(
+        law, [stress / E] + [math.log1p(strain) + stress / E for strain in strains()])][1:]
+    for body, case, axis, entries in (("bar", BAR, "z", ("Output/Probe points=middle: 0.3, 0.4, 0.5",)),
+                                      ("sheet", SHEET, "y", ("Output/Probe points=middle: 0.3, 0.4",))):
+        rows = runner.tables(case, "Strain=logarithmic", *entries, *law.entries(),
+                             f"Initial stress/Stress {axis * 2}={stress}")["probes"]
+        # of the true stress, times the change of the volume
+        stresses = [row[f"middle_stress_{axis * 2}"] * math.exp(sum(row[f"middle_strain_{i * 2}"] for i in "xyz"))
+                    for row in rows]
+        error = max(abs(value - reference) for value, reference in zip(stresses, exact))
+        runner.compare(f"{body}, logarithmic strain: largest error of a stress", error / 400, 0, 1e-9, absolute=True)
+
+
+def bodies_at_rest(runner):
+    """What is in equilibrium does not move: a bar that tractions pull, a ring that bears its own stress."""
+    pulled = ("Boundary conditions/Prescribed displacement=", "Boundary conditions/Traction=top: 0; 0; 150",
+              "Initial stress/Stress zz=150", "Output/Probe points=end: 0.3, 0.3, 1")
+    for name, probe, axis, entries in (("bar", "end", "z", pulled), ("ring", "rim", "x", (*RING, FREE, *RING_STRESS)),
+                                       ("ring with quadratic elements", "rim", "x",
+                                        (*RING, FREE, *RING_STRESS, "Discretization/Polynomial degree=2"))):
+        for strain in ("small", "logarithmic"):
+            rows = runner.tables(BAR, *entries, f"Strain={strain}", "Loading/Number of steps=3")
+            runner.compare(f"{name}, {strain} strain: displacement over 150 MPa / E",
+                           max(abs(row[f"{probe}_displacement_{axis}"]) for row in rows["probes"]) * E / 150, 0, 1e-12,
+                           absolute=True)
+            runner.verify(f"{name}: nothing yields", rows["history"][-1]["plastic_volume"] == 0)
+
+
+def rings_under_pressure(runner):
+    """A ring with its own stress, complete or completed by the program, has the elastic response of one without."""
+    inside = ("Boundary conditions/Free=right", "Boundary conditions/Traction=left: 50*t; 0")
+    incomplete = (*RING_STRESS[1:], RING_STRESS[0] + "+2*x")
+    for treatment in ("standard", "B-bar"):
+        elastic = (*RING, *inside, "Material/Law=linear elastic", "Loading/Number of steps=3",
+                   f"Discretization/Volumetric treatment={treatment}")
+        free = runner.tables(BAR, *elastic)
+        for name, entries in (("in equilibrium", RING_STRESS), ("completed", incomplete)):
+            tables = runner.tables(BAR, *elastic, *entries)
+            for probe in ("rim", "inside"):
+                column = f"{probe}_displacement_x"
+                runner.compare(f"{treatment}, {name}: {column}", tables["probes"][-1][column],
+                               free["probes"][-1][column], 1e-9)
+            change = [tables["reactions"][i]["top_y"] - free["reactions"][i]["top_y"] for i in (0, -1)]
+            runner.compare(f"{treatment}, {name}: change of the reaction", change[1], change[0], 1e-9)
+            end = tables["history"][-1]
+            runner.compare(f"{treatment}, {name}: work becomes elastic energy", end["elastic_energy"],
+                           end["external_work"], 1e-9)
+        rows = runner.tables(BAR, *elastic, *RING_STRESS, "Material/Law=combined hardening",
+                             "Loading/Number of steps=120", "Loading/Final time=1",
+                             "Boundary conditions/Traction=left: 280*t; 0")["history"]
+        runner.verify(f"{treatment}: the ring yields", rows[-1]["plastic_volume"] > 0)
+        runner.compare(f"{treatment}: energy balance", sum(rows[-1][name] for name in (
+            "elastic_energy", "hardening_energy", "dissipation")), rows[-1]["external_work"], 2e-3)
+
+
+CONE = "indentation/residual_stress.prm"
+
+
+def residual_stress(stress):
+    """The entries of an equibiaxial stress, in equilibrium with the traction on the side."""
+    return {"Initial stress/Stress xx": f"{stress}", "Initial stress/Stress zz": f"{stress}",
+            "Boundary conditions/Traction": f"right: {stress}; 0"}
+
+
+def tables_of(runner, changes, directory, *options, ranks=1):
+    """Of a run of CONE. (What the forces on the sides, thousands of times that of the indenter, leave on nodes far from
+    it is too much for complementarity, which is relative to its force and their gap.)"""
+    runner.start(command_line(runner.program, runner.case(CONE), {"Output/Fields": "never"} | changes, directory,
+                              *options, ranks=ranks))
+    return read_tables(directory)
+
+
+def initial_stress_cone(runner):
+    """A cone on a body under biaxial stress: compression raises force and pile-up, not the hardness (published)."""
+    loads, piles, hardness = {}, {}, {}
+    for stress in (-150, 0, 150):
+        with tempfile.TemporaryDirectory() as folder:
+            tables = tables_of(runner, residual_stress(stress) | {"Loading/History": "1: depth 0.02",
+                                                                  "Loading/Number of steps": "60"},
+                               folder, "--overwrite")
+        runner.compare(f"{stress} MPa: largest force_balance_error",
+                       max(row["force_balance_error"] for row in tables["statistics"]), 0, 1e-8, absolute=True)
+        rows = [row for row in tables["history"] if row["time"] > 0.7]
+        loads[stress] = sum(row["force"] for row in rows)
+        piles[stress] = sum(row["pile_up"] / row["depth"] for row in rows) / len(rows)
+        hardness[stress] = loads[stress] / sum(row["contact_area"] for row in rows)
+    runner.verify(f"compression raises the force {loads}", loads[-150] > 1.01 * loads[0] > 1.02 * loads[150])
+    runner.verify(f"and the pile-up {piles}", piles[-150] > piles[0] > piles[150])
+    for stress in (-150, 150):
+        runner.compare(f"{stress} MPa: hardness with the true area", hardness[stress], hardness[0], 0.02)
+
+
+def initial_stress_runs(runner):
+    """A cone on a body under a stress that the program completes, on meshes that follow: 1 and 2 ranks, resumed."""
+    entries = {"Strain": "small", "Geometry/Local refinements": "4", "Geometry/Local radius": "1",
+               "Initial stress/Stress xx": "-100*exp(y/4)", "Initial stress/Stress zz": "-100*exp(y/4)",
+               "Boundary conditions/Traction": "right: -100*exp(y/4)+0.5*(y+8); 0",
+               "Refinement/Elements over contact radius": "4", "Loading/History": "1: depth 0.1 | 1.2: force 0",
+               "Loading/Number of steps": "24"}
+    with tempfile.TemporaryDirectory() as folder:
+        def run(changes, name, *options, ranks=runner.ranks):
+            return tables_of(runner, entries | changes, pathlib.Path(folder) / name, *options, ranks=ranks)["history"]
+
+        whole = run({}, "whole")
+        run({"Loading/History": "1: depth 0.1", "Loading/Number of steps": "20"}, "stopped")
+        for name, other in (("2 ranks", run({}, "ranks", ranks=2)), ("resumed", run({}, "stopped", "--resume"))):
+            for column in ("depth", "force", "contact_area", "plastic_work", "elastic_energy", "external_work"):
+                largest = max(abs(row[column]) for row in whole)
+                difference = max(abs(a[column] - b[column]) for a, b in zip(whole, other)) / largest
+                runner.compare(f"{name}: {column}", difference, 0, 1e-8, absolute=True)
