@@ -617,7 +617,7 @@ add_entry_test(initial_stress_across_section "entry 'Initial stress/Stress xz' i
 add_entry_test(initial_stress_across_sheet "entry 'Initial stress/Stress zz' is '1', but a sheet bears no stress across" "Initial stress/Stress zz=1" "Kinematics=plane stress")
 add_entry_test(initial_stress_of_time "entry 'Initial stress/Stress xx' is 't', but this is not an expression in x,y" "Initial stress/Stress xx=t")
 add_entry_test(initial_stress_infinite "entry 'Initial stress/Stress xx' is '1/.x-x.', but at .* its value is" "Initial stress/Stress xx=1/(x-x)")
-add_entry_test(initial_stress_yields "The 'Initial stress' is beyond the yield stress: at .* von Mises' stress is 1000000000, and 'Material/Yield stress' is" "Initial stress/Stress xx=1e9")
+add_entry_test(initial_stress_yields "The 'Initial stress' is beyond the yield stress: at .* the equivalent stress is 1000000000, and 'Material/Yield stress' is" "Initial stress/Stress xx=1e9")
 add_entry_test(initial_stress_unbalanced "The 'Initial stress' is not in equilibrium with supports and loads: at t = 0, .* % of it" "Initial stress/Stress yy=1")
 add_entry_test(initial_stress_limit_load "'Analysis = limit load' finds what does not depend on an initial stress" "Analysis=limit load" "Material/Law=perfectly plastic" "Initial stress/Stress xx=1")
 add_entry_test(initial_stress_error_bound "'Analysis = contact with error bound' bounds the error in bodies without stress at the beginning" "Analysis=contact with error bound" "Initial stress/Stress xx=1")
