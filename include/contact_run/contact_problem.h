@@ -179,9 +179,12 @@ namespace ElastoPlastic
     TimerOutput         &timer;
 
     ReducedUnknowns unknowns;
-    unsigned int    n_changes      = 0;
-    bool            law_has_rested = false;
-    FrictionPace    friction_pace  = FrictionPace::all;
+    /// Where the last step has begun, until its end is linearised; else without
+    /// size.
+    Vector       start_of_step;
+    unsigned int n_changes      = 0;
+    bool         law_has_rested = false;
+    FrictionPace friction_pace  = FrictionPace::all;
     /// Of the indenter, in the last increment; zero if its depth is given.
     double downward_motion = 0;
   };

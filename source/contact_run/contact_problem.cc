@@ -137,6 +137,9 @@ namespace ElastoPlastic
   ContactProblem<dim>::linearize(const Vector &u)
   {
     TimerOutput::Scope scope(timer, "Newton: linearize");
+    if (start_of_step.size() > 0)
+      solid.predict_flow(start_of_step, u);
+    start_of_step.reinit(0);
     solid.linearize(u);
   }
 
@@ -146,8 +149,7 @@ namespace ElastoPlastic
   void
   ContactProblem<dim>::step_taken(const Vector &from, const Vector &to)
   {
-    TimerOutput::Scope scope(timer, "Newton: linearize");
-    solid.predict_flow(from, to);
+    start_of_step = from;
     if (contact.is_force_driven() &&
         contact.depth_at(to) > largest_displacement)
       throw ConvergenceError(

@@ -283,7 +283,7 @@ namespace ElastoPlastic
           const auto &plasticity = at_point.plasticity();
           directions[q]          = plasticity.predicted_flow(
             tangents.flow_direction(batch, q),
-            strain_deviator(strain_at(strains[1], q)) -
+            strain_deviator(strain_at(strains.back(), q)) -
               strain_deviator(strain_at(strains[0], q)));
           are_needed = are_needed || may_flow(plasticity, directions[q]);
         }
@@ -292,7 +292,10 @@ namespace ElastoPlastic
       else
         tangents.forget_flow_directions(batch);
     };
-    kernel->for_each_batch({&old_u, &new_u}, predict);
+    std::vector<const VectorType *> fields = {&old_u};
+    if (&new_u != &old_u)
+      fields.push_back(&new_u);
+    kernel->for_each_batch(fields, predict);
   }
 
 
