@@ -19,7 +19,7 @@ PAGES = [ROOT / "README.md", *sorted(DOC.rglob("*.md"))]
 IMAGES = DOC / "images"
 LONGEST = 250  # lines, of a page that is read from its beginning
 GENERATED = ("lookup/parameters.md", "lookup/tables.md")  # by the program
-LISTS = (*GENERATED, "CHANGELOG.md")  # in which one looks something up
+LISTS = (*GENERATED, "CHANGELOG.md", "theory/references.md")  # in which one looks something up
 RESULTS = ("recipes/", "trust/", "start/tutorial")  # whose tables are computed (develop/contributing.md)
 # (closed forms; what other revisions and machines took)
 BY_HAND = ("trust/cost", "trust/iterations", "trust/small_strains")
