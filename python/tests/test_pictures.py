@@ -172,7 +172,8 @@ class Files(unittest.TestCase):
 
     def test_names_of_imprints(self):
         profile = {"step": [1., 2.]}
-        for later, name in (((0.5, 0.), "after unloading"), ((0.9, 3.), "unloaded in part"), ((1., 3.), "after relaxation")):
+        for later, name in (((0.5, 0.), "after unloading"), ((0.9, 3.), "unloaded in part"),
+                            ((1., 3.), "after relaxation")):
             history = numpy.array([(1., 1., 8.), (2., *later)], [("step", float), ("depth", float), ("force", float)])
             steps = curves.steps_of_imprint(types.SimpleNamespace(history=history), profile)
             self.assertEqual(steps, {"at the largest depth": 1., name: 2.})
