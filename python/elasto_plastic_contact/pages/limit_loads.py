@@ -112,14 +112,13 @@ def degrees_of_stresses(runs):
 @table(900)
 def footings(runs):
     """Footings on weightless ground, the last meshes."""
-    rough, surcharge = "Indenter/Surface=rough", "Boundary conditions/Traction=top: 0; -3"
-    problems = ((10,), (20,), (30,), (30, rough), (20, surcharge))
-    return Content([[None, None] + meshes(runs.limit_load("footing", f"Material/Friction angle={degrees}", *entries)[-1:], 1)[0]
-                    for degrees, *entries in problems])
+    return Content([[None, None] + meshes(runs.limit_load("footing", f"Material/Friction angle={degrees}",
+                                                          N_CYCLES.format(n))[-1:], 1)[0]
+                    for degrees, n in ((10, 7), (20, 7), (30, 8))])
 
 
-@table(900)
+@table(300)
 def heavy_ground(runs):
-    """Footings on heavy ground, and a vertical cut, the last meshes."""
-    problems = (("footing_weight", "Indenter/Surface=smooth"), ("footing_weight",), ("vertical_cut_friction",))
-    return Content([[None, None] + meshes(runs.limit_load(case, *entries)[-1:], 1)[0] for case, *entries in problems])
+    """A footing on heavy ground and a vertical cut, the last meshes."""
+    return Content([[None, None] + meshes(runs.limit_load(case, N_CYCLES.format(n))[-1:], 1)[0]
+                    for case, n in (("footing_weight", 7), ("vertical_cut_friction", 9))])
