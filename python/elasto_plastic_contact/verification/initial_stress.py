@@ -33,11 +33,12 @@ RING_STRESS = ("Initial stress/Stress xx=150*(x-1)*(2-x)", "Initial stress/Stres
 
 
 def initial_stress(runner):
-    """Bars and rings that bear a stress from the beginning: at rest, first yield, elastic response, work (exact)."""
+    """Bars and rings that bear a stress from the beginning: rest, first yield, response, work, relaxation (exact)."""
     stretched_bars(runner)
     bars_at_finite_strain(runner)
     bodies_at_rest(runner)
     rings_under_pressure(runner)
+    relaxing_bar(runner)
 
 
 def strains():
@@ -117,6 +118,27 @@ def rings_under_pressure(runner):
         runner.verify(f"{treatment}: the ring yields", rows[-1]["plastic_volume"] > 0)
         runner.compare(f"{treatment}: energy balance", sum(rows[-1][name] for name in (
             "elastic_energy", "hardening_energy", "dissipation")), rows[-1]["external_work"], 2e-3)
+
+
+def relaxing_bar(runner):
+    """The stress of a creeping bar between fixed ends (Norton, n = 3), by the same implicit steps; no other load."""
+    stress, exponent, rate, n_steps = 200.0, 3, 1e-6, 30
+    rows = runner.history(BAR, "Material/Law=linear elastic", "Material/Rate law=Norton",
+                          f"Material/Rate exponent={exponent}", f"Material/Reference rate={rate}",
+                          "Material/Rate stress=100", f"Initial stress/Stress zz={stress}", "Loading/Final time=300",
+                          f"Loading/Number of steps={n_steps}",
+                          "Boundary conditions/Prescribed displacement=top: free; free; 0")
+    error = 0
+    for row in rows:
+        lower, upper = 0.0, stress
+        for _ in range(200):
+            middle = 0.5 * (lower + upper)
+            flow = E * rate * (300 / n_steps) * (middle / 100) ** exponent
+            lower, upper = (middle, upper) if middle + flow < stress else (lower, middle)
+        stress = upper
+        error = max(error, abs(row["top_z"] / stress - 1))
+    runner.verify(f"the stress relaxes from 200 to {stress:.4g} MPa", stress < 100)
+    runner.compare("relaxing bar: largest error of a stress", error, 0, 1e-8, absolute=True)
 
 
 CONE = "indentation/residual_stress.prm"
