@@ -3,9 +3,10 @@
 
 // The solver for tangents: a method that fails, because its result is not
 // finite or its iterations are used up, is replaced by the next for good, with
-// one warning; and coupled unknowns move together, at little more than the cost
-// of held ones once the body's response is known; all this also with an
-// unsymmetric tangent.
+// one warning; what has been prepared serves for similar tangents, as long as
+// it does and the same unknowns are held; and coupled unknowns move together,
+// at little more than the cost of held ones once the body's response is known;
+// all this also with an unsymmetric tangent.
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -193,6 +194,25 @@ namespace
         }
     }
 
+    /// For a similar tangent, what has been prepared is kept, unless it fails
+    /// or other unknowns are held.
+    void
+    check_keeping(const std::string &title, const std::vector<Method> &methods)
+    {
+      output() << title << std::endl;
+      TangentSolver solver(*solid, methods, [](const std::string &warning) {
+        output() << "  warning: " << warning << std::endl;
+      });
+      const ReducedUnknowns unknowns(held, {}, MPI_COMM_WORLD);
+      solver.prepare(unknowns);
+      solver.prepare_for_similar(unknowns);
+      check_solve(solver, unknowns, 1e-6);
+
+      const ReducedUnknowns with_top(held_and_top(), {}, MPI_COMM_WORLD);
+      solver.prepare_for_similar(with_top);
+      check_solve(solver, with_top, 1e-6);
+    }
+
     void
     check_ties(const std::string &title, const unsigned int allowed_surplus)
     {
@@ -200,9 +220,7 @@ namespace
       const Method  amg = {"AMG", [&]() { return make_amg(); }, 1000};
       TangentSolver solver(*solid, {amg}, [](const std::string &) {});
 
-      std::vector<unsigned int> all_held = held;
-      all_held.insert(all_held.end(), top.begin(), top.end());
-      const ReducedUnknowns without_ties(all_held, {}, MPI_COMM_WORLD);
+      const ReducedUnknowns without_ties(held_and_top(), {}, MPI_COMM_WORLD);
       solver.prepare(without_ties);
       const unsigned int n_without = check_solve(solver, without_ties, 1e-9);
 
@@ -255,6 +273,14 @@ namespace
            DoFTools::extract_boundary_dofs(dof_handler, mask, {id}))
         if (rhs.in_local_range(dof))
           entries.push_back(rhs.get_partitioner()->global_to_local(dof));
+      return entries;
+    }
+
+    std::vector<unsigned int>
+    held_and_top() const
+    {
+      std::vector<unsigned int> entries = held;
+      entries.insert(entries.end(), top.begin(), top.end());
       return entries;
     }
 
@@ -314,6 +340,12 @@ main(int argc, char *argv[])
   block.check_fallback("A preconditioner that cannot be prepared",
                        {Block::scaling("First", -1., 1000),
                         Block::scaling("Second", 1., 1000)});
+  block.check_keeping("Similar tangents",
+                      {Block::scaling("First", 1., 1000),
+                       Block::scaling("Second", 1., 1000)});
+  block.check_keeping("Similar tangents, too many iterations",
+                      {Block::scaling("First", 1., 10),
+                       Block::scaling("Second", 1., 1000)});
   block.check_ties("Tied unknowns", 1);
   block.check_unstable();
 

@@ -181,7 +181,9 @@ namespace ElastoPlastic
     ReducedUnknowns unknowns;
     /// Where the last step has begun, until its end is linearised; else without
     /// size.
-    Vector       start_of_step;
+    Vector start_of_step;
+    /// Of the right-hand side of the last linear system.
+    double       previous_norm  = 0;
     unsigned int n_changes      = 0;
     bool         law_has_rested = false;
     FrictionPace friction_pace  = FrictionPace::all;

@@ -61,6 +61,11 @@ namespace ElastoPlastic
     bool
     has_coupling() const;
 
+    /// Whether the same unknowns are constrained, coupled and entering as in
+    /// @p other, wherever their bounds are. Collective.
+    bool
+    are_held_as_in(const ReducedUnknowns &other) const;
+
     /// Whether expand() does nothing.
     bool
     is_trivial() const;

@@ -59,6 +59,11 @@ namespace ElastoPlastic
     void
     prepare(const ReducedUnknowns &unknowns);
 
+    /// The same for a tangent that differs little from the one before: as long
+    /// as no other unknowns are held, the preconditioner for that one is kept.
+    void
+    prepare_for_similar(const ReducedUnknowns &unknowns);
+
     /// Solves until the residual has fallen by the factor @p reduction. Both
     /// vectors are reduced, and zero at eliminated unknowns. @return the
     /// number of iterations. If those of the last method are used up before,
@@ -134,6 +139,8 @@ namespace ElastoPlastic
 
     std::vector<Method>::const_iterator    method;
     std::unique_ptr<TangentPreconditioner> preconditioner;
+    /// Whether that is for the tangent that is stored now.
+    bool is_up_to_date = false;
     /// Of the mixed form.
     std::unique_ptr<const PressurePreconditioner> pressure_preconditioner;
 

@@ -70,6 +70,25 @@ namespace ElastoPlastic
 
 
   bool
+  ReducedUnknowns::are_held_as_in(const ReducedUnknowns &other) const
+  {
+    const bool differ = constrained != other.constrained ||
+                        coupled != other.coupled ||
+                        is_sloped != other.is_sloped ||
+                        have_entering() != other.have_entering() ||
+                        !std::equal(shared.entering.begin(),
+                                    shared.entering.end(),
+                                    other.shared.entering.begin(),
+                                    other.shared.entering.end(),
+                                    [](const auto &a, const auto &b) {
+                                      return a.index == b.index;
+                                    });
+    return !Utilities::MPI::logical_or(differ, communicator);
+  }
+
+
+
+  bool
   ReducedUnknowns::is_trivial() const
   {
     return !has_coupling() && !shared.rows && !is_sloped;

@@ -123,6 +123,22 @@ namespace ElastoPlastic
 
 
   void
+  TangentSolver::prepare_for_similar(const ReducedUnknowns &new_unknowns)
+  {
+    if (!new_unknowns.are_held_as_in(unknowns))
+      {
+        prepare(new_unknowns);
+        return;
+      }
+    unknowns      = new_unknowns;
+    is_up_to_date = false;
+    if (unknowns.has_coupling())
+      prepare_response();
+  }
+
+
+
+  void
   TangentSolver::set_response(const VectorType &known_response)
   {
     response = known_response;
@@ -155,6 +171,7 @@ namespace ElastoPlastic
           if (is_mixed())
             pressure_preconditioner =
               tangent.make_pressure_preconditioner(held.constrained);
+          is_up_to_date = true;
           return;
         }
       catch (const ConvergenceError &)
@@ -203,12 +220,13 @@ namespace ElastoPlastic
 
 
 
+  // (A preconditioner that has been kept too long is no failure of its method.)
   unsigned int
   TangentSolver::solve(VectorType       &solution,
                        const VectorType &rhs,
                        const double      reduction)
   {
-    while (!is_last_method())
+    while (!is_last_method() || !is_up_to_date)
       {
         try
           {
@@ -218,7 +236,8 @@ namespace ElastoPlastic
           }
         catch (const ConvergenceError &)
           {}
-        take_next_method();
+        if (is_up_to_date)
+          take_next_method();
         prepare(ReducedUnknowns(unknowns));
       }
     return try_to_solve(solution, rhs, reduction);
