@@ -6,19 +6,19 @@
 // Measures how long the own multifrontal factorisation and CHOLMOD's
 // supernodal one take for equations of stresses in the block of
 // limit_load/square_punch_3d.prm, with nine for each triangle of meshes that
-// are refined at the edge of the punch, both with CHOLMOD's ordering, in
-// seconds of the processor (set OMP_NUM_THREADS to 1). Values are those of a
-// diagonally dominant matrix. Writes a table of numbers separated by commas.
-// The BLAS is CHOLMOD's: a processor that it does not know gets slow kernels;
-// see OPENBLAS_VERBOSE=2, and choose with OPENBLAS_CORETYPE.
+// are refined at the edge of the punch, both with CHOLMOD's ordering and on as
+// many threads as OMP_NUM_THREADS says. Values are those of a diagonally
+// dominant matrix. Writes a table of numbers separated by commas. The BLAS is
+// CHOLMOD's: a processor that it does not know gets slow kernels; see
+// OPENBLAS_VERBOSE=2, and choose with OPENBLAS_CORETYPE.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -35,17 +35,18 @@ namespace
 {
   constexpr unsigned int equations_per_face = 9;
 
-  /// Of the processor, in the fastest of three calls.
+  /// Of the fastest of three calls.
   double
   seconds(const std::function<bool()> &work)
   {
     double fastest = std::numeric_limits<double>::max();
     for (unsigned int i = 0; i < 3; ++i)
       {
-        const std::clock_t begin = std::clock();
+        const auto begin = std::chrono::steady_clock::now();
         AssertThrow(work(), ExcMessage("The matrix is not positive definite."));
-        fastest =
-          std::min(fastest, double(std::clock() - begin) / CLOCKS_PER_SEC);
+        const std::chrono::duration<double> time =
+          std::chrono::steady_clock::now() - begin;
+        fastest = std::min(fastest, time.count());
       }
     return fastest;
   }
