@@ -39,8 +39,15 @@ namespace ElastoPlastic
       struct Cone
       {
         unsigned int size;
+        unsigned int first_row;    ///< 1 if that of G is zero: a fixed radius
         unsigned int first_column; ///< see ConicLayout::Cone
         unsigned int n_columns;
+
+        unsigned int
+        n_rows() const
+        {
+          return size - first_row;
+        }
 
         bool
         operator==(const Cone &other) const;
@@ -81,18 +88,22 @@ namespace ElastoPlastic
       AlignedVector<Simd<double>> x, z, y, of_x, of_z, of_y;
     };
 
-    /// y += A H^-1 (r_x + G^T W^-2 r_z) for the @p residual r.
+    /// Computes the @p reduced residual r_x + G^T W^-2 r_z of the @p residual
+    /// r, and adds its product with A H^-1 to y.
     void
     reduce(Vector<double>  &y,
+           Vector<double>  &reduced,
            const KktVector &residual,
            Workspace       &workspace) const;
 
     /// Solves H x = r_x + G^T W^-2 r_z - A^T y and W^2 z = G x - r_z for the
-    /// @p residual r, and adds x and z to the @p solution. From the residual,
-    /// it subtracts their product and that of y with the matrix of KktSystem.
+    /// @p residual r that has been @p reduced, and adds x and z to the
+    /// @p solution. From the residual, it subtracts their product and that of y
+    /// with the matrix of KktSystem.
     void
     substitute(KktVector            &solution,
                KktVector            &residual,
+               const Vector<double> &reduced,
                const Vector<double> &y,
                Workspace            &workspace) const;
 
@@ -114,19 +125,45 @@ namespace ElastoPlastic
     void
     set_cones(const unsigned int lane, const FullMatrix<double> &cone_matrix);
 
+    /// Unknowns from begin to before end that neither cones nor cost couple
+    /// with others. Their factor begins at this entry of all.
+    struct Part
+    {
+      unsigned int begin;
+      unsigned int end;
+      unsigned int entry = 0;
+
+      unsigned int
+      size() const
+      {
+        return end - begin;
+      }
+    };
+
+    void
+    find_parts();
+
     /// H
     void
     assemble();
+    void
+    add_compliance(const Simd<double> &compliance);
 
+    /// x := H^-1 x
     void
-    load_right_hand_side(Workspace &workspace, const KktVector &residual) const;
+    solve(Lanes &x) const;
+
+    // Some of the products of P, A and G with x, y and z.
     void
-    multiply(Workspace &workspace) const;
+    multiply_unknowns(Workspace &workspace) const;
+    void
+    multiply_equations(Workspace &workspace) const;
     void
     subtract_products(KktVector &residual, const Workspace &workspace) const;
 
     /// Calls the @p function for each cone with its shape, its scaling, the
-    /// transpose of its part of G, and its first row among those of a block.
+    /// transpose of its part of G (from the cone's first row on), and the first
+    /// row of the cone among those of a block.
     template <typename Function>
     void
     for_each_cone(const Function &function) const
@@ -137,7 +174,7 @@ namespace ElastoPlastic
           const Shape::Cone &cone = shape.cones[c];
           function(cone, scalings[c], columns, row);
           row += cone.size;
-          columns += cone.n_columns * cone.size;
+          columns += cone.n_columns * cone.n_rows();
         }
     }
 
@@ -157,6 +194,8 @@ namespace ElastoPlastic
     unsigned int n_blocks;
     unsigned int n_rows; ///< of G
 
+    std::vector<Part> parts;
+
     /// Of each block; in lanes without one, those of the first.
     ByLanes<unsigned int> unknowns, rows, cones;
 
@@ -170,7 +209,7 @@ namespace ElastoPlastic
     Lanes coupling;       ///< A
     Lanes cone_columns;   ///< the transposes of the cones' parts of G
     Lanes unseen;         ///< an orthonormal basis, one direction per row
-    Lanes factor;         ///< see LocalAlgebra::factorize()
+    Lanes factor;         ///< of the parts, see LocalAlgebra::factorize()
     std::vector<SecondOrderCone::Scaling<Simd<double>>> scalings;
   };
 } // namespace ElastoPlastic

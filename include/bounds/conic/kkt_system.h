@@ -50,10 +50,15 @@ namespace ElastoPlastic
     bool
     factorize(const Scalings &scalings);
 
+    /// How small, relative to the right-hand side, solve() makes the residual.
+    static constexpr double usual_residual = 1e-11;
+
     /// Solves the system, and repeats that with what is left: this removes what
     /// has been added, and most of the rounding errors.
     void
-    solve(KktVector &solution, const KktVector &right_hand_side) const;
+    solve(KktVector       &solution,
+          const KktVector &right_hand_side,
+          const double     relative_residual = usual_residual) const;
 
     /// residual -= (the matrix above without W) solution
     void

@@ -6,11 +6,12 @@
 
 #include <deal.II/base/aligned_vector.h>
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "base/lanes.h"
 
@@ -193,40 +194,46 @@ namespace ElastoPlastic::LocalAlgebra
 
 
 
-  /// x := L^-1 x for each of @p n_vectors vectors, one after the other.
+  /// x := L^-1 x for each of @p n_vectors vectors, which begin @p stride
+  /// numbers apart.
   template <unsigned int n_vectors, typename Number>
   void
-  solve_lower(const Number *factor, const unsigned int n, Number *x)
+  solve_lower(const Number      *factor,
+              const unsigned int n,
+              Number            *x,
+              const unsigned int stride)
   {
     for (unsigned int j = 0; j < n; ++j)
       {
         const Number *const           row = factor + lower_size(j);
         std::array<Number, n_vectors> sums;
         for (unsigned int k = 0; k < n_vectors; ++k)
-          sums[k] = x[k * n + j];
+          sums[k] = x[k * stride + j];
         for (unsigned int l = 0; l < j; ++l)
           for (unsigned int k = 0; k < n_vectors; ++k)
-            sums[k] -= row[l] * x[k * n + l];
+            sums[k] -= row[l] * x[k * stride + l];
         for (unsigned int k = 0; k < n_vectors; ++k)
-          x[k * n + j] = sums[k] * row[j];
+          x[k * stride + j] = sums[k] * row[j];
       }
   }
 
 
 
-  /// B := B L^-T for an m x n matrix B
+  /// B := B L^-T for an m x n matrix B, whose rows begin @p stride numbers
+  /// apart
   template <typename Number>
   void
   solve_rows(const Number      *factor,
              const unsigned int n,
              Number            *b,
-             const unsigned int m)
+             const unsigned int m,
+             const unsigned int stride)
   {
     unsigned int i = 0;
     for (; i + n_together <= m; i += n_together)
-      solve_lower<n_together>(factor, n, b + i * n);
+      solve_lower<n_together>(factor, n, b + i * stride, stride);
     for (; i < m; ++i)
-      solve_lower<1>(factor, n, b + i * n);
+      solve_lower<1>(factor, n, b + i * stride, stride);
   }
 
 
@@ -253,26 +260,78 @@ namespace ElastoPlastic::LocalAlgebra
 
 
 
-  /// An orthonormal basis of the vectors x with A x = 0, one per row: of the
-  /// singular vectors of A^T A, those whose singular values are rounding
-  /// errors.
+  /// Gram and Schmidt's method, twice because of rounding errors.
+  inline void
+  orthonormalize_rows(FullMatrix<double> &a)
+  {
+    const auto product = [&](const unsigned int i, const unsigned int j) {
+      double sum = 0;
+      for (unsigned int k = 0; k < a.n(); ++k)
+        sum += a(i, k) * a(j, k);
+      return sum;
+    };
+    for (unsigned int i = 0; i < a.m(); ++i)
+      {
+        for (unsigned int repetition = 0; repetition < 2; ++repetition)
+          for (unsigned int j = 0; j < i; ++j)
+            a.add_row(i, -product(i, j), j);
+        const double norm = std::sqrt(product(i, i));
+        for (unsigned int k = 0; k < a.n(); ++k)
+          a(i, k) /= norm;
+      }
+  }
+
+
+
+  /// An orthonormal basis of the vectors x with A x = 0, one per row. The
+  /// diagonal of A^T A gives the pivots of an elimination, the largest first;
+  /// it ends where only rounding errors are left, and what it has not
+  /// eliminated is free.
   inline FullMatrix<double>
   kernel(const FullMatrix<double> &a)
   {
     const unsigned int n = a.n();
     FullMatrix<double> square(n, n);
-    a.Tmmult(square, a);
-    LAPACKFullMatrix<double> decomposition(n, n);
-    decomposition = square;
-    decomposition.compute_svd();
-    unsigned int rank = 0;
-    while (rank < n && decomposition.singular_value(rank) >
-                         1e-12 * decomposition.singular_value(0))
-      ++rank;
+    for (unsigned int k = 0; k < a.m(); ++k)
+      for (unsigned int i = 0; i < n; ++i)
+        if (a(k, i) != 0)
+          for (unsigned int j = 0; j < n; ++j)
+            square(i, j) += a(k, i) * a(k, j);
+
+    std::vector<unsigned int> order(n); // with the pivots first
+    std::iota(order.begin(), order.end(), 0);
+    double       largest = 0;
+    unsigned int rank    = 0;
+    for (; rank < n; ++rank)
+      {
+        std::iter_swap(order.begin() + rank,
+                       std::max_element(order.begin() + rank,
+                                        order.end(),
+                                        [&](const auto i, const auto j) {
+                                          return square(i, i) < square(j, j);
+                                        }));
+        const unsigned int p     = order[rank];
+        const double       pivot = square(p, p);
+        largest                  = std::max(largest, pivot);
+        if (!(pivot > 1e-12 * largest))
+          break;
+        for (unsigned int j = 0; j < n; ++j)
+          square(p, j) /= pivot;
+        for (unsigned int i = 0; i < n; ++i)
+          if (const double factor = square(i, p); i != p && factor != 0)
+            for (unsigned int j = 0; j < n; ++j)
+              square(i, j) -= factor * square(p, j);
+      }
+
     FullMatrix<double> basis(n - rank, n);
-    for (unsigned int i = rank; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        basis(i - rank, j) = decomposition.get_svd_vt()(i, j);
+    for (unsigned int k = 0; k < basis.m(); ++k)
+      {
+        const unsigned int free = order[rank + k];
+        basis(k, free)          = 1.;
+        for (unsigned int i = 0; i < rank; ++i)
+          basis(k, order[i]) = -square(order[i], free);
+      }
+    orthonormalize_rows(basis);
     return basis;
   }
 } // namespace ElastoPlastic::LocalAlgebra

@@ -147,6 +147,21 @@ namespace ElastoPlastic::SecondOrderCone
       apply(v, 1. / factor, -1.);
     }
 
+    /// Multiplies @p n vectors, one after the other, by a B with B^T B = W^-2.
+    /// From @p first_row on, they are all rows of vectors whose entry before,
+    /// if there is one, is zero: B need not be W^-1 then.
+    void
+    divide_columns(Number            *v,
+                   const unsigned int n,
+                   const unsigned int first_row) const
+    {
+      if (first_row == 0)
+        for (unsigned int k = 0; k < n; ++k, v += size)
+          divide({v, size});
+      else
+        divide_tails(v, n);
+    }
+
     /// The eigenvalue of W^-2 in the directions that are orthogonal to those
     /// of s and z.
     Number
@@ -173,6 +188,33 @@ namespace ElastoPlastic::SecondOrderCone
       v[0]               = scale * (direction[0] * first + tail);
       for (unsigned int i = 1; i < size; ++i)
         v[i] = scale * (v[i] + share * direction[i]);
+    }
+
+    // Without the first row and column, W^-2 is (I + 2 w_1 w_1^T) / factor^2, a
+    // sum without differences. Its root is (I + c w_1 w_1^T) / factor.
+    void
+    divide_tails(Number *v, const unsigned int n) const
+    {
+      const unsigned int           n_rows = size - 1;
+      std::array<Number, max_size> tail, shares;
+      Number                       square = 0.;
+      for (unsigned int i = 0; i < n_rows; ++i)
+        square += direction[i + 1] * direction[i + 1];
+      const Number inverse = 1. / factor;
+      const Number share   = 2. / (1. + std::sqrt(1. + 2. * square));
+      for (unsigned int i = 0; i < n_rows; ++i)
+        {
+          tail[i]   = inverse * direction[i + 1];
+          shares[i] = share * direction[i + 1];
+        }
+      for (unsigned int k = 0; k < n; ++k, v += n_rows)
+        {
+          Number product = 0.;
+          for (unsigned int i = 0; i < n_rows; ++i)
+            product += tail[i] * v[i];
+          for (unsigned int i = 0; i < n_rows; ++i)
+            v[i] = inverse * v[i] + product * shares[i];
+        }
     }
 
     unsigned int                 size;

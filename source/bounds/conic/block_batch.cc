@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "bounds/conic/block_batch.h"
@@ -38,6 +39,17 @@ namespace ElastoPlastic
 
 
 
+    bool
+    is_zero(const FullMatrix<double> &matrix, const unsigned int row)
+    {
+      for (unsigned int j = 0; j < matrix.n(); ++j)
+        if (matrix(row, j) != 0)
+          return false;
+      return true;
+    }
+
+
+
     BlockBatch::Shape
     shape_of(const ConicBlock         &block,
              const ConicLayout        &layout,
@@ -55,7 +67,11 @@ namespace ElastoPlastic
            ++c)
         {
           const ConicLayout::Cone &cone = layout.cones[c];
+          const bool               has_fixed_radius =
+            cone.size > 1 &&
+            is_zero(block.cone_matrix, cone.begin - layout.rows[b]);
           shape.cones.push_back({cone.size,
+                                 has_fixed_radius ? 1u : 0u,
                                  cone.first_column,
                                  cone.end_column - cone.first_column});
         }
@@ -68,8 +84,11 @@ namespace ElastoPlastic
   bool
   BlockBatch::Shape::Cone::operator==(const Cone &other) const
   {
-    return std::tie(size, first_column, n_columns) ==
-           std::tie(other.size, other.first_column, other.n_columns);
+    return std::tie(size, first_row, first_column, n_columns) ==
+           std::tie(other.size,
+                    other.first_row,
+                    other.first_column,
+                    other.n_columns);
   }
 
 
@@ -147,14 +166,15 @@ namespace ElastoPlastic
     unsigned int       n_entries = 0;
     for (const Shape::Cone &cone : shape.cones)
       {
-        n_entries += cone.size * cone.n_columns;
+        n_entries += cone.n_rows() * cone.n_columns;
         scalings.emplace_back(cone.size);
       }
     clear(quadratic_cost, shape.has_quadratic_cost ? n * n : 0);
     clear(coupling, shape.n_equations * n);
     clear(cone_columns, n_entries);
     clear(unseen, shape.n_unseen * n);
-    clear(factor, lower_size(n));
+    find_parts();
+    clear(factor, parts.back().entry + lower_size(parts.back().size()));
     for (unsigned int lane = 0; lane < max_blocks; ++lane)
       {
         const unsigned int i     = lane < n_blocks ? lane : 0;
@@ -181,7 +201,7 @@ namespace ElastoPlastic
     for (const Shape::Cone &cone : shape.cones)
       {
         for (unsigned int j = 0; j < cone.n_columns; ++j)
-          for (unsigned int i = 0; i < cone.size; ++i)
+          for (unsigned int i = cone.first_row; i < cone.size; ++i)
             lane_of(cone_columns[entry++], lane) =
               cone_matrix(first_row + i, cone.first_column + j);
         first_row += cone.size;
@@ -206,15 +226,44 @@ namespace ElastoPlastic
 
 
 
-  // By W^-1 G of each cone.
+  // Directions that no cone sees have entries in all parts.
+  void
+  BlockBatch::find_parts()
+  {
+    const unsigned int n = shape.n_unknowns;
+    if (shape.has_quadratic_cost || shape.n_unseen > 0)
+      {
+        parts = {{0, n}};
+        return;
+      }
+    std::vector<unsigned int> ends(n);
+    std::iota(ends.begin(), ends.end(), 1);
+    for (const Shape::Cone &cone : shape.cones)
+      ends[cone.first_column] =
+        std::max(ends[cone.first_column], cone.first_column + cone.n_columns);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        if (parts.empty())
+          parts.push_back({i, i});
+        else if (i == parts.back().end)
+          parts.push_back(
+            {i, i, parts.back().entry + lower_size(parts.back().size())});
+        parts.back().end = std::max(parts.back().end, ends[i]);
+      }
+  }
+
+
+
+  // By B G of each cone with B^T B = W^-2.
   void
   BlockBatch::assemble()
   {
     const unsigned int n = shape.n_unknowns;
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j <= i; ++j)
-        factor[lower_size(i) + j] =
-          shape.has_quadratic_cost ? quadratic_cost[i * n + j] : 0.;
+    if (shape.has_quadratic_cost)
+      for (unsigned int i = 0; i < n; ++i)
+        std::copy_n(&quadratic_cost[i * n], i + 1, &factor[lower_size(i)]);
+    else
+      clear(factor, factor.size());
 
     Lanes        scaled;
     Simd<double> across = 0.;
@@ -222,25 +271,39 @@ namespace ElastoPlastic
                       const auto        &scaling,
                       const auto        *columns,
                       const unsigned int) {
-      scaled.resize_fast(cone.n_columns * cone.size);
+      scaled.resize_fast(cone.n_columns * cone.n_rows());
       std::copy_n(columns, scaled.size(), scaled.begin());
-      for (unsigned int j = 0; j < cone.n_columns; ++j)
-        scaling.divide({&scaled[j * cone.size], cone.size});
-      add_square(factor.begin(),
-                 cone.first_column,
+      scaling.divide_columns(scaled.begin(), cone.n_columns, cone.first_row);
+      const Part &part =
+        *std::find_if(parts.begin(), parts.end(), [&](const Part &part) {
+          return cone.first_column < part.end;
+        });
+      add_square(&factor[part.entry],
+                 cone.first_column - part.begin,
                  scaled.begin(),
                  cone.n_columns,
-                 cone.size);
+                 cone.n_rows());
       if (cone.size > 1)
         across = std::max(across, scaling.inverse_square_across());
     });
-    for (unsigned int i = 0; i < n; ++i)
-      factor[lower_size(i) + i] *= 1. + relative_rounding;
+    for (const Part &part : parts)
+      for (unsigned int i = 0; i < part.size(); ++i)
+        factor[part.entry + lower_size(i) + i] *= 1. + relative_rounding;
+    add_compliance(kernel_compliance * across);
+  }
+
+
+
+  // Then there is only one part.
+  void
+  BlockBatch::add_compliance(const Simd<double> &compliance)
+  {
+    const unsigned int n = shape.n_unknowns;
     for (unsigned int k = 0; k < shape.n_unseen; ++k)
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j <= i; ++j)
           factor[lower_size(i) + j] +=
-            kernel_compliance * across * unseen[k * n + i] * unseen[k * n + j];
+            compliance * unseen[k * n + i] * unseen[k * n + j];
   }
 
 
@@ -252,14 +315,17 @@ namespace ElastoPlastic
       for (unsigned int lane = 0; lane < max_blocks; ++lane)
         scalings[c].set_lane(lane, all_scalings[cones[lane] + c]);
     assemble();
-    if (!factorize(factor.begin(), shape.n_unknowns))
-      return false;
-
     Lanes scaled = coupling, square; // A L^-T and A H^-1 A^T
-    solve_rows(factor.begin(),
-               shape.n_unknowns,
-               scaled.begin(),
-               shape.n_equations);
+    for (const Part &part : parts)
+      {
+        if (!factorize(&factor[part.entry], part.size()))
+          return false;
+        solve_rows(&factor[part.entry],
+                   part.size(),
+                   scaled.begin() + part.begin,
+                   shape.n_equations,
+                   shape.n_unknowns);
+      }
     clear(square, lower_size(shape.n_equations));
     add_square(
       square.begin(), 0, scaled.begin(), shape.n_equations, shape.n_unknowns);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <array>
 
 #include "bounds/conic/block_batch.h"
 #include "bounds/conic/local_algebra.h"
@@ -28,6 +29,19 @@ namespace ElastoPlastic
       for (unsigned int lane = 0; lane < BlockBatch::max_blocks; ++lane)
         for (unsigned int i = 0; i < n; ++i)
           lane_of(lanes[i], lane) = values[begins[lane] + i];
+    }
+
+
+
+    void
+    store(Vector<double>                          &values,
+          const Lanes                             &lanes,
+          const BlockBatch::ByLanes<unsigned int> &begins,
+          const unsigned int                       n_blocks)
+    {
+      for (unsigned int lane = 0; lane < n_blocks; ++lane)
+        for (unsigned int i = 0; i < lanes.size(); ++i)
+          values[begins[lane] + i] = lane_of(lanes[i], lane);
     }
   } // namespace
 
@@ -69,57 +83,36 @@ namespace ElastoPlastic
 
 
 
-  // x := r_x + G^T W^-2 r_z, z := r_z
   void
-  BlockBatch::load_right_hand_side(Workspace       &w,
-                                   const KktVector &residual) const
+  BlockBatch::solve(Lanes &x) const
   {
-    load(w.x, residual.x, unknowns, shape.n_unknowns);
-    load(w.z, residual.z, rows, n_rows);
-    w.of_z = w.z;
-    for_each_cone([&](const auto        &cone,
-                      const auto        &scaling,
-                      const auto        *columns,
-                      const unsigned int row) {
-      const ArrayView<Simd<double>> of_z(w.of_z.begin() + row, cone.size);
-      scaling.divide(of_z);
-      scaling.divide(of_z);
-      add_product(w.x.begin() + cone.first_column,
-                  columns,
-                  cone.n_columns,
-                  cone.size,
-                  of_z.data());
-    });
+    for (const Part &part : parts)
+      LocalAlgebra::solve(&factor[part.entry],
+                          part.size(),
+                          x.begin() + part.begin);
   }
 
 
 
-  // The products of P, A and G with x, y and z.
+  // P x is added.
   void
-  BlockBatch::multiply(Workspace &w) const
+  BlockBatch::multiply_unknowns(Workspace &w) const
   {
-    const unsigned int n = shape.n_unknowns, n_equations = shape.n_equations;
-    clear(w.of_x, n);
-    clear(w.of_y, n_equations);
+    const unsigned int n = shape.n_unknowns;
+    clear(w.of_y, shape.n_equations);
     clear(w.of_z, n_rows);
     if (shape.has_quadratic_cost)
       add_product(w.of_x.begin(), quadratic_cost.begin(), n, n, w.x.begin());
-    add_transposed_product(
-      w.of_x.begin(), coupling.begin(), n_equations, n, w.y.begin());
-    add_product(w.of_y.begin(), coupling.begin(), n_equations, n, w.x.begin());
+    add_product(
+      w.of_y.begin(), coupling.begin(), shape.n_equations, n, w.x.begin());
     for_each_cone([&](const auto &cone,
                       const auto &,
                       const auto        *columns,
                       const unsigned int row) {
-      add_product(w.of_x.begin() + cone.first_column,
-                  columns,
-                  cone.n_columns,
-                  cone.size,
-                  w.z.begin() + row);
-      add_transposed_product(w.of_z.begin() + row,
+      add_transposed_product(w.of_z.begin() + row + cone.first_row,
                              columns,
                              cone.n_columns,
-                             cone.size,
+                             cone.n_rows(),
                              w.x.begin() + cone.first_column);
     });
   }
@@ -127,12 +120,42 @@ namespace ElastoPlastic
 
 
   void
+  BlockBatch::multiply_equations(Workspace &w) const
+  {
+    clear(w.of_x, shape.n_unknowns);
+    add_transposed_product(w.of_x.begin(),
+                           coupling.begin(),
+                           shape.n_equations,
+                           shape.n_unknowns,
+                           w.y.begin());
+  }
+
+
+
+  void
   BlockBatch::reduce(Vector<double>  &y,
+                     Vector<double>  &reduced,
                      const KktVector &residual,
                      Workspace       &w) const
   {
-    load_right_hand_side(w, residual);
-    LocalAlgebra::solve(factor.begin(), shape.n_unknowns, w.x.begin());
+    load(w.x, residual.x, unknowns, shape.n_unknowns);
+    load(w.z, residual.z, rows, n_rows);
+    for_each_cone([&](const auto        &cone,
+                      const auto        &scaling,
+                      const auto        *columns,
+                      const unsigned int row) {
+      const ArrayView<Simd<double>> z(w.z.begin() + row, cone.size);
+      scaling.divide(z);
+      scaling.divide(z);
+      add_product(w.x.begin() + cone.first_column,
+                  columns,
+                  cone.n_columns,
+                  cone.n_rows(),
+                  z.data() + cone.first_row);
+    });
+    store(reduced, w.x, unknowns, n_blocks);
+
+    solve(w.x);
     clear(w.of_y, shape.n_equations);
     add_product(w.of_y.begin(),
                 coupling.begin(),
@@ -147,50 +170,42 @@ namespace ElastoPlastic
   void
   BlockBatch::substitute(KktVector            &solution,
                          KktVector            &residual,
+                         const Vector<double> &reduced,
                          const Vector<double> &y,
                          Workspace            &w) const
   {
-    load_right_hand_side(w, residual);
+    load(w.x, reduced, unknowns, shape.n_unknowns);
+    load(w.z, residual.z, rows, n_rows);
     load_equations(w.y, y);
-    clear(w.of_x, shape.n_unknowns);
-    add_transposed_product(w.of_x.begin(),
-                           coupling.begin(),
-                           shape.n_equations,
-                           shape.n_unknowns,
-                           w.y.begin());
+    multiply_equations(w);
     for (unsigned int i = 0; i < shape.n_unknowns; ++i)
       w.x[i] -= w.of_x[i];
-    LocalAlgebra::solve(factor.begin(), shape.n_unknowns, w.x.begin());
+    solve(w.x);
+    multiply_unknowns(w);
 
-    for (Simd<double> &entry : w.z)
-      entry *= -1.;
+    std::array<Simd<double>, SecondOrderCone::max_size> product;
     for_each_cone([&](const auto        &cone,
                       const auto        &scaling,
                       const auto        *columns,
                       const unsigned int row) {
       const ArrayView<Simd<double>> z(w.z.begin() + row, cone.size);
-      add_transposed_product(z.data(),
-                             columns,
-                             cone.n_columns,
-                             cone.size,
-                             w.x.begin() + cone.first_column);
+      for (unsigned int i = 0; i < cone.size; ++i)
+        z[i] = w.of_z[row + i] - z[i];
       scaling.divide(z);
       scaling.divide(z);
+      add_product(w.of_x.begin() + cone.first_column,
+                  columns,
+                  cone.n_columns,
+                  cone.n_rows(),
+                  z.data() + cone.first_row);
+      std::copy_n(z.begin(), cone.size, product.begin());
+      scaling.multiply({product.data(), cone.size});
+      scaling.multiply({product.data(), cone.size});
+      for (unsigned int i = 0; i < cone.size; ++i)
+        w.of_z[row + i] -= product[i];
     });
     add(solution.x, w.x, unknowns, 1.);
     add(solution.z, w.z, rows, 1.);
-
-    multiply(w);
-    for_each_cone([&](const auto &cone,
-                      const auto &scaling,
-                      const auto *,
-                      const unsigned int row) {
-      const ArrayView<Simd<double>> z(w.z.begin() + row, cone.size);
-      scaling.multiply(z);
-      scaling.multiply(z);
-      for (unsigned int i = 0; i < cone.size; ++i)
-        w.of_z[row + i] -= z[i];
-    });
     subtract_products(residual, w);
   }
 
@@ -204,7 +219,18 @@ namespace ElastoPlastic
     load(w.x, solution.x, unknowns, shape.n_unknowns);
     load(w.z, solution.z, rows, n_rows);
     load_equations(w.y, solution.y);
-    multiply(w);
+    multiply_equations(w);
+    multiply_unknowns(w);
+    for_each_cone([&](const auto &cone,
+                      const auto &,
+                      const auto        *columns,
+                      const unsigned int row) {
+      add_product(w.of_x.begin() + cone.first_column,
+                  columns,
+                  cone.n_columns,
+                  cone.n_rows(),
+                  w.z.begin() + row + cone.first_row);
+    });
     subtract_products(residual, w);
   }
 

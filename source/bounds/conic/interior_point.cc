@@ -12,6 +12,7 @@
 #include "bounds/conic/conic_evaluation.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/kkt_system.h"
+#include "bounds/conic/step_direction.h"
 
 namespace ElastoPlastic
 {
@@ -33,6 +34,16 @@ namespace ElastoPlastic
     /// their terms. The difference is made up in the end.
     constexpr double equation_tolerance = 1e-6;
 
+    /// See KktSystem::solve(): only the length of a step and products of second
+    /// order remain of the predictor.
+    constexpr double predictor_residual = 1e-4;
+
+    /// So many corrections of centrality at most, of steps that are not long,
+    /// until one makes them little longer.
+    constexpr unsigned int max_corrections = 2;
+    constexpr double       long_step       = 0.9;
+    constexpr double       smallest_gain   = 0.03;
+
     using SecondOrderCone::ConstView;
     using SecondOrderCone::View;
 
@@ -45,15 +56,6 @@ namespace ElastoPlastic
 
     /// A growth of the right-hand side is of order 1, or rounding errors.
     constexpr double smallest_growth = 1e-10;
-
-
-
-    /// The part of s^T z that a cone may keep.
-    double
-    weight(const ConeScale &scale)
-    {
-      return scale.slack * scale.multiplier;
-    }
 
 
 
@@ -80,21 +82,24 @@ namespace ElastoPlastic
       scale();
       bool
       step();
+      double
+      correct_centrality(Vector<double> &complementarity,
+                         const double    centering);
       void
-      advance();
+      advance(const double longest);
       void
       center(const ConicSolution &iterate);
       void
       subtract_centre(Vector<double> &values, const double gap) const;
       void
-      find_direction(const Vector<double> &complementarity, const double part);
-      double
-      largest_step() const;
+      find_direction(const Vector<double> &complementarity,
+                     const double          part,
+                     const double          relative_residual);
 
       ConicProgram        program; ///< without A and G, which the system has
       const ConicLayout   layout;
       const unsigned int  n_cones;
-      double              total_weight = 0;
+      Vector<double>      shares; ///< of s^T z that the cones may keep
       const double        tolerance;
       KktSystem           system;
       KktSystem::Scalings scalings;
@@ -104,10 +109,8 @@ namespace ElastoPlastic
       ConicSolution  interior; ///< far inside the cones, satisfies A x = b
       double         best_distance = 0;
       KktVector      residual;
-      KktVector      change;
-      Vector<double> scaled;   ///< lambda = W z = W^-1 s
-      Vector<double> scaled_s; ///< W^-1 ds
-      Vector<double> scaled_z; ///< W dz
+      Vector<double> scaled; ///< lambda = W z = W^-1 s
+      StepDirection  direction;
     };
 
 
@@ -117,11 +120,13 @@ namespace ElastoPlastic
       : program(std::move(the_program))
       , layout(program)
       , n_cones(layout.cones.size())
+      , shares(n_cones)
       , tolerance(tolerance)
       , system(program, layout)
     {
-      for (const ConeScale &scale : layout.scales)
-        total_weight += weight(scale);
+      for (unsigned int c = 0; c < n_cones; ++c)
+        shares[c] = layout.scales[c].slack * layout.scales[c].multiplier;
+      shares /= shares.l1_norm();
       for (ConicBlock &block : program.blocks)
         {
           block.cone_matrix.reinit(0, 0);
@@ -131,7 +136,7 @@ namespace ElastoPlastic
       current.s.reinit(layout.rows.back());
       current.z.reinit(layout.rows.back());
       current.y.reinit(program.right_hand_side.size());
-      scaled = scaled_s = scaled_z = current.z;
+      scaled = current.z;
     }
 
 
@@ -182,12 +187,8 @@ namespace ElastoPlastic
           "The interior point method cannot begin: "
           "rounding errors are too large.");
       residual = evaluate(program, layout, system, current);
-      system.solve(change, residual);
-      current.x           = change.x;
-      current.y           = change.y;
-      current.z           = change.z;
-      current.load_factor = change.load_factor;
-      current.s           = evaluate(program, layout, system, current).z;
+      system.solve(current, residual);
+      current.s = evaluate(program, layout, system, current).z;
       move_into_cones(layout, current.s, &ConeScale::slack);
       move_into_cones(layout, current.z, &ConeScale::multiplier);
       look_at_iterate();
@@ -259,39 +260,72 @@ namespace ElastoPlastic
 
       // The predictor tells how much smaller the gap can become in one step,
       Vector<double> complementarity = square(layout, scaled);
-      find_direction(complementarity, 1.);
-      const double centering = std::pow(1. - std::min(1., largest_step()), 3);
+      find_direction(complementarity, 1., predictor_residual);
+      const double centering =
+        std::pow(1. - std::min(1., largest_step(layout, scaled, direction)), 3);
 
-      // the corrector adds its second-order terms, and goes to the central
-      // path.
+      // the corrector adds terms of second order, and goes to the central path.
+      Vector<double> &scaled_s = direction.scaled_s;
       for (unsigned int c = 0; c < n_cones; ++c)
         {
           const View v = layout.cone(scaled_s, c);
-          SecondOrderCone::multiply(v,
-                                    v,
-                                    layout.cone(std::as_const(scaled_z), c));
+          SecondOrderCone::multiply(
+            v, v, layout.cone(std::as_const(direction.scaled_z), c));
         }
       subtract_centre(scaled_s, centering * (current.s * current.z));
       complementarity += scaled_s;
-      find_direction(complementarity, 1. - centering);
-      advance();
+      find_direction(complementarity,
+                     1. - centering,
+                     KktSystem::usual_residual);
+      advance(correct_centrality(complementarity, centering));
       return true;
+    }
+
+
+
+    /// Longer steps save factorisations.
+    /// @return the largest step.
+    double
+    InteriorPoint::correct_centrality(Vector<double> &complementarity,
+                                      const double    centering)
+    {
+      double length = largest_step(layout, scaled, direction);
+      Vector<double> targets = shares;
+      targets *= centering * (current.s * current.z);
+      for (unsigned int k = 0; k < max_corrections && length < long_step; ++k)
+        {
+          StepDirection last = std::move(direction);
+          complementarity -=
+            centrality_correction(layout, scaled, last, length, targets);
+          find_direction(complementarity,
+                         1. - centering,
+                         KktSystem::usual_residual);
+          const double gain = largest_step(layout, scaled, direction) - length;
+          if (gain < 0)
+            direction = std::move(last);
+          else
+            length += gain;
+          if (gain < smallest_gain)
+            break;
+        }
+      return length;
     }
 
 
 
     /// As far as the cones allow.
     void
-    InteriorPoint::advance()
+    InteriorPoint::advance(const double longest)
     {
-      const double length = std::min(1., largest_part * largest_step());
+      const double     length = std::min(1., largest_part * longest);
+      const KktVector &change = direction.change;
       current.x.add(length, change.x);
       current.y.add(length, change.y);
       current.z.add(length, change.z);
       current.load_factor += length * change.load_factor;
       for (unsigned int c = 0; c < n_cones; ++c)
-        scalings[c].multiply(layout.cone(scaled_s, c));
-      current.s.add(length, scaled_s);
+        scalings[c].multiply(layout.cone(direction.scaled_s, c));
+      current.s.add(length, direction.scaled_s);
     }
 
 
@@ -311,8 +345,8 @@ namespace ElastoPlastic
         {
           Vector<double> complementarity = square(layout, scaled);
           subtract_centre(complementarity, current.s * current.z);
-          find_direction(complementarity, 1.);
-          advance();
+          find_direction(complementarity, 1., KktSystem::usual_residual);
+          advance(largest_step(layout, scaled, direction));
           residual = evaluate(program, layout, system, current);
         }
     }
@@ -326,60 +360,29 @@ namespace ElastoPlastic
                                    const double    gap) const
     {
       for (unsigned int c = 0; c < n_cones; ++c)
-        layout.cone(values, c)[0] -=
-          gap * weight(layout.scales[c]) / total_weight;
+        layout.cone(values, c)[0] -= gap * shares[c];
     }
 
 
 
-    // Newton's direction for a part of the residuals and for
-    //   lambda o (W dz + W^-1 ds) = -complementarity
+    /// With a @p part of the residuals.
     void
     InteriorPoint::find_direction(const Vector<double> &complementarity,
-                                  const double          part)
+                                  const double          part,
+                                  const double          relative_residual)
     {
-      // W^-1 ds = -(lambda \ complementarity) - W dz
-      scaled_s.equ(-1., complementarity);
       KktVector right_hand_side = residual;
       right_hand_side.x *= part;
       right_hand_side.y *= part;
       right_hand_side.z *= part;
       right_hand_side.load_factor *= part;
-      Vector<double> slack = scaled_s;
-      for (unsigned int c = 0; c < n_cones; ++c)
-        {
-          const View quotient = layout.cone(scaled_s, c);
-          SecondOrderCone::divide(quotient,
-                                  quotient,
-                                  layout.cone(std::as_const(scaled), c));
-          std::copy_n(quotient.begin(),
-                      quotient.size(),
-                      layout.cone(slack, c).begin());
-          scalings[c].multiply(layout.cone(slack, c));
-        }
-      right_hand_side.z -= slack;
-      system.solve(change, right_hand_side);
-
-      scaled_z = change.z;
-      for (unsigned int c = 0; c < n_cones; ++c)
-        scalings[c].multiply(layout.cone(scaled_z, c));
-      scaled_s -= scaled_z;
-    }
-
-
-
-    double
-    InteriorPoint::largest_step() const
-    {
-      double inverse = std::numeric_limits<double>::min();
-      for (unsigned int c = 0; c < n_cones; ++c)
-        inverse =
-          std::max({inverse,
-                    SecondOrderCone::inverse_step(layout.cone(scaled, c),
-                                                  layout.cone(scaled_s, c)),
-                    SecondOrderCone::inverse_step(layout.cone(scaled, c),
-                                                  layout.cone(scaled_z, c))});
-      return 1. / inverse;
+      direction = ElastoPlastic::find_direction(system,
+                                                layout,
+                                                scalings,
+                                                scaled,
+                                                complementarity,
+                                                std::move(right_hand_side),
+                                                relative_residual);
     }
   } // namespace
 

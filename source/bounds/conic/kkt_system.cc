@@ -17,10 +17,8 @@ namespace ElastoPlastic
     /// entry, one after the other until it can be factorised.
     constexpr std::array<double, 4> sum_roundings = {{0., 1e-14, 1e-12, 1e-10}};
 
-    /// Solves are repeated so often at most, while each halves the residual,
-    /// and until it is that small.
-    constexpr unsigned int max_repetitions   = 12;
-    constexpr double       relative_residual = 1e-11;
+    /// Solves are repeated so often at most, while each halves the residual.
+    constexpr unsigned int max_repetitions = 12;
 
     double
     square(const KktVector &v)
@@ -127,13 +125,15 @@ namespace ElastoPlastic
 
 
   void
-  KktSystem::solve(KktVector &solution, const KktVector &right_hand_side) const
+  KktSystem::solve(KktVector       &solution,
+                   const KktVector &right_hand_side,
+                   const double     relative_residual) const
   {
     KktVector    residual = right_hand_side;
     const double small =
       relative_residual * relative_residual * square(right_hand_side);
     double         last = std::numeric_limits<double>::max();
-    Vector<double> y;
+    Vector<double> y, reduced(residual.x.size());
     solution = KktVector();
     solution.x.reinit(residual.x.size());
     solution.y.reinit(residual.y.size());
@@ -143,14 +143,14 @@ namespace ElastoPlastic
         y = residual.y;
         y *= -1.;
         for (const BlockBatch &batch : batches)
-          batch.reduce(y, residual, workspace);
+          batch.reduce(y, reduced, residual, workspace);
         solve_sparse_and_dense(y);
         const double lambda = add_growth(y, residual.load_factor);
         solution.y += y;
         solution.load_factor += lambda;
         subtract_growth_product(residual, y, lambda);
         for (const BlockBatch &batch : batches)
-          batch.substitute(solution, residual, y, workspace);
+          batch.substitute(solution, residual, reduced, y, workspace);
 
         const double remainder = square(residual);
         if (remainder > 0.25 * last || remainder < small)
