@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bounds/body/circumscribed.h"
+#include "bounds/body/split_body.h"
 #include "box_names.h"
-#include "mesh/box.h"
+#include "mesh/ready_meshes.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

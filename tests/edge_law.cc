@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "contact/rise_of_gap.h"
+#include "contact/edge_law.h"
 #include "edge_law_samples.h"
 #include "verdict.h"
 

@@ -8,8 +8,8 @@
 
 #include "base/exceptions.h"
 #include "solver/krylov_methods.h"
-#include "solver/linear_solver_parameters.h"
 #include "solver/matrix_preconditioner.h"
+#include "solver/solver_parameters.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

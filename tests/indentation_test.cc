@@ -14,7 +14,7 @@
 
 #include "evaluation/indentation_test.h"
 #include "evaluation/modelled_part.h"
-#include "evaluation/tip_on_level_surface.h"
+#include "evaluation/tip_on_surface.h"
 #include "indenter/indenter_parameters.h"
 #include "verdict.h"
 

@@ -21,7 +21,7 @@
 #include "box_names.h"
 #include "contact/gap_function.h"
 #include "indenter/indenter_parameters.h"
-#include "mesh/box.h"
+#include "mesh/ready_meshes.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "bounds/body/growing_loads.h"
+#include "bounds/body/loads.h"
 #include "bounds/limit_load.h"
 #include "bounds/mechanism/velocity_check.h"
 #include "bounds/stress/stress_check.h"

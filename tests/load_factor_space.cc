@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bounds/body/growing_loads.h"
+#include "bounds/body/loads.h"
 #include "bounds/limit_load.h"
 #include "bounds/stress/stress_check.h"
 #include "box_names.h"

@@ -12,7 +12,7 @@
 
 #include "base/exceptions.h"
 #include "loading/load_program.h"
-#include "loading/same_past.h"
+#include "loading/loading_parameters.h"
 #include "loading/time_steps.h"
 #include "verdict.h"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "evaluation/mean_force.h"
+#include "evaluation/solve_result.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

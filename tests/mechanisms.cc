@@ -14,9 +14,9 @@
 #include <numeric>
 #include <sstream>
 
+#include "bounds/equilibrium_output.h"
 #include "bounds/mechanism/stream_element.h"
 #include "bounds/mechanism/velocity_check.h"
-#include "bounds/slip_output.h"
 #include "bounds/stress/inverse_square.h"
 #include "bounds/stress/johnson_mercier.h"
 #include "verdict.h"

@@ -8,7 +8,7 @@
 
 #include <iostream>
 
-#include "input/parameter_reference.h"
+#include "input/parameter_input.h"
 
 using namespace dealii;
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "evaluation/pressure_guard.h"
+#include "evaluation/step_guards.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -15,8 +15,7 @@
 
 #include "loads/supports.h"
 #include "mechanics/rigid_body_modes.h"
-#include "mesh/half_ball.h"
-#include "mesh/sector.h"
+#include "mesh/ready_meshes.h"
 #include "sample_mesh.h"
 #include "sample_model.h"
 

@@ -4,6 +4,14 @@
 #ifndef app_program_h
 #define app_program_h
 
+#include <iosfwd>
+
+#include "input/command_line.h"
+#include "input/parameters.h"
+#include "problem/model.h"
+
+#include <mpi.h>
+
 namespace ElastoPlastic
 {
   /// Does what the command line asks for, on all ranks of MPI_COMM_WORLD.
@@ -11,6 +19,30 @@ namespace ElastoPlastic
   /// @return the program's exit status, an ExitStatus.
   int
   run_program(const int argc, const char *const *const argv);
+
+
+
+  /// What the option --validate does with a contact problem: checks what can be
+  /// checked before anything is computed, and writes to @p out what the job
+  /// will be. That takes about a second: a large mesh is not made, but one with
+  /// fewer initial refinements is looked at in its place. Collective.
+  /// @throws InputError, EquilibriumError, FileError
+  template <int dim>
+  void
+  validate(const Model<dim>  &model,
+           const CommandLine &command_line,
+           const Parameters  &parameters,
+           const MPI_Comm     communicator,
+           std::ostream      &out);
+
+  /// The same for the search of a limit load.
+  template <int dim>
+  void
+  validate_limit_load(const Model<dim>  &model,
+                      const CommandLine &command_line,
+                      const Parameters  &parameters,
+                      const MPI_Comm     communicator,
+                      std::ostream      &out);
 } // namespace ElastoPlastic
 
 #endif

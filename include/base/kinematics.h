@@ -121,7 +121,8 @@ namespace ElastoPlastic
   /// mesh's area or length: 2 pi r for a ring.
   template <int dim, typename Number>
   Number
-  extent(const Point<dim, Number> &point, const Kinematics kinematics)
+  out_of_plane_length(const Point<dim, Number> &point,
+                      const Kinematics          kinematics)
   {
     return kinematics == Kinematics::axisymmetric ?
              2. * numbers::PI * point[0] :

@@ -13,7 +13,7 @@ namespace ElastoPlastic
   /// Takes @p error into account in the @p largest one of a check. What is not
   /// a number is infinitely wrong.
   inline void
-  enlarge(double &largest, const double error)
+  keep_largest(double &largest, const double error)
   {
     largest =
       std::max(largest,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bounds/limit_load.h"
+#include "bounds/mechanism/velocity_field.h"
 #include "output/vtu_series.h"
 
 namespace ElastoPlastic
@@ -56,6 +57,28 @@ namespace ElastoPlastic
   private:
     VtuSeries         series;
     const std::string name_of_motion;
+  };
+
+
+
+  /// Writes where the parts of a mechanism of collapse slide along each other,
+  /// along supports or a rough indenter: the files slip_lines-*.vtu with the
+  /// field slip, the jump of the velocity, on faces. Those with less than a
+  /// thousandth of the largest velocity are left out. On one rank.
+  class SlipOutput
+  {
+  public:
+    explicit SlipOutput(const OutputParameters &parameters);
+
+    /// @p cycle numbers the file. @throws FileError
+    template <int dim>
+    void
+    write(const SplitBody<dim>                    &body,
+          const std::vector<SimplexVelocity<dim>> &velocity,
+          const unsigned int                       cycle);
+
+  private:
+    VtuSeries series;
   };
 } // namespace ElastoPlastic
 

@@ -11,7 +11,7 @@
 #include "bounds/error/error_bound.h"
 #include "contact/gap_function.h"
 #include "input/parameters.h"
-#include "loading/load.h"
+#include "loading/loading_parameters.h"
 #include "loads/boundary_conditions.h"
 #include "output/columns.h"
 #include "problem/model.h"

@@ -12,7 +12,6 @@
 
 #include "bounds/equilibrium_output.h"
 #include "bounds/limit_load.h"
-#include "bounds/slip_output.h"
 #include "contact/gap_function.h"
 #include "input/parameters.h"
 #include "output/columns.h"

@@ -22,7 +22,7 @@
 #include "contact/coulomb_friction.h"
 #include "contact/edge_law.h"
 #include "contact/face_filter.h"
-#include "loading/load.h"
+#include "loading/loading_parameters.h"
 
 namespace ElastoPlastic
 {

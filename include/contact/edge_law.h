@@ -17,6 +17,8 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
+
+
   /// Where the contact may end.
   enum class EdgeRule
   {
@@ -220,6 +222,33 @@ namespace ElastoPlastic
     std::vector<bool>         parts;
     std::vector<unsigned int> from_high_to_low;
     std::vector<unsigned int> entries;
+  };
+
+
+
+  /// How the gap function rises from node to node, of all nodes of all ranks:
+  /// the coefficients of EdgeLaw. The rises, and the products of coefficients
+  /// and rises, change continuously with the gaps.
+  struct RiseOfGap
+  {
+    /// Of @p nodes in ascending order, the same on all ranks, and the pairs of
+    /// the faces of this rank. Collective.
+    RiseOfGap(const std::vector<EdgeLaw::Node> &nodes,
+              const std::vector<EdgeLaw::Pair> &pairs,
+              const MPI_Comm                    communicator);
+
+    struct Neighbor
+    {
+      unsigned int node;
+      double       coefficient;
+    };
+
+    /// By node j: its outer neighbours b and c_jb.
+    std::vector<std::vector<Neighbor>> outer_neighbors;
+
+    /// R_b; and whether any c_jb is larger than 0.
+    std::vector<double> rises;
+    std::vector<bool>   have_part;
   };
 } // namespace ElastoPlastic
 

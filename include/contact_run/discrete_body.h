@@ -23,8 +23,8 @@
 #include "mechanics/solid_operator.h"
 #include "output/log.h"
 #include "problem/model.h"
-#include "solver/linear_solver_parameters.h"
 #include "solver/semismooth_newton.h"
+#include "solver/solver_parameters.h"
 #include "solver/tangent_solver.h"
 
 namespace ElastoPlastic

@@ -16,7 +16,7 @@
 #include "contact_run/unloading_stiffness.h"
 #include "input/parameters.h"
 #include "output/log.h"
-#include "output/statistics.h"
+#include "output/run_tables.h"
 #include "problem/model.h"
 #include "restart/checkpoint.h"
 #include "restart/output_directory.h"
@@ -75,40 +75,40 @@ namespace ElastoPlastic
   private:
     // The load history, in the order of run().
     void
-    run_load_history(const Statistics::Progress &progress);
+    run_load_history(const RunTables::Progress &progress);
     void
-    take_load_steps(Statistics &statistics);
+    take_load_steps(RunTables &statistics);
     bool
-    take_step(Statistics &statistics);
+    take_step(RunTables &statistics);
     SolveResult
-    solve_on_mesh_sequence(Statistics &statistics);
+    solve_on_mesh_sequence(RunTables &statistics);
     SolveResult
     solve();
     void
     require_reachable_surface() const;
     void
-    go_on_to_next_step(Statistics &statistics);
+    go_on_to_next_step(RunTables &statistics);
     bool
-    change_mesh(Statistics &statistics);
+    change_mesh(RunTables &statistics);
     void
-    go_on_after_end(Statistics &statistics);
+    go_on_after_end(RunTables &statistics);
 
     // Checkpoints (checkpoint.cc).
     void
-    save_checkpoint(Statistics &statistics);
+    save_checkpoint(RunTables &statistics);
     bool
     checkpoint_is_due() const;
     [[noreturn]] void
-    keep_what_has_been_computed(const Error &error, Statistics &statistics);
+    keep_what_has_been_computed(const Error &error, RunTables &statistics);
     Checkpoint::Contents
-    read_checkpoint(Statistics::Progress &progress);
-    Statistics::Progress
+    read_checkpoint(RunTables::Progress &progress);
+    RunTables::Progress
     load_checkpoint();
     void
     stop_if_requested() const;
     template <typename Archive>
     void
-    serialize_progress(Archive &archive, Statistics::Progress &progress);
+    serialize_progress(Archive &archive, RunTables::Progress &progress);
 
     // The problem, and how to solve it.
     const Model<dim>      &model;

@@ -7,9 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "evaluation/mean_force.h"
 #include "evaluation/solve_result.h"
-#include "loading/load.h"
+#include "loading/loading_parameters.h"
 
 namespace ElastoPlastic
 {

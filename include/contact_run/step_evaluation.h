@@ -8,13 +8,12 @@
 #include "contact_run/last_step.h"
 #include "evaluation/boundary_displacements.h"
 #include "evaluation/imprint.h"
-#include "evaluation/pressure_guard.h"
 #include "evaluation/probe_points.h"
-#include "evaluation/small_strain_guard.h"
+#include "evaluation/step_guards.h"
 #include "loads/reactions.h"
 #include "output/log.h"
 #include "output/output_parameters.h"
-#include "output/statistics.h"
+#include "output/run_tables.h"
 
 namespace ElastoPlastic
 {
@@ -38,7 +37,7 @@ namespace ElastoPlastic
     check_lines() const;
 
     /// What the columns of the tables are called.
-    Statistics::Names
+    RunTables::Names
     names() const;
 
     /// Fills in all of @p result that follows from the present solution.

@@ -13,7 +13,7 @@
 #include "contact_run/discrete_body.h"
 #include "mechanics/solid_operator.h"
 #include "output/log.h"
-#include "solver/linear_solver_parameters.h"
+#include "solver/solver_parameters.h"
 #include "solver/tangent_solver.h"
 
 namespace ElastoPlastic

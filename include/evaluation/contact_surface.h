@@ -4,17 +4,41 @@
 #ifndef evaluation_contact_surface_h
 #define evaluation_contact_surface_h
 
+#include <deal.II/base/point.h>
 #include <deal.II/dofs/dof_handler.h>
 
+#include <limits>
 #include <set>
+#include <string>
 #include <vector>
 
-#include "evaluation/profile_line.h"
 #include "evaluation/surface_fields.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+
+
+  /// A straight line on the contact surface of a body in space, seen from
+  /// above: a point, a direction, and between which distances from the point.
+  struct ProfileLine
+  {
+    Point<2>     point;
+    Tensor<1, 2> direction; ///< of length 1
+    double       begin = -std::numeric_limits<double>::infinity();
+    double       end   = std::numeric_limits<double>::infinity();
+  };
+
+
+
+  /// The lines that the entry Output/Profile lines names, such as
+  /// "0, 0; 1, 1 | 0, 0; 0, 2"; without any, that through @p axis along x.
+  /// @throws InputError
+  std::vector<ProfileLine>
+  read_profile_lines(const std::string &text, const Point<2> &axis);
+
+
 
   /// A point of the contact surface. Between two nodes, everything is linear.
   template <int dim>

@@ -4,6 +4,7 @@
 #ifndef evaluation_imprint_h
 #define evaluation_imprint_h
 
+#include <deal.II/base/point.h>
 #include <deal.II/distributed/tria.h>
 
 #include <algorithm>
@@ -13,11 +14,36 @@
 #include "contact/gap_function.h"
 #include "evaluation/contact_surface.h"
 #include "evaluation/solve_result.h"
-#include "evaluation/surface_row.h"
 #include "loads/loaded_body.h"
 
 namespace ElastoPlastic
 {
+  using namespace dealii;
+
+
+
+  /// A row of surface_profile.csv: a point of the contact surface at the end of
+  /// a load step. In two dimensions, third components are zero.
+  struct SurfaceRow
+  {
+    unsigned int step = 0;
+    double       time = 0;
+    /// Of Output/Profile lines, from 1; in two dimensions 0.
+    unsigned int line = 0;
+    /// In the undeformed body.
+    Point<3>     position;
+    Tensor<1, 3> displacement;
+    /// To the indenter in its present position; not a number where it does not
+    /// reach.
+    double gap              = 0;
+    double contact_pressure = 0;
+    /// On the body; and 1 where that sticks to the indenter.
+    Tensor<1, 3> contact_shear;
+    double       stick = 0;
+  };
+
+
+
   /// What the indenter leaves on the contact surface: how wide the contact is,
   /// how far the surface piles up or sinks in beside it, and its profile.
   template <int dim>

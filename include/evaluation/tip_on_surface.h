@@ -4,8 +4,18 @@
 #ifndef evaluation_tip_on_surface_h
 #define evaluation_tip_on_surface_h
 
+#include <deal.II/base/mpi.h>
+
+#include <memory>
+
+#include "indenter/indenter.h"
+
 namespace ElastoPlastic
 {
+  using namespace dealii;
+
+
+
   /// What the evaluation of an indentation test needs to know of a tip and the
   /// surface that it is pressed on.
   class TipOnSurface
@@ -26,6 +36,31 @@ namespace ElastoPlastic
     /// the first contact on; 0 if it is not known. Collective.
     virtual double
     overlapped_area(const double height) const = 0;
+  };
+
+
+
+  /// A tip on a level surface, which overlaps it by a section.
+  class TipOnLevelSurface : public TipOnSurface
+  {
+  public:
+    TipOnLevelSurface(const std::shared_ptr<const TipShape> &tip,
+                      const double                           gap,
+                      const MPI_Comm                         communicator);
+
+    double
+    initial_gap() const override;
+
+    double
+    depth_factor() const override;
+
+    double
+    overlapped_area(const double height) const override;
+
+  private:
+    const std::shared_ptr<const TipShape> tip;
+    const double                          gap;
+    const MPI_Comm                        communicator;
   };
 } // namespace ElastoPlastic
 

@@ -11,11 +11,25 @@
 
 #include "base/enum_names.h"
 #include "indenter/indenter.h"
-#include "indenter/surface_finish.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+
+
+  /// What an indenter's surface lets a perfectly plastic body do at its limit.
+  enum class SurfaceFinish
+  {
+    smooth, ///< slide without shear stress
+    rough   ///< not slide: any shear stress that the body bears
+  };
+
+  template <>
+  inline const EnumNames<SurfaceFinish> enum_names<SurfaceFinish> = {
+    {"smooth", SurfaceFinish::smooth}, {"rough", SurfaceFinish::rough}};
+
+
 
   /// Which heights of an image or matrix touch first; see "Side down".
   enum class SideDown

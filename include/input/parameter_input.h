@@ -7,6 +7,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <functional>
+#include <iosfwd>
 #include <map>
 #include <set>
 #include <string>
@@ -14,6 +15,8 @@
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+
 
   using Warn = std::function<void(const std::string &)>;
 
@@ -45,6 +48,21 @@ namespace ElastoPlastic
   /// The values of all entries, by paths like "Geometry/Type".
   std::map<std::string, std::string>
   all_entries(const ParameterHandler &prm);
+
+
+
+  /// Writes all entries of @p prm, in the order of their declaration, with
+  /// default, allowed values and meaning: a page in Markdown that can also be
+  /// read on a terminal. Each entry is headed "Section/Entry", as the option
+  /// --set wants it.
+  void
+  print_parameter_reference(const ParameterHandler &prm, std::ostream &out);
+
+  /// The description that deal.II's patterns give of themselves, in words:
+  /// "[Integer range 1...2147483647 (inclusive)]" becomes "integer >= 1".
+  /// A description of an unknown form is returned as it is.
+  std::string
+  allowed_values(const std::string &pattern_description);
 } // namespace ElastoPlastic
 
 #endif

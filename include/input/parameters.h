@@ -24,8 +24,7 @@
 #include "mechanics/initial_stress.h"
 #include "mesh/geometry.h"
 #include "output/output_parameters.h"
-#include "solver/linear_solver_parameters.h"
-#include "solver/newton_parameters.h"
+#include "solver/solver_parameters.h"
 
 namespace ElastoPlastic
 {

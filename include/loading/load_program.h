@@ -16,7 +16,6 @@
 
 #include "base/expression.h"
 #include "loading/indenter_path.h"
-#include "loading/load.h"
 #include "loading/loading_parameters.h"
 
 namespace ElastoPlastic

@@ -8,12 +8,35 @@
 
 #include <string>
 
-#include "loading/load.h"
+#include "base/enum_names.h"
 #include "loading/time_steps.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+
+
+  enum class Control
+  {
+    depth, ///< the depth of the indenter is given, the force results
+    force  ///< the force is given, the depth results
+  };
+
+  template <>
+  inline const EnumNames<Control> enum_names<Control> = {
+    {"depth", Control::depth}, {"force", Control::force}};
+
+
+
+  /// What drives the indenter at one moment: a depth or a force.
+  struct Load
+  {
+    Control control;
+    double  value;
+  };
+
+
 
   /// The entries of the section "Loading"; see LoadProgram for their meaning.
   struct LoadingParameters
@@ -41,6 +64,17 @@ namespace ElastoPlastic
     bool
     is_single_step() const;
   };
+
+
+
+  /// Checks that the load history @p now can go on where @p before has got to
+  /// at @p time: the steps until then end at the same times under the same
+  /// loads. What comes after may be different, and longer or shorter.
+  /// @throws InputError that names the first difference
+  void
+  check_same_past(const LoadingParameters &before,
+                  const LoadingParameters &now,
+                  const double             time);
 } // namespace ElastoPlastic
 
 #endif

@@ -258,7 +258,8 @@ namespace ElastoPlastic
     ELASTO_PLASTIC_ALWAYS_INLINE static auto
     ring(const Evaluation &phi, const unsigned int point)
     {
-      return extent(phi.quadrature_point(point), Kinematics::axisymmetric);
+      return out_of_plane_length(phi.quadrature_point(point),
+                                 Kinematics::axisymmetric);
     }
 
     template <typename Evaluation, typename Number>

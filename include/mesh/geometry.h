@@ -12,10 +12,8 @@
 #include <vector>
 
 #include "mesh/boundary_names.h"
-#include "mesh/box.h"
 #include "mesh/gmsh_file.h"
-#include "mesh/half_ball.h"
-#include "mesh/sector.h"
+#include "mesh/ready_meshes.h"
 
 namespace ElastoPlastic
 {

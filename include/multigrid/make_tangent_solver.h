@@ -10,7 +10,7 @@
 
 #include "loads/loaded_body.h"
 #include "mechanics/solid_operator.h"
-#include "solver/linear_solver_parameters.h"
+#include "solver/solver_parameters.h"
 #include "solver/tangent_solver.h"
 
 namespace ElastoPlastic

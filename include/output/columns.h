@@ -8,9 +8,9 @@
 #include <iosfwd>
 #include <limits>
 
+#include "evaluation/imprint.h"
 #include "evaluation/indentation_test.h"
 #include "evaluation/solve_result.h"
-#include "evaluation/surface_row.h"
 #include "output/output_parameters.h"
 #include "output/table.h"
 

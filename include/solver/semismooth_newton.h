@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solver/constrained_minimization.h"
-#include "solver/newton_parameters.h"
+#include "solver/solver_parameters.h"
 
 namespace ElastoPlastic
 {

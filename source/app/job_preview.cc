@@ -200,7 +200,7 @@ namespace ElastoPlastic
       {
         const double volume =
           cell->measure() *
-          extent(cell->center(), quick.strain_model.kinematics);
+          out_of_plane_length(cell->center(), quick.strain_model.kinematics);
         for (Share *share : {&shares[cell->material_id()], &sum})
           {
             share->cells += 1;

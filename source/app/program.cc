@@ -11,7 +11,6 @@
 
 #include "app/program.h"
 #include "app/ready_cases.h"
-#include "app/validation.h"
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
 #include "base/version.h"

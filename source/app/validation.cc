@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "app/job_preview.h"
-#include "app/validation.h"
+#include "app/program.h"
 #include "base/memory.h"
 #include "base/rethrow_collectively.h"
 #include "bounds/limit_load_analysis.h"

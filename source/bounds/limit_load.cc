@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "bounds/body/circumscribed.h"
+#include "bounds/body/split_body.h"
 #include "bounds/limit_load.h"
 #include "bounds/mechanism/face_view.h"
 #include "bounds/stress/johnson_mercier.h"

@@ -13,7 +13,7 @@
 #include "base/rethrow_collectively.h"
 #include "base/termination.h"
 #include "base/text.h"
-#include "bounds/body/growing_loads.h"
+#include "bounds/body/loads.h"
 #include "bounds/bound_checks.h"
 #include "bounds/cell_indicators.h"
 #include "bounds/error/support_check.h"

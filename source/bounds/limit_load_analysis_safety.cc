@@ -3,7 +3,7 @@
 
 #include "base/exceptions.h"
 #include "base/text.h"
-#include "bounds/body/growing_loads.h"
+#include "bounds/body/loads.h"
 #include "bounds/limit_load_analysis.h"
 #include "mesh/curved_boundaries.h"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "bounds/equilibrium_output.h"
 #include "bounds/mechanism/face_view.h"
-#include "bounds/slip_output.h"
 #include "output/patches.h"
 
 namespace ElastoPlastic

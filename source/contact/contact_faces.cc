@@ -91,7 +91,7 @@ namespace ElastoPlastic
                     face.horizontal[n][d] = dofs[node[d]];
                   face.density[n] =
                     values.JxW(q) *
-                    extent(values.quadrature_point(q), kinematics);
+                    out_of_plane_length(values.quadrature_point(q), kinematics);
                 }
               faces.push_back(face);
             }
@@ -250,8 +250,8 @@ namespace ElastoPlastic
     const std::array<Point<2>, 2> &positions) const
   {
     const double length = std::abs(positions[1][0] - positions[0][0]);
-    return {{length * extent(positions[0], kinematics),
-             length * extent(positions[1], kinematics)}};
+    return {{length * out_of_plane_length(positions[0], kinematics),
+             length * out_of_plane_length(positions[1], kinematics)}};
   }
 
 

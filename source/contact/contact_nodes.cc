@@ -46,7 +46,8 @@ namespace ElastoPlastic
                    fe_face_values.quadrature_point_indices())
                 cell_areas(i) +=
                   fe_face_values.shape_value(i, q) * fe_face_values.JxW(q) *
-                  extent(fe_face_values.quadrature_point(q), kinematics);
+                  out_of_plane_length(fe_face_values.quadrature_point(q),
+                                      kinematics);
           cell->get_dof_indices(dof_indices);
           constraints.distribute_local_to_global(cell_areas,
                                                  dof_indices,

@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "contact/edge_law.h"
-#include "contact/rise_of_gap.h"
 
 namespace ElastoPlastic
 {

@@ -79,7 +79,8 @@ namespace ElastoPlastic
             for (const unsigned int q : values.quadrature_point_indices())
               area +=
                 values.shape_value(fe.face_to_cell_index(node[dim - 1], f), q) *
-                values.JxW(q) * extent(values.quadrature_point(q), kinematics);
+                values.JxW(q) *
+                out_of_plane_length(values.quadrature_point(q), kinematics);
             face.areas.push_back(area);
           }
         faces.push_back(face);

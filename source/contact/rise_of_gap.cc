@@ -11,7 +11,7 @@
 #include <map>
 #include <numeric>
 
-#include "contact/rise_of_gap.h"
+#include "contact/edge_law.h"
 
 namespace ElastoPlastic
 {

@@ -13,15 +13,15 @@
 #include "base/rethrow_collectively.h"
 #include "base/termination.h"
 #include "contact_run/elasto_plastic_contact.h"
-#include "loading/same_past.h"
+#include "loading/loading_parameters.h"
 
 namespace ElastoPlastic
 {
   template <int dim>
   template <typename Archive>
   void
-  ElastoPlasticContact<dim>::serialize_progress(Archive              &archive,
-                                                Statistics::Progress &progress)
+  ElastoPlasticContact<dim>::serialize_progress(Archive             &archive,
+                                                RunTables::Progress &progress)
   {
     archive &step &output &evaluation &progress;
   }
@@ -32,7 +32,7 @@ namespace ElastoPlastic
   // material points and the fields in its cells, and where the history is.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::save_checkpoint(Statistics &statistics)
+  ElastoPlasticContact<dim>::save_checkpoint(RunTables &statistics)
   {
     TimerOutput::Scope scope(timer, "Checkpoint");
     statistics.write_to_disk();
@@ -40,7 +40,7 @@ namespace ElastoPlastic
 
     std::ostringstream            state;
     boost::archive::text_oarchive archive(state, boost::archive::no_header);
-    Statistics::Progress          progress = statistics.progress();
+    RunTables::Progress           progress = statistics.progress();
     serialize_progress(archive, progress);
 
     checkpoint.save(state.str(), [&](const std::string &mesh_file) {
@@ -68,7 +68,7 @@ namespace ElastoPlastic
   template <int dim>
   void
   ElastoPlasticContact<dim>::keep_what_has_been_computed(const Error &error,
-                                                         Statistics &statistics)
+                                                         RunTables &statistics)
   {
     step.take_back();
     save_checkpoint(statistics);
@@ -86,7 +86,7 @@ namespace ElastoPlastic
   // Without the mesh and what it carries.
   template <int dim>
   Checkpoint::Contents
-  ElastoPlasticContact<dim>::read_checkpoint(Statistics::Progress &progress)
+  ElastoPlasticContact<dim>::read_checkpoint(RunTables::Progress &progress)
   {
     Checkpoint::Contents          contents = checkpoint.load();
     std::istringstream            state(contents.state);
@@ -104,19 +104,19 @@ namespace ElastoPlastic
   void
   ElastoPlasticContact<dim>::check_checkpoint()
   {
-    Statistics::Progress progress;
+    RunTables::Progress progress;
     read_checkpoint(progress);
   }
 
 
 
   template <int dim>
-  Statistics::Progress
+  RunTables::Progress
   ElastoPlasticContact<dim>::load_checkpoint()
   {
     TimerOutput::Scope scope(timer, "Checkpoint");
 
-    Statistics::Progress       progress;
+    RunTables::Progress        progress;
     const Checkpoint::Contents contents = read_checkpoint(progress);
     step.restore(contents.mesh_file);
     evaluation.do_not_repeat(step.last().result);

@@ -105,7 +105,7 @@ namespace ElastoPlastic
     output_directory.begin_run(overwrite, parameters.effective_input);
     body.place_indenter(0., 0.);
     output.write_initial_state();
-    run_load_history(Statistics::Progress());
+    run_load_history(RunTables::Progress());
   }
 
 
@@ -116,7 +116,7 @@ namespace ElastoPlastic
   {
     log.print_banner(Utilities::MPI::n_mpi_processes(communicator));
     output_directory.resume_run();
-    const Statistics::Progress progress = load_checkpoint();
+    const RunTables::Progress progress = load_checkpoint();
     if (body.gap_function().has_indenter())
       check_path(model,
                  body.gap_function(),
@@ -133,18 +133,18 @@ namespace ElastoPlastic
   template <int dim>
   void
   ElastoPlasticContact<dim>::run_load_history(
-    const Statistics::Progress &progress)
+    const RunTables::Progress &progress)
   {
-    Statistics statistics(communicator,
-                          parameters.output.directory,
-                          evaluation.names(),
-                          make_indentation_test(model,
-                                                model.indenter,
-                                                body.triangulation(),
-                                                body.gap_function(),
-                                                parameters.evaluation),
-                          make_rate_test(model),
-                          progress);
+    RunTables statistics(communicator,
+                         parameters.output.directory,
+                         evaluation.names(),
+                         make_indentation_test(model,
+                                               model.indenter,
+                                               body.triangulation(),
+                                               body.gap_function(),
+                                               parameters.evaluation),
+                         make_rate_test(model),
+                         progress);
     output_directory.write_input(parameters.effective_input);
     write_table_reference(communicator, parameters.output);
     note_termination_requests();
@@ -181,7 +181,7 @@ namespace ElastoPlastic
   // goes on.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::take_load_steps(Statistics &statistics)
+  ElastoPlasticContact<dim>::take_load_steps(RunTables &statistics)
   {
     while (!step.times().finished())
       {
@@ -203,7 +203,7 @@ namespace ElastoPlastic
   // been taken back, and half of it is to be tried.
   template <int dim>
   bool
-  ElastoPlasticContact<dim>::take_step(Statistics &statistics)
+  ElastoPlasticContact<dim>::take_step(RunTables &statistics)
   {
     try
       {
@@ -247,7 +247,7 @@ namespace ElastoPlastic
   // that the fine meshes need only a few Newton steps.
   template <int dim>
   SolveResult
-  ElastoPlasticContact<dim>::solve_on_mesh_sequence(Statistics &statistics)
+  ElastoPlasticContact<dim>::solve_on_mesh_sequence(RunTables &statistics)
   {
     while (true)
       {
@@ -327,7 +327,7 @@ namespace ElastoPlastic
   // What the next step needs, if there is one.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::go_on_to_next_step(Statistics &statistics)
+  ElastoPlasticContact<dim>::go_on_to_next_step(RunTables &statistics)
   {
     const unsigned int n_iterations = step.last().result.newton_iterations;
     if (!step.is_history_complete())
@@ -347,7 +347,7 @@ namespace ElastoPlastic
   // equilibrium. @return whether there is one on the new mesh.
   template <int dim>
   bool
-  ElastoPlasticContact<dim>::change_mesh(Statistics &statistics)
+  ElastoPlasticContact<dim>::change_mesh(RunTables &statistics)
   {
     step.change_mesh();
     try
@@ -377,7 +377,7 @@ namespace ElastoPlastic
   // what this step has left.
   template <int dim>
   void
-  ElastoPlasticContact<dim>::go_on_after_end(Statistics &statistics)
+  ElastoPlasticContact<dim>::go_on_after_end(RunTables &statistics)
   {
     if (adaptation.is_due(step.last().result.step))
       error_estimate.find_indicators();

@@ -73,7 +73,7 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  Statistics::Names
+  RunTables::Names
   StepEvaluation<dim>::names() const
   {
     auto probes = boundary_displacements.names();

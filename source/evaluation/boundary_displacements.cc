@@ -25,7 +25,8 @@ namespace ElastoPlastic
       if (cell->is_locally_owned())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() &&
-              extent(face->center(), kinematics) > 1e-10 * face->diameter())
+              out_of_plane_length(face->center(), kinematics) >
+                1e-10 * face->diameter())
             areas[face->boundary_id()] += face->measure();
     for (const auto &[name, id] : body.boundary_conditions.names())
       if (Utilities::MPI::max(areas[id], communicator_of(triangulation)) > 0.)
@@ -75,7 +76,7 @@ namespace ElastoPlastic
                 {
                   const double area =
                     values.JxW(q) *
-                    extent(values.quadrature_point(q), kinematics);
+                    out_of_plane_length(values.quadrature_point(q), kinematics);
                   for (unsigned int d = 0; d < dim; ++d)
                     integral[d] += area * displacements[q][d];
                   integral[dim] += area;

@@ -8,7 +8,7 @@
 #include "base/compatibility.h"
 #include "evaluation/modelled_part.h"
 #include "evaluation/tip_on_curved_surface.h"
-#include "evaluation/tip_on_level_surface.h"
+#include "evaluation/tip_on_surface.h"
 #include "mesh/body_size.h"
 
 namespace ElastoPlastic

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evaluation/power_law.h"
+#include "evaluation/indentation_test.h"
 
 namespace ElastoPlastic
 {

@@ -14,7 +14,6 @@
 #include "base/input_file.h"
 #include "base/text.h"
 #include "input/parameter_input.h"
-#include "input/parameter_reference.h"
 
 namespace ElastoPlastic
 {

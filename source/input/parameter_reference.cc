@@ -10,7 +10,7 @@
 #include <regex>
 #include <sstream>
 
-#include "input/parameter_reference.h"
+#include "input/parameter_input.h"
 
 namespace ElastoPlastic
 {

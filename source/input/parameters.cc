@@ -10,7 +10,6 @@
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
 #include "input/parameter_input.h"
-#include "input/parameter_reference.h"
 #include "input/parameters.h"
 #include "loading/indenter_path.h"
 

@@ -7,7 +7,7 @@
 #include "base/exceptions.h"
 #include "base/text.h"
 #include "loading/load_program.h"
-#include "loading/same_past.h"
+#include "loading/loading_parameters.h"
 #include "loading/time_steps.h"
 
 namespace ElastoPlastic

@@ -81,8 +81,8 @@ namespace ElastoPlastic
           {
             const Point<dim>    &x = values.quadrature_point(q);
             const Tensor<1, dim> force =
-              values.JxW(q) * extent(x, body.strain_model.kinematics) *
-              density(x);
+              values.JxW(q) *
+              out_of_plane_length(x, body.strain_model.kinematics) * density(x);
             for (unsigned int i = 0; i < forces.size(); ++i)
               forces(i) += force[fe.system_to_component_index(i).first] *
                            values.shape_value(i, q);

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "base/compatibility.h"
-#include "loads/roller_conditions.h"
+#include "loads/supports.h"
 
 namespace ElastoPlastic
 {

@@ -8,7 +8,6 @@
 #include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
-#include "loads/roller_conditions.h"
 #include "loads/supports.h"
 
 namespace ElastoPlastic

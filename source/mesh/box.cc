@@ -10,8 +10,8 @@
 #include <numeric>
 
 #include "base/exceptions.h"
-#include "mesh/box.h"
 #include "mesh/disc.h"
+#include "mesh/ready_meshes.h"
 
 namespace ElastoPlastic
 {

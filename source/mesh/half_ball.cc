@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "base/exceptions.h"
-#include "mesh/half_ball.h"
+#include "mesh/ready_meshes.h"
 
 namespace ElastoPlastic
 {

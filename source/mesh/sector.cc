@@ -11,7 +11,7 @@
 
 #include "base/exceptions.h"
 #include "mesh/nested_shells.h"
-#include "mesh/sector.h"
+#include "mesh/ready_meshes.h"
 
 namespace ElastoPlastic
 {

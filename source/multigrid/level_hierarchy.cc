@@ -6,7 +6,6 @@
 
 #include "mesh/owned_cells.h"
 #include "multigrid/level_hierarchy.h"
-#include "multigrid/mesh_sequence.h"
 
 namespace ElastoPlastic
 {

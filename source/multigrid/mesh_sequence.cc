@@ -5,7 +5,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include "base/compatibility.h"
-#include "multigrid/mesh_sequence.h"
+#include "multigrid/level_hierarchy.h"
 
 namespace ElastoPlastic
 {

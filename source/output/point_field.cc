@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "output/point_field.h"
+#include "output/body_output.h"
 
 namespace ElastoPlastic
 {

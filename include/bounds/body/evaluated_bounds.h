@@ -11,7 +11,7 @@
 #include "base/exceptions.h"
 #include "base/text.h"
 #include "bounds/body/loads.h"
-#include "bounds/conic/certificate.h"
+#include "bounds/conic/interior_point.h"
 
 // What turns the solutions of conic programs into bounds, in the plane as in
 // space: by independent checks of the fields themselves.

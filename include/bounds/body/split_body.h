@@ -15,13 +15,15 @@
 #include "bounds/mesh/split_mesh.h"
 #include "contact/contact_geometry.h"
 #include "contact/footprint.h"
-#include "indenter/surface_finish.h"
+#include "indenter/indenter_parameters.h"
 #include "loads/boundary_conditions.h"
 #include "material/material.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+
 
   /// Cosine and sine below which directions are at right angles or parallel.
   constexpr double small_angle = 1e-10;
@@ -91,8 +93,8 @@ namespace ElastoPlastic
     {
       Tensor<1, dim> direction;
       ConditionType  type;
-      FaceValue<dim> value  = {};
-      FaceValue<dim> growth = {}; ///< what a load factor adds to a traction
+      FaceValue<dim> value     = {};
+      FaceValue<dim> live_load = {}; ///< what a load factor adds to a traction
     };
 
     std::array<Component, dim> components;
@@ -163,11 +165,11 @@ namespace ElastoPlastic
 
     /// What acts on the volume, and what a load factor adds to it.
     Tensor<1, dim> body_force;
-    Tensor<1, dim> body_force_growth;
+    Tensor<1, dim> live_body_force;
 
     /// By triangles, in plane strain: the sine of the angle of internal
-    /// friction, see bounds/conic/friction.h; none if no strength depends on
-    /// the pressure.
+    /// friction, see bounds/conic/yield_conditions.h; none if no strength
+    /// depends on the pressure.
     std::vector<double> friction_sines;
 
     /// A typical stress: the smallest yield stress, or a modulus of elasticity;
@@ -241,9 +243,9 @@ namespace ElastoPlastic
          const unsigned int    component,
          const FacePoint<dim> &point) const;
     double
-    growth(const unsigned int    face,
-           const unsigned int    component,
-           const FacePoint<dim> &point) const;
+    live_load(const unsigned int    face,
+              const unsigned int    component,
+              const FacePoint<dim> &point) const;
 
     /// That pressure.
     double
@@ -311,6 +313,30 @@ namespace ElastoPlastic
   /// id, or one for all; nothing changes if all are zero.
   void
   set_friction(SplitBody<2> &body, const std::vector<double> &sines);
+
+
+
+  /// The same body with another mesh, for mechanisms: the faces that the
+  /// indenter reaches cover a polygon around its disc, not only one inside.
+  ///
+  /// The whole faces on a disc cover an inscribed polygon, if vertices of the
+  /// mesh lie on the circle. These are moved outwards, so far that the edges
+  /// between them leave the circle: the faces beside them are then no longer
+  /// reached. Nothing else changes.
+  ///
+  /// The result is @p body itself if there is no disc; if no vertices are on
+  /// the circle; and if moving them would change the boundary of the body or
+  /// its conditions, or the material of a point, or turn over a tetrahedron.
+  /// Mechanisms on either mesh give an upper bound.
+  SplitBody<3>
+  circumscribe(const SplitBody<3> &body);
+
+  /// In the plane, sides end where the indenter does.
+  inline SplitBody<2>
+  circumscribe(const SplitBody<2> &body)
+  {
+    return body;
+  }
 } // namespace ElastoPlastic
 
 #endif

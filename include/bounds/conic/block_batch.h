@@ -12,7 +12,6 @@
 
 #include "base/lanes.h"
 #include "bounds/conic/conic_program.h"
-#include "bounds/conic/kkt_vector.h"
 #include "bounds/conic/second_order_cone.h"
 
 namespace ElastoPlastic
@@ -55,7 +54,7 @@ namespace ElastoPlastic
 
       unsigned int      n_unknowns;
       unsigned int      n_equations;
-      unsigned int      n_unseen; ///< directions that no cone sees
+      unsigned int      n_null; ///< directions that no cone sees
       bool              has_quadratic_cost;
       std::vector<Cone> cones;
 
@@ -120,7 +119,7 @@ namespace ElastoPlastic
                const ConicLayout                     &layout,
                const Shape                           &shape,
                const std::vector<unsigned int>       &blocks,
-               const std::vector<FullMatrix<double>> &unseen);
+               const std::vector<FullMatrix<double>> &null_space);
 
     void
     set_cones(const unsigned int lane, const FullMatrix<double> &cone_matrix);
@@ -208,7 +207,7 @@ namespace ElastoPlastic
     Lanes quadratic_cost; ///< P
     Lanes coupling;       ///< A
     Lanes cone_columns;   ///< the transposes of the cones' parts of G
-    Lanes unseen;         ///< an orthonormal basis, one direction per row
+    Lanes null_space;     ///< an orthonormal basis, one direction per row
     Lanes factor;         ///< of the parts, see LocalAlgebra::factorize()
     std::vector<SecondOrderCone::Scaling<Simd<double>>> scalings;
   };

@@ -9,12 +9,25 @@
 
 #include <vector>
 
-#include "bounds/conic/kkt_vector.h"
 #include "bounds/conic/second_order_cone.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+
+
+  /// The unknowns of the optimality conditions of a ConicProgram without the
+  /// slack variables, or the residuals of these conditions.
+  struct KktVector
+  {
+    Vector<double> x;               ///< see ConicLayout::unknowns
+    Vector<double> z;               ///< see ConicLayout::rows
+    Vector<double> y;               ///< by equations
+    double         load_factor = 0; ///< lambda
+  };
+
+
 
   /// Of which size the slack s and the multiplier z of a cone are expected to
   /// be. The iteration begins with such values, and their product says how
@@ -74,7 +87,7 @@ namespace ElastoPlastic
   {
     std::vector<ConicBlock> blocks;
     Vector<double>          right_hand_side; ///< b
-    Vector<double>          growth; ///< d; empty if there is no load factor
+    Vector<double>          live_load; ///< d; empty if there is no load factor
     /// The last equations, to which many blocks contribute (the force balance
     /// of an indenter). They are kept out of the sparse factorisation.
     unsigned int n_dense_rows = 0;

@@ -12,7 +12,6 @@
 
 #include "bounds/conic/block_batch.h"
 #include "bounds/conic/conic_program.h"
-#include "bounds/conic/kkt_vector.h"
 #include "bounds/conic/sparse_cholesky.h"
 
 namespace ElastoPlastic
@@ -78,14 +77,14 @@ namespace ElastoPlastic
     solve_sparse_and_dense(Vector<double> &y) const;
 
     void
-    subtract_growth_product(KktVector            &residual,
-                            const Vector<double> &y,
-                            const double          lambda) const;
+    subtract_live_load_product(KktVector            &residual,
+                               const Vector<double> &y,
+                               const double          lambda) const;
 
     /// Takes d into the solution @p y of the sum of all blocks.
     /// @return lambda, such that -d^T y = @p r_lambda.
     double
-    add_growth(Vector<double> &y, const double r_lambda) const;
+    add_live_load(Vector<double> &y, const double r_lambda) const;
 
     const ConicProgram           &program;
     const unsigned int            n_sparse_rows;
@@ -104,7 +103,7 @@ namespace ElastoPlastic
     FullMatrix<double>          dense_inverse;
 
     /// Solution for the right-hand side d.
-    Vector<double> growth_solution;
+    Vector<double> live_load_solution;
   };
 } // namespace ElastoPlastic
 

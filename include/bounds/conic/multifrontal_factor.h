@@ -94,7 +94,7 @@ namespace ElastoPlastic
       double most = 0;
 
       void
-      treat(const std::vector<Front> &fronts, const unsigned int front);
+      eliminate(const std::vector<Front> &fronts, const unsigned int front);
     };
 
     static std::vector<Rows>
@@ -110,7 +110,7 @@ namespace ElastoPlastic
     void
     update(const unsigned int f);
     bool
-    treat(const unsigned int f);
+    eliminate(const unsigned int f);
 
     cholmod_factor     &factor;
     std::vector<Front>  fronts;

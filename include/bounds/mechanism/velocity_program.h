@@ -11,7 +11,7 @@ namespace ElastoPlastic
 {
   /// The mechanism that takes least plastic work among velocities that are zero
   /// at the supports and go down by 1 or more everywhere under the indenter
-  /// (stream_program.h, sheet_program.h, in space flux_program.h). By the
+  /// (find_stream(), find_motion_of_sheet(), in space find_flux()). By the
   /// kinematic theorem, its work int sqrt(2/3) sigma_0 |e(v)| dx is an upper
   /// bound of the limit load @cite hill_1950. The bound follows from the
   /// velocities alone, by velocity_check.h.
@@ -21,6 +21,51 @@ namespace ElastoPlastic
   VelocityField<dim>
   minimize_plastic_work(const SplitBody<dim> &body,
                         const double          tolerance = usual_tolerance<dim>);
+
+
+
+  /// The mechanism in space that takes least plastic work among velocities that
+  /// are linear on each tetrahedron and change no volume. Their normal
+  /// components are continuous (the element of Brezzi, Douglas and Marini
+  /// @cite nedelec_1986); neighbours may slide along each other, which takes
+  /// the work k |[v_t]| per area. So they may along fixed faces and along a
+  /// rough indenter.
+  ///
+  /// Velocities are up to a factor, and almost without divergence. The force is
+  /// what has been minimised; work and errors are not yet computed.
+  /// @throws ConvergenceError, UnboundedError if there is no mechanism.
+  VelocityField<3>
+  find_flux(const SplitBody<3> &body, const double tolerance);
+
+
+
+  /// The mechanism in plane strain or of a body of revolution that takes least
+  /// plastic work among those with a stream function (StreamElement). It is
+  /// continuous, so nothing passes through the sides of triangles; but they may
+  /// slide along each other, which takes the work k |[v_t]| per area, with the
+  /// yield stress in shear k of the weaker material. So they may along fixed
+  /// sides and along a rough indenter.
+  ///
+  /// Velocities are up to a factor. The force is what has been minimised; work
+  /// and errors are not yet computed.
+  /// @throws ConvergenceError, UnboundedError if there is no mechanism.
+  VelocityField<2>
+  find_stream(const SplitBody<2> &body, const double tolerance);
+
+
+
+  /// The mechanism in plane stress, or in plane strain with friction, that
+  /// takes least plastic work among all continuous piecewise quadratic
+  /// velocities. The strain rate is linear on a triangle: so the work is at
+  /// most a third of the area times the sum of that at the corners, because it
+  /// is a convex function; and with friction, the rate is in the dual cone of
+  /// the yield condition everywhere because it is at the corners.
+  ///
+  /// Velocities are up to a factor. The force is what has been minimised; work
+  /// and errors are not yet computed.
+  /// @throws ConvergenceError, UnboundedError if there is no mechanism.
+  VelocityField<2>
+  find_motion_of_sheet(const SplitBody<2> &body, const double tolerance);
 } // namespace ElastoPlastic
 
 #endif

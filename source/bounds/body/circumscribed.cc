@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "bounds/body/circumscribed.h"
+#include "bounds/body/split_body.h"
 
 namespace ElastoPlastic
 {
@@ -92,7 +92,7 @@ namespace ElastoPlastic
                           condition.components.end(),
                           [&](const auto &component) {
                             return component.value.is_zero() &&
-                                   component.growth.is_zero();
+                                   component.live_load.is_zero();
                           });
     }
 

@@ -9,7 +9,6 @@
 #include "base/exceptions.h"
 #include "base/largest_error.h"
 #include "bounds/body/face_conditions.h"
-#include "bounds/body/from_inside.h"
 
 namespace ElastoPlastic
 {
@@ -117,7 +116,7 @@ namespace ElastoPlastic
 
       double largest = 0;
       for (const double at_corner : value.at_corners)
-        enlarge(largest, std::abs(at_corner));
+        keep_largest(largest, std::abs(at_corner));
       for (const auto &[position, weight] : points_over_face<3>())
         {
           const auto   point = point_on_face<3>(corners, position);
@@ -251,7 +250,7 @@ namespace ElastoPlastic
               return loads.constant_part(at(x));
             });
           if (type == ConditionType::traction)
-            component.growth =
+            component.live_load =
               value_on_face(corners, [at, loads = loads](const Point<dim> &x) {
                 return loads.growing_part(at(x));
               });

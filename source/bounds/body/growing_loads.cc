@@ -8,8 +8,8 @@
 
 #include "base/exceptions.h"
 #include "base/largest_error.h"
-#include "bounds/body/from_inside.h"
-#include "bounds/body/growing_loads.h"
+#include "bounds/body/face_conditions.h"
+#include "bounds/body/loads.h"
 
 namespace ElastoPlastic
 {
@@ -68,9 +68,9 @@ namespace ElastoPlastic
     for (const double time : times_between)
       {
         Vector<double> between = at(time);
-        enlarge(size, between.linfty_norm());
+        keep_largest(size, between.linfty_norm());
         between.add(time - 1., begin, -time, end);
-        enlarge(difference, between.linfty_norm());
+        keep_largest(difference, between.linfty_norm());
       }
     if (size == 0)
       throw InputError(

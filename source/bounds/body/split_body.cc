@@ -50,8 +50,8 @@ namespace ElastoPlastic
       const auto at = [&](const double time) {
         return loads.constant_body_force(body.mesh.vertices, time);
       };
-      body.body_force        = loads.constant_part(at);
-      body.body_force_growth = loads.growing_part(at);
+      body.body_force      = loads.constant_part(at);
+      body.live_body_force = loads.growing_part(at);
     }
 
 
@@ -59,16 +59,16 @@ namespace ElastoPlastic
     /// The largest load that grows, as a stress.
     template <int dim>
     double
-    largest_growth(const SplitBody<dim> &body)
+    largest_live_load(const SplitBody<dim> &body)
     {
-      double largest = body.body_force_growth.norm() * body.length_unit;
+      double largest = body.live_body_force.norm() * body.length_unit;
       for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
         for (const auto &component : body.conditions[f].components)
-          if (!component.growth.is_zero())
+          if (!component.live_load.is_zero())
             for (unsigned int i = 0; i < dim; ++i)
-              enlarge(largest,
-                      std::abs(component.growth(
-                        corner_point<dim>(body.corners_of_face(f), i))));
+              keep_largest(largest,
+                           std::abs(component.live_load(
+                             corner_point<dim>(body.corners_of_face(f), i))));
       return largest;
     }
 
@@ -83,9 +83,9 @@ namespace ElastoPlastic
       body.stress_unit            = stress;
       body.strain_unit            = strain;
       body.length_unit            = size_of(body.mesh);
-      if (const double growth = largest_growth(body); growth > 0)
+      if (const double live_load = largest_live_load(body); live_load > 0)
         {
-          body.load_factor_unit  = body.stress_unit / growth;
+          body.load_factor_unit  = body.stress_unit / live_load;
           body.indenter_velocity = Tensor<1, dim>();
         }
     }
@@ -99,7 +99,7 @@ namespace ElastoPlastic
   {
     double size = 0;
     for (const auto &vertex : mesh.vertices)
-      enlarge(size, vertex.distance(mesh.vertices.front()));
+      keep_largest(size, vertex.distance(mesh.vertices.front()));
     return size;
   }
 
@@ -240,13 +240,13 @@ namespace ElastoPlastic
 
   template <int dim>
   double
-  SplitBody<dim>::growth(const unsigned int    face,
-                         const unsigned int    component,
-                         const FacePoint<dim> &point) const
+  SplitBody<dim>::live_load(const unsigned int    face,
+                            const unsigned int    component,
+                            const FacePoint<dim> &point) const
   {
     return mesh.faces[face].is_inside() ?
              0. :
-             conditions[face].components[component].growth(point) +
+             conditions[face].components[component].live_load(point) +
                pressed_part(face, component) *
                  (pressure_of_body_force(point.x, 1.) -
                   pressure_of_body_force(point.x, 0.));
@@ -259,7 +259,7 @@ namespace ElastoPlastic
   SplitBody<dim>::pressure_of_body_force(const Point<dim> &x,
                                          const double      load_factor) const
   {
-    return (body_force + load_factor * body_force_growth) *
+    return (body_force + load_factor * live_body_force) *
            (x - mesh.vertices.front());
   }
 

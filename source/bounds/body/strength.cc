@@ -23,9 +23,9 @@ namespace ElastoPlastic
         for (const auto &component : body.conditions[f].components)
           if (component.type == ConditionType::traction)
             for (unsigned int i = 0; i < 2; ++i)
-              enlarge(largest,
-                      std::abs(component.value(
-                        corner_point<2>(body.corners_of_face(f), i))));
+              keep_largest(largest,
+                           std::abs(component.value(
+                             corner_point<2>(body.corners_of_face(f), i))));
       return largest;
     }
   } // namespace

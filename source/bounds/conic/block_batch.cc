@@ -54,12 +54,12 @@ namespace ElastoPlastic
     shape_of(const ConicBlock         &block,
              const ConicLayout        &layout,
              const unsigned int        b,
-             const FullMatrix<double> &unseen)
+             const FullMatrix<double> &null_space)
     {
       BlockBatch::Shape shape = {static_cast<unsigned int>(
                                    block.linear_cost.size()),
                                  static_cast<unsigned int>(block.rows.size()),
-                                 static_cast<unsigned int>(unseen.m()),
+                                 static_cast<unsigned int>(null_space.m()),
                                  !block.quadratic_cost.empty(),
                                  {}};
       for (unsigned int c = layout.first_cones[b];
@@ -98,11 +98,11 @@ namespace ElastoPlastic
   {
     return std::tie(n_unknowns,
                     n_equations,
-                    n_unseen,
+                    n_null,
                     has_quadratic_cost,
                     cones) == std::tie(other.n_unknowns,
                                        other.n_equations,
-                                       other.n_unseen,
+                                       other.n_null,
                                        other.has_quadratic_cost,
                                        other.cones);
   }
@@ -117,31 +117,31 @@ namespace ElastoPlastic
     {
       Shape                           shape;
       std::vector<unsigned int>       blocks;
-      std::vector<FullMatrix<double>> unseen;
+      std::vector<FullMatrix<double>> null_space;
     };
     std::vector<Group>      groups;
     std::vector<BlockBatch> batches;
     const auto              flush = [&](Group &group) {
       if (!group.blocks.empty())
-        batches.push_back(
-          BlockBatch(program, layout, group.shape, group.blocks, group.unseen));
+        batches.push_back(BlockBatch(
+          program, layout, group.shape, group.blocks, group.null_space));
       group.blocks.clear();
-      group.unseen.clear();
+      group.null_space.clear();
     };
     for (unsigned int b = 0; b < program.blocks.size(); ++b)
       {
         const ConicBlock  &block = program.blocks[b];
-        FullMatrix<double> unseen;
+        FullMatrix<double> null_space;
         if (block.quadratic_cost.empty())
-          unseen = kernel(block.cone_matrix);
-        const Shape shape = shape_of(block, layout, b, unseen);
+          null_space = kernel(block.cone_matrix);
+        const Shape shape = shape_of(block, layout, b, null_space);
         auto group = std::find_if(groups.begin(), groups.end(), [&](auto &g) {
           return g.shape == shape;
         });
         if (group == groups.end())
           group = groups.insert(group, {shape, {}, {}});
         group->blocks.push_back(b);
-        group->unseen.push_back(std::move(unseen));
+        group->null_space.push_back(std::move(null_space));
         if (group->blocks.size() == max_blocks)
           flush(*group);
       }
@@ -151,12 +151,11 @@ namespace ElastoPlastic
 
 
 
-  BlockBatch::BlockBatch(
-    const ConicProgram                    &program,
-    const ConicLayout                     &layout,
-    const Shape                           &shape,
-    const std::vector<unsigned int>       &blocks,
-    const std::vector<FullMatrix<double>> &unseen_of_blocks)
+  BlockBatch::BlockBatch(const ConicProgram                    &program,
+                         const ConicLayout                     &layout,
+                         const Shape                           &shape,
+                         const std::vector<unsigned int>       &blocks,
+                         const std::vector<FullMatrix<double>> &null_spaces)
     : shape(shape)
     , n_blocks(blocks.size())
     , n_rows(program.blocks[blocks[0]].cone_offset.size())
@@ -172,7 +171,7 @@ namespace ElastoPlastic
     clear(quadratic_cost, shape.has_quadratic_cost ? n * n : 0);
     clear(coupling, shape.n_equations * n);
     clear(cone_columns, n_entries);
-    clear(unseen, shape.n_unseen * n);
+    clear(null_space, shape.n_null * n);
     find_parts();
     clear(factor, parts.back().entry + lower_size(parts.back().size()));
     for (unsigned int lane = 0; lane < max_blocks; ++lane)
@@ -186,7 +185,7 @@ namespace ElastoPlastic
           equations[k][lane] = block.rows[k];
         set_lane(quadratic_cost, lane, block.quadratic_cost);
         set_lane(coupling, lane, block.coupling);
-        set_lane(unseen, lane, unseen_of_blocks[i]);
+        set_lane(null_space, lane, null_spaces[i]);
         set_cones(lane, block.cone_matrix);
       }
   }
@@ -231,7 +230,7 @@ namespace ElastoPlastic
   BlockBatch::find_parts()
   {
     const unsigned int n = shape.n_unknowns;
-    if (shape.has_quadratic_cost || shape.n_unseen > 0)
+    if (shape.has_quadratic_cost || shape.n_null > 0)
       {
         parts = {{0, n}};
         return;
@@ -299,11 +298,11 @@ namespace ElastoPlastic
   BlockBatch::add_compliance(const Simd<double> &compliance)
   {
     const unsigned int n = shape.n_unknowns;
-    for (unsigned int k = 0; k < shape.n_unseen; ++k)
+    for (unsigned int k = 0; k < shape.n_null; ++k)
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j <= i; ++j)
           factor[lower_size(i) + j] +=
-            compliance * unseen[k * n + i] * unseen[k * n + j];
+            compliance * null_space[k * n + i] * null_space[k * n + j];
   }
 
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bounds/conic/certificate.h"
+#include "bounds/conic/interior_point.h"
 
 namespace ElastoPlastic
 {
@@ -59,11 +59,12 @@ namespace ElastoPlastic
 
     const double contradiction =
       -(program.right_hand_side * iterate.y) - offset_product;
-    const double growth =
-      program.growth.size() > 0 ? std::abs(program.growth * iterate.y) : 0.;
+    const double live_load = program.live_load.size() > 0 ?
+                               std::abs(program.live_load * iterate.y) :
+                               0.;
     // (an iterate that satisfies the equations would contradict: on a fine
     // mesh, all local products are small)
-    if (std::max(multipliers_product.linfty_norm(), growth) <
+    if (std::max(multipliers_product.linfty_norm(), live_load) <
           multiplier_tolerance * contradiction &&
         std::abs(multipliers_product * iterate.x) < 0.5 * contradiction)
       throw NoSolutionError();

@@ -121,7 +121,7 @@ namespace ElastoPlastic
     residual.z.reinit(solution.z.size());
     residual.y = program.right_hand_side;
     residual.z -= solution.s;
-    residual.load_factor       = program.growth.size() > 0 ? 1. : 0.;
+    residual.load_factor       = program.live_load.size() > 0 ? 1. : 0.;
     const Vector<double> slope = quadratic_slope(program, layout, solution.x);
     double               quadratic_cost = 0, linear_cost = 0,
            dual_size = residual.load_factor;
@@ -143,7 +143,7 @@ namespace ElastoPlastic
     const double primal_size = std::max(
       {1.,
        program.right_hand_side.linfty_norm(),
-       std::abs(solution.load_factor) * largest_entry(program.growth)});
+       std::abs(solution.load_factor) * largest_entry(program.live_load)});
     system.subtract_product(residual, solution);
 
     solution.cost = 0.5 * quadratic_cost + linear_cost - solution.load_factor;

@@ -8,7 +8,6 @@
 
 #include "base/exceptions.h"
 #include "base/termination.h"
-#include "bounds/conic/certificate.h"
 #include "bounds/conic/conic_evaluation.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/kkt_system.h"
@@ -54,8 +53,8 @@ namespace ElastoPlastic
     constexpr double       interior_tolerance = 1e-12;
     constexpr unsigned int max_centerings     = 10;
 
-    /// A growth of the right-hand side is of order 1, or rounding errors.
-    constexpr double smallest_growth = 1e-10;
+    /// A live load is of order 1, or rounding errors.
+    constexpr double smallest_live_load = 1e-10;
 
 
 
@@ -144,8 +143,8 @@ namespace ElastoPlastic
     ConicSolution
     InteriorPoint::run()
     {
-      if (program.growth.size() > 0 &&
-          program.growth.linfty_norm() < smallest_growth)
+      if (program.live_load.size() > 0 &&
+          program.live_load.linfty_norm() < smallest_live_load)
         throw UnboundedError();
       begin();
       while (!converged() && current.n_iterations < max_iterations &&
@@ -289,7 +288,7 @@ namespace ElastoPlastic
     InteriorPoint::correct_centrality(Vector<double> &complementarity,
                                       const double    centering)
     {
-      double length = largest_step(layout, scaled, direction);
+      double         length  = largest_step(layout, scaled, direction);
       Vector<double> targets = shares;
       targets *= centering * (current.s * current.z);
       for (unsigned int k = 0; k < max_corrections && length < long_step; ++k)

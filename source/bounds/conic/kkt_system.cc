@@ -80,9 +80,9 @@ namespace ElastoPlastic
     if (!factorize_sum())
       return false;
     factorize_dense_rows();
-    growth_solution = program.growth;
-    if (program.growth.size() > 0)
-      solve_sparse_and_dense(growth_solution);
+    live_load_solution = program.live_load;
+    if (program.live_load.size() > 0)
+      solve_sparse_and_dense(live_load_solution);
     return true;
   }
 
@@ -145,10 +145,10 @@ namespace ElastoPlastic
         for (const BlockBatch &batch : batches)
           batch.reduce(y, reduced, residual, workspace);
         solve_sparse_and_dense(y);
-        const double lambda = add_growth(y, residual.load_factor);
+        const double lambda = add_live_load(y, residual.load_factor);
         solution.y += y;
         solution.load_factor += lambda;
-        subtract_growth_product(residual, y, lambda);
+        subtract_live_load_product(residual, y, lambda);
         for (const BlockBatch &batch : batches)
           batch.substitute(solution, residual, reduced, y, workspace);
 
@@ -184,27 +184,27 @@ namespace ElastoPlastic
 
 
   double
-  KktSystem::add_growth(Vector<double> &y, const double r_lambda) const
+  KktSystem::add_live_load(Vector<double> &y, const double r_lambda) const
   {
-    if (growth_solution.size() == 0)
+    if (live_load_solution.size() == 0)
       return 0.;
-    const double lambda =
-      (r_lambda + program.growth * y) / (program.growth * growth_solution);
-    y.add(-lambda, growth_solution);
+    const double lambda = (r_lambda + program.live_load * y) /
+                          (program.live_load * live_load_solution);
+    y.add(-lambda, live_load_solution);
     return lambda;
   }
 
 
 
   void
-  KktSystem::subtract_growth_product(KktVector            &residual,
-                                     const Vector<double> &y,
-                                     const double          lambda) const
+  KktSystem::subtract_live_load_product(KktVector            &residual,
+                                        const Vector<double> &y,
+                                        const double          lambda) const
   {
-    if (program.growth.size() > 0)
+    if (program.live_load.size() > 0)
       {
-        residual.y.add(lambda, program.growth);
-        residual.load_factor += program.growth * y;
+        residual.y.add(lambda, program.live_load);
+        residual.load_factor += program.live_load * y;
       }
   }
 
@@ -214,7 +214,7 @@ namespace ElastoPlastic
   KktSystem::subtract_product(KktVector       &residual,
                               const KktVector &solution) const
   {
-    subtract_growth_product(residual, solution.y, solution.load_factor);
+    subtract_live_load_product(residual, solution.y, solution.load_factor);
     for (const BlockBatch &batch : batches)
       batch.subtract_product(residual, solution, workspace);
   }

@@ -103,8 +103,8 @@ namespace ElastoPlastic
 
 
   void
-  MultifrontalFactor::UpdatesHeld::treat(const std::vector<Front> &fronts,
-                                         const unsigned int        f)
+  MultifrontalFactor::UpdatesHeld::eliminate(const std::vector<Front> &fronts,
+                                             const unsigned int        f)
   {
     const auto size = [&](const unsigned int i) {
       return static_cast<double>(fronts[i].n_updated()) * fronts[i].n_updated();
@@ -159,7 +159,7 @@ namespace ElastoPlastic
       {
         UpdatesHeld held;
         for (unsigned int f = fronts[p].first; f <= p; ++f)
-          held.treat(fronts, f);
+          held.eliminate(fronts, f);
         left += held.now;
         beside.push_back(held.most - held.now);
       }
@@ -168,7 +168,7 @@ namespace ElastoPlastic
 
     UpdatesHeld held{left, std::accumulate(beside.begin(), beside.end(), left)};
     for (const unsigned int f : last_fronts)
-      held.treat(fronts, f);
+      held.eliminate(fronts, f);
     return sizeof(double) * held.most;
   }
 
@@ -317,7 +317,7 @@ namespace ElastoPlastic
 
 
   bool
-  MultifrontalFactor::treat(const unsigned int f)
+  MultifrontalFactor::eliminate(const unsigned int f)
   {
     assemble(f);
     if (!eliminate(fronts[f]))
@@ -341,7 +341,7 @@ namespace ElastoPlastic
           for (unsigned int f = fronts[parts[p]].first;
                is_positive && f <= parts[p];
                ++f)
-            is_positive = treat(f);
+            is_positive = eliminate(f);
         }
       catch (const std::bad_alloc &)
         {
@@ -350,7 +350,7 @@ namespace ElastoPlastic
     if (!has_memory)
       throw std::bad_alloc();
     for (unsigned int i = 0; is_positive && i < last_fronts.size(); ++i)
-      is_positive = treat(last_fronts[i]);
+      is_positive = eliminate(last_fronts[i]);
     for (Update &update : updates)
       update.reset(); // (what is left if it is not)
     return is_positive;

@@ -85,7 +85,7 @@ namespace ElastoPlastic
                 0.5 * (interpolate(a, vertical) + interpolate(b, vertical));
               const double unit = bernstein({{1., 1., 1.}});
               if (unit > 0.) // else it is a corner of the face
-                enlarge(result, (bernstein(bubbles) - left) / unit);
+                keep_largest(result, (bernstein(bubbles) - left) / unit);
             }
       return result;
     }
@@ -122,7 +122,7 @@ namespace ElastoPlastic
         const auto   v         = values_on_face(body.mesh, displacement, f);
         const double necessary = necessary_lowering(gap, v, depth);
         for (const unsigned int edge : v.edges)
-          enlarge(lowering[edge], necessary);
+          keep_largest(lowering[edge], necessary);
       }
     for (unsigned int edge = 0; edge < lowering.size(); ++edge)
       displacement.at_edges[edge][dim - 1] -= lowering[edge];

@@ -26,8 +26,8 @@ namespace ElastoPlastic
       void
       add(const double displacement, const double prescribed)
       {
-        enlarge(largest_displacement, std::abs(displacement));
-        enlarge(largest, std::abs(displacement - prescribed));
+        keep_largest(largest_displacement, std::abs(displacement));
+        keep_largest(largest, std::abs(displacement - prescribed));
       }
 
       /// @throws ConvergenceError
@@ -63,7 +63,7 @@ namespace ElastoPlastic
                                   });
             }
       for (const auto &v : displacement.at_vertices)
-        enlarge(result.largest_displacement, v.norm());
+        keep_largest(result.largest_displacement, v.norm());
       return result;
     }
 
@@ -102,9 +102,9 @@ namespace ElastoPlastic
         polynomial_on_side(corners, degree, function);
       double largest = 0;
       look_over_face<2>(corners, [&](const FacePoint<2> &point) {
-        enlarge(largest,
-                std::abs(function(point) -
-                         polynomial.value(point.position)[0]));
+        keep_largest(largest,
+                     std::abs(function(point) -
+                              polynomial.value(point.position)[0]));
       });
       return largest;
     }
@@ -118,7 +118,7 @@ namespace ElastoPlastic
     {
       const auto ends = body.corners_of_face(side);
       const bool is_heavy =
-        body.body_force.norm() + body.body_force_growth.norm() > 0.;
+        body.body_force.norm() + body.live_body_force.norm() > 0.;
       throw InputError(
         "The tractions of 'Boundary conditions/Traction'" +
         std::string(is_heavy ? ", and the pressure of 'Body force'," : "") +
@@ -137,7 +137,7 @@ namespace ElastoPlastic
 
 
 
-    /// One of the loads of a SplitBody, load() or growth().
+    /// One of the loads of a SplitBody, load() or live_load().
     using LoadOnSide = double (SplitBody<2>::*)(const unsigned int,
                                                 const unsigned int,
                                                 const FacePoint<2> &) const;
@@ -160,7 +160,7 @@ namespace ElastoPlastic
               const auto weighted_load = [&](const FacePoint<2> &point) {
                 const double load =
                   body.weight(point.x) * (body.*load_on_side)(s, c, point);
-                enlarge(largest, std::abs(load));
+                keep_largest(largest, std::abs(load));
                 return load;
               };
               const double distance =
@@ -169,7 +169,7 @@ namespace ElastoPlastic
                                        weighted_load);
               if (distance > largest_distance)
                 worst_side = s;
-              enlarge(largest_distance, distance);
+              keep_largest(largest_distance, distance);
             }
       if (largest_distance > rounding * largest)
         reject_tractions(body, worst_side, degree);
@@ -190,7 +190,7 @@ namespace ElastoPlastic
             const auto corners = body.corners_of_face(s);
             double     largest = 0;
             const auto value   = [&](const FacePoint<2> &point) {
-              enlarge(largest, std::abs(component.value(point)));
+              keep_largest(largest, std::abs(component.value(point)));
               return component.value(point);
             };
             if (distance_to_polynomial(corners, 2, value) > rounding * largest)
@@ -213,7 +213,7 @@ namespace ElastoPlastic
                                const unsigned int  degree)
   {
     require_polynomials(body, degree, &SplitBody<2>::load);
-    require_polynomials(body, degree, &SplitBody<2>::growth);
+    require_polynomials(body, degree, &SplitBody<2>::live_load);
   }
 
 

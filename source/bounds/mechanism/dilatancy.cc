@@ -53,7 +53,8 @@ namespace ElastoPlastic
     const double sine    = body.friction_sines[t];
     double       missing = 0.;
     for (const auto &[volume, shear] : rates_of(body, velocity, t))
-      enlarge(missing, sine > 0. ? sine * shear - volume : std::abs(volume));
+      keep_largest(missing,
+                   sine > 0. ? sine * shear - volume : std::abs(volume));
     return missing;
   }
 

@@ -3,18 +3,18 @@
 
 #include <utility>
 
+#include "bounds/conic/dissipation_block.h"
 #include "bounds/conic/interior_point.h"
-#include "bounds/conic/power_block.h"
 #include "bounds/conic/yield_conditions.h"
 #include "bounds/mechanism/face_view.h"
-#include "bounds/mechanism/flux_program.h"
 #include "bounds/mechanism/flux_unknowns.h"
+#include "bounds/mechanism/velocity_program.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// In the units of the body, as the dual of a PowerBlock's.
+    /// In the units of the body, as the dual of a DissipationBlock's.
     class FluxProgram
     {
     public:
@@ -60,7 +60,7 @@ namespace ElastoPlastic
     {
       program.right_hand_side.reinit(unknowns.size());
       if (body.load_factor_unit > 0)
-        program.growth.reinit(unknowns.size());
+        program.live_load.reinit(unknowns.size());
       for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         add_work(t);
       for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
@@ -154,7 +154,7 @@ namespace ElastoPlastic
                                       (at_corner.velocities[i] * directions[d]);
             }
         }
-      PowerBlock block(slips.n());
+      DissipationBlock block(slips.n());
       block.add_norm(slips,
                      0,
                      2,
@@ -172,7 +172,7 @@ namespace ElastoPlastic
       FullMatrix<double> vertical(1, 3);
       for (unsigned int i = 0; i < 3; ++i)
         vertical(0, i) = at_corner.velocities[i][2];
-      PowerBlock block(3);
+      DissipationBlock block(3);
       block.add_condition(vertical,
                           0,
                           body.relative_area(f) / 3.,
@@ -212,8 +212,9 @@ namespace ElastoPlastic
                     program.right_hand_side[unknown] +=
                       part * body.load(f, c, points[j]);
                     if (body.load_factor_unit > 0)
-                      program.growth[unknown] += part * body.load_factor_unit *
-                                                 body.growth(f, c, points[j]);
+                      program.live_load[unknown] +=
+                        part * body.load_factor_unit *
+                        body.live_load(f, c, points[j]);
                   }
               }
         }

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bounds/conic/friction.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/yield_conditions.h"
 #include "bounds/mechanism/quadratic_field.h"
-#include "bounds/mechanism/sheet_program.h"
+#include "bounds/mechanism/velocity_program.h"
 
 namespace ElastoPlastic
 {
@@ -59,10 +58,10 @@ namespace ElastoPlastic
     /// the sense of the principle of virtual power, with the largest sum of
     /// all q. Its Lagrange multipliers are the velocities, with the opposite
     /// sign.
-    class SheetProgram
+    class PlaneStressProgram
     {
     public:
-      explicit SheetProgram(const SplitBody<2> &body);
+      explicit PlaneStressProgram(const SplitBody<2> &body);
 
       VelocityField<2>
       solve(const double tolerance) const;
@@ -115,7 +114,7 @@ namespace ElastoPlastic
 
 
 
-    SheetProgram::SheetProgram(const SplitBody<2> &body)
+    PlaneStressProgram::PlaneStressProgram(const SplitBody<2> &body)
       : body(body)
       , nodes(body.mesh.vertices.size() + body.mesh.faces.size())
       , vertex_is_pressed(body.mesh.vertices.size(), false)
@@ -130,7 +129,7 @@ namespace ElastoPlastic
 
 
     void
-    SheetProgram::fix(const unsigned int s, const Tensor<1, 2> &direction)
+    PlaneStressProgram::fix(const unsigned int s, const Tensor<1, 2> &direction)
     {
       for (const unsigned int vertex : body.mesh.faces[s].vertices)
         nodes[vertex].fix(direction);
@@ -140,7 +139,7 @@ namespace ElastoPlastic
 
 
     void
-    SheetProgram::number_equations()
+    PlaneStressProgram::number_equations()
     {
       for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
         {
@@ -159,7 +158,7 @@ namespace ElastoPlastic
             node.equations[c] = n_equations++;
       program.right_hand_side.reinit(n_equations);
       if (body.load_factor_unit > 0)
-        program.growth.reinit(n_equations);
+        program.live_load.reinit(n_equations);
     }
 
 
@@ -167,7 +166,7 @@ namespace ElastoPlastic
     // The power of the given tractions, for each of the three quadratic
     // functions of a side.
     void
-    SheetProgram::add_tractions()
+    PlaneStressProgram::add_tractions()
     {
       const double unit        = body.stress_unit * body.length_unit;
       const double growth_unit = body.load_factor_unit / unit;
@@ -201,9 +200,9 @@ namespace ElastoPlastic
                         t,
                         length * component.value(point) / unit);
                 if (body.load_factor_unit > 0)
-                  add_all(program.growth,
+                  add_all(program.live_load,
                           t,
-                          length * growth_unit * component.growth(point));
+                          length * growth_unit * component.live_load(point));
               });
           }
     }
@@ -214,7 +213,7 @@ namespace ElastoPlastic
     // is the integral of the function of this node, and those of the corners
     // have none.
     void
-    SheetProgram::add_body_force()
+    PlaneStressProgram::add_body_force()
     {
       const double unit = body.stress_unit * body.length_unit;
       for (const auto &triangle : body.mesh.simplices)
@@ -230,8 +229,8 @@ namespace ElastoPlastic
                   const unsigned int n = node.equations[c];
                   program.right_hand_side[n] += third * (body.body_force * d);
                   if (body.load_factor_unit > 0)
-                    program.growth[n] += third * body.load_factor_unit *
-                                         (body.body_force_growth * d);
+                    program.live_load[n] += third * body.load_factor_unit *
+                                            (body.live_body_force * d);
                 }
           }
     }
@@ -241,8 +240,8 @@ namespace ElastoPlastic
     // A quadratic function is 1 or more on a side if its three coefficients in
     // Bernstein's basis are: the values at the ends, a and b, and 2 m - (a + b)
     // / 2 with that in the middle, m. To each belongs a force.
-    std::vector<SheetProgram::ContactForce>
-    SheetProgram::contact_forces(const unsigned int t)
+    std::vector<PlaneStressProgram::ContactForce>
+    PlaneStressProgram::contact_forces(const unsigned int t)
     {
       std::vector<ContactForce> forces;
       for (const unsigned int s : body.mesh.simplices[t].faces)
@@ -266,7 +265,7 @@ namespace ElastoPlastic
 
 
     void
-    SheetProgram::add_block(const unsigned int t)
+    PlaneStressProgram::add_block(const unsigned int t)
     {
       const auto         forces = contact_forces(t);
       const unsigned int n      = n_stresses + forces.size();
@@ -329,7 +328,7 @@ namespace ElastoPlastic
 
 
     VelocityField<2>
-    SheetProgram::solve(const double tolerance) const
+    PlaneStressProgram::solve(const double tolerance) const
     {
       // With friction, rates must be in the dual cones of the yield condition:
       // what they lack becomes smaller with the gap.
@@ -358,8 +357,8 @@ namespace ElastoPlastic
 
 
     SimplexVelocity<2>
-    SheetProgram::velocity_of(const unsigned int               t,
-                              const std::vector<Tensor<1, 2>> &velocities) const
+    PlaneStressProgram::velocity_of(
+      const unsigned int t, const std::vector<Tensor<1, 2>> &velocities) const
     {
       const auto at_nodes = nodes_of(body.mesh, t);
       return interpolate_cubic([&](const Barycentric<2> &point) {
@@ -378,6 +377,6 @@ namespace ElastoPlastic
   VelocityField<2>
   find_motion_of_sheet(const SplitBody<2> &body, const double tolerance)
   {
-    return SheetProgram(body).solve(tolerance);
+    return PlaneStressProgram(body).solve(tolerance);
   }
 } // namespace ElastoPlastic

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds/conic/dissipation_block.h"
 #include "bounds/conic/interior_point.h"
-#include "bounds/conic/power_block.h"
 #include "bounds/mechanism/face_view.h"
 #include "bounds/mechanism/stream_element.h"
-#include "bounds/mechanism/stream_program.h"
 #include "bounds/mechanism/stream_unknowns.h"
+#include "bounds/mechanism/velocity_program.h"
 
 namespace ElastoPlastic
 {
@@ -40,10 +40,10 @@ namespace ElastoPlastic
     /// Each of two neighbours pays for how it slides along their side, which
     /// has a velocity of its own: that adds up to what both pay with the
     /// smaller of their yield stresses.
-    class StreamProgram
+    class StreamFunctionProgram
     {
     public:
-      explicit StreamProgram(const SplitBody<2> &body);
+      explicit StreamFunctionProgram(const SplitBody<2> &body);
 
       VelocityField<2>
       solve(const double tolerance) const;
@@ -52,12 +52,12 @@ namespace ElastoPlastic
       void
       add_block(const unsigned int triangle);
       void
-      add_slip(PowerBlock          &block,
+      add_slip(DissipationBlock    &block,
                const StreamElement &element,
                const unsigned int   triangle,
                const unsigned int   k) const;
       void
-      add_indenter(PowerBlock          &block,
+      add_indenter(DissipationBlock    &block,
                    const StreamElement &element,
                    const unsigned int   triangle,
                    const unsigned int   k) const;
@@ -75,14 +75,14 @@ namespace ElastoPlastic
 
 
 
-    StreamProgram::StreamProgram(const SplitBody<2> &body)
+    StreamFunctionProgram::StreamFunctionProgram(const SplitBody<2> &body)
       : body(body)
       , unknowns(body)
       , work_unit(body.stress_unit * body.length_unit * body.weight_unit())
     {
       program.right_hand_side.reinit(unknowns.size());
       if (body.load_factor_unit > 0)
-        program.growth.reinit(unknowns.size());
+        program.live_load.reinit(unknowns.size());
       for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         add_block(t);
     }
@@ -90,11 +90,11 @@ namespace ElastoPlastic
 
 
     void
-    StreamProgram::add_block(const unsigned int t)
+    StreamFunctionProgram::add_block(const unsigned int t)
     {
       const StreamElement element(body, t, unknowns.has_flux(t));
       const auto          equations = unknowns.on_triangle(t);
-      PowerBlock          block(equations.size());
+      DissipationBlock    block(equations.size());
 
       const auto [rates, weights] = element.rates();
       const unsigned int n        = element.n_rate_components();
@@ -116,10 +116,10 @@ namespace ElastoPlastic
 
 
     void
-    StreamProgram::add_slip(PowerBlock          &block,
-                            const StreamElement &element,
-                            const unsigned int   t,
-                            const unsigned int   k) const
+    StreamFunctionProgram::add_slip(DissipationBlock    &block,
+                                    const StreamElement &element,
+                                    const unsigned int   t,
+                                    const unsigned int   k) const
     {
       const unsigned int   s         = body.mesh.simplices[t].faces[k];
       const auto          &side      = body.mesh.faces[s];
@@ -146,10 +146,10 @@ namespace ElastoPlastic
 
 
     void
-    StreamProgram::add_indenter(PowerBlock          &block,
-                                const StreamElement &element,
-                                const unsigned int   t,
-                                const unsigned int   k) const
+    StreamFunctionProgram::add_indenter(DissipationBlock    &block,
+                                        const StreamElement &element,
+                                        const unsigned int   t,
+                                        const unsigned int   k) const
     {
       const unsigned int s = body.mesh.simplices[t].faces[k];
       if (!body.conditions[s].is_reached)
@@ -171,10 +171,10 @@ namespace ElastoPlastic
     // left of the pressure of body forces, because the normal velocity is
     // continuous; nor where it is zero.
     void
-    StreamProgram::add_loads(const StreamElement             &element,
-                             const std::vector<unsigned int> &equations,
-                             const unsigned int               t,
-                             const unsigned int               k)
+    StreamFunctionProgram::add_loads(const StreamElement             &element,
+                                     const std::vector<unsigned int> &equations,
+                                     const unsigned int               t,
+                                     const unsigned int               k)
     {
       const unsigned int s = body.mesh.simplices[t].faces[k];
       const FaceView<2>  view(body, s);
@@ -195,9 +195,9 @@ namespace ElastoPlastic
                     program.right_hand_side[equations[f]] +=
                       velocity * body.load(s, c, point);
                     if (body.load_factor_unit > 0)
-                      program.growth[equations[f]] += velocity *
-                                                      body.load_factor_unit *
-                                                      body.growth(s, c, point);
+                      program.live_load[equations[f]] +=
+                        velocity * body.load_factor_unit *
+                        body.live_load(s, c, point);
                   }
             });
     }
@@ -205,7 +205,7 @@ namespace ElastoPlastic
 
 
     VelocityField<2>
-    StreamProgram::solve(const double tolerance) const
+    StreamFunctionProgram::solve(const double tolerance) const
     {
       const ConicSolution solution = minimize(program, tolerance);
       VelocityField<2>    field;
@@ -233,6 +233,6 @@ namespace ElastoPlastic
   VelocityField<2>
   find_stream(const SplitBody<2> &body, const double tolerance)
   {
-    return StreamProgram(body).solve(tolerance);
+    return StreamFunctionProgram(body).solve(tolerance);
   }
 } // namespace ElastoPlastic

@@ -77,7 +77,7 @@ namespace ElastoPlastic
           if (body.is_axisymmetric())
             divergence +=
               weighted_velocity(body, polynomial, t, point)[0] / (x[0] * x[0]);
-          enlarge(errors.divergence, std::abs(divergence) * size);
+          keep_largest(errors.divergence, std::abs(divergence) * size);
         }
     }
 
@@ -90,9 +90,9 @@ namespace ElastoPlastic
                  const unsigned int        t)
     {
       if (body.has_friction())
-        enlarge(errors.divergence,
-                missing_dilatation(body, velocity, t) *
-                  std::sqrt(volume(body.corners_of(t))));
+        keep_largest(errors.divergence,
+                     missing_dilatation(body, velocity, t) *
+                       std::sqrt(volume(body.corners_of(t))));
       else if (body.kinematics != Kinematics::plane_stress)
         check_divergence(errors, body, velocity, t);
     }
@@ -120,17 +120,17 @@ namespace ElastoPlastic
           const Tensor<1, dim> jump =
             view.jump(velocity, point) / body.weight_unit();
           if (view.face.is_inside() || view.support.is_closed)
-            enlarge(errors.separation, std::abs(jump * view.normal));
+            keep_largest(errors.separation, std::abs(jump * view.normal));
           if (!body.can_slide() && view.resists_slip())
-            enlarge(errors.separation, view.along(jump).norm());
+            keep_largest(errors.separation, view.along(jump).norm());
         }
       if (view.condition.is_reached)
         {
           const auto [of_body, of_indenter] =
             against_indenter(body, view, velocity);
           for (unsigned int i = 0; i < of_body.size(); ++i)
-            enlarge(errors.penetration,
-                    (of_indenter[i] - of_body[i]) / body.weight_unit());
+            keep_largest(errors.penetration,
+                         (of_indenter[i] - of_body[i]) / body.weight_unit());
         }
     }
 
@@ -156,7 +156,7 @@ namespace ElastoPlastic
     {
       for (const auto &component : view.condition.components)
         if (component.type == ConditionType::traction &&
-            !(component.value.is_zero() && component.growth.is_zero()))
+            !(component.value.is_zero() && component.live_load.is_zero()))
           integrate_on_face<dim>(
             view.corners,
             [&](const FacePoint<dim> &point, const double weight) {
@@ -166,7 +166,7 @@ namespace ElastoPlastic
                  component.direction);
               add(power,
                   along * component.value(point),
-                  along * component.growth(point));
+                  along * component.live_load(point));
             });
     }
 
@@ -242,9 +242,7 @@ namespace ElastoPlastic
     for (unsigned int t = 0; t < velocity.size(); ++t)
       {
         const auto integral = integral_of_velocity(body, velocity[t], t);
-        add(power,
-            body.body_force * integral,
-            body.body_force_growth * integral);
+        add(power, body.body_force * integral, body.live_body_force * integral);
       }
     return power;
   }

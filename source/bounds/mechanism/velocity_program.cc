@@ -4,9 +4,6 @@
 #include <string>
 
 #include "bounds/body/evaluated_bounds.h"
-#include "bounds/mechanism/flux_program.h"
-#include "bounds/mechanism/sheet_program.h"
-#include "bounds/mechanism/stream_program.h"
 #include "bounds/mechanism/velocity_check.h"
 #include "bounds/mechanism/velocity_program.h"
 

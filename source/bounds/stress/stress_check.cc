@@ -107,9 +107,9 @@ namespace ElastoPlastic
               if (body.is_axisymmetric())
                 missing[i][0] -=
                   field.circumferential[t][missing.size() * k + i];
-              enlarge(errors.divergence,
-                      size * missing[i].norm() /
-                        body.weight(part[place_of_centre<dim>(k)]));
+              keep_largest(errors.divergence,
+                           size * missing[i].norm() /
+                             body.weight(part[place_of_centre<dim>(k)]));
             }
         }
     }
@@ -142,9 +142,9 @@ namespace ElastoPlastic
             field.coefficient(t,
                               l,
                               Element::number_on_face(field.degree, there, i)));
-          enlarge(errors.traction_jump,
-                  inverse_weight<dim>(body, corners, field.degree, i) *
-                    (jump * n).norm());
+          keep_largest(errors.traction_jump,
+                       inverse_weight<dim>(body, corners, field.degree, i) *
+                         (jump * n).norm());
         }
     }
 
@@ -188,23 +188,24 @@ namespace ElastoPlastic
               const Point<dim> x        = interpolate(points[i], part);
               const auto       weighted = field.coefficient(t, k, i);
               if (body.is_on_axis(x))
-                enlarge(errors.on_axis,
-                        weighted.norm() / size_of_simplex<dim>(corners));
+                keep_largest(errors.on_axis,
+                             weighted.norm() / size_of_simplex<dim>(corners));
               else if (body.is_axisymmetric())
-                enlarge(errors.circumferential,
-                        std::abs(
-                          field.at(t, k, points[i])[2][2] / x[0] -
-                          circumferential_at<dim>(field, t, k, points[i])));
+                keep_largest(
+                  errors.circumferential,
+                  std::abs(field.at(t, k, points[i])[2][2] / x[0] -
+                           circumferential_at<dim>(field, t, k, points[i])));
               if (body.kinematics == Kinematics::plane_stress)
-                enlarge(errors.out_of_plane, std::abs(weighted[2][2]));
+                keep_largest(errors.out_of_plane, std::abs(weighted[2][2]));
               if (!HenckyMaterial::hardens(body.materials[t]))
-                enlarge(errors.yield_excess,
-                        inverse_weight(body, x) * deviator(weighted).norm() -
-                          body.yield_radius(t,
-                                            inverse_weight(body, x) * weighted -
-                                              body.pressure_of_body_force(
-                                                x, field.load_factor) *
-                                                unit_symmetric_tensor<3>()));
+                keep_largest(
+                  errors.yield_excess,
+                  inverse_weight(body, x) * deviator(weighted).norm() -
+                    body.yield_radius(
+                      t,
+                      inverse_weight(body, x) * weighted -
+                        body.pressure_of_body_force(x, field.load_factor) *
+                          unit_symmetric_tensor<3>()));
             }
         }
     }
@@ -236,10 +237,11 @@ namespace ElastoPlastic
             body.pressure_of_body_force(point.x, field.load_factor) * normal;
           for (const auto &component : body.conditions[f].components)
             if (component.type == ConditionType::traction)
-              enlarge(errors.boundary_force,
-                      std::abs(traction * component.direction -
-                               component.value(point) -
-                               field.load_factor * component.growth(point)));
+              keep_largest(errors.boundary_force,
+                           std::abs(traction * component.direction -
+                                    component.value(point) -
+                                    field.load_factor *
+                                      component.live_load(point)));
         });
     }
 
@@ -291,9 +293,9 @@ namespace ElastoPlastic
         {
           const double weighted = tractions[i] * direction -
                                   cosine * weighted_pressure(body, field, f, i);
-          enlarge(errors.tension,
-                  inverse_weight<dim>(body, corners, field.degree, i) *
-                    weighted);
+          keep_largest(errors.tension,
+                       inverse_weight<dim>(body, corners, field.degree, i) *
+                         weighted);
           force -= body.angle() * area(corners) / tractions.size() * weighted *
                    direction[dim - 1];
         }
@@ -324,10 +326,10 @@ namespace ElastoPlastic
         {
           const auto there = of(1);
           for (unsigned int i = 0; i < here.size(); ++i)
-            enlarge(errors.traction_jump,
-                    inverse_weight<dim>(
-                      body, body.corners_of_face(f), field.degree, i) *
-                      (there[i] - here[i]).norm());
+            keep_largest(errors.traction_jump,
+                         inverse_weight<dim>(
+                           body, body.corners_of_face(f), field.degree, i) *
+                           (there[i] - here[i]).norm());
           return 0.;
         }
       check_given_tractions(errors, body, field, f, normal, here);

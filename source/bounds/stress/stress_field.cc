@@ -96,7 +96,7 @@ namespace ElastoPlastic
     double largest = 0;
     for (const auto &of_face : pressure)
       for (const double coefficient : of_face)
-        enlarge(largest, coefficient);
+        keep_largest(largest, coefficient);
     return largest;
   }
 

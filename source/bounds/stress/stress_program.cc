@@ -5,9 +5,9 @@
 #include <functional>
 
 #include "bounds/body/hencky_material.h"
-#include "bounds/conic/friction.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/local_algebra.h"
+#include "bounds/conic/yield_conditions.h"
 #include "bounds/stress/stress_program.h"
 
 namespace ElastoPlastic
@@ -93,7 +93,7 @@ namespace ElastoPlastic
   bool
   StressProgram<dim>::has_growing_pressure() const
   {
-    return body.has_friction() && body.body_force_growth.norm() > 0.;
+    return body.has_friction() && body.live_body_force.norm() > 0.;
   }
 
 

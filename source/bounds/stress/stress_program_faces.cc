@@ -17,7 +17,7 @@ namespace ElastoPlastic
   StressProgram<dim>::number_equations()
   {
     const unsigned int  n = Element::n_face_points(degree);
-    std::vector<double> values, growth;
+    std::vector<double> values, live_load;
     equations.resize(n * body.mesh.faces.size());
     for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
       for (unsigned int c = 0; c < dim; ++c)
@@ -26,7 +26,7 @@ namespace ElastoPlastic
             return body.load(f, c, x);
           });
           const auto more = point_forces(f, [&](const FacePoint<dim> &x) {
-            return body.load_factor_unit * body.growth(f, c, x);
+            return body.load_factor_unit * body.live_load(f, c, x);
           });
           for (unsigned int i = 0; i < n; ++i)
             {
@@ -37,17 +37,17 @@ namespace ElastoPlastic
                 continue;
               equations[index({f, i})][c] = values.size();
               values.push_back(load[i]);
-              growth.push_back(more[i]);
+              live_load.push_back(more[i]);
             }
         }
     if (has_growing_pressure())
       {
         values.resize(values.size() + body.mesh.simplices.size(), 0.);
-        growth.resize(values.size(), 1.);
+        live_load.resize(values.size(), 1.);
       }
     program.right_hand_side = Vector<double>(values.begin(), values.end());
     if (body.load_factor_unit > 0)
-      program.growth = Vector<double>(growth.begin(), growth.end());
+      program.live_load = Vector<double>(live_load.begin(), live_load.end());
   }
 
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "output/statistics.h"
+#include "output/run_tables.h"
 
 namespace ElastoPlastic
 {
@@ -44,12 +44,12 @@ namespace ElastoPlastic
 
 
 
-  Statistics::Statistics(const MPI_Comm                        communicator,
-                         const std::string                    &directory,
-                         const Names                          &names,
-                         const std::optional<IndentationTest> &indentation_test,
-                         const std::optional<RateTest>        &rate_test,
-                         const Progress                       &progress)
+  RunTables::RunTables(const MPI_Comm                        communicator,
+                       const std::string                    &directory,
+                       const Names                          &names,
+                       const std::optional<IndentationTest> &indentation_test,
+                       const std::optional<RateTest>        &rate_test,
+                       const Progress                       &progress)
     : communicator(communicator)
     , directory(directory)
     , dimension(names.dimension)
@@ -93,7 +93,7 @@ namespace ElastoPlastic
 
 
   std::vector<CsvFile *>
-  Statistics::tables()
+  RunTables::tables()
   {
     std::vector<CsvFile *> result = {
       &statistics, &history, &reactions, &probes, &mesh_changes};
@@ -108,8 +108,8 @@ namespace ElastoPlastic
 
 
 
-  Statistics::Progress
-  Statistics::progress() const
+  RunTables::Progress
+  RunTables::progress() const
   {
     return {statistics.n_rows(),
             history.n_rows(),
@@ -127,7 +127,7 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::write_to_disk()
+  RunTables::write_to_disk()
   {
     for (const CsvFile *table : tables())
       table->write_to_disk();
@@ -136,7 +136,7 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::add_solve(const SolveResult &result)
+  RunTables::add_solve(const SolveResult &result)
   {
     statistics.add(result);
   }
@@ -144,7 +144,7 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::add_step(const StepResult &result)
+  RunTables::add_step(const StepResult &result)
   {
     history.add(result.solve);
     reactions.add_rows({step_row(result.solve, result.reactions)});
@@ -172,7 +172,7 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::finish()
+  RunTables::finish()
   {
     if (indentation_test)
       add_indentation(indentation_test->finish());
@@ -181,7 +181,7 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::make_surface_profile(const unsigned int n_rows)
+  RunTables::make_surface_profile(const unsigned int n_rows)
   {
     surface_profile.emplace(communicator,
                             directory + "/surface_profile.csv",
@@ -192,7 +192,7 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::make_indentation(const unsigned int n_rows)
+  RunTables::make_indentation(const unsigned int n_rows)
   {
     indentation.emplace(communicator,
                         directory + "/indentation.csv",
@@ -203,7 +203,7 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::make_continuous_stiffness(const unsigned int n_rows)
+  RunTables::make_continuous_stiffness(const unsigned int n_rows)
   {
     continuous_stiffness.emplace(communicator,
                                  directory + "/continuous_stiffness.csv",
@@ -214,7 +214,7 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::add_stiffness(const SolveResult &result)
+  RunTables::add_stiffness(const SolveResult &result)
   {
     if (std::isnan(result.contact_stiffness))
       return;
@@ -231,7 +231,7 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::add_indentation(const std::optional<UnloadingResult> &result)
+  RunTables::add_indentation(const std::optional<UnloadingResult> &result)
   {
     if (!result)
       return;
@@ -246,8 +246,8 @@ namespace ElastoPlastic
 
 
   void
-  Statistics::add_mesh_change(const SolveResult &before,
-                              const SolveResult &after)
+  RunTables::add_mesh_change(const SolveResult &before,
+                             const SolveResult &after)
   {
     mesh_changes.add({before, after});
     if (indentation_test)

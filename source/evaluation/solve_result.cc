@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "evaluation/mean_force.h"
+#include "evaluation/solve_result.h"
 
 namespace ElastoPlastic
 {

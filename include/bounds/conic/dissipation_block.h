@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef bounds_conic_power_block_h
-#define bounds_conic_power_block_h
+#ifndef bounds_conic_dissipation_block_h
+#define bounds_conic_dissipation_block_h
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -22,10 +22,10 @@ namespace ElastoPlastic
   /// given by matrices with a column for each local function of the velocity,
   /// or for the first of them. Velocities are the multipliers of the equations
   /// with the opposite sign.
-  class PowerBlock
+  class DissipationBlock
   {
   public:
-    explicit PowerBlock(const unsigned int n_functions);
+    explicit DissipationBlock(const unsigned int n_functions);
 
     /// Adds limit |w (e - e_0)|: the components of e are @p n_rows of @p rates
     /// from @p begin on, w is the @p weight. All components of e_0 are @p

@@ -4,23 +4,23 @@
 #include <algorithm>
 #include <map>
 
-#include "bounds/conic/power_block.h"
+#include "bounds/conic/dissipation_block.h"
 
 namespace ElastoPlastic
 {
-  PowerBlock::PowerBlock(const unsigned int n_functions)
+  DissipationBlock::DissipationBlock(const unsigned int n_functions)
     : n_functions(n_functions)
   {}
 
 
 
   void
-  PowerBlock::add_norm(const FullMatrix<double> &rates,
-                       const unsigned int        begin,
-                       const unsigned int        n_rows,
-                       const double              weight,
-                       const double              limit,
-                       const double              offset)
+  DissipationBlock::add_norm(const FullMatrix<double> &rates,
+                             const unsigned int        begin,
+                             const unsigned int        n_rows,
+                             const double              weight,
+                             const double              limit,
+                             const double              offset)
   {
     for (unsigned int i = begin; i < begin + n_rows; ++i)
       add_unknown(rates, i, weight, weight * offset);
@@ -30,10 +30,10 @@ namespace ElastoPlastic
 
 
   void
-  PowerBlock::add_condition(const FullMatrix<double> &rates,
-                            const unsigned int        row,
-                            const double              weight,
-                            const double              bound)
+  DissipationBlock::add_condition(const FullMatrix<double> &rates,
+                                  const unsigned int        row,
+                                  const double              weight,
+                                  const double              bound)
   {
     add_unknown(rates, row, weight, weight * bound);
     cones.push_back({0, 0.});
@@ -42,10 +42,10 @@ namespace ElastoPlastic
 
 
   void
-  PowerBlock::add_unknown(const FullMatrix<double> &rates,
-                          const unsigned int        row,
-                          const double              weight,
-                          const double              cost)
+  DissipationBlock::add_unknown(const FullMatrix<double> &rates,
+                                const unsigned int        row,
+                                const double              weight,
+                                const double              cost)
   {
     std::vector<double> &power = powers.emplace_back(n_functions);
     for (unsigned int f = 0; f < rates.n(); ++f)
@@ -56,7 +56,7 @@ namespace ElastoPlastic
 
 
   ConicBlock
-  PowerBlock::make(const std::vector<unsigned int> &equations) const
+  DissipationBlock::make(const std::vector<unsigned int> &equations) const
   {
     ConicBlock block(costs.size());
     std::copy(costs.begin(), costs.end(), block.linear_cost.begin());
@@ -80,7 +80,7 @@ namespace ElastoPlastic
 
   // (limit, x) or x itself
   void
-  PowerBlock::add_cones(ConicBlock &block) const
+  DissipationBlock::add_cones(ConicBlock &block) const
   {
     unsigned int n_rows = 0, row = 0, unknown = 0;
     for (const Cone &cone : cones)

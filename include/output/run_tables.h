@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef output_statistics_h
-#define output_statistics_h
+#ifndef output_run_tables_h
+#define output_run_tables_h
 
 #include <optional>
 
@@ -32,7 +32,7 @@ namespace ElastoPlastic
   /// that can be evaluated), and continuous_stiffness.csv (a row per load step
   /// with a contact stiffness). Without rows there is none of
   /// surface_profile.csv, indentation.csv and continuous_stiffness.csv.
-  class Statistics
+  class RunTables
   {
   public:
     /// How many rows each table has, and what has been noted of an unloading
@@ -68,12 +68,12 @@ namespace ElastoPlastic
     /// many as @p progress says, of those that are there. All files are looked
     /// at before the first one is touched. @throws FileError; InputError if
     /// rows are missing
-    Statistics(const MPI_Comm                        communicator,
-               const std::string                    &directory,
-               const Names                          &names,
-               const std::optional<IndentationTest> &indentation_test,
-               const std::optional<RateTest>        &rate_test,
-               const Progress                       &progress);
+    RunTables(const MPI_Comm                        communicator,
+              const std::string                    &directory,
+              const Names                          &names,
+              const std::optional<IndentationTest> &indentation_test,
+              const std::optional<RateTest>        &rate_test,
+              const Progress                       &progress);
 
     Progress
     progress() const;

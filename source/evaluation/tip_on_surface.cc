@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "base/rethrow_collectively.h"
-#include "evaluation/tip_on_level_surface.h"
+#include "evaluation/tip_on_surface.h"
 
 namespace ElastoPlastic
 {
