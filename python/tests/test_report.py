@@ -23,7 +23,7 @@ from elasto_plastic_contact.reporting.key_numbers import UNLOADING, key_numbers
 from elasto_plastic_contact.reporting.key_numbers import write as write_key_numbers
 from elasto_plastic_contact.reporting.mesh import contact_sizes
 from elasto_plastic_contact.reporting.methods import methods
-from elasto_plastic_contact.reporting.problem import loading_in_words, row_in_words
+from elasto_plastic_contact.reporting.problem import loading_in_words, material_table, materials_in_words, row_in_words
 
 CONE = {"Geometry/Initial refinements": 3, "Loading/Number of steps": 24, "Output/Fields": "last cycle",
         "Output/Length unit": "mm", "Output/Force unit": "N"}
@@ -156,6 +156,22 @@ class Reports(unittest.TestCase):
         self.expect([f"lower bound of the limit load</td><td>{row['lower_bound']:.5g}</td>", "[johnson_mercier_1978]",
                      "The two bounds enclose the exact limit load on any mesh."], page)
         self.expect(["Young&#x27;s modulus</td>"], page, there=False)
+
+    def test_soil(self):
+        """Its strength instead of a yield stress."""
+        facts = Facts(self.punch.directory)
+        facts.run.parameters = dict(facts.run.parameters) | {
+            "Material/Yield criterion": "Mohr-Coulomb, von Mises", "Material/Cohesion": "20, 1",
+            "Material/Friction angle": "30", "Material/Yield stress": "5"}
+        head, rows = material_table(facts)
+        table = {row[0]: row[1:-1] for row in rows}
+        self.assertEqual(head[2:-1], ["material 0", "material 1"])
+        self.assertEqual(table["Cohesion"], ["c", "20", "-"])
+        self.assertEqual(table["Friction angle"], ["φ", "30", "-"])
+        self.assertEqual(table["Yield stress"], ["σ_0", "-", "5"])
+        text, = materials_in_words(facts)
+        self.assertIn("Mohr and Coulomb's yield condition", text)
+        self.assertIn("or with von Mises' yield condition", text)
 
     def test_meshes(self):
         """A coarser mesh: the differences; the second time it is there; a changed run makes it anew."""

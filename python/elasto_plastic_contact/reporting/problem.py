@@ -21,8 +21,10 @@ OF_RATE = (("Rate exponent", "n", NUMBER), ("Reference rate", "r_0", RATE), ("Ra
 OF_RATE_LAW = {"none": (), "Perzyna": OF_RATE, "Norton": OF_RATE, "Cowper-Symonds": OF_RATE[:2],
                "Duvaut-Lions": (("Relaxation time", "t_r", TIME),)}
 OF_CRITERION = {"von Mises": (), "Hosford": (("Hosford exponent", "a", NUMBER),),
-                "Hill": (("Hill ratios", "R_ij", ""), ("Axes", "", ""))}
-CRITERION_OF = {"von Mises": "von Mises'", "Hosford": "Hosford's", "Hill": "Hill's orthotropic"}
+                "Hill": (("Hill ratios", "R_ij", ""), ("Axes", "", "")),
+                "Mohr-Coulomb": (("Cohesion", "c", STRESS), ("Friction angle", "φ", "degrees"))}
+CRITERION_OF = {"von Mises": "von Mises'", "Hosford": "Hosford's", "Hill": "Hill's orthotropic",
+                "Mohr-Coulomb": "Mohr and Coulomb's"}
 
 # The entries of an indenter's shape: path below 'Indenter/', kind of quantity.
 OF_INDENTER = {
@@ -53,7 +55,8 @@ def listed(text):
 def materials(facts):
     """For each material its law and the entries it reads: dictionaries of path (below 'Material/') to text."""
     number = max(len(listed(facts.text(f"Material/{entry}"))) for entry in (
-        "Law", "Rate law", "Yield criterion", "Yield stress", "Young's modulus", "Poisson's ratio"))
+        "Law", "Rate law", "Yield criterion", "Yield stress", "Young's modulus", "Poisson's ratio", "Cohesion",
+        "Friction angle"))
     return [material(facts, i) for i in range(number)]
 
 
@@ -67,8 +70,8 @@ def material(facts, i):
     law, rate_law = value_of(facts, "Law", i), value_of(facts, "Rate law", i) or "none"
     criterion = value_of(facts, "Yield criterion", i) or "von Mises"
     elastic = () if facts.kind == LIMIT else ELASTIC
-    read = [entry for entry, _, _ in (*elastic, *OF_LAW[law], *OF_CRITERION[criterion],
-                                   *OF_RATE_LAW[rate_law])]
+    of_law = () if criterion == "Mohr-Coulomb" else OF_LAW[law]
+    read = [entry for entry, _, _ in (*elastic, *of_law, *OF_CRITERION[criterion], *OF_RATE_LAW[rate_law])]
     found = {"Law": law} | {entry: value_of(facts, entry, i) for entry in read}
     if found.get("Power law exponent", "0") in NOTHING:
         found.pop("Power law reference strain", None)
@@ -101,7 +104,11 @@ def materials_in_words(facts):
     """A sentence for each."""
     all_of = materials(facts)
     if facts.kind == LIMIT:
-        return ["The body is rigid and perfectly plastic, with von Mises' yield condition and the yield stress σ_0."]
+        strength = {"von Mises": "von Mises' yield condition and the yield stress σ_0",
+                    "Mohr-Coulomb": "Mohr and Coulomb's yield condition, the cohesion c and the angle of friction φ, "
+                                    "and flow along its normal"}
+        criteria = dict.fromkeys(values.get("Yield criterion", "von Mises") for values in all_of)
+        return [f"The body is rigid and perfectly plastic, with {'; or with '.join(strength[name] for name in criteria)}."]
     return [f"{f'Material {i}' if len(all_of) > 1 else 'The material'} is {law_in_words(values)}."
             for i, values in enumerate(all_of)]
 
@@ -110,8 +117,8 @@ def material_table(facts):
     """Head and rows: one column a material."""
     all_of = materials(facts)
     known = {entry: (symbol, unit) for entry, symbol, unit in
-             (*ELASTIC, YIELD, KINEMATIC, *NONLINEAR, *OF_CRITERION["Hosford"], *OF_CRITERION["Hill"], *OF_RATE,
-              *OF_RATE_LAW["Duvaut-Lions"])}
+             (*ELASTIC, YIELD, KINEMATIC, *NONLINEAR, *(row for rows_of in OF_CRITERION.values() for row in rows_of),
+              *OF_RATE, *OF_RATE_LAW["Duvaut-Lions"])}
     rows = []
     for entry in dict.fromkeys(entry for values in all_of for entry in values):
         symbol, unit = known.get(entry, ("", ""))
