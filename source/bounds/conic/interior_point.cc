@@ -289,7 +289,7 @@ namespace ElastoPlastic
     InteriorPoint::correct_centrality(Vector<double> &complementarity,
                                       const double    centering)
     {
-      double length = largest_step(layout, scaled, direction);
+      double         length  = largest_step(layout, scaled, direction);
       Vector<double> targets = shares;
       targets *= centering * (current.s * current.z);
       for (unsigned int k = 0; k < max_corrections && length < long_step; ++k)
