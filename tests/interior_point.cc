@@ -113,8 +113,8 @@ namespace
       }
     program.right_hand_side.reinit(2);
     program.right_hand_side[1] = 1.2;
-    program.growth.reinit(2);
-    program.growth[0] = 2.;
+    program.live_load.reinit(2);
+    program.live_load[0] = 2.;
 
     const ConicSolution solution = minimize(program, 1e-12);
     output() << "Load factor" << std::endl;
@@ -146,7 +146,7 @@ namespace
     const std::vector<double> radii = {1e5, 1., 1e3, 1.0001, 1e7, 1e2};
     ConicProgram              program;
     program.right_hand_side.reinit(2 * radii.size());
-    program.growth.reinit(2 * radii.size());
+    program.live_load.reinit(2 * radii.size());
     for (unsigned int b = 0; b < radii.size(); ++b)
       {
         program.blocks.push_back(ball(3, radii[b]));
@@ -163,7 +163,7 @@ namespace
             program.blocks[b - 1].add_to_equation(2 * b + 1, row);
           }
       }
-    program.growth[1] = 1.;
+    program.live_load[1] = 1.;
 
     const ConicSolution solution = minimize(program, 1e-30);
     output() << "Early end" << std::endl;
