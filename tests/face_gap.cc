@@ -104,7 +104,7 @@ namespace
                                      depth - v.value(position)[2];
             smallest = std::min(smallest, clearance);
             if (std::isfinite(clearance))
-              enlarge(largest, clearance);
+              keep_largest(largest, clearance);
           });
         }
     return {smallest, largest};

@@ -78,7 +78,7 @@ namespace
         for (const auto &cell : mesh.active_cell_iterators())
           if (const unsigned int i = cell->active_cell_index();
               cell->is_locally_owned())
-            enlarge(difference, std::abs(found(i) / exact(i) - 1.));
+            keep_largest(difference, std::abs(found(i) / exact(i) - 1.));
         verify(name + ", degree " + std::to_string(degree),
                Utilities::MPI::max(difference, MPI_COMM_WORLD),
                1e-6);
