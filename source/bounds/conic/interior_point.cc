@@ -43,6 +43,10 @@ namespace ElastoPlastic
     constexpr double       long_step       = 0.9;
     constexpr double       smallest_gain   = 0.03;
 
+    /// Below this relative gap, rounding errors of another direction may be
+    /// larger than what a longer step gains.
+    constexpr double smallest_corrected_gap = 1e-12;
+
     using SecondOrderCone::ConstView;
     using SecondOrderCone::View;
 
@@ -288,7 +292,9 @@ namespace ElastoPlastic
     InteriorPoint::correct_centrality(Vector<double> &complementarity,
                                       const double    centering)
     {
-      double         length  = largest_step(layout, scaled, direction);
+      double length = largest_step(layout, scaled, direction);
+      if (current.relative_gap < smallest_corrected_gap)
+        return length;
       Vector<double> targets = shares;
       targets *= centering * (current.s * current.z);
       for (unsigned int k = 0; k < max_corrections && length < long_step; ++k)
