@@ -158,7 +158,7 @@ namespace ElastoPlastic
                                 const Vector &ghosted_u,
                                 SideField    &field) const
   {
-    if (field.cell != side.cell)
+    if (field.values.empty() || field.cell != side.cell)
       read(side.cell, ghosted_u, field);
     field.normal_derivatives.assign(quadrature.size(), Tensor<1, dim>());
     field.areas.resize(quadrature.size());
