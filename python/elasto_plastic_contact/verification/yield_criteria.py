@@ -65,7 +65,7 @@ def turned_axes(runner):
     """Axes of Hill's criterion that are turned with the load: the same forces, in the plane and in space."""
     ratios, swapped = (0.9, 1.1, 1.0, 0.95, 1.0, 1.0), (1.1, 0.9, 1.0, 0.95, 1.0, 1.0)
     contact = ("cylinder_2d.prm", *PERFECT, "Loading/Number of steps=3", "Refinement/Strategy=none",
-               "Nonlinear solver/Tolerance=1e-11")
+               "Refinement/Number of cycles=1", "Nonlinear solver/Tolerance=1e-11")
     forces = [runner.history(*contact, *hill(r, axes))[-1]["force"] for r, axes in ((ratios, "90"), (swapped, "0"))]
     runner.compare("force of a cylinder", forces[0], forces[1], 1e-8)
     body = ("verification/uniaxial_stress.prm", "Boundary conditions/Roller=", "Boundary conditions/Fixed=bottom",
