@@ -642,7 +642,7 @@ add_message_test(little_memory 0 "Warning: The run is expected to need about [0-
 # Entries that are set in vain, and stresses in two units: warnings of --validate
 set(_in_vain "Warning: Entries that are set and have no effect: ")
 add_message_test(no_effect_beside_history 0 "${_in_vain}'Loading/Depth' .'Loading/History' takes its place.. Leave them out" ${_base} --validate --set "Loading/History=1: depth 0.001")
-add_message_test(no_effect_of_type 0 "${_in_vain}'Indenter/Radius' .it is for 'Indenter/Type = sphere, paraboloid, cylinder, circular punch or spheroconical tip', which is 'cone'" ${_base} --validate --set Indenter/Type=cone)
+add_message_test(no_effect_of_type 0 "${_in_vain}'Indenter/Radius' .it is for 'Indenter/Type = sphere, paraboloid, cylinder, circular punch or spheroconical tip', which is 'cone'" ${_base} --validate --set Indenter/Type=cone --set Indenter/Radius=3)
 add_message_test(no_effect_of_force 0 "${_in_vain}'Loading/Force' .it is for 'Loading/Control = force', which is 'depth'" ${_base} --validate --set Loading/Force=3)
 add_message_test(no_effect_in_limit_load 0 "${_in_vain}.*'Loading/Number of steps' .'Analysis' is 'limit load'" ${_limit_load}/strip_punch.prm --validate --set "Loading/Number of steps=3")
 add_message_test(stress_in_gpa 0 "Warning: 'Material/Young's modulus' of material 0 is more than 1e5 times its 'Yield stress', as no solid's is. Are all stresses in the same unit, such as MPa" ${_base} --validate --set "Material/Yield stress=0.4")
