@@ -258,6 +258,7 @@ add_entry_test(axes_count "'Material/Axes' is '1 . 2', but it must be one angle,
 add_entry_test(axes_list "'Material/Axes' has 2 values, but another entry of this section has 3" "Material/Axes=1, 2" "Material/Yield stress=1, 2, 3")
 add_entry_test(criterion_recovery "'Material/Yield criterion' is 'Hill', but with other criteria than that of von Mises back stresses cannot recover" "Material/Yield criterion=Hill" "Material/Law=nonlinear hardening" "Material/Back stress moduli=1000" "Material/Recovery rates=10")
 add_entry_test(criterion_plane_stress "'Material/Yield criterion' is 'Hosford', but the strain across a sheet is known for the criterion of von Mises only" "Material/Yield criterion=Hosford" "Kinematics=plane stress" "Discretization/Volumetric treatment=standard")
+add_entry_test(criterion_logarithmic "'Material/Yield criterion' is 'Hill', but with 'Strain = logarithmic' Newton's method converges for the criterion of von Mises only" "Material/Yield criterion=Hill" Strain=logarithmic)
 add_entry_test(criterion_third_axis "'Material/Axes' is '0 . 30 . 0', but in two dimensions one of the axes of the material must be the third of the body" "Material/Yield criterion=Hill" "Material/Hill ratios=1 | 1.1 | 1 | 1 | 1 | 1" "Material/Axes=0 | 30 | 0")
 foreach(_analysis "limit load" "contact with error bound")
   string(REPLACE " " "_" _name "criterion_${_analysis}")

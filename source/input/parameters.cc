@@ -339,6 +339,12 @@ namespace ElastoPlastic
                        "the strain across a sheet is known for the criterion "
                        "of von Mises only. Choose 'von Mises', 'Kinematics = "
                        "plane strain', or model the sheet in space.");
+    if (discretization.strain == Strain::logarithmic)
+      throw InputError(entry,
+                       value,
+                       "with 'Strain = logarithmic' Newton's method converges "
+                       "for the criterion of von Mises only. Choose 'von "
+                       "Mises', or 'Strain = small'.");
     if (dimension == 2)
       criteria.check_third_axis();
   }

@@ -58,9 +58,9 @@ def soil_footing(runner):
     without, metal = (runner.tables(FOOTING, "Refinement/Number of cycles=3", *entries)["limit_load"]
                       for entries in (("Material/Friction angle=0",),
                                       ("Material/Yield criterion=von Mises", f"Material/Yield stress={math.sqrt(3)}")))
-    for row, other in zip(without, metal):
+    for row, other in zip(without, metal):  # (two programs, each solved to 1e-6)
         for bound in ("lower_bound", "upper_bound"):
-            runner.compare(f"no friction, {bound}", row[bound], other[bound], 1e-9)
+            runner.compare(f"no friction, {bound}", row[bound], other[bound], 1e-7)
 
 
 def heavy(surface):
