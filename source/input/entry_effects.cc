@@ -98,6 +98,7 @@ namespace ElastoPlastic
           "Material",
           {"Law", "Young's modulus", "Poisson's ratio", "Rate law"},
           always());
+      add(effects, "Material", {"Yield criterion"}, always());
       add(effects,
           "Initial stress",
           {"Stress xx", "Stress yy", "Stress zz", "Stress xy"},
@@ -107,12 +108,14 @@ namespace ElastoPlastic
           "Material",
           {"Yield stress"},
           all({without("Material/Law", "linear elastic"),
-               with("Material/Yield criterion",
-                    {"von Mises", "Hosford", "Hill"})}));
-      add(effects,
-          "Material",
-          {"Cohesion", "Friction angle"},
-          with("Material/Yield criterion", {"Mohr-Coulomb"}));
+               without("Material/Yield criterion", "Mohr-Coulomb")}));
+      const auto of_criterion = [](const std::string &criterion) {
+        return with("Material/Yield criterion", {criterion});
+      };
+      add(effects, "Material", {"Hosford exponent"}, of_criterion("Hosford"));
+      add(effects, "Material", {"Hill ratios", "Axes"}, of_criterion("Hill"));
+      const Names of_soil = {"Cohesion", "Friction angle"};
+      add(effects, "Material", of_soil, of_criterion("Mohr-Coulomb"));
       add(effects,
           "Material",
           {"Isotropic hardening modulus"},
@@ -143,11 +146,6 @@ namespace ElastoPlastic
           "Material",
           {"Recovery rates"},
           all({nonlinear, without("Material/Back stress moduli", "none")}));
-      const Reason hosford = with("Material/Yield criterion", {"Hosford"});
-      const Reason hill    = with("Material/Yield criterion", {"Hill"});
-      add(effects, "Material", {"Yield criterion"}, always());
-      add(effects, "Material", {"Hosford exponent"}, hosford);
-      add(effects, "Material", {"Hill ratios", "Axes"}, hill);
       add(effects,
           "Material",
           {"Rate exponent", "Reference rate"},

@@ -227,36 +227,6 @@ namespace ElastoPlastic
 
 
 
-  // The flow rule of soil is that of a rigid body that collapses, where it
-  // changes the volume in the plane.
-  void
-  Parameters::check_soil() const
-  {
-    if (!material.criteria.has_soil())
-      return;
-    const std::string entry = "Material/Yield criterion",
-                      value =
-                        Patterns::Tools::to_string(material.criteria.criteria);
-    if (analysis != Analysis::limit_load)
-      throw InputError(entry,
-                       value,
-                       "'Mohr-Coulomb' is for limit loads. Set 'Analysis = "
-                       "limit load', or choose 'von Mises'.");
-    if (dimension == 3 || discretization.kinematics != Kinematics::cartesian)
-      throw InputError(entry,
-                       value,
-                       "'Mohr-Coulomb' is for plane strain. Set 'Dimension = "
-                       "2' and 'Kinematics = plane strain', or choose 'von "
-                       "Mises'.");
-    if (contact.geometry == ContactGeometry::normal)
-      throw InputError("Contact/Geometry",
-                       Patterns::Tools::to_string(contact.geometry),
-                       "on soil ('Material/Yield criterion = Mohr-Coulomb') "
-                       "indenters press vertically. Choose 'vertical'.");
-  }
-
-
-
   // Each of the two alone is much worse than none (doc/theory, "The geometry
   // of the contact").
   void
@@ -315,38 +285,6 @@ namespace ElastoPlastic
           (analysis == Analysis::limit_load ?
              " Set 'Indenter/Surface = rough' if nothing slides." :
              ""));
-  }
-
-
-
-  void
-  Parameters::check_yield_criterion() const
-  {
-    const auto &criteria = material.criteria;
-    if (!criteria.are_general())
-      return;
-    const std::string entry = "Material/Yield criterion";
-    const std::string value = Patterns::Tools::to_string(criteria.criteria);
-    if (analysis != Analysis::contact)
-      throw InputError(entry,
-                       value,
-                       "'Analysis = " + Patterns::Tools::to_string(analysis) +
-                         "' has bounds for the criterion of von Mises only. "
-                         "Choose 'von Mises', or 'Analysis = contact'.");
-    if (discretization.kinematics == Kinematics::plane_stress)
-      throw InputError(entry,
-                       value,
-                       "the strain across a sheet is known for the criterion "
-                       "of von Mises only. Choose 'von Mises', 'Kinematics = "
-                       "plane strain', or model the sheet in space.");
-    if (discretization.strain == Strain::logarithmic)
-      throw InputError(entry,
-                       value,
-                       "with 'Strain = logarithmic' Newton's method converges "
-                       "for the criterion of von Mises only. Choose 'von "
-                       "Mises', or 'Strain = small'.");
-    if (dimension == 2)
-      criteria.check_third_axis();
   }
 
 

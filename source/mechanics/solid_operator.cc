@@ -142,30 +142,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void
-  SolidOperator<dim>::begin_step(const double duration)
-  {
-    materials.set_step_duration(duration);
-  }
-
-
-
-  template <int dim>
-  void
-  SolidOperator<dim>::commit(const VectorType &u)
-  {
-    kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {
-      for (unsigned int q = 0; q < n_points; ++q)
-        history.set_state(strains[0].batch,
-                          q,
-                          response(strains[0], q).plasticity().state());
-    });
-    begin_step(0.);
-  }
-
-
-
-  template <int dim>
   double
   SolidOperator<dim>::find_stresses(const Strains &strains,
                                     Stresses      &stresses) const

@@ -1,12 +1,37 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// What the points remember, for other meshes and for checkpoints.
+// What the points remember, from one step to the next, for other meshes and for
+// checkpoints.
 
 #include "mechanics/solid_operator.h"
 
 namespace ElastoPlastic
 {
+  template <int dim>
+  void
+  SolidOperator<dim>::begin_step(const double duration)
+  {
+    materials.set_step_duration(duration);
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::commit(const VectorType &u)
+  {
+    kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {
+      for (unsigned int q = 0; q < n_points; ++q)
+        history.set_state(strains[0].batch,
+                          q,
+                          response(strains[0], q).plasticity().state());
+    });
+    begin_step(0.);
+  }
+
+
+
   template <int dim>
   void
   SolidOperator<dim>::for_each_state(

@@ -6,7 +6,7 @@ HTML with all pictures in it; a browser prints it to PDF. What the run has not w
 
     epc report output/cone_finite_strain
     epc report output/cone_finite_strain --mesh-pair coarser --mesh-pair coarser 2
-    epc report output/plate --mesh-pair 'Geometry/File=/home/me/fine.msh' --output report.html
+    epc report output/plate --mesh-pair 'Geometry/File=../fine.msh' --output report.html
 """
 
 import argparse

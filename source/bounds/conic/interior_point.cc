@@ -47,11 +47,6 @@ namespace ElastoPlastic
     /// larger than what a longer step gains.
     constexpr double smallest_corrected_gap = 1e-12;
 
-    using SecondOrderCone::ConstView;
-    using SecondOrderCone::View;
-
-
-
     /// So well must the equations of an iterate be satisfied that is to be
     /// strictly inside the cones, and so many steps may that take.
     constexpr double       interior_tolerance = 1e-12;
@@ -59,6 +54,9 @@ namespace ElastoPlastic
 
     /// A live load is of order 1, or rounding errors.
     constexpr double smallest_live_load = 1e-10;
+
+    using SecondOrderCone::ConstView;
+    using SecondOrderCone::View;
 
 
 
