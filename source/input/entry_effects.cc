@@ -8,7 +8,6 @@ namespace ElastoPlastic
   namespace
   {
     using namespace EntryReasons;
-
     using Effects = std::map<std::string, Reason>;
 
 

@@ -58,10 +58,10 @@ namespace ElastoPlastic
     /// the sense of the principle of virtual power, with the largest sum of
     /// all q. Its Lagrange multipliers are the velocities, with the opposite
     /// sign.
-    class PlaneStressProgram
+    class QuadraticVelocityProgram
     {
     public:
-      explicit PlaneStressProgram(const SplitBody<2> &body);
+      explicit QuadraticVelocityProgram(const SplitBody<2> &body);
 
       VelocityField<2>
       solve(const double tolerance) const;
@@ -114,7 +114,7 @@ namespace ElastoPlastic
 
 
 
-    PlaneStressProgram::PlaneStressProgram(const SplitBody<2> &body)
+    QuadraticVelocityProgram::QuadraticVelocityProgram(const SplitBody<2> &body)
       : body(body)
       , nodes(body.mesh.vertices.size() + body.mesh.faces.size())
       , vertex_is_pressed(body.mesh.vertices.size(), false)
@@ -129,7 +129,8 @@ namespace ElastoPlastic
 
 
     void
-    PlaneStressProgram::fix(const unsigned int s, const Tensor<1, 2> &direction)
+    QuadraticVelocityProgram::fix(const unsigned int  s,
+                                  const Tensor<1, 2> &direction)
     {
       for (const unsigned int vertex : body.mesh.faces[s].vertices)
         nodes[vertex].fix(direction);
@@ -139,7 +140,7 @@ namespace ElastoPlastic
 
 
     void
-    PlaneStressProgram::number_equations()
+    QuadraticVelocityProgram::number_equations()
     {
       for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
         {
@@ -166,10 +167,10 @@ namespace ElastoPlastic
     // The power of the given tractions, for each of the three quadratic
     // functions of a side.
     void
-    PlaneStressProgram::add_tractions()
+    QuadraticVelocityProgram::add_tractions()
     {
-      const double unit        = body.stress_unit * body.length_unit;
-      const double growth_unit = body.load_factor_unit / unit;
+      const double unit           = body.stress_unit * body.length_unit;
+      const double live_load_unit = body.load_factor_unit / unit;
       for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
         for (const auto &component : body.conditions[s].components)
           {
@@ -202,7 +203,7 @@ namespace ElastoPlastic
                 if (body.load_factor_unit > 0)
                   add_all(program.live_load,
                           t,
-                          length * growth_unit * component.live_load(point));
+                          length * live_load_unit * component.live_load(point));
               });
           }
     }
@@ -213,7 +214,7 @@ namespace ElastoPlastic
     // is the integral of the function of this node, and those of the corners
     // have none.
     void
-    PlaneStressProgram::add_body_force()
+    QuadraticVelocityProgram::add_body_force()
     {
       const double unit = body.stress_unit * body.length_unit;
       for (const auto &triangle : body.mesh.simplices)
@@ -240,8 +241,8 @@ namespace ElastoPlastic
     // A quadratic function is 1 or more on a side if its three coefficients in
     // Bernstein's basis are: the values at the ends, a and b, and 2 m - (a + b)
     // / 2 with that in the middle, m. To each belongs a force.
-    std::vector<PlaneStressProgram::ContactForce>
-    PlaneStressProgram::contact_forces(const unsigned int t)
+    std::vector<QuadraticVelocityProgram::ContactForce>
+    QuadraticVelocityProgram::contact_forces(const unsigned int t)
     {
       std::vector<ContactForce> forces;
       for (const unsigned int s : body.mesh.simplices[t].faces)
@@ -265,7 +266,7 @@ namespace ElastoPlastic
 
 
     void
-    PlaneStressProgram::add_block(const unsigned int t)
+    QuadraticVelocityProgram::add_block(const unsigned int t)
     {
       const auto         forces = contact_forces(t);
       const unsigned int n      = n_stresses + forces.size();
@@ -328,7 +329,7 @@ namespace ElastoPlastic
 
 
     VelocityField<2>
-    PlaneStressProgram::solve(const double tolerance) const
+    QuadraticVelocityProgram::solve(const double tolerance) const
     {
       // With friction, rates must be in the dual cones of the yield condition:
       // what they lack becomes smaller with the gap.
@@ -357,7 +358,7 @@ namespace ElastoPlastic
 
 
     SimplexVelocity<2>
-    PlaneStressProgram::velocity_of(
+    QuadraticVelocityProgram::velocity_of(
       const unsigned int t, const std::vector<Tensor<1, 2>> &velocities) const
     {
       const auto at_nodes = nodes_of(body.mesh, t);
@@ -377,6 +378,6 @@ namespace ElastoPlastic
   VelocityField<2>
   find_motion_of_sheet(const SplitBody<2> &body, const double tolerance)
   {
-    return PlaneStressProgram(body).solve(tolerance);
+    return QuadraticVelocityProgram(body).solve(tolerance);
   }
 } // namespace ElastoPlastic
