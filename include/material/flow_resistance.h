@@ -12,11 +12,10 @@ namespace ElastoPlastic
   /// surface, must be at the end of a backward Euler step in which the plastic
   /// multiplier is x (doc/theory, "Material"):
   ///
-  ///   R(x) = x (2 G + sum_k theta_k c_k) + sqrt(2/3) sigma(sqrt(2/3) x),
-  ///   theta_k = 1 / (1 + g_k x),
+  ///   R(x) = 2 G x + sum_k c_k l_k(x) + sqrt(2/3) sigma(sqrt(2/3) x),
   ///
-  /// with the FlowStress sigma. It grows by 2 G per unit of x or faster. The
-  /// unknown is that of the FlowStress.
+  /// with the BackStressLaw's length l_k and the FlowStress sigma. It grows by
+  /// 2 G per unit of x or faster. The unknown is that of the FlowStress.
   class FlowResistance
   {
   public:

@@ -33,7 +33,40 @@ namespace ElastoPlastic
     Number modulus;
     /// g = sqrt(2/3) gamma; without it, this is Prager's rule.
     Number recovery;
+
+    /// exp(-g x): what recovery leaves of a back stress beta while lambda grows
+    /// by x.
+    Number
+    remainder(const Number &x) const;
+
+    /// (1 - exp(-g x)) / g, or x without recovery: times c n, what a flow of
+    /// the length x in the direction n adds meanwhile. Both together solve the
+    /// law exactly as long as n is constant, remainder(x) beta + c length(x) n.
+    Number
+    length(const Number &x) const;
   };
+
+
+
+  template <typename Number>
+  Number
+  BackStressLaw<Number>::remainder(const Number &x) const
+  {
+    return 1. - recovery * length(x);
+  }
+
+
+
+  template <typename Number>
+  Number
+  BackStressLaw<Number>::length(const Number &x) const
+  {
+    Number result = x;
+    for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
+      if (const double g = lane_of(recovery, lane); g > 0)
+        lane_of(result, lane) = -std::expm1(-g * lane_of(x, lane)) / g;
+    return result;
+  }
 
 
 

@@ -200,13 +200,13 @@ namespace ElastoPlastic
       MaterialState<Number> result = old_state;
       result.plastic_strain += plastic_length() * direction;
       result.equivalent_plastic_strain += equivalence * plastic_length();
-      // beta + w (theta (beta + c x n) - beta), and 1 - theta = theta g x
+      // beta + w (theta beta + c l n - beta), and 1 - theta = g l
       for (unsigned int k = 0; k < result.back_stresses.size(); ++k)
         {
-          const auto &[c, g]   = material.back_stresses[k];
-          Tensor3 &back_stress = result.back_stresses[k];
-          back_stress +=
-            (theta(k) * plastic_length()) * (c * direction - g * back_stress);
+          const auto &law         = material.back_stresses[k];
+          Tensor3    &back_stress = result.back_stresses[k];
+          back_stress += (relaxation * law.length(multiplier)) *
+                         (law.modulus * direction - law.recovery * back_stress);
         }
       return result;
     }
@@ -239,13 +239,6 @@ namespace ElastoPlastic
       return relaxation * multiplier;
     }
 
-    /// What the recovery in the step leaves of a back stress.
-    Number
-    theta(const unsigned int k) const
-    {
-      return 1. / (1. + material.back_stresses[k].recovery * multiplier);
-    }
-
     /// 2 G theta: the stiffness against shear across the flow direction.
     Number
     shear_stiffness() const
@@ -263,14 +256,17 @@ namespace ElastoPlastic
       return two_g * (two_g / modulus - two_g * multiplier / norm);
     }
 
-    /// dz/d(multiplier) = sum_k theta_k^2 g_k beta_k,n
+    /// dz/d(multiplier) = sum_k theta_k g_k beta_k,n
     Tensor3
     recovery_of_norm() const
     {
       Tensor3 sum;
       for (unsigned int k = 0; k < old_state.back_stresses.size(); ++k)
-        sum += (theta(k) * theta(k) * material.back_stresses[k].recovery) *
-               old_state.back_stresses[k];
+        {
+          const auto &law = material.back_stresses[k];
+          sum += (law.remainder(multiplier) * law.recovery) *
+                 old_state.back_stresses[k];
+        }
       return sum;
     }
 
@@ -295,7 +291,11 @@ namespace ElastoPlastic
 
       Tensor3 relative_stress = trial;
       for (unsigned int k = 0; k < old_state.back_stresses.size(); ++k)
-        relative_stress += (1. - theta(k)) * old_state.back_stresses[k];
+        {
+          const auto &law = material.back_stresses[k];
+          relative_stress += (law.recovery * law.length(multiplier)) *
+                             old_state.back_stresses[k];
+        }
       norm      = std::max(relative_stress.norm(), Number(1e-100));
       direction = relative_stress / norm;
 
@@ -307,7 +307,10 @@ namespace ElastoPlastic
                       return x > 0. ? stress.slope(std::sqrt(2. / 3.) * x) : 0.;
                     });
       for (unsigned int k = 0; k < old_state.back_stresses.size(); ++k)
-        modulus += theta(k) * theta(k) * material.back_stresses[k].modulus;
+        {
+          const auto &law = material.back_stresses[k];
+          modulus += law.remainder(multiplier) * law.modulus;
+        }
 
       for (unsigned int lane = 0; lane < n_lanes<Number>; ++lane)
         lane_of(relaxation, lane) =

@@ -16,7 +16,8 @@ namespace ElastoPlastic
   ///
   ///   |z(x)| - R(x) = 0,   z(x) = xi + sum_k (1 - theta_k) beta_k,
   ///
-  /// where xi is the trial stress relative to the old back stresses beta_k, and
+  /// where xi is the trial stress relative to the old back stresses beta_k,
+  /// theta_k what the BackStressLaw leaves of them, and
   /// R the FlowResistance. The left side decreases, by 2 G per unit of x or
   /// faster, as long as no |beta_k| exceeds c_k / g_k.
   struct ReturnEquation

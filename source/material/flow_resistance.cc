@@ -18,16 +18,16 @@ namespace ElastoPlastic
     const FlowStress::Value flow = flow_stress.at(unknown);
     const double            x    = flow.increment / sqrt_two_thirds;
 
-    double modulus = elastic_modulus, slope = elastic_modulus;
-    for (const auto &[c, g] : back_stresses)
+    double elastic_and_kinematic = elastic_modulus * x, slope = elastic_modulus;
+    for (const auto &law : back_stresses)
       {
-        const double theta = 1. / (1. + g * x);
-        modulus += theta * c;
-        slope += theta * theta * c;
+        const double length = law.length(x);
+        elastic_and_kinematic += law.modulus * length;
+        slope += law.modulus * (1. - law.recovery * length);
       }
     const double multiplier_slope = flow.increment_slope / sqrt_two_thirds;
     return {x,
-            x * modulus + sqrt_two_thirds * flow.stress,
+            elastic_and_kinematic + sqrt_two_thirds * flow.stress,
             multiplier_slope,
             slope * multiplier_slope + sqrt_two_thirds * flow.stress_slope};
   }

@@ -25,8 +25,8 @@ namespace ElastoPlastic
   {
     SymmetricTensor<2, 3> sum;
     for (unsigned int k = 0; k < material.back_stresses.size(); ++k)
-      sum += old_state.back_stresses[k] /
-             (1. + material.back_stresses[k].recovery * multiplier);
+      sum += material.back_stresses[k].remainder(multiplier) *
+             old_state.back_stresses[k];
     return sum;
   }
 

@@ -33,10 +33,10 @@ namespace ElastoPlastic
     double weight_slope[max_back_stresses + 1] = {0.};
     for (unsigned int k = 0; k < n; ++k)
       {
-        const double g      = resistance.back_stresses[k].recovery;
-        const double theta  = 1. / (1. + g * flow.multiplier);
-        weight[k + 1]       = g * flow.multiplier * theta;
-        weight_slope[k + 1] = g * theta * theta * flow.multiplier_slope;
+        const auto &law = resistance.back_stresses[k];
+        weight[k + 1]   = law.recovery * law.length(flow.multiplier);
+        weight_slope[k + 1] =
+          law.recovery * (1. - weight[k + 1]) * flow.multiplier_slope;
       }
 
     double square = 0, half_square_slope = 0;

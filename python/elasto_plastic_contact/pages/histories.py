@@ -5,7 +5,6 @@
 import math
 
 from ..verification.indentation import CYCLES, at_time, of_both_laws
-from ..verification.ratchetting import drift
 from ..verification.runner import E_STAR
 from .recipe import Content, count, decimals, hundredths, percent, power, signed_percent, table
 
@@ -222,9 +221,3 @@ def sphere_in_space(runs):
                          "Material/Law=isotropic hardening", "Material/Isotropic hardening modulus=2000")[-1]
     return Content(numbers={name: signed_percent(4 * quarter[name] / whole[name] - 1).removesuffix(" %") for name in
                             ("force", "contact_area", "elastic_energy", "plastic_work", "plastic_volume")})
-
-
-@table(10)
-def ratchetting_drift(runs):
-    """How much too large the drift of a ratchetting bar is, by the number of steps in a cycle."""
-    return Content([[None, *(signed_percent(drift(runs, n) - 1) for n in (40, 80, 160, 320, 640))]])

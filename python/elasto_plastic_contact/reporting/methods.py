@@ -91,9 +91,11 @@ def integration(facts):
     plane_stress = facts.dimension == 2 and facts.text("Kinematics") == "plane stress"
     keys = ["simo_hughes_1998", *(["simo_taylor_1986"] if plane_stress else [])]
     is_radial = all("Yield criterion" not in values for values in problem.materials(facts))
+    recovery = any(recovers(values) for values in problem.materials(facts))
     return ("The flow rule is integrated by the implicit Euler method: "
             f"{'radial return' if is_radial else 'return to the yield surface'} with the consistent "
-            f"tangent{cited(keys)}.",
+            f"tangent{cited(keys)}"
+            f"{', and the back stresses exactly for the direction of flow at the end of a step' if recovery else ''}.",
             keys)
 
 
@@ -137,12 +139,16 @@ def has_energy(facts):
     return not slips and all(map(has_potential, problem.materials(facts)))
 
 
+def recovers(values):
+    """Of one of problem.materials(): whether it has back stresses that recover."""
+    return any(float(rate) > 0. for rate in values.get("Recovery rates", "0").split("|"))
+
+
 def has_potential(values):
     """Of one of problem.materials(): not if back stresses recover, nor where the viscous stress has no integral in
     closed form."""
-    recovers = any(float(rate) > 0. for rate in values.get("Recovery rates", "0").split("|"))
     rate_law = values.get("Rate law")
-    return not (recovers or rate_law == "Cowper-Symonds" or rate_law == "Norton" and values["Law"] != "linear elastic")
+    return not (recovers(values) or rate_law == "Cowper-Symonds" or rate_law == "Norton" and values["Law"] != "linear elastic")
 
 
 def evaluation(facts):

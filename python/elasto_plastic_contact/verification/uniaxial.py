@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Uniaxial stress with nonlinear hardening, for verify: each backward Euler
-step is one scalar equation, solved by bisection."""
+"""Uniaxial stress with nonlinear hardening, for verify: where the flow of each step ends is one scalar equation,
+solved by bisection."""
 
 import bisect
 import math
@@ -76,7 +76,7 @@ def steps(law, strains):
         sign = math.copysign(1.0, law.young * (strain - plastic) - sum(back))
 
         def new_back(length):
-            return [(x + c * sign * length) / (1 + rate * length)
+            return [x * math.exp(-rate * length) + sign * c * (-math.expm1(-rate * length) / rate if rate else length)
                     for x, (c, rate) in zip(back, law.back)]
 
         def excess(length):
