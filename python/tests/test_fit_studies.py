@@ -18,7 +18,8 @@ from elasto_plastic_contact.schema import check_path
 from elasto_plastic_contact.verification.curve_and_imprint import (DEPTH, LOADING, NOISE, PAIR, PLACES, STEP, UNLOADING,
                                                                    coordinates_of, entries, residuals, standard_errors)
 from elasto_plastic_contact.verification.curve_and_imprint_fit import FITS, problem_of_fit
-from elasto_plastic_contact.verification.published_metals import METALS, problem_of, tensile_entries
+from elasto_plastic_contact.verification.published_metals import (CONE, CONE_WITH_SLOPE, METALS, PYRAMID,
+                                                                    problem_of, tensile_entries)
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "doc/recipes/fit.md"
 
@@ -26,11 +27,14 @@ PAGE = pathlib.Path(__file__).resolve().parents[2] / "doc/recipes/fit.md"
 class Studies(unittest.TestCase):
     def test_published_metals(self):
         for metal in METALS.values():
-            problem = read_problem(problem_of(metal, with_slope=False, coarse=False))
+            problem = read_problem(problem_of(metal, CONE, coarse=False))
             self.assertEqual(problem.names, ["sigma_Y", "Es"])
             experiment, = problem.experiments
             self.assertEqual(sum(len(block.y) for block in experiment.blocks), 2)
-            problem = read_problem(problem_of(metal, with_slope=True, coarse=True))
+            problem = read_problem(problem_of(metal, PYRAMID, coarse=True))
+            self.assertEqual(problem.names, ["sigma_Y", "Es"])
+            self.assertEqual(sum(len(block.y) for block in problem.experiments[0].blocks), 3)
+            problem = read_problem(problem_of(metal, CONE_WITH_SLOPE, coarse=True))
             self.assertEqual(problem.names, ["sigma_Y", "Es", "n"])
             # (The stress of the tension test at the plastic strain 0.033, by its own law and as published, within 2 %.)
             modulus, yield_stress, stress, exponent = metal.tensile

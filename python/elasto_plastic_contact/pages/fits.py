@@ -83,11 +83,23 @@ def content_of_pair(found):
 @measured_table(400)
 def published_metals(runs):
     """Two aluminium alloys: what their tension tests give, and the fits, against what was measured."""
-    from ..verification.published_metals import METALS, fitted, from_tension  # (which need SciPy)
+    from ..verification.published_metals import CONE  # (which needs SciPy)
+    return metals_under(CONE, runs, coarse=False)
+
+
+@measured_table(1200)
+def published_metals_pyramid(runs):
+    """The same with the pyramid itself, on a coarse mesh."""
+    from ..verification.published_metals import PYRAMID
+    return metals_under(PYRAMID, runs, coarse=True)
+
+
+def metals_under(tip, runs, coarse):
+    from ..verification.published_metals import METALS, fitted, from_tension
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
-        computed = from_tension(place / "tension", runs.program, False, 2)
-        fits_of = [fitted(name, place, runs.program, False, False, 2)[1:] for name in METALS]
+        computed = from_tension(place / "tension", runs.program, tip, coarse, 2)
+        fits_of = [fitted(name, place, runs.program, tip, coarse, 2)[1:] for name in METALS]
     return content_of_metals(computed, fits_of)
 
 

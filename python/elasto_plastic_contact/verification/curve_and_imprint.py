@@ -16,7 +16,7 @@ import pathlib
 
 import numpy
 
-from .published_metals import CASE, COARSE, COMMON, swift_entries
+from .published_metals import CONE, swift_entries
 from .runner import add_program
 from ..arguments import number
 from ..fitting.predictions import Curve, imprint_at, interpolated
@@ -91,8 +91,8 @@ def main(arguments):
     add_program(parser)
     chosen = parser.parse_args(arguments)
     program = find_program(chosen.program)
-    common = COMMON | {"Output/Fields": "never"} | ({} if chosen.fine else COARSE)
-    case = Case(case=ready_case(CASE, program), common=common, ranks=1)
+    common = CONE.entries | {"Output/Fields": "never"} | ({} if chosen.fine else CONE.coarse)
+    case = Case(case=ready_case(CONE.case, program), common=common, ranks=1)
     with open_folder(chosen.output_directory, "pair"), Runs(chosen.output_directory, program, chosen.at_once) as runs:
         def found(points):
             return [observed(expect(result, "a run")) for result in runs.results([(case, entries(x)) for x in points])]

@@ -17,7 +17,7 @@ import pathlib
 import numpy
 
 from .curve_and_imprint import DEPTH, NOISE, PAIR, PLACES, coordinates_of, entries
-from .published_metals import CASE, COARSE, COMMON
+from .published_metals import CONE
 from .runner import add_program
 from ..arguments import number
 from ..files import new_file
@@ -32,14 +32,14 @@ from ..study.plan import Case
 # Bounds of yield stress and Young's modulus in MPa and of the exponent; the step of derivatives in their coordinates.
 BOUNDS = {"sigma_Y": (100., 600.), "n": (0., 0.4), "E": (50000., 85000.)}
 STEP = 0.02
-SETTINGS = COMMON | COARSE
+SETTINGS = CONE.entries | CONE.coarse
 
 FITS = ("curve", "curve and imprint")
 
 
 def write_data(folder, program):
     """The files that the fits read: those of the first material, with noise."""
-    case = Case(case=ready_case(CASE, program), common=SETTINGS | {"Output/Fields": "never"}, ranks=1)
+    case = Case(case=ready_case(CONE.case, program), common=SETTINGS | {"Output/Fields": "never"}, ranks=1)
     with Runs(folder, program, 1) as runs:
         results = expect(runs.results([(case, entries(coordinates_of(PAIR[0])))])[0], "the run with the true material")
     generator = numpy.random.default_rng(8)
@@ -62,7 +62,7 @@ def problem_of_fit(folder, name):
                        in zip(BOUNDS.items(), PAIR[1])},
         "entries": {"Material/Young's modulus": "E", "Material/Yield stress": "sigma_Y",
                     "Material/Power law exponent": "n", "Material/Power law reference strain": "sigma_Y / E"},
-        "experiments": {"cone": {"case": CASE, "set": SETTINGS, "units": {"length": "mm", "force": "N"}, "data": data}},
+        "experiments": {"cone": {"case": CONE.case, "set": SETTINGS, "units": {"length": "mm", "force": "N"}, "data": data}},
         "step": STEP}
 
 

@@ -2,16 +2,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fits of published measurements on two aluminium alloys under Berkovich's pyramid, against tension tests [lu_2020].
 
-usage: scripts/command.py published_metals [--with-slope] [--coarse] [--at-once 2] [--output-directory DIRECTORY]
-                                           [--program PROGRAM]
+usage: scripts/command.py published_metals [--with-slope | --pyramid] [--coarse] [--at-once 2]
+                                           [--output-directory DIRECTORY] [--program PROGRAM]
 
 Prints, for each metal, what a cone of 70.3 degrees gives on the material of the tension test, beside what was measured,
 and then the fit of yield stress and E* to loading curvature and plastic work share, with an exponent of 0.1. With
---with-slope the initial slope of the unloading is fitted, too, and the exponent is looked for. A command that has been
-stopped goes on where it was.
+--with-slope the initial slope of the unloading is fitted, too, and the exponent is looked for. With --pyramid, the
+pyramid itself is pressed in, and yield stress and E* are fitted to all three quantities. A command that has been stopped
+goes on where it was.
 """
 
 import argparse
+import dataclasses
 import functools
 import pathlib
 from dataclasses import dataclass
@@ -26,11 +28,31 @@ from ..program import find_program, ready_case
 from ..study.command import open_folder
 from ..study.plan import Case
 
-CASE = "indentation/cone_finite_strain.prm"
-COMMON = {"Material/Law": "nonlinear hardening", "Material/Isotropic hardening modulus": 0,
-          "Indenter/Semi-apex angle": 70.3}
-COARSE = {"Geometry/Initial refinements": 3, "Geometry/Local refinements": 7, "Geometry/Local radius": 4,
-          "Loading/Number of steps": 48}
+COMMON = {"Material/Law": "nonlinear hardening", "Material/Isotropic hardening modulus": 0}
+
+
+@dataclass(frozen=True)
+class Tip:
+    """Its ready case, entries besides, those that make its mesh coarse, and what is fitted."""
+    name: str
+    case: str
+    entries: dict
+    coarse: dict
+    quantities: tuple
+    looks_for_exponent: bool = False
+
+
+CURVATURE, WORK_SHARE, SLOPE = "loading curvature", "plastic work share", "unloading slope over depth"
+
+CONE = Tip("", "indentation/cone_finite_strain.prm", COMMON | {"Indenter/Semi-apex angle": 70.3},
+           {"Geometry/Initial refinements": 3, "Geometry/Local refinements": 7, "Geometry/Local radius": 4,
+            "Loading/Number of steps": 48}, (CURVATURE, WORK_SHARE))
+CONE_WITH_SLOPE = dataclasses.replace(CONE, name="_with_slope", quantities=(CURVATURE, WORK_SHARE, SLOPE),
+                                      looks_for_exponent=True)
+PYRAMID = Tip("_pyramid", "indentation/berkovich_sector.prm",
+              COMMON | {"Loading/History": "0.1: depth 0.002 | 0.35: depth 0.007 | 1: depth 0.02 | 1.2: force 0",
+                        "Loading/Number of steps": 60},
+              {"Geometry/Initial refinements": 2}, (CURVATURE, WORK_SHARE, SLOPE))
 
 # The representative plastic strain [dao_2001].
 STRAIN = 0.033
@@ -52,18 +74,17 @@ class Metal:
     tensile: tuple
 
     def quantities(self):
-        return {"loading curvature": self.curvature, "plastic work share": self.work_share,
-                "unloading slope over depth": self.slope}
+        return {CURVATURE: self.curvature, WORK_SHARE: self.work_share, SLOPE: self.slope}
 
 
 METALS = {"Al 6061-T6511": Metal((27.44, 0.42), (489.4, 13.), (0.8964, 0.0078), (70.2, 284., 338., 0.08)),
           "Al 7075-T651": Metal((42.73, 1.3), (483.8, 12.), (0.8349, 0.0035), (73.4, 500., 617.5, 0.122))}
 
-UNITS = {"loading curvature": "GPa", "unloading slope over depth": "GPa"}
+UNITS = {CURVATURE: "GPa", SLOPE: "GPa"}
 
 
-def folder_of(name, with_slope=False):
-    return name.lower().replace(" ", "_") + ("_with_slope" if with_slope else "")
+def folder_of(name, tip=CONE):
+    return name.lower().replace(" ", "_") + tip.name
 
 
 def swift_entries(young, yield_stress, exponent):
@@ -78,38 +99,37 @@ def tensile_entries(metal):
     return swift_entries(CONTRAST * 1e3 * modulus, yield_stress, exponent)
 
 
-def problem_of(metal, with_slope, coarse):
+def problem_of(metal, tip, coarse):
     """As a file of a fit, in mm, N and MPa."""
     known = metal.quantities()
-    wanted = ["loading curvature", "plastic work share", *(["unloading slope over depth"] if with_slope else [])]
     data = [{"quantity": name, "value": known[name][0], "noise": {"absolute": known[name][1]}}
-            | ({"unit": UNITS[name]} if name in UNITS else {}) for name in wanted]
-    experiment = {"case": CASE, "set": COMMON | (COARSE if coarse else {}), "units": {"length": "mm", "force": "N"},
-                  "data": data}
+            | ({"unit": UNITS[name]} if name in UNITS else {}) for name in tip.quantities]
+    experiment = {"case": tip.case, "set": tip.entries | (tip.coarse if coarse else {}),
+                  "units": {"length": "mm", "force": "N"}, "data": data}
     parameters = {"sigma_Y": {"start": 300, "lower": 50, "upper": 1500},
                   "Es": {"start": 80000, "lower": 30000, "upper": 200000}}
     exponent = {"n": {"start": EXPONENT, "lower": 0, "upper": 0.5}}
-    return {"parameters": parameters | (exponent if with_slope else {}),
-            "constants": {} if with_slope else {"n": EXPONENT},
+    return {"parameters": parameters | (exponent if tip.looks_for_exponent else {}),
+            "constants": {} if tip.looks_for_exponent else {"n": EXPONENT},
             "entries": {"Material/Young's modulus": f"{CONTRAST} * Es", "Material/Yield stress": "sigma_Y",
                         "Material/Power law exponent": "n",
                         "Material/Power law reference strain": f"sigma_Y / ({CONTRAST} * Es)"},
-            "experiments": {"berkovich": experiment if coarse else experiment | {"coarse": COARSE}}}
+            "experiments": {"berkovich": experiment if coarse else experiment | {"coarse": tip.coarse}}}
 
 
-def from_tension(folder, program, coarse, at_once):
+def from_tension(folder, program, tip, coarse, at_once):
     """What the tension tests say of the quantities, in GPa: a dictionary for each metal."""
-    case = Case(case=ready_case(CASE, program), common=COMMON | {"Output/Fields": "never"} | (COARSE if coarse else {}),
-                ranks=1)
+    case = Case(case=ready_case(tip.case, program), ranks=1,
+                common=tip.entries | {"Output/Fields": "never"} | (tip.coarse if coarse else {}))
     with open_folder(folder, "metals"), Runs(folder, program, at_once) as runs:
         results = runs.results([(case, tensile_entries(metal)) for metal in METALS.values()])
     return [{name: QUANTITIES[name][0](expect(result, "a run")) / (1e3 if name in UNITS else 1.)
              for name in METALS[metal].quantities()} for metal, result in zip(METALS, results)]
 
 
-def fitted(name, folder, program, with_slope, coarse, at_once):
+def fitted(name, folder, program, tip, coarse, at_once):
     """The Fit, and its E* in GPa and stress at STRAIN in MPa."""
-    found = fit(problem_of(METALS[name], with_slope, coarse), folder / folder_of(name, with_slope), program=program,
+    found = fit(problem_of(METALS[name], tip, coarse), folder / folder_of(name, tip), program=program,
                 at_once=at_once, report=functools.partial(print, flush=True))
     values = found.values
     material = swift_entries(CONTRAST * values["Es"], values["sigma_Y"], values.get("n", EXPONENT))
@@ -120,8 +140,12 @@ def fitted(name, folder, program, with_slope, coarse, at_once):
 def main(arguments):
     parser = argparse.ArgumentParser(prog="published_metals", formatter_class=argparse.RawDescriptionHelpFormatter,
                                      description=__doc__)
-    parser.add_argument("--with-slope", action="store_true",
-                        help="fit the slope of the unloading and the exponent, too")
+    parser.set_defaults(tip=CONE)
+    tips = parser.add_mutually_exclusive_group()
+    tips.add_argument("--with-slope", dest="tip", action="store_const", const=CONE_WITH_SLOPE,
+                      help="fit the slope of the unloading and the exponent, too")
+    tips.add_argument("--pyramid", dest="tip", action="store_const", const=PYRAMID,
+                      help="with the pyramid itself, fit the slope of the unloading, too")
     parser.add_argument("--coarse", action="store_true", help="on a coarse mesh only")
     parser.add_argument("--at-once", type=number(int, least=1), default=2, help="runs at a time (default: %(default)s)")
     parser.add_argument("--output-directory", type=pathlib.Path, default="output/published_metals",
@@ -129,13 +153,13 @@ def main(arguments):
     add_program(parser)
     chosen = parser.parse_args(arguments)
     program, folder = find_program(chosen.program), chosen.output_directory
-    computed_of = from_tension(folder / "tension", program, chosen.coarse, chosen.at_once)
+    computed_of = from_tension(folder / f"tension{chosen.tip.name}", program, chosen.tip, chosen.coarse, chosen.at_once)
     for (name, metal), computed in zip(METALS.items(), computed_of):
         for quantity, (mean, deviation) in metal.quantities().items():
             print(f"{name}, {quantity}: measured {mean:g} +- {deviation:g}, from the tension test "
                   f"{computed[quantity]:.4g} ({100. * (computed[quantity] / mean - 1.):+.1f} %)")
     for name, metal in METALS.items():
-        _, modulus, stress = fitted(name, folder, program, chosen.with_slope, chosen.coarse, chosen.at_once)
+        _, modulus, stress = fitted(name, folder, program, chosen.tip, chosen.coarse, chosen.at_once)
         print(f"{name}, fit: E* {modulus:.1f} GPa ({100. * (modulus / metal.tensile[0] - 1.):+.1f} % of the tension "
               f"test), stress at {STRAIN:g}: {stress:.0f} MPa ({100. * (stress / metal.tensile[2] - 1.):+.1f} %)")
     return 0
