@@ -14,6 +14,18 @@ else()
   list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/solver/matrix_preconditioner_trilinos.cc)
 endif()
 
+# The bounds are a library of their own, without which a program can be built; in a package, with its
+# libraries for several processors, they are a part of these.
+set(BOUNDS_SOURCES ${PARTS_SOURCES})
+list(FILTER BOUNDS_SOURCES INCLUDE REGEX "/source/(bounds/|app/with_bounds)")
+list(REMOVE_ITEM PARTS_SOURCES ${BOUNDS_SOURCES})
+if(STRICT_BOUNDS)
+  list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/app/without_bounds.cc)
+  if(PACKAGE_PROCESSORS)
+    list(APPEND PARTS_SOURCES ${BOUNDS_SOURCES})
+  endif()
+endif()
+
 set(_simd_sources ${PARTS_SOURCES})
 list(FILTER _simd_sources INCLUDE REGEX "source/simd/")
 set_source_files_properties(${_simd_sources} PROPERTIES
@@ -30,7 +42,7 @@ set_source_files_properties(${CMAKE_SOURCE_DIR}/source/bounds/conic/multifrontal
   COMPILE_OPTIONS "${OpenMP_CXX_FLAGS}" SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 
 if(ONE_UNIT_PER_MODULE)
-  foreach(_source ${PARTS_SOURCES})
+  foreach(_source ${PARTS_SOURCES} ${BOUNDS_SOURCES})
     get_filename_component(_module ${_source} DIRECTORY)
     # Small rooms share a unit.
     foreach(_rooms "app|contact_run|problem" "input|output|restart" "adaptivity|evaluation" "loads|mechanics"
@@ -39,11 +51,11 @@ if(ONE_UNIT_PER_MODULE)
         string(MAKE_C_IDENTIFIER "${_rooms}" _module)
       endif()
     endforeach()
-    # Four exceptions: classes in several files, each of which instantiates what it
+    # Five exceptions: what depends on STRICT_BOUNDS; classes in several files, each of which instantiates what it
     # defines; kernels, which take as long as all the rest of their folder; GCC warns of
     # a lambda over a local type in an included file; and a header of Amesos has names of
     # deal.II's.
-    if(NOT _source MATCHES "source/(contact_run/(elasto_plastic_contact|checkpoint|discrete_body)|simd/|bounds/(limit_load_analysis|stress/stress_program)|contact/contact_set|mechanics/(solid_operator|solid_kernel|level_kernel)|mesh/material_ids.cc|solver/matrix_preconditioner_)")
+    if(NOT _source MATCHES "source/(app/with|contact_run/(elasto_plastic_contact|checkpoint|discrete_body)|simd/|bounds/(limit_load_analysis|stress/stress_program)|contact/contact_set|mechanics/(solid_operator|solid_kernel|level_kernel)|mesh/material_ids.cc|solver/matrix_preconditioner_)")
       set_source_files_properties(${_source} PROPERTIES UNITY_GROUP "${_module}")
     endif()
   endforeach()
@@ -83,6 +95,12 @@ function(set_build_options _target)
   endif()
 endfunction()
 
+# use_libraries_of_bounds(<target>)
+function(use_libraries_of_bounds _target)
+  target_include_directories(${_target} PUBLIC ${CHOLMOD_INCLUDE_DIR})
+  target_link_libraries(${_target} ${CHOLMOD_LIBRARY} ${OpenMP_CXX_LIBRARIES})
+endfunction()
+
 # add_parts_library(<target> <STATIC or SHARED> [<flag of the processor> ...])
 # With batches as wide as this processor's registers, where they work.
 function(add_parts_library _target _type)
@@ -96,11 +114,12 @@ function(add_parts_library _target _type)
   endif()
 
   add_library(${_target} ${_type} ${_sources})
-  target_include_directories(${_target} PUBLIC
-    ${CMAKE_SOURCE_DIR}/include ${CMAKE_BINARY_DIR}/include ${CHOLMOD_INCLUDE_DIR})
+  target_include_directories(${_target} PUBLIC ${CMAKE_SOURCE_DIR}/include ${CMAKE_BINARY_DIR}/include)
   deal_ii_setup_target(${_target})
-  target_link_libraries(${_target} Boost::program_options PNG::PNG
-    ${CHOLMOD_LIBRARY} ${OpenMP_CXX_LIBRARIES})
+  target_link_libraries(${_target} Boost::program_options PNG::PNG)
+  if(PACKAGE_PROCESSORS AND STRICT_BOUNDS)
+    use_libraries_of_bounds(${_target})
+  endif()
   if(_wide)
     target_compile_definitions(${_target} PUBLIC WIDER_THAN_DEAL_II)
   endif()
@@ -125,6 +144,19 @@ endfunction()
 # the processor at hand can run.
 if(NOT PACKAGE_PROCESSORS)
   add_parts_library(elasto_plastic_contact_parts STATIC ${PROCESSOR_FLAGS})
+  if(STRICT_BOUNDS)
+    add_library(elasto_plastic_contact_bounds STATIC ${BOUNDS_SOURCES})
+    deal_ii_setup_target(elasto_plastic_contact_bounds)
+    target_link_libraries(elasto_plastic_contact_bounds elasto_plastic_contact_parts)
+    use_libraries_of_bounds(elasto_plastic_contact_bounds)
+    target_precompile_headers(elasto_plastic_contact_bounds REUSE_FROM elasto_plastic_contact_parts)
+    if(ONE_UNIT_PER_MODULE)
+      set_target_properties(elasto_plastic_contact_bounds PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    endif()
+    # What links the parts needs them, too: app/with_bounds.cc is there.
+    set_property(TARGET elasto_plastic_contact_parts APPEND PROPERTY
+      INTERFACE_LINK_LIBRARIES elasto_plastic_contact_bounds)
+  endif()
 else()
   set(PARTS_FOLDER ${CMAKE_BINARY_DIR}/parts)
   add_parts_library(elasto_plastic_contact_parts SHARED)

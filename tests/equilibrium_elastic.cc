@@ -17,7 +17,7 @@
 #include "base/tensors.h"
 #include "bounds/stress/johnson_mercier.h"
 #include "bounds/stress/stress_check.h"
-#include "bounds/stress/stress_problem.h"
+#include "bounds/stress/stress_field.h"
 #include "interpolated_stress.h"
 #include "verdict.h"
 

@@ -16,7 +16,7 @@
 #include "bounds/body/hencky_material.h"
 #include "bounds/error/error_bound.h"
 #include "bounds/error/support_check.h"
-#include "bounds/stress/stress_problem.h"
+#include "bounds/stress/stress_field.h"
 #include "sample_mesh.h"
 #include "section_body.h"
 #include "verdict.h"

@@ -17,7 +17,7 @@
 #include "bounds/mesh/integration.h"
 #include "bounds/stress/johnson_mercier.h"
 #include "bounds/stress/stress_check.h"
-#include "bounds/stress/stress_problem.h"
+#include "bounds/stress/stress_field.h"
 #include "sample_mesh.h"
 #include "section_body.h"
 #include "verdict.h"

@@ -12,7 +12,7 @@
 #include "bounds/body/hencky_material.h"
 #include "bounds/stress/johnson_mercier.h"
 #include "bounds/stress/stress_check.h"
-#include "bounds/stress/stress_problem.h"
+#include "bounds/stress/stress_field.h"
 #include "space_block.h"
 
 using namespace SpaceBlock;

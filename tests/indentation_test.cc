@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "evaluation/indentation_test.h"
-#include "evaluation/modelled_part.h"
+#include "evaluation/nominal_contact.h"
 #include "evaluation/tip_on_surface.h"
 #include "indenter/indenter_parameters.h"
 #include "verdict.h"

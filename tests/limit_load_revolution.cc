@@ -16,7 +16,7 @@
 
 #include "bounds/limit_load.h"
 #include "bounds/stress/stress_check.h"
-#include "bounds/stress/stress_problem.h"
+#include "bounds/stress/stress_field.h"
 #include "section_body.h"
 #include "verdict.h"
 

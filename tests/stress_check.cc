@@ -7,7 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include "bounds/stress/stress_check.h"
-#include "bounds/stress/stress_problem.h"
+#include "bounds/stress/stress_field.h"
 #include "section_body.h"
 #include "verdict.h"
 

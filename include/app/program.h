@@ -22,10 +22,10 @@ namespace ElastoPlastic
 
 
 
-  /// What the option --validate does with a contact problem: checks what can be
-  /// checked before anything is computed, and writes to @p out what the job
-  /// will be. That takes about a second: a large mesh is not made, but one with
-  /// fewer initial refinements is looked at in its place. Collective.
+  /// What the option --validate does: checks what can be checked before
+  /// anything is computed, and writes to @p out what the job will be. That
+  /// takes about a second: for a contact problem, a large mesh is not made, but
+  /// one with fewer initial refinements is looked at in its place. Collective.
   /// @throws InputError, EquilibriumError, FileError
   template <int dim>
   void
@@ -34,15 +34,6 @@ namespace ElastoPlastic
            const Parameters  &parameters,
            const MPI_Comm     communicator,
            std::ostream      &out);
-
-  /// The same for the search of a limit load.
-  template <int dim>
-  void
-  validate_limit_load(const Model<dim>  &model,
-                      const CommandLine &command_line,
-                      const Parameters  &parameters,
-                      const MPI_Comm     communicator,
-                      std::ostream      &out);
 } // namespace ElastoPlastic
 
 #endif

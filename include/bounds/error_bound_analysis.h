@@ -6,10 +6,12 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "bounds/equilibrium_output.h"
 #include "bounds/error/error_bound.h"
 #include "contact/gap_function.h"
+#include "contact_run/guaranteed_error.h"
 #include "input/parameters.h"
 #include "loading/loading_parameters.h"
 #include "loads/boundary_conditions.h"
@@ -25,7 +27,7 @@ namespace ElastoPlastic
   ///
   /// The mesh is distributed; the conic programs are solved by the first rank.
   template <int dim>
-  class ErrorBoundAnalysis
+  class ErrorBoundAnalysis : public GuaranteedError<dim>
   {
   public:
     /// All arguments but the first mesh, @p triangulation, must live as long as
@@ -38,44 +40,23 @@ namespace ElastoPlastic
                        const GapFunction<dim>   &gap_function,
                        const Triangulation<dim> &triangulation);
 
-    /// A solution of the displacement method on one mesh.
-    struct Solution
-    {
-      const DoFHandler<dim> &dof_handler;
-      const VectorType      &displacement;
-      Load                   load;  ///< what has been prescribed, at @p time
-      double                 depth; ///< of the indenter, given or found
-      double                 force; ///< likewise
-      double                 time;
-      unsigned int           cycle;
-    };
+    using typename GuaranteedError<dim>::Solution;
+    using typename GuaranteedError<dim>::DisplacementAt;
 
-    /// Solves the displacement method on the same mesh for another depth.
-    /// Collective. @throws ConvergenceError
-    using DisplacementAt = std::function<VectorType(const double depth)>;
-
-    /// Computes the bound and those of force or depth, and adds a row to
-    /// error_bound.csv. Collective. @return the bound of the norm of the
-    /// difference between the exact stresses and those in equilibrium, sqrt(int
-    /// (sigma - tau) : C^-1 (sigma
-    /// - tau) dx); infinity if none has been found. @throws FileError
+    /// Adds a row to error_bound.csv, too.
     double
-    evaluate(const Solution &solution, const DisplacementAt &displacement_at);
+    evaluate(const Solution       &solution,
+             const DisplacementAt &displacement_at) override;
 
-    /// The parts of the last bound, for each active cell of this rank; the
-    /// squares add up to that of the bound. If the load is the goal of the
-    /// refinement: those of the distance between its bounds.
     const Vector<float> &
-    indicators() const;
+    indicators() const override;
 
-    /// Why there is no bound of the last solution; empty if there is.
     const std::string &
-    why_missing() const;
+    why_missing() const override;
 
-    /// Writes the fields that the last bound has been computed from, to
-    /// equilibrium-*.vtu. @throws FileError
+    /// Those that the last bound has been computed from, to equilibrium-*.vtu.
     void
-    write_fields(const unsigned int cycle);
+    write_fields(const unsigned int cycle) override;
 
   private:
     /// @throws ConvergenceError

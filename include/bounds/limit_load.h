@@ -6,8 +6,9 @@
 
 #include <vector>
 
+#include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/velocity_program.h"
-#include "bounds/stress/stress_problem.h"
+#include "bounds/stress/stress_field.h"
 
 namespace ElastoPlastic
 {
@@ -50,7 +51,7 @@ namespace ElastoPlastic
   LimitLoad<dim>
   bound_limit_load(const SplitBody<dim> &body,
                    const unsigned int    degree,
-                   const double          tolerance = usual_tolerance<dim>);
+                   const double tolerance = Tolerance::gap_of_bounds<dim>);
 } // namespace ElastoPlastic
 
 #endif

@@ -16,23 +16,10 @@
 #include "input/parameters.h"
 #include "output/columns.h"
 #include "output/log.h"
-#include "problem/model.h"
+#include "problem/load_history.h"
 
 namespace ElastoPlastic
 {
-  /// What may be beyond a limit load: a force of the indenter, or the largest
-  /// of the tractions and body forces at some times.
-  struct LoadInQuestion
-  {
-    double              force = 0; ///< 0 if it is the other loads
-    std::vector<double> times;     ///< none if it is the force
-
-    std::string
-    in_words() const;
-  };
-
-
-
   /// The largest force that an indenter can exert on a body of perfectly
   /// plastic materials, or the largest factor of its other loads, between two
   /// rigorous bounds: that of stresses in exact equilibrium, which are safe,

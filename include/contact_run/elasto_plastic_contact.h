@@ -45,10 +45,12 @@ namespace ElastoPlastic
     /// Builds the mesh and checks everything that can be checked before
     /// anything is computed or written. @p parameters say how the problem is
     /// solved, and what is written. Both must outlive this object.
+    /// @p make_error_bound is called if they ask for a guaranteed bound.
     /// @throws InputError
-    ElastoPlasticContact(const Model<dim> &model,
-                         const Parameters &parameters,
-                         const MPI_Comm    communicator);
+    ElastoPlasticContact(const Model<dim>               &model,
+                         const Parameters               &parameters,
+                         const MPI_Comm                  communicator,
+                         const MakeGuaranteedError<dim> &make_error_bound);
 
     /// Checks that the indenter can touch the body, which depends on how fine
     /// the mesh is. @throws InputError

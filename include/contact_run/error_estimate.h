@@ -4,14 +4,11 @@
 #ifndef contact_run_error_estimate_h
 #define contact_run_error_estimate_h
 
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "adaptivity/kelly_estimator.h"
-#include "bounds/error_bound_analysis.h"
-#include "contact_run/discrete_body.h"
-#include "input/parameters.h"
-#include "output/log.h"
+#include "contact_run/guaranteed_error.h"
 
 namespace ElastoPlastic
 {
@@ -22,21 +19,22 @@ namespace ElastoPlastic
   class ErrorEstimate
   {
   public:
-    /// All arguments must outlive this object. @throws InputError if a bound is
-    /// asked for that the equilibrium method cannot give.
-    ErrorEstimate(const Parameters  &parameters,
-                  DiscreteBody<dim> &body,
-                  Log               &log,
-                  TimerOutput       &timer);
+    /// All arguments but the last must outlive this object. @throws InputError
+    /// if a bound is asked for and cannot be made.
+    ErrorEstimate(const Parameters               &parameters,
+                  DiscreteBody<dim>              &body,
+                  Log                            &log,
+                  TimerOutput                    &timer,
+                  const MakeGuaranteedError<dim> &make_error_bound);
 
     /// Finds the estimated error of @p result, a solution under @p load, and
     /// the indicators of the body. For @p displacement_at see
-    /// ErrorBoundAnalysis. Collective.
+    /// GuaranteedError. Collective.
     void
     evaluate(
-      SolveResult                                            &result,
-      const Load                                             &load,
-      const typename ErrorBoundAnalysis<dim>::DisplacementAt &displacement_at);
+      SolveResult                                         &result,
+      const Load                                          &load,
+      const typename GuaranteedError<dim>::DisplacementAt &displacement_at);
 
     /// Finds the indicators of the body, by KellyEstimator. Collective.
     void
@@ -54,17 +52,17 @@ namespace ElastoPlastic
 
   private:
     void
-    bound(
-      SolveResult                                            &result,
-      const Load                                             &load,
-      const typename ErrorBoundAnalysis<dim>::DisplacementAt &displacement_at);
+    bound(SolveResult                                         &result,
+          const Load                                          &load,
+          const typename GuaranteedError<dim>::DisplacementAt &displacement_at);
 
-    const Parameters                      &parameters;
-    DiscreteBody<dim>                     &body;
-    Log                                   &log;
-    TimerOutput                           &timer;
-    const KellyEstimator<dim>              kelly_estimator;
-    std::optional<ErrorBoundAnalysis<dim>> error_bound;
+    const Parameters         &parameters;
+    DiscreteBody<dim>        &body;
+    Log                      &log;
+    TimerOutput              &timer;
+    const KellyEstimator<dim> kelly_estimator;
+    /// None if it is not asked for.
+    std::unique_ptr<GuaranteedError<dim>> error_bound;
   };
 } // namespace ElastoPlastic
 

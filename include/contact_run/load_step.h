@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "bounds/safe_load.h"
+#include "base/exceptions.h"
 #include "contact_run/discrete_body.h"
 #include "contact_run/last_step.h"
 #include "input/parameters.h"
@@ -159,9 +159,12 @@ namespace ElastoPlastic
     bool
     is_history_complete() const;
 
-    /// What to know of it if it fails, however short it is made.
-    FailedStep<dim>
-    failure() const;
+    /// It has failed with @p error, however short it was made. If the body's
+    /// materials stop hardening, it has a limit load; if also force or
+    /// tractions were to grow, then that has been reached.
+    /// @throws EquilibriumError then, ConvergenceError otherwise
+    [[noreturn]] void
+    give_up(const ConvergenceError &error) const;
 
   private:
     /// Before the first step: the nodal forces of the initial stress on the
@@ -176,6 +179,10 @@ namespace ElastoPlastic
     /// Of the committed @p result, in what accurate steps allow.
     double
     error_of(const SolveResult &result) const;
+
+    /// What to say if no limit load explains it.
+    ConvergenceError
+    failure(const ConvergenceError &error) const;
 
     /// Since the last step: tractions do not grow if they only become smaller.
     /// The virgin body bears none, unless it has an initial stress.

@@ -36,6 +36,12 @@ namespace ElastoPlastic
     void
     check_lines() const;
 
+    const NominalContact<dim> &
+    nominal_contact() const
+    {
+      return contact;
+    }
+
     /// What the columns of the tables are called.
     RunTables::Names
     names() const;
@@ -117,6 +123,7 @@ namespace ElastoPlastic
     const Reactions<dim>             reactions;
     const BoundaryDisplacements<dim> boundary_displacements;
     const ProbePoints<dim>           probe_points;
+    const NominalContact<dim>        contact;
     Imprint<dim>                     imprint;
     SmallStrainGuard<dim>            small_strain_guard;
     PressureGuard                    pressure_guard;

@@ -13,6 +13,7 @@
 
 #include "contact/gap_function.h"
 #include "evaluation/contact_surface.h"
+#include "evaluation/nominal_contact.h"
 #include "evaluation/solve_result.h"
 #include "loads/loaded_body.h"
 
@@ -50,13 +51,11 @@ namespace ElastoPlastic
   class Imprint
   {
   public:
-    /// @p profile_lines is the entry Output/Profile lines. @p gap_function
-    /// must outlive this object. Collective.
-    /// @throws InputError
-    Imprint(const LoadedBody<dim>                           &body,
-            const GapFunction<dim>                          &gap_function,
-            const parallel::distributed::Triangulation<dim> &triangulation,
-            const std::string                               &profile_lines);
+    /// @p profile_lines is the entry Output/Profile lines. The other arguments
+    /// must outlive this object. @throws InputError
+    Imprint(const NominalContact<dim> &contact,
+            const GapFunction<dim>    &gap_function,
+            const std::string         &profile_lines);
 
     /// Every line that the user has named must meet @p surface. Collective.
     /// @throws InputError
@@ -90,12 +89,10 @@ namespace ElastoPlastic
     }
 
   private:
-    const GapFunction<dim>  &gap_function;
-    const bool               is_plane;
-    const bool               has_own_lines;
-    std::vector<ProfileLine> lines; ///< none in two dimensions
-    /// Of the indenter; see modelled_part().
-    double part;
+    const NominalContact<dim> &contact;
+    const GapFunction<dim>    &gap_function;
+    const bool                 has_own_lines;
+    std::vector<ProfileLine>   lines; ///< none in two dimensions
 
     double largest_radius = 0;
   };

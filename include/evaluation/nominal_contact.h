@@ -8,16 +8,34 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "contact/gap_function.h"
+#include "evaluation/indentation_test.h"
 #include "loads/loaded_body.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
 
+  /// How much of the surroundings of the horizontal @p position belongs to the
+  /// boundaries @p contact_boundaries, seen from above, between 0 and 1: 1/4 if
+  /// a quarter of a body is modelled that has two planes of symmetry through
+  /// the indenter's axis; 1/2 of a plane body with a line of symmetry there. In
+  /// an axisymmetric body, where the indenter presses on whole rings, it is 1.
+  /// Collective.
+  template <int dim>
+  double
+  modelled_part(const parallel::distributed::Triangulation<dim> &triangulation,
+                const std::set<types::boundary_id> &contact_boundaries,
+                const Point<dim - 1>               &position,
+                const Kinematics                    kinematics);
+
+
+
   /// The contact of an indenter with a single tip, taken as a circle about its
-  /// axis with the area of the contact; in plane problems, a strip.
+  /// axis with the area of the contact; in plane problems, a strip. It knows
+  /// which part of that is modelled, which all who evaluate the contact ask it.
   template <int dim>
   class NominalContact
   {
@@ -37,8 +55,17 @@ namespace ElastoPlastic
     bool
     is_single() const;
 
+    /// How much of the surroundings of the axis is modelled; see
+    /// modelled_part(). 0 if the axis does not meet the body.
+    double
+    part_of_surroundings() const
+    {
+      return part;
+    }
+
     /// The radius of the circle, or half the width of the strip, if the
-    /// modelled part of the contact has this @p area.
+    /// modelled part of the contact has this @p area. (An axis beside the body
+    /// tells nothing: then that is the whole contact.)
     double
     radius(const double area) const;
 
@@ -61,9 +88,23 @@ namespace ElastoPlastic
     const std::shared_ptr<const Indenter<dim>> shape;
     const double                               initial_gap;
     const bool                                 in_plane;
-    /// How much of the surroundings of the tip is modelled.
-    const double part;
+    const double                               part;
   };
+
+
+
+  /// What a test in a laboratory would evaluate of a @p contact; nothing
+  /// without an indenter, where its axis does not meet the body, and in plane
+  /// problems, where a depth depends on the size of the body. Collective.
+  template <int dim>
+  std::optional<IndentationTest>
+  make_indentation_test(
+    const NominalContact<dim>                       &contact,
+    const LoadedBody<dim>                           &body,
+    const PlacedIndenter<dim>                       &indenter,
+    const parallel::distributed::Triangulation<dim> &triangulation,
+    const GapFunction<dim>                          &gap_function,
+    const EvaluationParameters                      &constants);
 } // namespace ElastoPlastic
 
 #endif

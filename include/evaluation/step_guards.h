@@ -67,6 +67,7 @@ namespace ElastoPlastic
     static constexpr double largest_slope          = 0.25;
     static constexpr double largest_relative_depth = 0.2;
 
+    /// @p contact must outlive this object.
     explicit SmallStrainGuard(const NominalContact<dim> &contact);
 
     /// A warning about the @p result of a load step: what is beyond its limit
@@ -84,8 +85,8 @@ namespace ElastoPlastic
             const double       limit,
             std::string       &text);
 
-    const NominalContact<dim> contact;
-    std::set<std::string>     exceeded;
+    const NominalContact<dim> &contact;
+    std::set<std::string>      exceeded;
   };
 } // namespace ElastoPlastic
 

@@ -55,6 +55,32 @@ namespace ElastoPlastic
   largest_load(const LoadProgram &load_program,
                TimeSteps          steps,
                const Control      control);
+
+
+
+  /// What may be beyond a limit load: a force of the indenter, or the largest
+  /// of the tractions and body forces at some times.
+  struct LoadInQuestion
+  {
+    double              force = 0; ///< 0 if it is the other loads
+    std::vector<double> times;     ///< none if it is the force
+
+    std::string
+    in_words() const;
+  };
+
+
+
+  /// The load that Johnson's condition of a safe load is about, (1.14) in
+  /// @cite johnson_1978, and that the equilibrium method can compare with a
+  /// limit load in short time, in two dimensions: the largest force that is
+  /// prescribed, or if there is no indenter, the largest of the tractions and
+  /// body forces. None if there is no such load, or no limit load: with
+  /// friction, hardening, finite strains. A force that a depth has reached, and
+  /// from which the next segment begins, is safe.
+  template <int dim>
+  std::optional<LoadInQuestion>
+  load_in_question(const Model<dim> &model, const Parameters &parameters);
 } // namespace ElastoPlastic
 
 #endif

@@ -9,13 +9,12 @@
 #include <thread>
 #include <utility>
 
+#include "app/bounds.h"
 #include "app/program.h"
 #include "app/ready_cases.h"
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
 #include "base/version.h"
-#include "bounds/limit_load_analysis.h"
-#include "bounds/safe_load.h"
 #include "contact_run/elasto_plastic_contact.h"
 #include "input/command_line.h"
 #include "input/parameters.h"
@@ -27,42 +26,21 @@ namespace
 
   template <int dim>
   void
-  solve_contact_problem(const CommandLine &command_line,
-                        const Parameters  &parameters,
-                        std::ostream      &out)
+  solve_contact_problem(const Model<dim>  &model,
+                        const CommandLine &command_line,
+                        const Parameters  &parameters)
   {
-    const Model<dim> model = make_model<dim>(parameters);
-    if (command_line.task == CommandLine::Task::validate)
-      return validate(model, command_line, parameters, MPI_COMM_WORLD, out);
-    ElastoPlasticContact<dim> problem(model, parameters, MPI_COMM_WORLD);
+    ElastoPlasticContact<dim> problem(model,
+                                      parameters,
+                                      MPI_COMM_WORLD,
+                                      StrictBounds<dim>::make_error_bound);
     if (command_line.resume)
       problem.resume();
     else
       {
-        require_safe_load(model, parameters, MPI_COMM_WORLD);
+        StrictBounds<dim>::require_safe_load(model, parameters, MPI_COMM_WORLD);
         problem.run(command_line.overwrite);
       }
-  }
-
-
-
-  template <int dim>
-  void
-  find_limit_load(const CommandLine &command_line,
-                  const Parameters  &parameters,
-                  std::ostream      &out)
-  {
-    if (command_line.resume)
-      throw InputError(
-        "A limit load analysis has no load steps and keeps no "
-        "checkpoints: there is nothing to resume. Leave out "
-        "--resume.");
-    const Model<dim> model = make_model<dim>(parameters);
-    if (command_line.task == CommandLine::Task::validate)
-      return validate_limit_load(
-        model, command_line, parameters, MPI_COMM_WORLD, out);
-    LimitLoadAnalysis(model, parameters, MPI_COMM_WORLD)
-      .run(command_line.overwrite);
   }
 
 
@@ -73,10 +51,22 @@ namespace
              const Parameters  &parameters,
              std::ostream      &out)
   {
-    if (parameters.analysis == Analysis::limit_load)
-      find_limit_load<dim>(command_line, parameters, out);
+    const bool is_limit_load = parameters.analysis == Analysis::limit_load;
+    if (is_limit_load && command_line.resume)
+      throw InputError(
+        "A limit load analysis has no load steps and keeps no "
+        "checkpoints: there is nothing to resume. Leave out "
+        "--resume.");
+    const Model<dim> model = make_model<dim>(parameters);
+    if (command_line.task == CommandLine::Task::validate)
+      validate(model, command_line, parameters, MPI_COMM_WORLD, out);
+    else if (is_limit_load)
+      StrictBounds<dim>::find_limit_load(model,
+                                         parameters,
+                                         MPI_COMM_WORLD,
+                                         command_line.overwrite);
     else
-      solve_contact_problem<dim>(command_line, parameters, out);
+      solve_contact_problem(model, command_line, parameters);
   }
 
 

@@ -6,12 +6,11 @@
 #include <ostream>
 #include <sstream>
 
+#include "app/bounds.h"
 #include "app/job_preview.h"
 #include "app/program.h"
 #include "base/memory.h"
 #include "base/rethrow_collectively.h"
-#include "bounds/limit_load_analysis.h"
-#include "bounds/safe_load.h"
 #include "contact_run/elasto_plastic_contact.h"
 #include "input/entry_effects.h"
 #include "output/log.h"
@@ -295,6 +294,71 @@ namespace ElastoPlastic
                            ""),
                  out);
     }
+
+
+
+    template <int dim>
+    void
+    validate_contact(const Model<dim>  &model,
+                     const CommandLine &command_line,
+                     const Parameters  &parameters,
+                     const MPI_Comm     communicator,
+                     std::ostream      &out)
+    {
+      model.geometry.check_size(communicator);
+      const JobPreview<dim> preview(model, parameters);
+      parameters.refinement.check_first_mesh(preview.meshes().front().unknowns);
+
+      ElastoPlasticContact<dim> problem(preview.quick_model(),
+                                        parameters,
+                                        communicator,
+                                        StrictBounds<dim>::make_error_bound);
+      if (preview.is_first_mesh())
+        problem.check_contact();
+      if (command_line.resume)
+        problem.check_checkpoint();
+
+      const unsigned int n_over_radius =
+        parameters.refinement.n_over_contact_radius;
+      print_meshes(preview, n_over_radius, out);
+      print_materials(preview, out);
+      if (model.indenter.shape)
+        print_contact(preview, parameters.output.units, n_over_radius, out);
+      print_cost(preview,
+                 parameters.loading.step_control,
+                 Utilities::MPI::n_mpi_processes(communicator),
+                 out);
+      print_output_directory(command_line, parameters, communicator, out);
+      out << std::flush;
+      warn_of_entries(command_line, parameters, communicator);
+      warn_of_limits(preview, parameters.refinement, communicator);
+      if (const std::string safety = StrictBounds<dim>::first_look_at_load(
+            model, parameters, communicator);
+          !safety.empty())
+        print_line("Limit load", safety, out);
+    }
+
+
+
+    template <int dim>
+    void
+    validate_limit_load(const Model<dim>  &model,
+                        const CommandLine &command_line,
+                        const Parameters  &parameters,
+                        const MPI_Comm     communicator,
+                        std::ostream      &out)
+    {
+      print_line("First mesh",
+                 std::to_string(StrictBounds<dim>::check_limit_load(
+                   model, parameters, communicator)) +
+                   " cells" +
+                   (dim == 3 ? ", each cut into 24 tetrahedra or more" : ""),
+                 out);
+      print_line("Meshes", std::to_string(parameters.refinement.n_cycles), out);
+      print_output_directory(command_line, parameters, communicator, out);
+      out << std::flush;
+      warn_of_entries(command_line, parameters, communicator);
+    }
   } // namespace
 
 
@@ -307,58 +371,10 @@ namespace ElastoPlastic
            const MPI_Comm     communicator,
            std::ostream      &out)
   {
-    model.geometry.check_size(communicator);
-    const JobPreview<dim> preview(model, parameters);
-    parameters.refinement.check_first_mesh(preview.meshes().front().unknowns);
-
-    ElastoPlasticContact<dim> problem(preview.quick_model(),
-                                      parameters,
-                                      communicator);
-    if (preview.is_first_mesh())
-      problem.check_contact();
-    if (command_line.resume)
-      problem.check_checkpoint();
-
-    const unsigned int n_over_radius =
-      parameters.refinement.n_over_contact_radius;
-    print_meshes(preview, n_over_radius, out);
-    print_materials(preview, out);
-    if (model.indenter.shape)
-      print_contact(preview, parameters.output.units, n_over_radius, out);
-    print_cost(preview,
-               parameters.loading.step_control,
-               Utilities::MPI::n_mpi_processes(communicator),
-               out);
-    print_output_directory(command_line, parameters, communicator, out);
-    out << std::flush;
-    warn_of_entries(command_line, parameters, communicator);
-    warn_of_limits(preview, parameters.refinement, communicator);
-    if (const std::string safety =
-          first_look_at_load(model, parameters, communicator);
-        !safety.empty())
-      print_line("Limit load", safety, out);
-  }
-
-
-
-  template <int dim>
-  void
-  validate_limit_load(const Model<dim>  &model,
-                      const CommandLine &command_line,
-                      const Parameters  &parameters,
-                      const MPI_Comm     communicator,
-                      std::ostream      &out)
-  {
-    LimitLoadAnalysis analysis(model, parameters, communicator);
-    analysis.check();
-    print_line("First mesh",
-               std::to_string(analysis.n_cells()) + " cells" +
-                 (dim == 3 ? ", each cut into 24 tetrahedra or more" : ""),
-               out);
-    print_line("Meshes", std::to_string(parameters.refinement.n_cycles), out);
-    print_output_directory(command_line, parameters, communicator, out);
-    out << std::flush;
-    warn_of_entries(command_line, parameters, communicator);
+    if (parameters.analysis == Analysis::limit_load)
+      validate_limit_load(model, command_line, parameters, communicator, out);
+    else
+      validate_contact(model, command_line, parameters, communicator, out);
   }
 
 
@@ -375,16 +391,4 @@ namespace ElastoPlastic
            const Parameters &,
            const MPI_Comm,
            std::ostream &);
-  template void
-  validate_limit_load(const Model<2> &,
-                      const CommandLine &,
-                      const Parameters &,
-                      const MPI_Comm,
-                      std::ostream &);
-  template void
-  validate_limit_load(const Model<3> &,
-                      const CommandLine &,
-                      const Parameters &,
-                      const MPI_Comm,
-                      std::ostream &);
 } // namespace ElastoPlastic

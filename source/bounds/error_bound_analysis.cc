@@ -10,11 +10,10 @@
 
 #include "base/exceptions.h"
 #include "base/rethrow_collectively.h"
-#include "bounds/cell_indicators.h"
 #include "bounds/error/support_check.h"
 #include "bounds/error_bound_analysis.h"
 #include "bounds/stress/stress_check.h"
-#include "bounds/stress/stress_problem.h"
+#include "bounds/stress/stress_field.h"
 
 namespace ElastoPlastic
 {

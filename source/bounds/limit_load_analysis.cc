@@ -15,7 +15,7 @@
 #include "base/text.h"
 #include "bounds/body/loads.h"
 #include "bounds/bound_checks.h"
-#include "bounds/cell_indicators.h"
+#include "bounds/conic/tolerances.h"
 #include "bounds/error/support_check.h"
 #include "bounds/limit_load_analysis.h"
 #include "bounds/stress/stress_check.h"
@@ -28,14 +28,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// In space the iteration stops where the bounds are closer to the best
-    /// ones of their mesh, relative, than this part of the last mesh's
-    /// difference.
-    constexpr double part_of_difference      = 0.01;
-    constexpr double largest_space_tolerance = 1e-3;
-
-
-
     void
     warn_if_any(Log &log, const std::string &warning)
     {
@@ -117,10 +109,11 @@ namespace ElastoPlastic
     double
     tolerance_after(const double last_difference)
     {
-      return dim == 2 ? usual_tolerance<dim> :
-                        std::clamp(part_of_difference * last_difference,
-                                   usual_tolerance<dim>,
-                                   largest_space_tolerance);
+      return dim == 2 ?
+               Tolerance::gap_of_bounds<dim> :
+               std::clamp(Tolerance::part_of_difference * last_difference,
+                          Tolerance::gap_of_bounds<dim>,
+                          Tolerance::largest_gap_in_space);
     }
   } // namespace
 

@@ -20,15 +20,6 @@ namespace ElastoPlastic
 
 
 
-  std::string
-  LoadInQuestion::in_words() const
-  {
-    return times.empty() ? "the force " + to_text(force) :
-                           "the largest load of tractions and body forces";
-  }
-
-
-
   template <int dim>
   void
   LimitLoadAnalysis<dim>::let_grow(const LoadInQuestion &load)

@@ -3,20 +3,13 @@
 
 #include <algorithm>
 
+#include "bounds/conic/tolerances.h"
 #include "bounds/equilibrium_output.h"
 #include "bounds/mechanism/face_view.h"
 #include "output/patches.h"
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    /// Less slip counts as none, relative to the largest velocity.
-    constexpr double smallest_slip = 1e-3;
-  } // namespace
-
-
-
   SlipOutput::SlipOutput(const OutputParameters &parameters)
     : series(parameters, "slip_lines")
   {}
@@ -31,8 +24,9 @@ namespace ElastoPlastic
                     const std::vector<SimplexVelocity<dim>> &velocity,
                     const unsigned int                       cycle)
   {
-    const double threshold = smallest_slip * largest_velocity(body, velocity);
-    const auto  &points    = Bernstein<dim - 1>::points(trace_degree<dim>);
+    const double threshold =
+      Tolerance::smallest_slip * largest_velocity(body, velocity);
+    const auto &points = Bernstein<dim - 1>::points(trace_degree<dim>);
     Patches<dim - 1, dim> patches({{"slip", 3}});
     for (const auto &view : views_of_faces(body))
       {

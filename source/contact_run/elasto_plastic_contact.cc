@@ -5,9 +5,7 @@
 
 #include "base/memory.h"
 #include "base/termination.h"
-#include "bounds/safe_load.h"
 #include "contact_run/elasto_plastic_contact.h"
-#include "evaluation/modelled_part.h"
 #include "mesh/material_ids.h"
 #include "output/columns.h"
 #include "problem/load_history.h"
@@ -18,9 +16,11 @@ namespace ElastoPlastic
   // Whatever is wrong with the input shows up here, before the first result is
   // written.
   template <int dim>
-  ElastoPlasticContact<dim>::ElastoPlasticContact(const Model<dim> &model,
-                                                  const Parameters &parameters,
-                                                  const MPI_Comm communicator)
+  ElastoPlasticContact<dim>::ElastoPlasticContact(
+    const Model<dim>               &model,
+    const Parameters               &parameters,
+    const MPI_Comm                  communicator,
+    const MakeGuaranteedError<dim> &make_error_bound)
     : model(model)
     , parameters(parameters)
     , communicator(communicator)
@@ -35,7 +35,7 @@ namespace ElastoPlastic
     , step(model, parameters, body)
     , adaptation(parameters.refinement, body, log)
     , evaluation(parameters.output, body, log, timer)
-    , error_estimate(parameters, body, log, timer)
+    , error_estimate(parameters, body, log, timer, make_error_bound)
     , output(parameters.output,
              parameters.loading.is_single_step(),
              body,
@@ -138,7 +138,8 @@ namespace ElastoPlastic
     RunTables statistics(communicator,
                          parameters.output.directory,
                          evaluation.names(),
-                         make_indentation_test(model,
+                         make_indentation_test(evaluation.nominal_contact(),
+                                               model,
                                                model.indenter,
                                                body.triangulation(),
                                                body.gap_function(),
@@ -231,7 +232,7 @@ namespace ElastoPlastic
     catch (const ConvergenceError &error)
       {
         if (!step.halve())
-          give_up_step(error, step.failure(), step.last().result);
+          step.give_up(error);
         log.warn("The step from t = " +
                  Patterns::Tools::to_string(step.times().time()) +
                  " has not converged; trying half of it.");

@@ -4,33 +4,25 @@
 #include <cmath>
 
 #include "base/compatibility.h"
-#include "bounds/bound_checks.h"
 #include "contact_run/error_estimate.h"
 
 namespace ElastoPlastic
 {
   template <int dim>
-  ErrorEstimate<dim>::ErrorEstimate(const Parameters  &parameters,
-                                    DiscreteBody<dim> &body,
-                                    Log               &log,
-                                    TimerOutput       &timer)
+  ErrorEstimate<dim>::ErrorEstimate(
+    const Parameters               &parameters,
+    DiscreteBody<dim>              &body,
+    Log                            &log,
+    TimerOutput                    &timer,
+    const MakeGuaranteedError<dim> &make_error_bound)
     : parameters(parameters)
     , body(body)
     , log(log)
     , timer(timer)
     , kelly_estimator(body.fe)
   {
-    if (parameters.analysis != Analysis::contact_with_error_bound)
-      return;
-    error_bound.emplace(body.model,
-                        parameters,
-                        communicator_of(body.triangulation()),
-                        body.gap_function(),
-                        body.triangulation());
-    if (const std::string warning =
-          warning_of_curved_body(body.triangulation());
-        !warning.empty())
-      log.warn(warning);
+    if (parameters.analysis == Analysis::contact_with_error_bound)
+      error_bound = make_error_bound(body, parameters, log);
   }
 
 
@@ -38,9 +30,9 @@ namespace ElastoPlastic
   template <int dim>
   void
   ErrorEstimate<dim>::evaluate(
-    SolveResult                                            &result,
-    const Load                                             &load,
-    const typename ErrorBoundAnalysis<dim>::DisplacementAt &displacement_at)
+    SolveResult                                         &result,
+    const Load                                          &load,
+    const typename GuaranteedError<dim>::DisplacementAt &displacement_at)
   {
     find_indicators();
     result.estimated_error =
@@ -68,9 +60,9 @@ namespace ElastoPlastic
   template <int dim>
   void
   ErrorEstimate<dim>::bound(
-    SolveResult                                            &result,
-    const Load                                             &load,
-    const typename ErrorBoundAnalysis<dim>::DisplacementAt &displacement_at)
+    SolveResult                                         &result,
+    const Load                                          &load,
+    const typename GuaranteedError<dim>::DisplacementAt &displacement_at)
   {
     TimerOutput::Scope scope(timer, "Error bound");
     result.estimated_error = error_bound->evaluate({body.dof_handler(),

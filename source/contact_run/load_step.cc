@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <sstream>
 
 #include "contact_run/load_step.h"
 #include "problem/load_history.h"
@@ -236,16 +237,55 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  FailedStep<dim>
-  LoadStep<dim>::failure() const
+  ConvergenceError
+  LoadStep<dim>::failure(const ConvergenceError &error) const
   {
-    return {model,
-            parameters.loading.is_single_step(),
-            time_steps.number(),
-            time_steps.time(),
-            time_steps.next_time(),
-            body.contact().force(),
-            tractions_grow()};
+    if (parameters.loading.is_single_step())
+      return error;
+    return ConvergenceError(
+      "Load step " + std::to_string(time_steps.number()) +
+      " from t = " + Patterns::Tools::to_string(time_steps.time()) +
+      " (depth " + Patterns::Tools::to_string(last_step.result.depth) +
+      ") fails even if it ends at t = " +
+      Patterns::Tools::to_string(time_steps.next_time()) +
+      ", and 'Loading/Maximum number of cuts' allows for no shorter one. " +
+      error.what());
+  }
+
+
+
+  template <int dim>
+  void
+  LoadStep<dim>::give_up(const ConvergenceError &error) const
+  {
+    const SolveResult &last = last_step.result;
+    const double force = body.contact().force(), time = time_steps.next_time();
+    const bool   force_grows = force > last.force;
+    if (std::none_of(model.materials.begin(),
+                     model.materials.end(),
+                     has_limit) ||
+        !(force_grows || tractions_grow()))
+      throw failure(error);
+
+    const std::string where =
+      "to be beyond the limit load of the body, whose material stops "
+      "hardening. ";
+    std::ostringstream message;
+    message.precision(10);
+    message << "No equilibrium has been found ";
+    if (force_grows)
+      message << "for the force " << force << " (t = " << time << "): it seems "
+              << where << "The largest force reached is " << last.force
+              << ", at the depth " << last.depth
+              << ". Prescribe the depth, or a smaller force";
+    else
+      message << "under the tractions and body forces at t = " << time
+              << ": they seem " << where
+              << "The last equilibrium is that at t = " << last.time
+              << ". Prescribe smaller ones ('Boundary conditions/Traction', "
+                 "'Body force'), or displacements instead";
+    message << "; several load steps come closer to the limit.";
+    throw EquilibriumError(message.str());
   }
 
 

@@ -50,14 +50,12 @@ namespace ElastoPlastic
     , probe_points(parameters.probe_points,
                    body.model.boundary_conditions.names(),
                    body.triangulation())
-    , imprint(body.model,
-              body.gap_function(),
+    , contact(body.model,
+              body.model.indenter,
               body.triangulation(),
-              parameters.profile_lines)
-    , small_strain_guard(NominalContact<dim>(body.model,
-                                             body.model.indenter,
-                                             body.triangulation(),
-                                             body.gap_function()))
+              body.gap_function())
+    , imprint(contact, body.gap_function(), parameters.profile_lines)
+    , small_strain_guard(contact)
     , pressure_guard(body.model.materials)
   {}
 

@@ -3,7 +3,6 @@
 
 #include "base/exceptions.h"
 #include "evaluation/imprint.h"
-#include "evaluation/modelled_part.h"
 
 namespace ElastoPlastic
 {
@@ -34,24 +33,14 @@ namespace ElastoPlastic
 
 
 
-  // An axis beside the body tells nothing: then the contact is a whole.
   template <int dim>
-  Imprint<dim>::Imprint(
-    const LoadedBody<dim>                           &body,
-    const GapFunction<dim>                          &gap_function,
-    const parallel::distributed::Triangulation<dim> &triangulation,
-    const std::string                               &profile_lines)
-    : gap_function(gap_function)
-    , is_plane(is_plane_problem<dim>(body.strain_model.kinematics))
+  Imprint<dim>::Imprint(const NominalContact<dim> &contact,
+                        const GapFunction<dim>    &gap_function,
+                        const std::string         &profile_lines)
+    : contact(contact)
+    , gap_function(gap_function)
     , has_own_lines(!profile_lines.empty())
-    , part(modelled_part(triangulation,
-                         body.boundary_conditions.ids(
-                           BoundaryConditionType::contact),
-                         gap_function.position(),
-                         body.strain_model.kinematics))
   {
-    if (part == 0.)
-      part = 1.;
     if constexpr (dim == 3)
       lines = read_profile_lines(profile_lines, gap_function.position());
     else if (has_own_lines)
@@ -90,7 +79,7 @@ namespace ElastoPlastic
                         const ContactSurface<dim> &surface) const
   {
     const Point<dim - 1> axis = gap_function.position();
-    result.contact_radius = contact_radius(result.contact_area, part, is_plane);
+    result.contact_radius     = contact.radius(result.contact_area);
     result.pile_up =
       surface.highest(axis,
                       2. * std::max(result.contact_radius, largest_radius));

@@ -1,13 +1,95 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "evaluation/modelled_part.h"
+#include "base/compatibility.h"
 #include "evaluation/nominal_contact.h"
+#include "evaluation/tip_on_curved_surface.h"
+#include "mesh/body_size.h"
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// The angle under which a quadrilateral is seen from the origin: 2 pi from
+    /// within, 0 from outside, pi from an edge, the corner's angle from there.
+    double
+    angle_of_view(const std::array<Tensor<1, 2>, 4> &corners)
+    {
+      double angle = 0;
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          const auto  &a     = corners[i];
+          const auto  &b     = corners[(i + 1) % 4];
+          const double cross = a[0] * b[1] - a[1] * b[0];
+          if (std::abs(cross) > 1e-10 * (b - a).norm_square())
+            angle += std::atan2(cross, a * b);
+        }
+      return std::abs(angle);
+    }
+  } // namespace
+
+
+
+  template <>
+  double
+  modelled_part(const parallel::distributed::Triangulation<2> &triangulation,
+                const std::set<types::boundary_id> &contact_boundaries,
+                const Point<1>                     &position,
+                const Kinematics                    kinematics)
+  {
+    if (kinematics == Kinematics::axisymmetric)
+      return 1.;
+    double n_sides = 0;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() &&
+              contact_boundaries.count(face->boundary_id()) > 0)
+            {
+              const double a         = face->vertex(0)[0] - position[0];
+              const double b         = face->vertex(1)[0] - position[0];
+              const double tolerance = 1e-10 * std::abs(b - a);
+              if (std::min(a, b) < -tolerance && std::max(a, b) >= -tolerance)
+                n_sides += 1.;
+              if (std::min(a, b) <= tolerance && std::max(a, b) > tolerance)
+                n_sides += 1.;
+            }
+    return 0.5 * Utilities::MPI::sum(n_sides, communicator_of(triangulation));
+  }
+
+
+
+  template <>
+  double
+  modelled_part(const parallel::distributed::Triangulation<3> &triangulation,
+                const std::set<types::boundary_id> &contact_boundaries,
+                const Point<2>                     &position,
+                const Kinematics /* cartesian */)
+  {
+    double angle = 0;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() &&
+              contact_boundaries.count(face->boundary_id()) > 0)
+            {
+              std::array<Tensor<1, 2>, 4> corners;
+              for (const unsigned int v : face->vertex_indices())
+                corners[v] =
+                  Point<2>(face->vertex(v)[0], face->vertex(v)[1]) - position;
+              std::swap(corners[2], corners[3]); // around the face
+              angle += angle_of_view(corners);
+            }
+    return Utilities::MPI::sum(angle, communicator_of(triangulation)) /
+           (2 * numbers::PI);
+  }
+
+
+
   template <int dim>
   NominalContact<dim>::NominalContact(
     const LoadedBody<dim>                           &body,
@@ -48,7 +130,7 @@ namespace ElastoPlastic
   double
   NominalContact<dim>::radius(const double area) const
   {
-    return part == 0. ? 0. : contact_radius(area, part, in_plane);
+    return contact_radius(area, part == 0. ? 1. : part, in_plane);
   }
 
 
@@ -94,6 +176,48 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  std::optional<IndentationTest>
+  make_indentation_test(
+    const NominalContact<dim>                       &contact,
+    const LoadedBody<dim>                           &body,
+    const PlacedIndenter<dim>                       &indenter,
+    const parallel::distributed::Triangulation<dim> &triangulation,
+    const GapFunction<dim>                          &gap_function,
+    const EvaluationParameters                      &constants)
+  {
+    const double part = contact.part_of_surroundings();
+    if (!gap_function.has_indenter() || contact.is_strip() || part == 0.)
+      return {};
+    const auto boundaries =
+      body.boundary_conditions.ids(BoundaryConditionType::contact);
+    std::shared_ptr<const TipOnSurface> tip;
+    if (are_level(triangulation, boundaries))
+      tip = std::make_shared<TipOnLevelSurface>(indenter.shape,
+                                                indenter.initial_gap,
+                                                communicator_of(triangulation));
+    else
+      tip = std::make_shared<TipOnCurvedSurface<dim>>(
+        indenter.shape, gap_function, triangulation, boundaries, part);
+    return IndentationTest(tip, part, constants);
+  }
+
+
+
   template class NominalContact<2>;
   template class NominalContact<3>;
+  template std::optional<IndentationTest>
+  make_indentation_test(const NominalContact<2> &,
+                        const LoadedBody<2> &,
+                        const PlacedIndenter<2> &,
+                        const parallel::distributed::Triangulation<2> &,
+                        const GapFunction<2> &,
+                        const EvaluationParameters &);
+  template std::optional<IndentationTest>
+  make_indentation_test(const NominalContact<3> &,
+                        const LoadedBody<3> &,
+                        const PlacedIndenter<3> &,
+                        const parallel::distributed::Triangulation<3> &,
+                        const GapFunction<3> &,
+                        const EvaluationParameters &);
 } // namespace ElastoPlastic

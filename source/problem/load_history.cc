@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/text.h"
 #include "problem/load_history.h"
 
 namespace ElastoPlastic
@@ -16,6 +18,24 @@ namespace ElastoPlastic
       return std::any_of(model.materials.begin(),
                          model.materials.end(),
                          is_rate_dependent);
+    }
+
+
+
+    bool
+    has_limit_load(const Model<2> &model)
+    {
+      return !model.strain_model.is_finite() &&
+             !model.strain_model.has_general_criteria &&
+             model.contact.friction_coefficient() == 0. &&
+             !(model.body_force.is_present() &&
+               model.strain_model.kinematics == Kinematics::plane_stress) &&
+             std::all_of(model.materials.begin(),
+                         model.materials.end(),
+                         [](const Material<double> &material) {
+                           return is_perfect(material) &&
+                                  std::isfinite(material.yield_radius);
+                         });
     }
   } // namespace
 
@@ -119,5 +139,46 @@ namespace ElastoPlastic
           load && load->control == control)
         largest = std::max(largest.value_or(load->value), load->value);
     return largest;
+  }
+
+
+
+  std::string
+  LoadInQuestion::in_words() const
+  {
+    return times.empty() ? "the force " + to_text(force) :
+                           "the largest load of tractions and body forces";
+  }
+
+
+
+  template <>
+  std::optional<LoadInQuestion>
+  load_in_question(const Model<2> &model, const Parameters &parameters)
+  {
+    const bool has_tractions = !model.boundary_conditions.tractions().empty() ||
+                               model.body_force.is_present();
+    if (!has_limit_load(model) ||
+        has_tractions == (model.indenter.shape != nullptr))
+      return {};
+    const TimeSteps steps(model.load_program.segment_ends(),
+                          parameters.loading.n_steps,
+                          0);
+    if (has_tractions)
+      return LoadInQuestion{0., steps.uncut_ends()};
+    const double force =
+      largest_load(model.load_program, steps, Control::force).value_or(0.);
+    return force > 0 ? std::make_optional(LoadInQuestion{force, {}}) :
+                       std::nullopt;
+  }
+
+
+
+  // In space, bounds that are close enough to decide take minutes or more.
+  template <>
+  std::optional<LoadInQuestion>
+  load_in_question(const Model<3> &, const Parameters &)
+  {
+    return {};
   }
 } // namespace ElastoPlastic

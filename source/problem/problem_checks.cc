@@ -13,7 +13,6 @@
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "evaluation/modelled_part.h"
 #include "evaluation/nominal_contact.h"
 #include "mesh/body_size.h"
 #include "problem/load_history.h"

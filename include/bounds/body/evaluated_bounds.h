@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "bounds/body/loads.h"
 #include "bounds/conic/interior_point.h"
+#include "bounds/conic/tolerances.h"
 
 // What turns the solutions of conic programs into bounds, in the plane as in
 // space: by independent checks of the fields themselves.
@@ -19,13 +20,6 @@
 namespace ElastoPlastic
 {
   using namespace dealii;
-
-  /// How close bounds of limit loads come to the best ones of their mesh,
-  /// relative, unless something else is said.
-  template <int dim>
-  constexpr double usual_tolerance = dim == 2 ? 1e-6 : 1e-5;
-
-
 
   /// The result of @p maximize(), which looks for the stresses with the largest
   /// force. @throws ConvergenceError or EquilibriumError that says why there
@@ -65,10 +59,8 @@ namespace ElastoPlastic
   double
   require_admissible(const Body &body, const Field &field)
   {
-    constexpr double largest_error = 1e-8;
-
     const double error = check_stress(body, field).largest();
-    if (error > largest_error)
+    if (error > Tolerance::admissibility)
       throw ConvergenceError(
         "The stresses of the equilibrium method violate equilibrium or yield "
         "condition by " +
@@ -94,9 +86,9 @@ namespace ElastoPlastic
     // (Without friction, velocities are those of a stream function, or no
     // volume counts; with it, rates are inside a cone as far as they have been
     // computed.)
-    const double largest_error = body.has_friction() ? 1e-6 : 1e-8;
-    // Of the bound that has been minimised and that of the velocities.
-    constexpr double largest_loss = 1e-3;
+    const double largest_error = body.has_friction() ?
+                                   Tolerance::admissibility_with_friction :
+                                   Tolerance::admissibility;
 
     const bool   loads_grow = body.load_factor_unit > 0;
     const double minimum    = field.bound;
@@ -123,7 +115,8 @@ namespace ElastoPlastic
                                   field.dissipation.end(),
                                   -power.constant) /
                   (loads_grow ? power.growing : 1.);
-    if (!(field.bound - minimum <= largest_loss * std::abs(minimum)))
+    if (!(field.bound - minimum <=
+          Tolerance::loss_of_minimum * std::abs(minimum)))
       field.is_optimal = false;
   }
 } // namespace ElastoPlastic

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bounds/body/split_body.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
@@ -29,7 +30,6 @@ namespace ElastoPlastic
   Point<dim>
   from_inside(const Point<dim> &x, const Point<dim> &centre)
   {
-    constexpr double smallest_share = 1e-12, largest_share = 1e-2;
     constexpr double rounding = 64. * std::numeric_limits<double>::epsilon();
 
     const double distance = x.distance(centre);
@@ -39,8 +39,8 @@ namespace ElastoPlastic
     for (unsigned int d = 0; d < dim; ++d)
       coordinate = std::max(coordinate, std::abs(x[d]));
     const double share = std::clamp(rounding * coordinate / distance,
-                                    smallest_share,
-                                    largest_share);
+                                    Tolerance::smallest_inset,
+                                    Tolerance::largest_inset);
     return Point<dim>(x + share * (centre - x));
   }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/exceptions.h"
+#include "bounds/conic/tolerances.h"
 #include "bounds/mesh/split_mesh.h"
 #include "loads/body_force.h"
 #include "loads/boundary_conditions.h"
@@ -61,12 +62,11 @@ namespace ElastoPlastic
     constant_body_force(const std::vector<Point<dim>> &points,
                         const double                   time) const
     {
-      constexpr double rounding  = 1e-12;
       constexpr double between   = 0.3819660113; // (waves do not vanish there)
       const Tensor<1, dim> first = body_force.value(points.front(), time);
       const auto           differs = [&](const Point<dim> &point) {
         return !((body_force.value(point, time) - first).norm() <=
-                 rounding * first.norm());
+                 Tolerance::expression * first.norm());
       };
       for (unsigned int i = 0; i < points.size(); ++i)
         if (differs(points[i]) ||

@@ -25,11 +25,6 @@ namespace ElastoPlastic
 
 
 
-  /// Cosine and sine below which directions are at right angles or parallel.
-  constexpr double small_angle = 1e-10;
-
-
-
   /// What holds for one component of displacement and traction on a face.
   enum class ConditionType
   {

@@ -13,6 +13,7 @@
 #include "bounds/conic/block_batch.h"
 #include "bounds/conic/conic_program.h"
 #include "bounds/conic/sparse_cholesky.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
@@ -49,15 +50,12 @@ namespace ElastoPlastic
     bool
     factorize(const Scalings &scalings);
 
-    /// How small, relative to the right-hand side, solve() makes the residual.
-    static constexpr double usual_residual = 1e-11;
-
     /// Solves the system, and repeats that with what is left: this removes what
     /// has been added, and most of the rounding errors.
     void
     solve(KktVector       &solution,
           const KktVector &right_hand_side,
-          const double     relative_residual = usual_residual) const;
+          const double     relative_residual = Tolerance::residual) const;
 
     /// residual -= (the matrix above without W) solution
     void

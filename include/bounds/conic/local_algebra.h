@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/lanes.h"
+#include "bounds/conic/tolerances.h"
 
 /// Products and factors of the small matrices of a ConicBlock. Matrices are
 /// stored by rows, symmetric ones and factors by the rows of their lower half.
@@ -313,7 +314,7 @@ namespace ElastoPlastic::LocalAlgebra
         const unsigned int p     = order[rank];
         const double       pivot = square(p, p);
         largest                  = std::max(largest, pivot);
-        if (!(pivot > 1e-12 * largest))
+        if (!(pivot > Tolerance::pivot * largest))
           break;
         for (unsigned int j = 0; j < n; ++j)
           square(p, j) /= pivot;

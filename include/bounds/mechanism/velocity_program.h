@@ -5,6 +5,7 @@
 #define bounds_mechanism_velocity_program_h
 
 #include "bounds/body/evaluated_bounds.h"
+#include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/velocity_field.h"
 
 namespace ElastoPlastic
@@ -20,7 +21,7 @@ namespace ElastoPlastic
   template <int dim>
   VelocityField<dim>
   minimize_plastic_work(const SplitBody<dim> &body,
-                        const double          tolerance = usual_tolerance<dim>);
+                        const double tolerance = Tolerance::gap_of_bounds<dim>);
 
 
 

@@ -6,6 +6,7 @@
 
 #include <deal.II/grid/cell_id.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/lac/vector.h>
 
 #include <vector>
 
@@ -105,6 +106,18 @@ namespace ElastoPlastic
   template <int dim>
   SplitMesh<dim>
   make_split_mesh(const Triangulation<dim> &triangulation);
+
+
+
+  /// What decides on the refinement of cells: the square root of the sum of
+  /// what the first rank knows of their simplices, @p of_simplices of @p mesh;
+  /// negative numbers count as zero. Every rank receives the values of its own
+  /// active cells. Collective.
+  template <int dim>
+  Vector<float>
+  cell_indicators(const SplitMesh<dim>      &mesh,
+                  const std::vector<double> &of_simplices,
+                  const Triangulation<dim>  &triangulation);
 } // namespace ElastoPlastic
 
 #endif

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bounds/body/split_body.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
@@ -92,6 +93,36 @@ namespace ElastoPlastic
     double
     contact_area(const SplitBody<dim> &body) const;
   };
+
+
+
+  /// The stresses of least complementary energy
+  ///   J(tau) = int_Omega W*(tau) dx + int_Gamma_0 g p ds
+  /// among all Johnson-Mercier stresses in equilibrium with a given @p force of
+  /// the indenter, J (4.1) in @cite johnson_1978: one Hencky step from
+  /// the virgin state.
+  /// @throws ConvergenceError, in particular beyond the limit load.
+  template <int dim>
+  StressField<dim>
+  equilibrate_with_force(const SplitBody<dim> &body, const double force);
+
+  /// The same with a given @p depth of the indenter: the stresses minimise
+  /// J - depth times force.
+  template <int dim>
+  StressField<dim>
+  equilibrate_with_depth(const SplitBody<dim> &body, const double depth);
+
+  /// The stresses with the largest load factor, or if no load grows, with the
+  /// largest force of the indenter, that satisfy the yield condition
+  /// everywhere. This is a lower bound of the limit load. In plane strain, the
+  /// strength may depend on the pressure, see SplitBody::friction_sines.
+  /// @param degree of the stresses, 1 or 2; in space 1
+  /// @throws ConvergenceError, in particular if there is no limit.
+  template <int dim>
+  StressField<dim>
+  maximize_load(const SplitBody<dim> &body,
+                const unsigned int    degree,
+                const double tolerance = Tolerance::gap_of_bounds<dim>);
 } // namespace ElastoPlastic
 
 #endif

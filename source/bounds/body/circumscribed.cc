@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bounds/body/split_body.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
@@ -111,13 +112,14 @@ namespace ElastoPlastic
         for (const unsigned int f : faces)
           {
             const Tensor<1, 3> &moved = displacements.at(v), n = normal_of(f);
-            if (std::abs(moved * n) > small_angle * moved.norm() ||
+            if (std::abs(moved * n) > Tolerance::small_angle * moved.norm() ||
                 has_values(body.conditions[f]))
               return false;
             for (const unsigned int g : faces)
               if (body.mesh.faces[f].boundary_id !=
                     body.mesh.faces[g].boundary_id &&
-                  cross_product_3d(n, normal_of(g)).norm() < small_angle)
+                  cross_product_3d(n, normal_of(g)).norm() <
+                    Tolerance::small_angle)
                 return false;
           }
       return true;

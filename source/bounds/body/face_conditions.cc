@@ -9,6 +9,7 @@
 #include "base/exceptions.h"
 #include "base/largest_error.h"
 #include "bounds/body/face_conditions.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
@@ -112,8 +113,6 @@ namespace ElastoPlastic
               const FaceValue<3>                            &value,
               const std::function<double(const Point<3> &)> &function)
     {
-      constexpr double rounding = 1e-9;
-
       double largest = 0;
       for (const double at_corner : value.at_corners)
         keep_largest(largest, std::abs(at_corner));
@@ -122,7 +121,7 @@ namespace ElastoPlastic
           const auto   point = point_on_face<3>(corners, position);
           const double exact = function(point.x);
           if (!(std::abs(exact - value(point)) <=
-                rounding * std::max(largest, std::abs(exact))))
+                Tolerance::expression * std::max(largest, std::abs(exact))))
             return false;
         }
       return true;
@@ -206,7 +205,8 @@ namespace ElastoPlastic
     const bool     is_rough   = indenter.surface == SurfaceFinish::rough;
     Tensor<1, dim> horizontal = normal(corners);
     horizontal[dim - 1]       = 0.;
-    if (condition.is_reached && is_rough && horizontal.norm() > small_angle)
+    if (condition.is_reached && is_rough &&
+        horizontal.norm() > Tolerance::small_angle)
       throw InputError("Indenter/Surface",
                        "rough",
                        "the bounds of a rough indenter are for contact "
@@ -263,16 +263,14 @@ namespace ElastoPlastic
   std::vector<double>
   FaceConditions<dim>::gaps_of(const FaceCorners<dim> &corners) const
   {
-    constexpr double inset = 2e-6;
-
     const Point<dim>    centre = centre_of_face<dim>(corners);
     std::vector<double> gaps;
     static const auto   points = lattice_points<dim>();
     for (const auto &lattice_point : points)
       {
         const Point<dim> x = point_on_face<dim>(corners, lattice_point).x;
-        if (const double value =
-              indenter.gap(Point<dim>(x + inset * (centre - x)));
+        if (const double value = indenter.gap(
+              Point<dim>(x + Tolerance::inset_of_gap * (centre - x)));
             std::isfinite(value))
           gaps.push_back(value);
       }
@@ -304,13 +302,12 @@ namespace ElastoPlastic
   bool
   FaceConditions<dim>::presses_across(const FaceCorners<dim> &corners) const
   {
-    constexpr double rounding = 1e-6;
-
     if (indenter.geometry != ContactGeometry::automatic)
       return indenter.geometry == ContactGeometry::normal;
     const auto gaps = gaps_of(corners);
-    return !gaps.empty() && std::abs(gaps.front() - gaps.back()) <=
-                              rounding * corners[0].distance(corners[1]);
+    return !gaps.empty() &&
+           std::abs(gaps.front() - gaps.back()) <=
+             Tolerance::fit_of_indenter * corners[0].distance(corners[1]);
   }
 
 

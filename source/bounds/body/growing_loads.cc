@@ -10,6 +10,7 @@
 #include "base/largest_error.h"
 #include "bounds/body/face_conditions.h"
 #include "bounds/body/loads.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
@@ -54,7 +55,6 @@ namespace ElastoPlastic
                 const BoundaryConditions<dim> &conditions,
                 const BodyForce<dim>          &body_force)
   {
-    constexpr double rounding = 1e-10;
     // (at none of which waves vanish that do at the others)
     constexpr std::array<double, 4> times_between = {
       {0.2360679775, 0.5, 0.6180339887, 0.8541019662}};
@@ -78,7 +78,7 @@ namespace ElastoPlastic
         "tractions",
         "there is no traction ('Boundary conditions/Traction') and no body "
         "force ('Body force') that could grow.");
-    if (difference > rounding * size)
+    if (difference > Tolerance::expression * size)
       throw InputError(
         "Limit load/Load",
         "tractions",
@@ -86,7 +86,7 @@ namespace ElastoPlastic
         "which is the load factor. For instance: 'Traction = top: 0; -t'.");
     Vector<double> change = end;
     change -= begin;
-    if (change.linfty_norm() > rounding * size)
+    if (change.linfty_norm() > Tolerance::smallest_load * size)
       return {0., 1., body_force};
     return {std::nullopt, 0., body_force};
   }

@@ -9,6 +9,7 @@
 #include "base/largest_error.h"
 #include "bounds/body/face_conditions.h"
 #include "bounds/body/hencky_material.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
@@ -136,8 +137,7 @@ namespace ElastoPlastic
   bool
   SplitBody<dim>::is_on_axis(const Point<dim> &x) const
   {
-    constexpr double rounding = 1e-12;
-    return is_axisymmetric() && x[0] <= rounding * length_unit;
+    return is_axisymmetric() && x[0] <= Tolerance::on_axis * length_unit;
   }
 
 
@@ -287,9 +287,10 @@ namespace ElastoPlastic
       if (component.type == ConditionType::displacement)
         {
           const double across = component.direction * n;
-          if (std::abs(across) > small_angle)
+          if (std::abs(across) > Tolerance::small_angle)
             support.is_closed = true;
-          if ((component.direction - across * n).norm() > small_angle)
+          if ((component.direction - across * n).norm() >
+              Tolerance::small_angle)
             support.resists_slip = true;
         }
     return support;

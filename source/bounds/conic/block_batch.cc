@@ -7,6 +7,7 @@
 
 #include "bounds/conic/block_batch.h"
 #include "bounds/conic/local_algebra.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
@@ -14,19 +15,6 @@ namespace ElastoPlastic
 
   namespace
   {
-    /// The compliance of a block in the directions that no cone sees, relative
-    /// to the largest eigenvalue of its W^-2 across the directions of s and z;
-    /// those along them tend to zero and infinity in the course of the
-    /// iteration. With 1e-4, repeated solving leaves a divergence of 1e-8 of
-    /// the rate of strain.
-    constexpr double kernel_compliance = 1e-7;
-
-    /// What is added to the diagonals of a block, relative to each entry: more
-    /// than the rounding errors of its Cholesky factorisation.
-    constexpr double relative_rounding = 1e-14;
-
-
-
     void
     set_lane(AlignedVector<Simd<double>> &lanes,
              const unsigned int           lane,
@@ -287,8 +275,9 @@ namespace ElastoPlastic
     });
     for (const Part &part : parts)
       for (unsigned int i = 0; i < part.size(); ++i)
-        factor[part.entry + lower_size(i) + i] *= 1. + relative_rounding;
-    add_compliance(kernel_compliance * across);
+        factor[part.entry + lower_size(i) + i] *=
+          1. + Tolerance::rounding_of_block;
+    add_compliance(Tolerance::kernel_compliance * across);
   }
 
 

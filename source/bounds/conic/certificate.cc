@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bounds/conic/interior_point.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
@@ -29,10 +30,6 @@ namespace ElastoPlastic
                     const ConicSolution &iterate,
                     const KktVector     &residual)
   {
-    // for the equations in a certificate, relative to its inequality
-    constexpr double multiplier_tolerance = 1e-7;
-    constexpr double direction_tolerance  = 1e-5;
-
     Vector<double> multipliers_product(residual.x.size()), // A^T y + G^T z
       cone_residual(residual.z.size());                    // G x + s
     const Vector<double> slope = quadratic_slope(program, layout, iterate.x);
@@ -65,7 +62,7 @@ namespace ElastoPlastic
     // (an iterate that satisfies the equations would contradict: on a fine
     // mesh, all local products are small)
     if (std::max(multipliers_product.linfty_norm(), live_load) <
-          multiplier_tolerance * contradiction &&
+          Tolerance::certificate_of_multipliers * contradiction &&
         std::abs(multipliers_product * iterate.x) < 0.5 * contradiction)
       throw NoSolutionError();
 
@@ -73,7 +70,8 @@ namespace ElastoPlastic
     const double quadratic_cost = slope * iterate.x;
     if (std::max({quadratic_cost, // (a slope would become small with the mesh)
                   product.linfty_norm(),
-                  cone_residual.linfty_norm()}) < direction_tolerance * descent)
+                  cone_residual.linfty_norm()}) <
+        Tolerance::certificate_of_direction * descent)
       throw UnboundedError();
   }
 } // namespace ElastoPlastic

@@ -9,22 +9,13 @@
 
 #include "base/exceptions.h"
 #include "bounds/conic/conic_evaluation.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// Costs and their derivatives below this count as zero: nothing is loaded.
-    constexpr double smallest_cost = 1e-12;
-
-    /// So well are the equations satisfied in the end, relative to the largest
-    /// of their terms. Those of the forces count as stresses on small sides.
-    constexpr double       primal_tolerance = 1e-13;
-    constexpr double       dual_tolerance   = 1e-10;
     constexpr unsigned int max_restorations = 5;
-
-    /// Slacks outside their cones by less count as inside.
-    constexpr double cone_tolerance = 1e-10;
 
 
 
@@ -39,8 +30,8 @@ namespace ElastoPlastic
     bool
     satisfies_equations(const ConicSolution &solution)
     {
-      return solution.primal_error <= primal_tolerance &&
-             solution.dual_error <= dual_tolerance;
+      return solution.primal_error <= Tolerance::primal_equations &&
+             solution.dual_error <= Tolerance::dual_equations;
     }
 
 
@@ -76,7 +67,7 @@ namespace ElastoPlastic
         {
           const auto of_s = layout.cone(s, c);
           if (SecondOrderCone::norm_of_tail(of_s) - of_s[0] >
-              cone_tolerance * layout.scales[c].slack)
+              Tolerance::cone * layout.scales[c].slack)
             return false;
         }
       return true;
@@ -147,14 +138,15 @@ namespace ElastoPlastic
     system.subtract_product(residual, solution);
 
     solution.cost = 0.5 * quadratic_cost + linear_cost - solution.load_factor;
-    solution.relative_gap = (solution.s * solution.z) /
-                            std::max(smallest_cost, std::abs(solution.cost));
+    solution.relative_gap =
+      (solution.s * solution.z) /
+      std::max(Tolerance::smallest_cost, std::abs(solution.cost));
     solution.primal_error =
       std::max(residual.y.linfty_norm(), residual.z.linfty_norm()) /
       primal_size;
     solution.dual_error =
       std::max(residual.x.linfty_norm(), std::abs(residual.load_factor)) /
-      std::max(smallest_cost, dual_size);
+      std::max(Tolerance::smallest_cost, dual_size);
     return residual;
   }
 

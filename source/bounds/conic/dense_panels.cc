@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "bounds/conic/dense_panels.h"
+#include "bounds/conic/multifrontal_factor.h"
 
 // Products are computed as in the libraries (Goto and van de Geijn 2008): a few
 // rows of A and a few of B are packed one column after the other, so that their

@@ -12,6 +12,7 @@
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/kkt_system.h"
 #include "bounds/conic/step_direction.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
@@ -22,20 +23,8 @@ namespace ElastoPlastic
     /// So many iterations without a better iterate are the last.
     constexpr unsigned int max_idle_iterations = 15;
 
-    /// If rounding errors end the iteration early, its best iterate is returned
-    /// unless the gap is larger than this.
-    constexpr double largest_gap = 1e-2;
-
     /// How much of the way to the boundary of the cones a step goes.
     constexpr double largest_part = 0.99;
-
-    /// So well must the equations be satisfied, relative to the largest of
-    /// their terms. The difference is made up in the end.
-    constexpr double equation_tolerance = 1e-6;
-
-    /// See KktSystem::solve(): only the length of a step and products of second
-    /// order remain of the predictor.
-    constexpr double predictor_residual = 1e-4;
 
     /// So many corrections of centrality at most, of steps that are not long,
     /// until one makes them little longer.
@@ -43,17 +32,8 @@ namespace ElastoPlastic
     constexpr double       long_step       = 0.9;
     constexpr double       smallest_gain   = 0.03;
 
-    /// Below this relative gap, rounding errors of another direction may be
-    /// larger than what a longer step gains.
-    constexpr double smallest_corrected_gap = 1e-12;
-
-    /// So well must the equations of an iterate be satisfied that is to be
-    /// strictly inside the cones, and so many steps may that take.
-    constexpr double       interior_tolerance = 1e-12;
-    constexpr unsigned int max_centerings     = 10;
-
-    /// A live load is of order 1, or rounding errors.
-    constexpr double smallest_live_load = 1e-10;
+    /// So many steps may it take until an iterate is strictly inside the cones.
+    constexpr unsigned int max_centerings = 10;
 
     using SecondOrderCone::ConstView;
     using SecondOrderCone::View;
@@ -146,7 +126,7 @@ namespace ElastoPlastic
     InteriorPoint::run()
     {
       if (program.live_load.size() > 0 &&
-          program.live_load.linfty_norm() < smallest_live_load)
+          program.live_load.linfty_norm() < Tolerance::smallest_load)
         throw UnboundedError();
       begin();
       while (!converged() && current.n_iterations < max_iterations &&
@@ -162,7 +142,7 @@ namespace ElastoPlastic
       current            = best;
       current.is_optimal = converged();
       if (interior.x.size() == 0 ||
-          current.relative_gap > std::max(tolerance, largest_gap))
+          current.relative_gap > std::max(tolerance, Tolerance::largest_gap))
         throw ConvergenceError("The interior point method has not converged.");
       const ConicSolution last = current;
       if (!make_admissible(program, layout, system, interior, current))
@@ -203,7 +183,7 @@ namespace ElastoPlastic
     {
       return std::max(current.relative_gap / tolerance,
                       std::max(current.primal_error, current.dual_error) /
-                        equation_tolerance);
+                        Tolerance::equations);
     }
 
 
@@ -225,7 +205,8 @@ namespace ElastoPlastic
           best          = current;
           best_distance = distance_from_solution();
         }
-      if (interior.x.size() == 0 && current.primal_error <= equation_tolerance)
+      if (interior.x.size() == 0 &&
+          current.primal_error <= Tolerance::equations)
         interior = current;
     }
 
@@ -261,7 +242,7 @@ namespace ElastoPlastic
 
       // The predictor tells how much smaller the gap can become in one step,
       Vector<double> complementarity = square(layout, scaled);
-      find_direction(complementarity, 1., predictor_residual);
+      find_direction(complementarity, 1., Tolerance::residual_of_predictor);
       const double centering =
         std::pow(1. - std::min(1., largest_step(layout, scaled, direction)), 3);
 
@@ -275,9 +256,7 @@ namespace ElastoPlastic
         }
       subtract_centre(scaled_s, centering * (current.s * current.z));
       complementarity += scaled_s;
-      find_direction(complementarity,
-                     1. - centering,
-                     KktSystem::usual_residual);
+      find_direction(complementarity, 1. - centering, Tolerance::residual);
       advance(correct_centrality(complementarity, centering));
       return true;
     }
@@ -291,7 +270,7 @@ namespace ElastoPlastic
                                       const double    centering)
     {
       double length = largest_step(layout, scaled, direction);
-      if (current.relative_gap < smallest_corrected_gap)
+      if (current.relative_gap < Tolerance::smallest_corrected_gap)
         return length;
       Vector<double> targets = shares;
       targets *= centering * (current.s * current.z);
@@ -300,9 +279,7 @@ namespace ElastoPlastic
           StepDirection last = std::move(direction);
           complementarity -=
             centrality_correction(layout, scaled, last, length, targets);
-          find_direction(complementarity,
-                         1. - centering,
-                         KktSystem::usual_residual);
+          find_direction(complementarity, 1. - centering, Tolerance::residual);
           const double gain = largest_step(layout, scaled, direction) - length;
           if (gain < 0)
             direction = std::move(last);
@@ -342,13 +319,13 @@ namespace ElastoPlastic
       current  = iterate;
       residual = evaluate(program, layout, system, current);
       for (unsigned int k = 0;
-           k < max_centerings && current.primal_error > interior_tolerance &&
+           k < max_centerings && current.primal_error > Tolerance::interior &&
            scale();
            ++k)
         {
           Vector<double> complementarity = square(layout, scaled);
           subtract_centre(complementarity, current.s * current.z);
-          find_direction(complementarity, 1., KktSystem::usual_residual);
+          find_direction(complementarity, 1., Tolerance::residual);
           advance(largest_step(layout, scaled, direction));
           residual = evaluate(program, layout, system, current);
         }

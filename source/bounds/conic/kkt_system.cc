@@ -8,15 +8,12 @@
 #include <limits>
 
 #include "bounds/conic/kkt_system.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// What is added to the diagonal of the sum of all blocks, relative to each
-    /// entry, one after the other until it can be factorised.
-    constexpr std::array<double, 4> sum_roundings = {{0., 1e-14, 1e-12, 1e-10}};
-
     /// Solves are repeated so often at most, while each halves the residual.
     constexpr unsigned int max_repetitions = 12;
 
@@ -111,7 +108,7 @@ namespace ElastoPlastic
   KktSystem::factorize_sum()
   {
     double added = 0;
-    for (const double rounding : sum_roundings)
+    for (const double rounding : Tolerance::roundings_of_sum)
       {
         for (unsigned int i = 0; i < n_sparse_rows; ++i)
           matrix.diag_element(i) *= 1. + rounding - added;

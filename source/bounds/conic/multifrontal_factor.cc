@@ -8,7 +8,6 @@
 #include <numeric>
 #include <utility>
 
-#include "bounds/conic/dense_panels.h"
 #include "bounds/conic/multifrontal_factor.h"
 
 #include <omp.h>

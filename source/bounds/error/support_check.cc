@@ -10,6 +10,7 @@
 #include "base/exceptions.h"
 #include "base/largest_error.h"
 #include "base/text.h"
+#include "bounds/conic/tolerances.h"
 #include "bounds/error/support_check.h"
 
 namespace ElastoPlastic
@@ -34,8 +35,7 @@ namespace ElastoPlastic
       void
       require_rounding_errors(const std::string &what_is_needed) const
       {
-        constexpr double rounding = 1e-8;
-        if (!(largest <= rounding * largest_displacement))
+        if (!(largest <= Tolerance::admissibility * largest_displacement))
           throw ConvergenceError(
             "The displacement differs from what the supports prescribe by " +
             to_text(largest) + ". " + what_is_needed);
@@ -149,8 +149,6 @@ namespace ElastoPlastic
                         const unsigned int  degree,
                         const LoadOnSide    load_on_side)
     {
-      constexpr double rounding = 1e-6;
-
       double       largest = 0, largest_distance = 0;
       unsigned int worst_side = 0;
       for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
@@ -171,7 +169,7 @@ namespace ElastoPlastic
                 worst_side = s;
               keep_largest(largest_distance, distance);
             }
-      if (largest_distance > rounding * largest)
+      if (largest_distance > Tolerance::traction * largest)
         reject_tractions(body, worst_side, degree);
     }
   } // namespace
@@ -181,8 +179,6 @@ namespace ElastoPlastic
   void
   require_quadratic_supports(const SplitBody<2> &body)
   {
-    constexpr double rounding = 1e-9;
-
     for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
       for (const auto &component : body.conditions[s].components)
         if (component.type == ConditionType::displacement)
@@ -193,7 +189,8 @@ namespace ElastoPlastic
               keep_largest(largest, std::abs(component.value(point)));
               return component.value(point);
             };
-            if (distance_to_polynomial(corners, 2, value) > rounding * largest)
+            if (distance_to_polynomial(corners, 2, value) >
+                Tolerance::expression * largest)
               throw InputError(
                 "A displacement of 'Boundary conditions/Prescribed "
                 "displacement' "

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/largest_error.h"
-#include "bounds/mechanism/dilatancy.h"
+#include "bounds/mechanism/velocity_check.h"
 
 namespace ElastoPlastic
 {

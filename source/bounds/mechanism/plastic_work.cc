@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bounds/mechanism/dilatancy.h"
 #include "bounds/mechanism/face_view.h"
 #include "bounds/mechanism/velocity_check.h"
 #include "bounds/stress/inverse_square.h"

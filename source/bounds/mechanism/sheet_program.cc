@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bounds/conic/interior_point.h"
+#include "bounds/conic/tolerances.h"
 #include "bounds/conic/yield_conditions.h"
 #include "bounds/mechanism/quadratic_field.h"
 #include "bounds/mechanism/velocity_program.h"
@@ -15,8 +16,6 @@ namespace ElastoPlastic
   {
     /// Stresses at the corners of a triangle: 11, 22, 12.
     constexpr unsigned int n_stresses = 9;
-
-    constexpr double part_of_tolerance = 1e-3;
 
     constexpr unsigned int invalid = numbers::invalid_unsigned_int;
 
@@ -36,7 +35,8 @@ namespace ElastoPlastic
       fix(const Tensor<1, 2> &direction)
       {
         for (unsigned int c = 0; c < 2; ++c)
-          if (std::abs(std::abs(directions[c] * direction) - 1.) < 1e-10)
+          if (std::abs(std::abs(directions[c] * direction) - 1.) <
+              Tolerance::small_angle)
             {
               fixed[c] = true;
               return;
@@ -333,8 +333,9 @@ namespace ElastoPlastic
     {
       // With friction, rates must be in the dual cones of the yield condition:
       // what they lack becomes smaller with the gap.
-      const double smaller =
-        body.has_friction() ? part_of_tolerance * tolerance : tolerance;
+      const double        smaller  = body.has_friction() ?
+                                       Tolerance::part_with_friction * tolerance :
+                                       tolerance;
       const ConicSolution solution = minimize(program, smaller);
 
       std::vector<Tensor<1, 2>> velocities(nodes.size());

@@ -4,22 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/stream_element.h"
 #include "bounds/stress/inverse_square.h"
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    /// On triangles of a size h that are far from the axis, r^2 chi is close to
-    /// any phi, so that rounding errors could hardly tell them apart. So phi
-    /// costs the work of this part of r / h times its rate at least, which is
-    /// this part of what slips of the same velocity cost.
-    constexpr double flux_penalty = 1e-4;
-  } // namespace
-
-
-
   StreamElement::StreamElement(const SplitBody<2> &body,
                                const unsigned int  triangle,
                                const bool          has_flux)
@@ -178,7 +168,8 @@ namespace ElastoPlastic
     const double r    = (corners[0][0] + corners[1][0] + corners[2][0]) / 3.;
     result.weights.push_back(
       size * r *
-      std::max(inverse_square.error(), flux_penalty / (r * std::sqrt(size))));
+      std::max(inverse_square.error(),
+               Tolerance::flux_penalty / (r * std::sqrt(size))));
   }
 
 

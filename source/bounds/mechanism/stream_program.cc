@@ -6,6 +6,7 @@
 
 #include "bounds/conic/dissipation_block.h"
 #include "bounds/conic/interior_point.h"
+#include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/face_view.h"
 #include "bounds/mechanism/stream_element.h"
 #include "bounds/mechanism/stream_unknowns.h"
@@ -15,10 +16,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// Relative to the largest of their kind: coefficients that vanish on the
-    /// axis.
-    constexpr double relative_zero = 1e-12;
-
     /// Coefficients that do not vanish on the axis.
     std::vector<unsigned int>
     non_zero_rows(const FullMatrix<double> &matrix)
@@ -29,7 +26,7 @@ namespace ElastoPlastic
         if (std::any_of(&matrix(i, 0),
                         &matrix(i, 0) + matrix.n(),
                         [&](const double entry) {
-                          return std::abs(entry) > relative_zero * largest;
+                          return std::abs(entry) > Tolerance::on_axis * largest;
                         }))
           rows.push_back(i);
       return rows;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "bounds/body/split_body.h"
+#include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/stream_unknowns.h"
 
 namespace ElastoPlastic
@@ -81,15 +82,13 @@ namespace ElastoPlastic
   void
   StreamUnknowns::close_side(Sets &sets, const unsigned int s) const
   {
-    constexpr double rounding = 1e-12;
-
     const auto    &vertices = body.mesh.faces[s].vertices;
     const Point<2> a        = body.mesh.vertices[vertices[0]],
                    b        = body.mesh.vertices[vertices[1]];
     if (body.is_on_axis(a) && body.is_on_axis(b))
       return;
-    const bool varies =
-      std::abs(body.weight(a) - body.weight(b)) > rounding * a.distance(b);
+    const bool varies = std::abs(body.weight(a) - body.weight(b)) >
+                        Tolerance::on_axis * a.distance(b);
     for (unsigned int i = 0; i < 4; ++i)
       sets.union_set(cubic(s, vertices[0], i), varies ? zero : vertices[0]);
     sets.union_set(first_flux + vertices[0], first_flux + vertices[1]);

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/largest_error.h"
-#include "bounds/mechanism/dilatancy.h"
+#include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/face_view.h"
 #include "bounds/mechanism/velocity_check.h"
 
@@ -215,8 +215,6 @@ namespace ElastoPlastic
   double
   lowest_depth(const SplitBody<dim> &body, const Velocities<dim> &velocity)
   {
-    constexpr double rounding = 1e-12;
-
     double depth = std::numeric_limits<double>::infinity();
     for (const auto &view : views_of_faces(body))
       if (view.condition.is_reached)
@@ -224,7 +222,7 @@ namespace ElastoPlastic
           const auto [of_body, of_indenter] =
             against_indenter(body, view, velocity);
           for (unsigned int i = 0; i < of_body.size(); ++i)
-            if (of_indenter[i] > rounding * body.weight_unit())
+            if (of_indenter[i] > Tolerance::on_axis * body.weight_unit())
               depth = std::min(depth, of_body[i] / of_indenter[i]);
         }
     return depth;

@@ -3,6 +3,7 @@
 
 #include "base/largest_error.h"
 #include "base/tensors.h"
+#include "bounds/conic/tolerances.h"
 #include "bounds/stress/local_stresses.h"
 #include "bounds/stress/stress_field.h"
 
@@ -110,7 +111,7 @@ namespace ElastoPlastic
   double
   StressField<dim>::contact_area(const SplitBody<dim> &body) const
   {
-    const double threshold = 1e-4 * max_pressure();
+    const double threshold = Tolerance::smallest_pressure * max_pressure();
     double       result    = 0;
     for (unsigned int f = 0; f < pressure.size(); ++f)
       for (unsigned int i = 0; i < pressure[f].size(); ++i)

@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "bounds/body/evaluated_bounds.h"
-#include "bounds/stress/stress_problem.h"
+#include "bounds/conic/tolerances.h"
+#include "bounds/stress/stress_field.h"
 #include "bounds/stress/stress_program.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// Of the gap between cost and dual cost. Without compliance, the linear
-    /// systems are singular, and rounding errors larger.
-    constexpr double energy_tolerance = 1e-9;
-
     /// Of the stresses with the least energy: ErrorBound is for linear ones.
     constexpr unsigned int energy_degree = 1;
 
@@ -63,7 +60,7 @@ namespace ElastoPlastic
   {
     auto program = complementary_energy(body);
     program.prescribe_force(force);
-    return program.solve(energy_tolerance);
+    return program.solve(Tolerance::gap_of_energy);
   }
 
 
@@ -74,7 +71,7 @@ namespace ElastoPlastic
   {
     auto program = complementary_energy(body);
     program.add_force(-depth);
-    auto field  = program.solve(energy_tolerance);
+    auto field  = program.solve(Tolerance::gap_of_energy);
     field.depth = depth;
     return field;
   }
