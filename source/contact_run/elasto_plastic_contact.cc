@@ -145,7 +145,7 @@ namespace ElastoPlastic
                                                body.triangulation(),
                                                body.gap_function(),
                                                parameters.evaluation),
-                         make_rate_test(model),
+                         make_rate_test(model, parameters.loading),
                          progress);
     output_directory.write_input(parameters.effective_input);
     write_table_reference(communicator, parameters.output);
