@@ -106,7 +106,8 @@ namespace ElastoPlastic
     void
     serialize(Archive &archive, const unsigned int /* version */)
     {
-      archive &time_steps &load_program &mesh_number &last_step;
+      archive &time_steps &load_program &mesh_number &last_step
+        &has_been_halved;
     }
 
     /// Its place in the history.

@@ -122,7 +122,9 @@ namespace ElastoPlastic
     set_initial_stress(const InitialStress<dim> &stress);
 
     /// Adds to the initial stress that of @p displacement if the body were
-    /// elastic and without stress.
+    /// elastic and without stress. Collective.
+    /// @throws InputError if it is then beyond the yield stress of a material
+    /// without a rate law.
     void
     add_to_initial_stress(const VectorType &displacement);
 

@@ -34,10 +34,12 @@ namespace ElastoPlastic
 
 
 
-  /// Watches how hardness depends on the rate, if a material has a rate law.
+  /// Watches how hardness depends on the rate, if a material has a rate law, in
+  /// the segments of the @p loading of @p model; corners of its path divide
+  /// none.
   template <int dim>
   std::optional<RateTest>
-  make_rate_test(const Model<dim> &model);
+  make_rate_test(const Model<dim> &model, const LoadingParameters &loading);
 
 
 

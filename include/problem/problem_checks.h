@@ -19,7 +19,8 @@
 // What can be wrong with a problem although each of its entries is right, and
 // shows on a mesh or when time goes on: looked at before there are results and
 // earlier ones are gone. The checks of loads are in load_checks.cc, those of
-// supports in support_checks.cc.
+// supports in support_checks.cc, those of planes of symmetry in
+// symmetry_checks.cc.
 
 namespace ElastoPlastic
 {
@@ -28,6 +29,15 @@ namespace ElastoPlastic
   template <int dim>
   void
   check_contact_boundaries(
+    const Model<dim>                                &model,
+    const parallel::distributed::Triangulation<dim> &triangulation);
+
+  /// Rollers in a vertical plane through the first position of the indenter
+  /// make that a plane of symmetry: of the yield criteria of the materials,
+  /// too, in a plane body or in space. Collective. @throws InputError
+  template <int dim>
+  void
+  check_symmetry_of_materials(
     const Model<dim>                                &model,
     const parallel::distributed::Triangulation<dim> &triangulation);
 

@@ -50,7 +50,11 @@ class Commands(unittest.TestCase):
                             "plot", "energy", self.folder / "cone")
         self.expect_message("nothing to show for stress_strain", "plot", "stress_strain", self.folder / "cone")
         self.expect_message("parameters.prm' cannot be read: No such file", "plot", "energies", self.folder)
-        self.expect_message("cannot be written", "plot", self.folder / "cone", "--output-directory", "/nowhere", status=5)
+        plots = self.folder / "plots" / "of_cone"
+        process = command("plot", "energies", self.folder / "cone", "--output-directory", plots)
+        self.assertEqual(process.stdout, f"{plots}/energies.png\n")
+        self.expect_message("cannot be written: ", "plot", self.folder / "cone", "--output-directory",
+                            self.folder / "cone" / "history.csv" / "plots", status=5)
         for step in (999, -21):
             self.expect_message(f"there is no step {step} in '.*history.csv': it has 20, counted from 0, or from -1 backwards",
                                 "plot", self.folder / "cone", "--step", step)

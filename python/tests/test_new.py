@@ -317,6 +317,7 @@ class Command(unittest.TestCase):
 
     def test_messages_on_surfaces(self):
         (self.folder / "heights.txt").write_text("1 2 3 4 5\n2 3 four 5 6\n")
+        (self.folder / "map#1.txt").write_text("1 2\n2 3\n")
         scale, depth = ("--height-scale", "1 nm"), ("--depth", "1 um")
         for pattern, *arguments in (
                 ("--surface is 'nowhere.txt', which cannot be read: No such file",
@@ -324,6 +325,8 @@ class Command(unittest.TestCase):
                 ("--surface is '.', which cannot be read: Is a directory", *self.surface(".", *scale, *depth)),
                 ("the program refuses the file, perhaps for the surface 'heights.txt': .*number 3 in line 2 is not a",
                  *self.surface("heights.txt", *scale, *depth)),
+                ("--surface is 'map#1.txt' as the file sees it, and '#' begins a comment there: give it another name",
+                 *self.surface("map#1.txt", *scale, *depth)),
                 ("--surface needs --height-scale '1 nm', the height of the number 1",
                  *self.surface("heights.txt", *depth)),
                 ("--surface needs --depth '500 nm'", *self.surface("heights.txt", *scale)),

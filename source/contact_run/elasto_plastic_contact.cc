@@ -47,6 +47,8 @@ namespace ElastoPlastic
   {
     step.make_body();
     check_contact_boundaries(model, body.triangulation());
+    if (body.gap_function().has_indenter())
+      check_symmetry_of_materials(model, body.triangulation());
     check_field_times(parameters.output, model.load_program);
     check_loads(model, step.times(), body.dof_handler(), body.triangulation());
     check_supports(model,
@@ -144,7 +146,7 @@ namespace ElastoPlastic
                                                body.triangulation(),
                                                body.gap_function(),
                                                parameters.evaluation),
-                         make_rate_test(model),
+                         make_rate_test(model, parameters.loading),
                          progress);
     output_directory.write_input(parameters.effective_input);
     write_table_reference(communicator, parameters.output);

@@ -153,8 +153,9 @@ namespace ElastoPlastic
   bool
   LoadStep<dim>::halve()
   {
-    has_been_halved = time_steps.cut();
-    return has_been_halved;
+    const bool is_shorter = time_steps.cut();
+    has_been_halved       = has_been_halved || is_shorter;
+    return is_shorter;
   }
 
 

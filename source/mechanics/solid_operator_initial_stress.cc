@@ -87,17 +87,19 @@ namespace ElastoPlastic
           }
       }
 
-      /// @throws InputError if there is one.
+      /// @throws InputError if there is one, which calls the stress
+      /// @p completed.
       void
-      check() const
+      check(const std::string &completed) const
       {
         if (largest_ratio == 1.)
           return;
         std::ostringstream where;
         where << place;
         throw InputError(
-          "The 'Initial stress' is beyond the yield stress: at (" +
-          where.str() + ") the equivalent stress is " + to_text(equivalent) +
+          "The 'Initial stress'" + completed +
+          " is beyond the yield stress: at (" + where.str() +
+          ") the equivalent stress is " + to_text(equivalent) +
           ", and 'Material/Yield stress' is " + to_text(yield_stress) +
           ". No body could bear it. Make it smaller, or raise the yield "
           "stress to that of the hardened material.");
@@ -108,6 +110,32 @@ namespace ElastoPlastic
       double     equivalent = 0., yield_stress = 0.;
       Point<dim> place;
     };
+
+
+
+    /// Calls @p use with batch, lane, quadrature point and its place, for all
+    /// of them on this process.
+    template <int dim, typename Use>
+    void
+    for_each_point(const SolidKernel<dim> &kernel,
+                   const unsigned int      n_points,
+                   const Use              &use)
+    {
+      const unsigned int n_points_per_line =
+        std::lround(std::pow(n_points, 1. / dim));
+      const FE_Nothing<dim> fe;
+      FEValues<dim>         values(fe,
+                           QGauss<dim>(n_points_per_line),
+                           update_quadrature_points);
+      for (unsigned int batch = 0; batch < kernel.n_batches(); ++batch)
+        for (unsigned int lane = 0; lane < kernel.n_cells(batch); ++lane)
+          {
+            values.reinit(typename Triangulation<dim>::active_cell_iterator(
+              kernel.cell(batch, lane)));
+            for (unsigned int q = 0; q < n_points; ++q)
+              use(batch, lane, q, values.quadrature_point(q));
+          }
+    }
   } // namespace
 
 
@@ -119,32 +147,25 @@ namespace ElastoPlastic
     VectorType layout;
     initialize_vector(layout);
     initial_strains.reinit(kernel->n_batches(), n_points);
-    const unsigned int n_points_per_line =
-      std::lround(std::pow(n_points, 1. / dim));
-    const FE_Nothing<dim> fe;
-    FEValues<dim>         values(fe,
-                         QGauss<dim>(n_points_per_line),
-                         update_quadrature_points);
-    const auto            set = [&]() {
+    const auto set = [&]() {
       Excess<dim> excess;
-      for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
-        for (unsigned int lane = 0; lane < kernel->n_cells(batch); ++lane)
-          {
-            values.reinit(typename Triangulation<dim>::active_cell_iterator(
-              kernel->cell(batch, lane)));
-            const Material<double> material = lane_of(materials[batch], lane);
-            for (unsigned int q = 0; q < n_points; ++q)
-              {
-                const Point<dim> &point = values.quadrature_point(q);
-                const auto        at_point = stress.value(point);
-                excess.look_at(point, at_point, material);
-                const auto strain = elastic_strain(material, at_point);
-                for (unsigned int i = 0; i < 6; ++i)
-                  initial_strains.at(batch, q).access_raw_entry(i)[lane] =
-                    strain.access_raw_entry(i);
-              }
-          }
-      excess.check();
+      for_each_point<dim>(*kernel,
+                          n_points,
+                          [&](const unsigned int batch,
+                              const unsigned int lane,
+                              const unsigned int q,
+                              const Point<dim>  &point) {
+                            const Material<double> material =
+                              lane_of(materials[batch], lane);
+                            const auto at_point = stress.value(point);
+                            excess.look_at(point, at_point, material);
+                            const auto strain =
+                              elastic_strain(material, at_point);
+                            for (unsigned int i = 0; i < 6; ++i)
+                              initial_strains.at(batch, q).access_raw_entry(
+                                i)[lane] = strain.access_raw_entry(i);
+                          });
+      excess.check("");
     };
     rethrow_collectively(layout.get_mpi_communicator(), set);
   }
@@ -179,6 +200,26 @@ namespace ElastoPlastic
         }
     };
     kernel->for_each_batch({&displacement}, add);
+
+    const auto check = [&]() {
+      Excess<dim> excess;
+      for_each_point<dim>(
+        *kernel,
+        n_points,
+        [&](const unsigned int batch,
+            const unsigned int lane,
+            const unsigned int q,
+            const Point<dim>  &point) {
+          const Material<double> material = lane_of(materials[batch], lane);
+          excess.look_at(point,
+                         elastic_stress(material,
+                                        lane_of(initial_strains.at(batch, q),
+                                                lane)),
+                         material);
+        });
+      excess.check(", completed by what supports and loads at t = 0 ask for,");
+    };
+    rethrow_collectively(displacement.get_mpi_communicator(), check);
   }
 
 

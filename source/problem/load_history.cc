@@ -77,11 +77,13 @@ namespace ElastoPlastic
 
   template <int dim>
   std::optional<RateTest>
-  make_rate_test(const Model<dim> &model)
+  make_rate_test(const Model<dim> &model, const LoadingParameters &loading)
   {
     if (!has_rate_law(model))
       return {};
-    return RateTest(model.load_program.segment_ends(),
+    LoadingParameters at_rest = loading;
+    at_rest.path.clear();
+    return RateTest(LoadProgram(at_rest).segment_ends(),
                     model.load_program.holds());
   }
 
@@ -117,9 +119,9 @@ namespace ElastoPlastic
   make_time_steps(const Model<3> &, const Parameters &);
 
   template std::optional<RateTest>
-  make_rate_test(const Model<2> &);
+  make_rate_test(const Model<2> &, const LoadingParameters &);
   template std::optional<RateTest>
-  make_rate_test(const Model<3> &);
+  make_rate_test(const Model<3> &, const LoadingParameters &);
 
   template std::vector<std::string>
   remarks_on_holds(const Model<2> &);

@@ -68,7 +68,7 @@ def ask_for(kind, texts):
 
 
 def write_case(case, path, overwrite):
-    """The file and what lies beside it."""
+    """The file and what lies beside it. Raises UserError."""
     beside = {path.with_name(name.format(stem=path.stem)): text for name, text in case.files.items()}
     for existing in filter(pathlib.Path.exists, (path, *beside)):
         if not overwrite:
@@ -76,7 +76,10 @@ def write_case(case, path, overwrite):
     case.set("Output", "Directory", f"output/{path.stem}")
     text = case.text().replace("{stem}", path.stem)
     if case.surface is not None:
-        text = text.replace("{surface}", os.path.relpath(case.surface, path.parent))
+        surface = os.path.relpath(case.surface, path.parent)
+        if "#" in surface:
+            raise UserError(f"--surface is '{surface}' as the file sees it, and '#' begins a comment there: give it another name")
+        text = text.replace("{surface}", surface)
     with new_file(path) as file:
         file.write(text)
     for name, text in beside.items():

@@ -22,7 +22,7 @@ from . import curves, equilibrium
 from .figures import add_units, letter, make_parser, new_diagram, plt, save
 from .quantities import check_shown_entry, scales_of
 from ..arguments import number, picture
-from ..errors import NothingToShow, UserError
+from ..errors import FileError, NothingToShow, UserError
 from ..results import Results
 
 DIAGRAMS = {curve.__name__: curve for curve in curves.ALL}
@@ -51,7 +51,7 @@ def make_run_parser(others):
                         help="which entry of surface.pvd, counted from 0 (default: of a load history the one with the "
                              "largest force, else the last)")
     parser.add_argument("--format", choices=["png", "svg", "pdf"], help="of the files (default: png)")
-    parser.add_argument("--output-directory", help="where the plots go (default: DIRECTORY)")
+    parser.add_argument("--output-directory", help="where the plots go, a folder that is made if need be (default: DIRECTORY)")
     parser.add_argument("--panels", type=picture, metavar="FILE",
                         help="one figure with the panels (a), (b) and so on instead, the diagrams that are named")
     return parser
@@ -98,6 +98,14 @@ def draw_panels(run, arguments, scales):
         draw_or_complain(name, run, arguments, scales, axes)
         letter(axes, i)
     save(figure, arguments.panels)
+
+
+def make_folder(path):
+    """Raises FileError."""
+    try:
+        os.makedirs(path, exist_ok=True)
+    except OSError as error:
+        raise FileError(path, error) from None
 
 
 def path_of(name, arguments):
@@ -153,9 +161,11 @@ def main(arguments, others):
     if arguments.step is not None:
         check_shown_entry(run, arguments.step)
     if run.has("limit_load.csv"):
+        make_folder(arguments.output_directory or arguments.directory)
         draw_limit_load(run, arguments)
         return
     check_options(run, arguments)
     scales = scales_of(run, arguments)
+    make_folder(arguments.output_directory or arguments.directory)
     draw = draw_panels if arguments.panels else draw_each if arguments.names else draw_all
     draw(run, arguments, scales)

@@ -133,3 +133,17 @@ def creep_runs(runner):
                     largest = max(row[column] for row in whole[table])
                     difference = max(abs(a[column] - b[column]) for a, b in zip(whole[table], other[table])) / largest
                     runner.compare(f"{name}: {column}", difference, 0, 1e-9, absolute=True)
+
+
+def hold_before_path(runner):
+    """A sphere that is held before it moves sideways: corners of 'Loading/Path' change nothing of what the hold says."""
+    entries = ("Geometry/Lower corner=0, -1, -1", "Geometry/Upper corner=1, 1, 0", "Geometry/Repetitions=1, 2, 1",
+               "Boundary conditions/Roller=left", "Boundary conditions/Free=right, back, front",
+               "Refinement/Elements over contact radius=0", "Material/Law=linear elastic", "Material/Rate law=Norton",
+               f"Material/Rate exponent={EXPONENT}", f"Material/Reference rate={REFERENCE_RATE}", "Material/Rate stress=400",
+               "Loading/History=1: force 100 | 11: hold | 12: force 0", "Loading/Number of steps=24")
+    rows, of_path = (runner.tables("indentation/sphere_3d.prm", *entries, *path)["indentation"]
+                     for path in ((), ("Loading/Path=6: 0, 0 | 11: 0, 0 | 12: 0, 1e-7",)))
+    runner.verify("one row of the hold", [row["time"] for row in rows] == [row["time"] for row in of_path] == [11])
+    for column in ("creep_depth", "hold_rate_sensitivity"):
+        runner.compare(column, of_path[0][column], rows[0][column], 1e-6)

@@ -38,7 +38,7 @@ from .job_preview import curved_body, job_preview
 from .load_steps import adaptive_steps, checkpoint_memory
 from .new_cases import (new_berkovich, new_brinell, new_coating, new_cone, new_limit_load, new_material_test,
                         new_rockwell, new_sphere, new_vickers)
-from .hardness_and_rate import creep_hardness, creep_punch, creep_runs, creep_similarity
+from .hardness_and_rate import creep_hardness, creep_punch, creep_runs, creep_similarity, hold_before_path
 from .ratchetting import ratchetting_drift
 from .rate_dependence import creep_accurate_steps, creep_contact, creep_cylinder, creep_sphere, rates_uniaxial
 from .rounding import contrast, direct_contact, moved_body, nearly_incompressible
@@ -294,7 +294,7 @@ ALL = {
     for function in (step42, step42_fine, confined_block, confined_history, uniaxial,
                      uniaxial_history, nonlinear_history, recovery_in_tension, ratchetting_drift, chaboche_contact,
                      rates_uniaxial, creep_cylinder, creep_sphere, creep_contact, creep_accurate_steps, creep_hardness, creep_punch,
-                     creep_similarity, creep_runs,
+                     creep_similarity, creep_runs, hold_before_path,
                      hill_tension, hill_plane_strain, turned_axes, hosford_cylinder, criteria_and_von_mises, hill_indentation,
                      force_control, hertz, hertz_axisymmetric, hertz_cylinder,
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,

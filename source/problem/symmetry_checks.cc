@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include "base/compatibility.h"
+#include "base/exceptions.h"
+#include "problem/problem_checks.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    using Stress = SymmetricTensor<2, 3>;
+
+    /// Five deviators, of which all others are sums, and the sums of any two of
+    /// them: quadratic forms of deviators that agree on these are the same.
+    std::vector<Stress>
+    sample_deviators()
+    {
+      std::array<Stress, 5> basis;
+      basis[0][0][0] = basis[1][1][1] = 1.;
+      basis[0][1][1] = basis[1][2][2] = -1.;
+      basis[2][0][1] = basis[3][0][2] = basis[4][1][2] = 1.;
+      std::vector<Stress> result;
+      for (unsigned int i = 0; i < basis.size(); ++i)
+        {
+          result.push_back(basis[i]);
+          for (unsigned int j = 0; j < i; ++j)
+            result.push_back(basis[i] + basis[j]);
+        }
+      return result;
+    }
+
+
+
+    /// Whether the equivalent stress is the same for a stress and its mirror
+    /// image.
+    bool
+    is_symmetric_about_plane(const GeneralCriterion &criterion,
+                             const Tensor<1, 3>     &normal)
+    {
+      constexpr double rounding = 1e-8;
+
+      const Tensor<2, 3> mirror = Tensor<2, 3>(unit_symmetric_tensor<3>()) -
+                                  2. * outer_product(normal, normal);
+      const auto equivalent = [&](const Stress &deviator) {
+        return std::visit(
+          [&](const auto &of_type) {
+            return of_type.equivalent_stress(deviator);
+          },
+          criterion);
+      };
+      const std::vector<Stress> stresses = sample_deviators();
+      return std::all_of(stresses.begin(),
+                         stresses.end(),
+                         [&](const Stress &stress) {
+                           const Stress image =
+                             symmetrize(mirror * Tensor<2, 3>(stress) * mirror);
+                           const double value = equivalent(stress);
+                           return std::abs(equivalent(image) - value) <=
+                                  rounding * value;
+                         });
+    }
+
+
+
+    /// The normals of the faces of this process on rollers in vertical planes
+    /// through the indenter's first position.
+    template <int dim>
+    std::vector<Tensor<1, 3>>
+    normals_of_symmetry(const Model<dim>         &model,
+                        const Triangulation<dim> &triangulation)
+    {
+      constexpr double rounding = 1e-8;
+
+      const auto rollers =
+        model.boundary_conditions.ids(BoundaryConditionType::roller);
+      const FE_Nothing<dim> fe;
+      FEFaceValues<dim> values(fe, QMidpoint<dim - 1>(), update_normal_vectors);
+      std::vector<Tensor<1, 3>> result;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int f : cell->face_indices())
+            if (const auto face = cell->face(f);
+                face->at_boundary() && rollers.count(face->boundary_id()) > 0)
+              {
+                values.reinit(cell, f);
+                const Tensor<1, dim> normal   = values.normal_vector(0);
+                const auto           vertices = face->vertex_indices();
+                if (std::abs(normal[dim - 1]) > rounding ||
+                    !std::all_of(
+                      vertices.begin(), vertices.end(), [&](const auto v) {
+                        double distance = 0;
+                        for (unsigned int d = 0; d < dim - 1; ++d)
+                          distance += normal[d] * (face->vertex(v)[d] -
+                                                   model.indenter.position[d]);
+                        return std::abs(distance) < rounding * face->diameter();
+                      }))
+                  continue;
+                Tensor<1, 3> in_space;
+                for (unsigned int d = 0; d < dim; ++d)
+                  in_space[d] = normal[d];
+                result.push_back(in_space);
+              }
+      return result;
+    }
+  } // namespace
+
+
+
+  // (In a body of revolution, the axes of the material turn around the axis.)
+  template <int dim>
+  void
+  check_symmetry_of_materials(
+    const Model<dim>                                &model,
+    const parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    if (!model.strain_model.has_general_criteria ||
+        model.strain_model.kinematics == Kinematics::axisymmetric)
+      return;
+    const auto normals = normals_of_symmetry(model, triangulation);
+    const bool is_unlike =
+      std::any_of(model.materials.begin(),
+                  model.materials.end(),
+                  [&](const auto &material) {
+                    return std::any_of(normals.begin(),
+                                       normals.end(),
+                                       [&](const Tensor<1, 3> &normal) {
+                                         return !is_symmetric_about_plane(
+                                           *material.criteria[0], normal);
+                                       });
+                  });
+    if (Utilities::MPI::logical_or(is_unlike, communicator_of(triangulation)))
+      throw InputError(
+        "The rollers through 'Indenter/Position' make a plane of symmetry of "
+        "the body, but its material is not symmetric about that: with these "
+        "'Material/Axes' and 'Material/Hill ratios', the mirror image of the "
+        "material is another one. Turn the axes so that one of them is "
+        "perpendicular to the plane, or model the whole body.");
+  }
+
+
+
+  template void
+  check_symmetry_of_materials(const Model<2> &,
+                              const parallel::distributed::Triangulation<2> &);
+  template void
+  check_symmetry_of_materials(const Model<3> &,
+                              const parallel::distributed::Triangulation<3> &);
+} // namespace ElastoPlastic
