@@ -152,6 +152,7 @@ namespace
         const pid_t process = fork();
         if (process == 0)
           {
+            prctl(PR_SET_PDEATHSIG, SIGKILL);
             close(connection);
             close(ends[0]);
             run(job);
