@@ -18,14 +18,24 @@ using namespace ElastoPlastic;
 
 namespace
 {
-  /// The values of all entries of an empty file, with some changes.
+  /// The values of all entries of an empty file.
   EntryValues
-  with_changes(const EntryValues &changes)
+  default_values()
   {
     std::ofstream("empty.prm") << "";
     CommandLine command_line;
     command_line.parameter_file = "empty.prm";
-    EntryValues values          = Parameters::read(command_line).entries;
+    return Parameters::read(command_line).entries;
+  }
+
+
+
+  /// These, read once, with some changes.
+  EntryValues
+  with_changes(const EntryValues &changes)
+  {
+    static const EntryValues defaults = default_values();
+    EntryValues              values   = defaults;
     for (const auto &[path, value] : changes)
       values.at(path) = value;
     return values;

@@ -108,14 +108,14 @@ def creep_sphere(runner):
             "verification/thick_sphere_axisymmetric.prm", "Material/Law=linear elastic", "Material/Rate law=Norton",
             f"Material/Rate exponent={n}", f"Material/Reference rate={reference_rate}", f"Material/Rate stress={unit}",
             "Boundary conditions/Traction=inner: 200*x/sqrt(x^2 + y^2); 200*y/sqrt(x^2 + y^2)",
-            "Geometry/Initial refinements=3", "Discretization/Polynomial degree=1",
-            "Discretization/Volumetric treatment=B-bar", "Loading/Final time=2000", "Loading/Number of steps=40",
+            "Geometry/Initial refinements=2", "Discretization/Polynomial degree=1",
+            "Discretization/Volumetric treatment=B-bar", "Loading/Final time=2000", "Loading/Number of steps=12",
             "Output/Probe points=bore: 100, 0")["probes"]
         power = (b / a) ** (3 / n)
         equivalent = pressure * 3 / (2 * n) * power / (power - 1)
         widening = [step["bore_displacement_x"] / a for step in steps]
         runner.compare(f"n = {n}, rate of the bore", (widening[-1] - widening[-2]) / (2000 / len(steps)),
-                       0.5 * reference_rate * (equivalent / unit) ** n, 0.005)
+                       0.5 * reference_rate * (equivalent / unit) ** n, 0.002)
 
 
 def creep_contact(runner):

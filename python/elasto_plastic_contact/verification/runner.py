@@ -3,7 +3,6 @@
 """Runs the program and compares what it computes; see the command verify."""
 
 import contextlib
-import functools
 import os
 import subprocess
 import tempfile
@@ -11,7 +10,6 @@ import tempfile
 from ..fields import read_fields
 from ..program import MPI_ENVIRONMENT, PROGRAM_VARIABLE, command_line, find_program, ready_case
 from ..tables import read_tables
-from .loaded_program import LoadedProgram
 
 # The steel of most cases (MPa) and its modulus under a rigid indenter.
 E, NU = 200000.0, 0.3
@@ -21,26 +19,16 @@ E_STAR = E / (1 - NU**2)
 class Runner:
     """Runs the program and collects what is compared."""
 
-    def __init__(self, program, ranks, library=None):
-        """program: see find_program(); library: that of tests/loaded_once.cc, for runs of one rank to share what is
-        loaded."""
+    def __init__(self, program, ranks):
+        """program: see find_program()."""
         self.program = find_program(program)
         self.ranks = ranks
-        self.library = library
         self.failed = False
-
-    @functools.cached_property
-    def loaded(self):
-        """The program, loaded once; its environment is that of the first run."""
-        return LoadedProgram(self.program, self.library)
 
     def start(self, command, output=os.devnull):
         """Runs a command of one or more ranks. Raises subprocess.CalledProcessError unless its exit status is 0."""
-        if self.library and command[0] == str(self.program):
-            self.loaded.run(command, output)
-        else:
-            with open(output, "wb") as file:
-                subprocess.run(command, check=True, env=os.environ | MPI_ENVIRONMENT, stdout=file)
+        with open(output, "wb") as file:
+            subprocess.run(command, check=True, env=os.environ | MPI_ENVIRONMENT, stdout=file)
 
     @contextlib.contextmanager
     def on_ranks(self, ranks):
@@ -53,24 +41,17 @@ class Runner:
 
     @contextlib.contextmanager
     def in_environment(self, **variables):
-        """The runs meanwhile, with variables of the environment that count when the program is loaded."""
-        library, self.library = self.library, None
+        """The runs meanwhile, with variables of the environment."""
         before = {name: os.environ.get(name) for name in variables}
         os.environ.update(variables)
         try:
             yield
         finally:
-            self.library = library
             for name, value in before.items():
                 if value is None:
                     del os.environ[name]
                 else:
                     os.environ[name] = value
-
-    def close(self):
-        """Ends what waits for further runs."""
-        if "loaded" in self.__dict__:
-            self.loaded.close()
 
     def case(self, name):
         """The path of a ready case, or of a file that has been made: an absolute one. (Where tests run, there are other

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs the verification cases and compares them with exact or published values.
 
-usage: scripts/verify.py [--program PROGRAM] [--ranks N] [--loaded-once LIBRARY] [CASE ...]
+usage: scripts/verify.py [--program PROGRAM] [--ranks N] [CASE ...]
        scripts/verify.py --tables [--list | --check] [--program PROGRAM] [--ranks N] [NAME ...]
 
 Prints one line per quantity: computed, reference, deviation, what is allowed.
@@ -12,7 +12,6 @@ Exit status 1 if a deviation is too large. Without CASE, all of them run.
 """
 
 import argparse
-import contextlib
 import math
 
 from . import uniaxial as exact_uniaxial
@@ -326,14 +325,12 @@ def main(arguments):
                         help=", ".join(f"{n} ({f.__doc__.strip()})" for n, f in ALL.items()))
     add_program(parser)
     parser.add_argument("--ranks", type=number(int, least=1), default=1)
-    parser.add_argument("--loaded-once", metavar="LIBRARY", help="load the program once for all runs of one rank, by "
-                        "this library, which the tests build (tests/loaded_once.cc)")
     chosen = parser.parse_args(arguments)
     unknown = set(chosen.cases) - set(ALL)
     if unknown:
         parser.error(f"no such case: {', '.join(sorted(unknown))}; there are {', '.join(ALL)}")
-    with contextlib.closing(Runner(chosen.program, chosen.ranks, chosen.loaded_once)) as runner:
-        for case in chosen.cases or ALL:
-            print(f"{case}: {ALL[case].__doc__.strip()}", flush=True)
-            ALL[case](runner)
+    runner = Runner(chosen.program, chosen.ranks)
+    for case in chosen.cases or ALL:
+        print(f"{case}: {ALL[case].__doc__.strip()}", flush=True)
+        ALL[case](runner)
     return 1 if runner.failed else 0

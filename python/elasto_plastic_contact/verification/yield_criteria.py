@@ -95,7 +95,7 @@ def hosford_cylinder(runner):
 
 def criteria_and_von_mises(runner):
     """Hosford with the exponents 2 and 4, and Hill with ratios of 1: an indentation as with von Mises."""
-    entries = ("Refinement/Elements over contact radius=6", "Loading/Number of steps=12", "Nonlinear solver/Tolerance=1e-11")
+    entries = ("Refinement/Elements over contact radius=4", "Loading/Number of steps=6", "Nonlinear solver/Tolerance=1e-11")
     forces = [[step["force"] for step in runner.history("indentation/sphere_axisymmetric.prm", *entries, *criterion)]
               for criterion in ((), ("Material/Yield criterion=Hosford", "Material/Hosford exponent=2"),
                                 ("Material/Yield criterion=Hosford", "Material/Hosford exponent=4"),
@@ -107,8 +107,8 @@ def criteria_and_von_mises(runner):
 
 def hill_indentation(runner):
     """A sphere in space on a material of Hill's: the same force on 1 and 2 ranks, and with a direct solver."""
-    case = ("indentation/sphere_3d.prm", "Loading/History=1: depth 0.005 | 2: force 0", "Loading/Number of steps=4",
-            "Refinement/Elements over contact radius=4", "Nonlinear solver/Tolerance=1e-11",
+    case = ("indentation/sphere_3d.prm", "Loading/History=1: depth 0.005 | 2: force 0", "Loading/Number of steps=2",
+            "Refinement/Elements over contact radius=2", "Geometry/Initial refinements=2", "Nonlinear solver/Tolerance=1e-11",
             *hill((1.0, 1.1, 0.9, 1.0, 0.9, 1.1)))
     forces = []
     for n, entries in ((1, ()), (2, ()), (1, ("Linear solver/Type=direct",))):
