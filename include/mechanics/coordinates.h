@@ -31,6 +31,8 @@ namespace ElastoPlastic
   {
     static constexpr int          dim      = dimension;
     static constexpr unsigned int n_slopes = dim;
+    /// Those with the same gradients: a sheet has none of its own.
+    using OfGradients = CartesianCoordinates;
     /// Whether the body is a sheet, without stress out of plane. The material
     /// then says what the strain out of plane is, and that of strain_at() is
     /// zero.
@@ -153,6 +155,7 @@ namespace ElastoPlastic
   struct AxisymmetricCoordinates : CartesianCoordinates<2>
   {
     static constexpr unsigned int n_slopes = 3;
+    using OfGradients                      = AxisymmetricCoordinates;
 
     static EvaluationFlags::EvaluationFlags
     flags()

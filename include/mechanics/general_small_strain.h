@@ -13,8 +13,7 @@ namespace ElastoPlastic
   template <typename Coordinates>
   struct GeneralSmallStrain : FiniteIncrement<Coordinates>
   {
-    static constexpr int  dim                  = Coordinates::dim;
-    static constexpr bool has_nominal_tangents = true;
+    static constexpr int dim = Coordinates::dim;
 
     template <typename Number>
     using Deformation =

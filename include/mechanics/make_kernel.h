@@ -13,7 +13,7 @@ namespace ElastoPlastic
   /// The @p Implementation of the interface @p Kernel for the elements of
   /// @p degree and the strain measure of @p strain_model, in which
   /// @p FiniteMeasure stands for logarithmic strains, and @p GeneralMeasure for
-  /// small ones of materials with general criteria.
+  /// small ones of materials with general criteria, which sheets do not have.
   template <typename Kernel,
             int dim,
             template <int, typename>
@@ -34,11 +34,15 @@ namespace ElastoPlastic
     };
     const auto of_coordinates = [&](auto coordinates) {
       using Coordinates = decltype(coordinates);
-      return strain_model.is_finite() ?
-               of_measure(FiniteMeasure<Coordinates>()) :
-             strain_model.has_general_criteria ?
-               of_measure(GeneralMeasure<Coordinates>()) :
-               of_measure(SmallStrain<Coordinates>());
+      if (strain_model.is_finite())
+        return of_measure(FiniteMeasure<Coordinates>());
+      if (strain_model.has_general_criteria)
+        {
+          if constexpr (!Coordinates::is_sheet)
+            return of_measure(GeneralMeasure<Coordinates>());
+          AssertThrow(false, ExcNotImplemented());
+        }
+      return of_measure(SmallStrain<Coordinates>());
     };
 
     if constexpr (dim == 2)

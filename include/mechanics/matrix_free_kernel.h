@@ -6,6 +6,9 @@
 
 #include <deal.II/matrix_free/fe_evaluation.h>
 
+#include <array>
+#include <functional>
+
 #include "mechanics/cell_kernel.h"
 
 namespace ElastoPlastic
@@ -64,9 +67,9 @@ namespace ElastoPlastic
       Tangents::constant_on_cells && dim == 2 && degree == 1;
     /// Others that are boxes, and whose tangents are constant, are treated mode
     /// by mode.
-    static constexpr bool has_modes = StrainMeasure::has_modes &&
-                                      !StrainMeasure::has_nominal_tangents &&
-                                      !keeps_cell_matrices;
+    static constexpr bool has_modes =
+      StrainMeasure::has_modes && !keeps_cell_matrices &&
+      (Tangents::constant_on_cells || !StrainMeasure::has_nominal_tangents);
     /// Of a symmetric matrix, row by row from the diagonal on.
     static constexpr unsigned int n_matrix_entries = n_dofs * (n_dofs + 1) / 2;
 
@@ -121,9 +124,18 @@ namespace ElastoPlastic
     void
     average(AtPoints &values, const Evaluation &phi) const;
 
-    /// Makes nodal forces of the dof values of @p phi. @p volumetric_law may
-    /// put others in place of the volumetric strains of its current cells.
-    template <typename VolumetricLaw>
+    /// Puts others in place of the volumetric strains of current cells.
+    using VolumetricLaw = std::function<void(AtPoints &, const Evaluation &)>;
+
+    /// Tells the compiler what reinit() has made sure of: which one of
+    /// deal.II's ways of evaluation is taken. Where it inlines that, the
+    /// others, three quarters of the code, are left out.
+    static void
+    assume_tensor_products(const Evaluation &phi);
+
+    /// Makes nodal forces of the dof values of @p phi, with the
+    /// @p volumetric_law if there is one. (It is called once for a batch of
+    /// cells: one function for all laws, which is large, compiles faster.)
     void
     apply_tangent(Evaluation          &phi,
                   const Tangents      &tangents,

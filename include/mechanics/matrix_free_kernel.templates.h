@@ -131,10 +131,21 @@ namespace ElastoPlastic
 
 
 
+  template <int degree, typename StrainMeasure, typename Base>
+  ELASTO_PLASTIC_ALWAYS_INLINE inline void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::assume_tensor_products(
+    const Evaluation &phi)
+  {
+    if (phi.get_shape_info().element_type !=
+        internal::MatrixFreeFunctions::tensor_symmetric)
+      __builtin_unreachable();
+  }
+
+
+
   // (Not inlined itself, but with all that it calls: there are so many kinds of
   // kernels that the compiler would not do so, and be a tenth slower.)
   template <int degree, typename StrainMeasure, typename Base>
-  template <typename VolumetricLaw>
   [[gnu::noinline, gnu::flatten]] void
   MatrixFreeKernel<degree, StrainMeasure, Base>::apply_tangent(
     Evaluation          &phi,
@@ -142,6 +153,7 @@ namespace ElastoPlastic
     const VolumetricLaw &volumetric_law) const
   {
     const OfBatch of_cells(tangents, phi.get_current_cell_index());
+    assume_tensor_products(phi);
     phi.evaluate(StrainMeasure::flags());
     AtPoints volumetric;
     for (unsigned int q = 0; q < n_points; ++q)
@@ -150,13 +162,15 @@ namespace ElastoPlastic
                                   q,
                                   StrainMeasure::increment_at(phi, q));
     average(volumetric, phi);
-    volumetric_law(volumetric);
+    if (volumetric_law)
+      volumetric_law(volumetric, phi);
     for (unsigned int q = 0; q < n_points; ++q)
       StrainMeasure::submit(
         phi,
         StrainMeasure::linear_conjugate(
           of_cells, q, StrainMeasure::increment_at(phi, q), volumetric[q]),
         q);
+    assume_tensor_products(phi);
     phi.integrate(StrainMeasure::flags());
   }
 
@@ -174,7 +188,7 @@ namespace ElastoPlastic
           apply_tangent_by_modes(phi, tangents);
           return;
         }
-    apply_tangent(phi, tangents, [](AtPoints &) {});
+    apply_tangent(phi, tangents, VolumetricLaw());
   }
 
 

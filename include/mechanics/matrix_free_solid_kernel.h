@@ -9,23 +9,19 @@
 
 #include "base/ghost_values.h"
 #include "base/inlining.h"
-#include "mechanics/matrix_free_kernel.templates.h"
-#include "mechanics/solid_kernel.h"
+#include "mechanics/matrix_free_mixed_kernel.h"
 
 namespace ElastoPlastic
 {
   /// The SolidKernel on deal.II's MatrixFree.
   template <int degree, typename StrainMeasure>
   class MatrixFreeSolidKernel
-    : public MatrixFreeKernel<degree,
-                              StrainMeasure,
-                              SolidKernel<StrainMeasure::dim>>
+    : public MatrixFreeMixedKernel<degree, typename StrainMeasure::OfIncrements>
   {
   public:
     using Base =
-      MatrixFreeKernel<degree, StrainMeasure, SolidKernel<StrainMeasure::dim>>;
+      MatrixFreeMixedKernel<degree, typename StrainMeasure::OfIncrements>;
     using Base::dim;
-    using typename Base::CellRows;
     using typename Base::Law;
     using typename Base::Number;
     using typename Base::Strains;
@@ -50,43 +46,6 @@ namespace ElastoPlastic
               const Vector       &u,
               const Law          &law) const override;
 
-    unsigned int
-    n_pressures() const override
-    {
-      return this->is_b_bar() ? 1 : n_points;
-    }
-
-    void
-    initialize_pressures(Vector &pressures) const override;
-
-    void
-    mixed_vmult(BlockVectorType          &result,
-                const BlockVectorType    &vector,
-                const PointTangents<dim> &tangents) const override;
-
-    unsigned int
-    n_cell_dofs() const override
-    {
-      return Base::n_dofs;
-    }
-
-    void
-    volumetric_rows(CellRows                 &rows,
-                    const PointTangents<dim> &tangents) const override;
-
-    void
-    multiply_rows(Vector         &pressures,
-                  const CellRows &rows,
-                  const Vector   &u) const override;
-
-    void
-    multiply_transposed_rows(Vector         &forces,
-                             const CellRows &rows,
-                             const Vector   &pressures) const override;
-
-    void
-    diagonal_of_multiples(Vector &values, const Vector &factors) const override;
-
     void
     for_each_true_stress(
       const Vector                                                 &u,
@@ -104,28 +63,15 @@ namespace ElastoPlastic
       std::array<typename StrainMeasure::template Deformation<Number>,
                  n_points>;
 
-    /// In the mixed form of the tangent: makes of the @p volumetric strains of
-    /// the current cells of @p phi those that belong to the bulk modulus K
-    /// where the stress is that of the moderate one and the pressure. @p
-    /// dilatation becomes D u - q, @p pressures is q.
-    void
-    mix(AtPoints                 &volumetric,
-        double                   *dilatation,
-        const double             *pressures,
-        const Evaluation         &phi,
-        const PointTangents<dim> &tangents) const;
-
     /// Whether the dof values of @p phi are zero.
     static bool
     is_zero(const Evaluation &phi);
 
-    /// Those of the current cells of @p phi, and the strains that belong to
-    /// them.
+    /// Those of the dof values of @p phi, and the strains that belong to them.
     Deformations
-    deformations(Strains &strains, const Evaluation &phi) const;
+    deformations(Strains &strains, Evaluation &phi) const;
 
-    /// Those of the dof values of @p phi, with the strains and the stresses of
-    /// @p law.
+    /// The same, with the stresses of @p law.
     Deformations
     evaluate(Evaluation &phi,
              Strains    &strains,
@@ -158,7 +104,6 @@ namespace ElastoPlastic
         for (unsigned int f = 0; f < fields.size(); ++f)
           {
             this->read(phi, batch, *fields[f]);
-            phi.evaluate(StrainMeasure::flags());
             deformations(strains[f], phi);
           }
         receive(strains);
@@ -252,14 +197,12 @@ namespace ElastoPlastic
               {
                 Tensor<2, n_gradient_entries<dim>, Number> derivative;
                 GradientEntries<dim, Number>               volumetric_slope;
-                tangents.with_law(strains.batch, q, [&](const auto &law) {
-                  StrainMeasure::linearize(derivative,
-                                           volumetric_slope,
-                                           deformation[q],
-                                           stresses[q],
-                                           law,
-                                           bulk);
-                });
+                StrainMeasure::linearize(derivative,
+                                         volumetric_slope,
+                                         deformation[q],
+                                         stresses[q],
+                                         tangents.law(strains.batch, q),
+                                         bulk);
                 tangents.set_nominal(strains.batch,
                                      q,
                                      derivative,
@@ -296,7 +239,6 @@ namespace ElastoPlastic
                                                          const Law  &law) const
     -> Deformations
   {
-    phi.evaluate(StrainMeasure::flags());
     const auto result = deformations(strains, phi);
     law(strains, stresses);
     return result;
@@ -324,11 +266,13 @@ namespace ElastoPlastic
 
 
 
+  // (Called from everywhere, and large.)
   template <int degree, typename StrainMeasure>
-  auto
+  [[gnu::noinline]] auto
   MatrixFreeSolidKernel<degree, StrainMeasure>::deformations(
-    Strains &strains, const Evaluation &phi) const -> Deformations
+    Strains &strains, Evaluation &phi) const -> Deformations
   {
+    phi.evaluate(StrainMeasure::flags());
     strains.batch    = phi.get_current_cell_index();
     strains.n_points = n_points;
     Deformations result;
@@ -345,7 +289,5 @@ namespace ElastoPlastic
     return result;
   }
 } // namespace ElastoPlastic
-
-#include "mechanics/matrix_free_solid_kernel_mixed.templates.h"
 
 #endif

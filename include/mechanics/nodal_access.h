@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/inlining.h"
 #include "base/lane_packs.h"
 
 namespace ElastoPlastic
@@ -71,9 +70,10 @@ namespace ElastoPlastic
       release_indices(matrix_free);
     }
 
-    /// The local entries of a vector begin at @p vector.
+    /// The local entries of a vector begin at @p vector. (Not inlined, since
+    /// kernels call it in many places.)
     template <unsigned int n_nodes>
-    ELASTO_PLASTIC_ALWAYS_INLINE inline void
+    [[gnu::noinline]] void
     read(Number *const           values,
          const value_type *const vector,
          const unsigned int      batch) const
@@ -101,7 +101,7 @@ namespace ElastoPlastic
     }
 
     template <unsigned int n_nodes>
-    ELASTO_PLASTIC_ALWAYS_INLINE inline void
+    [[gnu::noinline]] void
     add(value_type *const   vector,
         const Number *const values,
         const unsigned int  batch) const

@@ -129,20 +129,17 @@ namespace ElastoPlastic
       general_tangents = of_points;
     }
 
-    /// Calls @p use with the law of the deviatoric stress at a point of the
-    /// batch of cells for which set() has just been called.
-    template <typename Use>
-    void
-    with_law(const unsigned int batch,
-             const unsigned int point,
-             const Use         &use) const
+    /// The law of the deviatoric stress at a point of the batch of cells for
+    /// which set() has just been called.
+    auto
+    law(const unsigned int batch, const unsigned int point) const
     {
-      if (are_general)
-        use([&](const Tensor3 &strain) {
+      return [this, point, of_flow = OfBatch(*this, batch).law(point)](
+               const Tensor3 &strain) -> Tensor3 {
+        if (are_general)
           return general_tangents[point] * strain;
-        });
-      else
-        use(OfBatch(*this, batch).law(point));
+        return of_flow(strain);
+      };
     }
 
     /// The derivative of the nominal stress is @p matrix, without the part of

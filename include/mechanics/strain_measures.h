@@ -21,7 +21,11 @@ namespace ElastoPlastic
   template <typename Coordinates>
   struct SmallStrain : Coordinates
   {
-    /// Whether tangents are NominalTangents, which linearize() makes.
+    /// The measure that all with the same increments share, so that what only
+    /// depends on these is compiled once.
+    using OfIncrements = SmallStrain;
+
+    /// Whether tangents are NominalTangents.
     static constexpr bool has_nominal_tangents = false;
 
     /// Whether there is a stress_of_mode(): gradients are those of BoxModes.
@@ -183,6 +187,10 @@ namespace ElastoPlastic
   {
     static constexpr int dim = Coordinates::dim;
 
+    using OfIncrements = FiniteIncrement<typename Coordinates::OfGradients>;
+
+    static constexpr bool has_nominal_tangents = true;
+
     /// (In a plane body, gradients have an entry out of plane.)
     static constexpr bool has_modes = dim == 3;
 
@@ -270,8 +278,7 @@ namespace ElastoPlastic
   template <typename Coordinates>
   struct FiniteStrain : FiniteIncrement<Coordinates>
   {
-    static constexpr int  dim                  = Coordinates::dim;
-    static constexpr bool has_nominal_tangents = true;
+    static constexpr int dim = Coordinates::dim;
 
     template <typename Number>
     struct Deformation

@@ -33,6 +33,9 @@ namespace ElastoPlastic
     // the other.)
     settings.initialize_mapping = false;
     set_up();
+    AssertThrow(matrix_free.get_shape_info().element_type ==
+                  internal::MatrixFreeFunctions::tensor_symmetric,
+                ExcInternalError());
     nodal_access.reinit(matrix_free, dof_handler.get_fe().dofs_per_cell / dim);
     eliminated.reinit(new_constraints, *matrix_free.get_vector_partitioner());
     settings.initialize_indices = false;

@@ -11,7 +11,7 @@ namespace ElastoPlastic
     template <int degree, typename StrainMeasure>
     using LevelKernel = MatrixFreeKernel<
       degree,
-      StrainMeasure,
+      typename StrainMeasure::OfIncrements,
       CellKernel<StrainMeasure::dim, CellTangents<StrainMeasure::dim>>>;
   } // namespace
 

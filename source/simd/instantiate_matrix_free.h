@@ -7,8 +7,8 @@
 #ifndef simd_instantiate_matrix_free_h
 #define simd_instantiate_matrix_free_h
 
-/// deal.II's kernels for run-time degrees: we need 1 and 2.
-#define FE_EVAL_FACTORY_DEGREE_MAX 2
+/// deal.II's kernels for run-time degrees: MappingQ1 needs 1.
+#define FE_EVAL_FACTORY_DEGREE_MAX 1
 
 #include "base/simd.h"
 
@@ -44,13 +44,18 @@
   }                                                                          \
   DEAL_II_NAMESPACE_CLOSE
 
-/// The mapping is evaluated in double precision for both.
-#define INSTANTIATE_MAPPING_EVALUATION(dim)                                \
-  DEAL_II_NAMESPACE_OPEN                                                   \
-  namespace internal                                                       \
-  {                                                                        \
-    template struct FEEvaluationFactory<dim, ElastoPlastic::Simd<double>>; \
-  }                                                                        \
+/// The mapping is evaluated in double precision for both, and never integrated.
+#define INSTANTIATE_MAPPING_EVALUATION(dim)                          \
+  DEAL_II_NAMESPACE_OPEN                                             \
+  namespace internal                                                 \
+  {                                                                  \
+    template void                                                    \
+    FEEvaluationFactory<dim, ElastoPlastic::Simd<double>>::evaluate( \
+      const unsigned int,                                            \
+      const EvaluationFlags::EvaluationFlags,                        \
+      const ElastoPlastic::Simd<double> *,                           \
+      FEEvaluationData<dim, ElastoPlastic::Simd<double>, false> &);  \
+  }                                                                  \
   DEAL_II_NAMESPACE_CLOSE
 
 #endif

@@ -5,7 +5,7 @@
 // deal.II 9.4, the headers of cell and face evaluation share an include guard
 // and cannot meet in one file.)
 
-#define FE_EVAL_FACTORY_DEGREE_MAX 2
+#define FE_EVAL_FACTORY_DEGREE_MAX 1
 
 #include "base/simd.h"
 
@@ -17,8 +17,18 @@ DEAL_II_NAMESPACE_OPEN
 
 namespace internal
 {
-  template struct FEFaceEvaluationFactory<2, ElastoPlastic::Simd<double>>;
-  template struct FEFaceEvaluationFactory<3, ElastoPlastic::Simd<double>>;
+  template void
+  FEFaceEvaluationFactory<2, ElastoPlastic::Simd<double>>::evaluate(
+    const unsigned int,
+    const EvaluationFlags::EvaluationFlags,
+    const ElastoPlastic::Simd<double> *,
+    FEEvaluationData<2, ElastoPlastic::Simd<double>, true> &);
+  template void
+  FEFaceEvaluationFactory<3, ElastoPlastic::Simd<double>>::evaluate(
+    const unsigned int,
+    const EvaluationFlags::EvaluationFlags,
+    const ElastoPlastic::Simd<double> *,
+    FEEvaluationData<3, ElastoPlastic::Simd<double>, true> &);
 
   namespace MatrixFreeFunctions
   {

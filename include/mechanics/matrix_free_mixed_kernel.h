@@ -1,24 +1,99 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef mechanics_matrix_free_solid_kernel_mixed_templates_h
-#define mechanics_matrix_free_solid_kernel_mixed_templates_h
-
-// The part of MatrixFreeSolidKernel that is for the mixed form; see
-// matrix_free_solid_kernel.h.
+#ifndef mechanics_matrix_free_mixed_kernel_h
+#define mechanics_matrix_free_mixed_kernel_h
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "base/inlining.h"
-#include "mechanics/matrix_free_solid_kernel.h"
+#include "mechanics/matrix_free_kernel.templates.h"
+#include "mechanics/solid_kernel.h"
 
 namespace ElastoPlastic
 {
+  /// What a SolidKernel does with its tangent, on deal.II's MatrixFree: the
+  /// part that increments determine, whatever the deformation is.
+  template <int degree, typename StrainMeasure>
+  class MatrixFreeMixedKernel
+    : public MatrixFreeKernel<degree,
+                              StrainMeasure,
+                              SolidKernel<StrainMeasure::dim>>
+  {
+  public:
+    using Base =
+      MatrixFreeKernel<degree, StrainMeasure, SolidKernel<StrainMeasure::dim>>;
+    using Base::dim;
+    using typename Base::CellRows;
+    using typename Base::Number;
+    using typename Base::Vector;
+
+    using Base::Base;
+
+    unsigned int
+    n_pressures() const override
+    {
+      return this->is_b_bar() ? 1 : n_points;
+    }
+
+    void
+    initialize_pressures(Vector &pressures) const override;
+
+    void
+    mixed_vmult(BlockVectorType          &result,
+                const BlockVectorType    &vector,
+                const PointTangents<dim> &tangents) const override;
+
+    unsigned int
+    n_cell_dofs() const override
+    {
+      return Base::n_dofs;
+    }
+
+    void
+    volumetric_rows(CellRows                 &rows,
+                    const PointTangents<dim> &tangents) const override;
+
+    void
+    multiply_rows(Vector         &pressures,
+                  const CellRows &rows,
+                  const Vector   &u) const override;
+
+    void
+    multiply_transposed_rows(Vector         &forces,
+                             const CellRows &rows,
+                             const Vector   &pressures) const override;
+
+    void
+    diagonal_of_multiples(Vector &values, const Vector &factors) const override;
+
+  protected:
+    using Base::matrix_free;
+    using Base::n_points;
+    using typename Base::AtPoints;
+    using typename Base::Evaluation;
+    using typename Base::OfBatch;
+
+  private:
+    /// In the mixed form of the tangent: makes of the @p volumetric strains of
+    /// the current cells of @p phi those that belong to the bulk modulus K
+    /// where the stress is that of the moderate one and the pressure. @p
+    /// dilatation becomes D u - q, @p pressures is q.
+    void
+    mix(AtPoints                 &volumetric,
+        double                   *dilatation,
+        const double             *pressures,
+        const Evaluation         &phi,
+        const PointTangents<dim> &tangents) const;
+  };
+
+
+
   template <int degree, typename StrainMeasure>
   void
-  MatrixFreeSolidKernel<degree, StrainMeasure>::initialize_pressures(
+  MatrixFreeMixedKernel<degree, StrainMeasure>::initialize_pressures(
     Vector &pressures) const
   {
     const types::global_dof_index n_local =
@@ -33,23 +108,26 @@ namespace ElastoPlastic
 
   template <int degree, typename StrainMeasure>
   void
-  MatrixFreeSolidKernel<degree, StrainMeasure>::mixed_vmult(
+  MatrixFreeMixedKernel<degree, StrainMeasure>::mixed_vmult(
     BlockVectorType          &result,
     const BlockVectorType    &vector,
     const PointTangents<dim> &tangents) const
   {
-    this->integrate_cells(
-      result.block(0), vector.block(0), [&](Evaluation &phi) {
-        const unsigned int first =
-          phi.get_current_cell_index() * n_pressures() * Number::size();
-        this->apply_tangent(phi, tangents, [&](AtPoints &volumetric) {
-          mix(volumetric,
-              result.block(1).begin() + first,
-              vector.block(1).begin() + first,
-              phi,
-              tangents);
-        });
-      });
+    const typename Base::VolumetricLaw law = [&](AtPoints         &volumetric,
+                                                 const Evaluation &phi) {
+      const unsigned int first =
+        phi.get_current_cell_index() * n_pressures() * Number::size();
+      mix(volumetric,
+          result.block(1).begin() + first,
+          vector.block(1).begin() + first,
+          phi,
+          tangents);
+    };
+    this->integrate_cells(result.block(0),
+                          vector.block(0),
+                          [&](Evaluation &phi) {
+                            this->apply_tangent(phi, tangents, law);
+                          });
   }
 
 
@@ -57,7 +135,7 @@ namespace ElastoPlastic
   // (Lanes without a cell have no dilatation; their volume may be zero.)
   template <int degree, typename StrainMeasure>
   ELASTO_PLASTIC_ALWAYS_INLINE inline void
-  MatrixFreeSolidKernel<degree, StrainMeasure>::mix(
+  MatrixFreeMixedKernel<degree, StrainMeasure>::mix(
     AtPoints                 &volumetric,
     double                   *dilatation,
     const double             *pressures,
@@ -96,23 +174,25 @@ namespace ElastoPlastic
   // (the forces of the stress 1 / root of the volume)
   template <int degree, typename StrainMeasure>
   void
-  MatrixFreeSolidKernel<degree, StrainMeasure>::volumetric_rows(
+  MatrixFreeMixedKernel<degree, StrainMeasure>::volumetric_rows(
     CellRows &rows, const PointTangents<dim> &tangents) const
   {
     Assert(this->is_b_bar(), ExcInternalError());
     rows.reinit(matrix_free.n_cell_batches() * Base::n_dofs);
+    const typename Base::VolumetricLaw law = [&](AtPoints         &volumetric,
+                                                 const Evaluation &phi) {
+      Number volume = 0.;
+      for (unsigned int q = 0; q < n_points; ++q)
+        volume += StrainMeasure::volume_at(phi, q);
+      const OfBatch of_cells(tangents, phi.get_current_cell_index());
+      volumetric.fill(1. / (of_cells.bulk_modulus * std::sqrt(volume)));
+    };
     Evaluation phi(matrix_free);
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {
         phi.reinit(batch);
         std::fill_n(phi.begin_dof_values(), Base::n_dofs, Number(0.));
-        this->apply_tangent(phi, tangents, [&](AtPoints &volumetric) {
-          Number volume = 0.;
-          for (unsigned int q = 0; q < n_points; ++q)
-            volume += StrainMeasure::volume_at(phi, q);
-          volumetric.fill(
-            1. / (OfBatch(tangents, batch).bulk_modulus * std::sqrt(volume)));
-        });
+        this->apply_tangent(phi, tangents, law);
         for (unsigned int i = 0; i < Base::n_dofs; ++i)
           {
             Number entry = phi.begin_dof_values()[i];
@@ -129,7 +209,7 @@ namespace ElastoPlastic
 
   template <int degree, typename StrainMeasure>
   void
-  MatrixFreeSolidKernel<degree, StrainMeasure>::multiply_rows(
+  MatrixFreeMixedKernel<degree, StrainMeasure>::multiply_rows(
     Vector &pressures, const CellRows &rows, const Vector &u) const
   {
     Evaluation phi(matrix_free);
@@ -150,7 +230,7 @@ namespace ElastoPlastic
 
   template <int degree, typename StrainMeasure>
   void
-  MatrixFreeSolidKernel<degree, StrainMeasure>::multiply_transposed_rows(
+  MatrixFreeMixedKernel<degree, StrainMeasure>::multiply_transposed_rows(
     Vector &forces, const CellRows &rows, const Vector &pressures) const
   {
     Evaluation phi(matrix_free);
@@ -171,7 +251,7 @@ namespace ElastoPlastic
 
   template <int degree, typename StrainMeasure>
   void
-  MatrixFreeSolidKernel<degree, StrainMeasure>::diagonal_of_multiples(
+  MatrixFreeMixedKernel<degree, StrainMeasure>::diagonal_of_multiples(
     Vector &values, const Vector &factors) const
   {
     Evaluation phi(matrix_free);
