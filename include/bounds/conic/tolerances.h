@@ -64,6 +64,12 @@ namespace ElastoPlastic::Tolerance
   /// mesh's difference between the bounds, but not larger than the second.
   constexpr double part_of_difference = 0.01, largest_gap_in_space = 1e-3;
 
+  /// With friction, by how much more than they must the velocities dilate: a
+  /// power, relative to that of a stress unit, which is more than what is
+  /// missing where the interior point method ends. So the velocities are
+  /// strictly inside of the dual cones of the yield condition.
+  constexpr double dilation_margin = 1e-9;
+
   /// Of the same, for the least energy: smaller, because with compliance the
   /// linear systems are regular, and rounding errors small.
   constexpr double gap_of_energy = 1e-9;

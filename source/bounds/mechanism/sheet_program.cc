@@ -295,6 +295,11 @@ namespace ElastoPlastic
           block.add_inequality(row);
         }
 
+      if (body.has_friction() && body.friction_sines[t] > 0.)
+        for (unsigned int corner = 0; corner < 3; ++corner)
+          for (unsigned int c = 0; c < 2; ++c)
+            block.linear_cost[3 * corner + c] = Tolerance::dilation_margin;
+
       const auto   corners = body.mesh.corners(body.mesh.simplices[t]);
       const double weight  = volume(corners) / (3. * body.length_unit);
       std::array<std::array<Tensor<1, 2>, 6>, 3> gradients;
