@@ -42,14 +42,9 @@ namespace ElastoPlastic
           {"Dimension", "Analysis", "Body force", "Strain"},
           always());
       add(effects, "", {"Kinematics"}, of_section);
-      add(effects,
-          "Geometry",
-          {"Type",
-           "Initial refinements",
-           "Local refinements",
-           "Material id",
-           "Boundary parts"},
-          always());
+      add(effects, "Geometry", {"Type", "Initial refinements"}, always());
+      add(effects, "Geometry", {"Local refinements", "Material id"}, always());
+      add(effects, "Geometry", {"Boundary parts"}, always());
       add(effects,
           "Geometry",
           {"Lower corner",
