@@ -110,6 +110,16 @@ namespace ElastoPlastic
 
 
 
+    /// What the bounds are those of: a force of the indenter, or, if the other
+    /// loads grow, a factor of these.
+    std::string
+    name_of_bounded(const bool loads_grow)
+    {
+      return loads_grow ? "load factor of the limit load" : "limit load";
+    }
+
+
+
     /// How close bounds come to the best ones of their mesh. In space, they
     /// need not be much closer than the mesh allows, for which the last one
     /// gives an example.
@@ -289,9 +299,9 @@ namespace ElastoPlastic
     const std::string  simplices = dim == 2 ? "triangles" : "tetrahedra";
     std::ostringstream message;
     message.precision(8);
-    message << row.triangles << ' ' << simplices
-            << ": the limit load is between " << row.lower_bound << " and "
-            << row.upper_bound;
+    message << row.triangles << ' ' << simplices << ": the "
+            << name_of_bounded(body.load_factor_unit > 0) << " is between "
+            << row.lower_bound << " and " << row.upper_bound;
     if (row.lower_bound != 0.)
       message << " (" << 100. * row.relative_difference() << " %)";
     message << ", " << row.wall_seconds << " s";
@@ -324,10 +334,11 @@ namespace ElastoPlastic
         if (cycle == 0)
           throw;
         throw_error(error.status,
-                    error.what() +
-                      (" The limit load is between " +
-                       to_text(row.lower_bound)) +
-                      " and " + to_text(row.upper_bound) +
+                    std::string(error.what()) + " The " +
+                      name_of_bounded(parameters.limit_load.load ==
+                                      GrowingLoad::tractions) +
+                      " is between " + to_text(row.lower_bound) + " and " +
+                      to_text(row.upper_bound) +
                       ", as the mesh before has shown.");
       }
   }
