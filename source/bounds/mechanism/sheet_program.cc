@@ -18,6 +18,12 @@ namespace ElastoPlastic
 
     constexpr double part_of_tolerance = 1e-3;
 
+    /// With friction, by how much more than they must the velocities dilate: a
+    /// power, relative to that of a stress unit, which is more than what is
+    /// missing where the interior point method ends. So the velocities are
+    /// strictly inside of the dual cones of the yield condition.
+    constexpr double margin = 1e-9;
+
     constexpr unsigned int invalid = numbers::invalid_unsigned_int;
 
 
@@ -294,6 +300,11 @@ namespace ElastoPlastic
           row[n_stresses + f] = -1.;
           block.add_inequality(row);
         }
+
+      if (body.has_friction() && body.friction_sines[t] > 0.)
+        for (unsigned int corner = 0; corner < 3; ++corner)
+          for (unsigned int c = 0; c < 2; ++c)
+            block.linear_cost[3 * corner + c] = margin;
 
       const auto   corners = body.mesh.corners(body.mesh.simplices[t]);
       const double weight  = volume(corners) / (3. * body.length_unit);
