@@ -284,6 +284,14 @@ add_entry_test(negative_material_id "'Geometry/Material id' is '-1', but at the 
 add_entry_test(infinite_material_id "'Geometry/Material id' is .*, but at \\(0.875 .*infinite" "Geometry/Material id=if(x > 0.8, 1/(x-0.875), 0)")
 
 # Box and half ball
+add_entry_test(boundary_part_form "'Geometry/Boundary parts' is 'strip: top', but it must look like 'name: boundary. condition'" "Geometry/Boundary parts=strip: top")
+add_entry_test(boundary_part_of_nothing "'Geometry/Boundary parts' is .*, but there is no boundary 'lid'. The geometry has: bottom, left, right, top" "Geometry/Boundary parts=strip: lid@ x > 0.5")
+add_entry_test(boundary_part_name "'Geometry/Boundary parts' is .*, but the part needs a name that no boundary has" "Geometry/Boundary parts=left: top@ x > 0.5")
+add_entry_test(boundary_part_comma "'Geometry/Boundary parts' is .*, but the part needs a name that no boundary has, and without ','" "Geometry/Boundary parts=a, b: top@ x > 0.5")
+add_entry_test(boundary_part_within_side "'Geometry/Boundary parts' is .*, but the part ends within a side of a cell of the coarse mesh, near the point \\(.* 1\\)" "Geometry/Boundary parts=strip: top@ x > 0.7")
+add_entry_test(boundary_part_nowhere "'Geometry/Boundary parts' is .*, but the condition holds nowhere on 'top'" "Geometry/Boundary parts=strip: top@ x > 2")
+add_entry_test(boundary_part_everywhere "'Geometry/Boundary parts' is .*, but the condition holds everywhere on 'top'" "Geometry/Boundary parts=strip: top@ x > -1")
+add_entry_test(boundary_part_without_condition "Boundaries without a condition: strip" "Geometry/Repetitions=2" "Geometry/Boundary parts=strip: top@ x > 0.5")
 add_entry_test(corner_components "'Geometry/Lower corner' is '0, 0, 0', but it must be empty or have 2 coordinates" "Geometry/Lower corner=0,0,0")
 add_entry_test(corners "'Geometry/Upper corner' is '1, 0', but each of its coordinates must be larger" "Geometry/Upper corner=1,0")
 add_entry_test(extreme_box "cells without a volume" "Geometry/Upper corner=1e300,1e300")

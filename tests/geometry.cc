@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Boxes and half balls: names and areas of the boundaries, volumes, grading,
-// quality after refinement, material ids, and what is said about mistakes.
+// Boxes and half balls: names and areas of the boundaries and of their parts,
+// volumes, grading, quality after refinement, material ids, and what is said
+// about mistakes.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -245,6 +246,13 @@ namespace
       print_geometry<3>(part + " ball",
                         "set Type = half ball\n set Radius = 2\n set Part = " +
                           part + "\n set Initial refinements = 2");
+    print_geometry<2>("box with parts of boundaries",
+                      "set Repetitions = 4, 2\n set Local refinements = 3\n"
+                      "set Boundary parts = strip: top; abs(x - 0.5) < 0.25 |"
+                      " corner: left; y > 0.5 | rest: top; x < 0.5");
+    print_geometry<3>("box with a part of a boundary",
+                      "set Repetitions = 2\n set Initial refinements = 1\n"
+                      "set Boundary parts = patch: top; x > 0.5 && y < 0.5");
   }
 
 

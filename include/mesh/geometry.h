@@ -31,7 +31,8 @@ namespace ElastoPlastic
     unsigned int        local_refinements   = 0;
     double              local_radius        = 1;
     std::vector<double> local_centre;
-    std::string         material_id; ///< expression; empty: see make_mesh()
+    std::string         material_id;    ///< expression; empty: see make_mesh()
+    std::string         boundary_parts; ///< see name_boundary_parts()
 
     void
     add_parameters(ParameterHandler &prm);

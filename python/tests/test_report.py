@@ -23,7 +23,8 @@ from elasto_plastic_contact.reporting.key_numbers import UNLOADING, key_numbers
 from elasto_plastic_contact.reporting.key_numbers import write as write_key_numbers
 from elasto_plastic_contact.reporting.mesh import contact_sizes
 from elasto_plastic_contact.reporting.methods import methods
-from elasto_plastic_contact.reporting.problem import loading_in_words, material_table, materials_in_words, row_in_words
+from elasto_plastic_contact.reporting.problem import (boundaries_in_words, loading_in_words, material_table,
+                                                       materials_in_words, row_in_words)
 
 CONE = {"Geometry/Initial refinements": 3, "Loading/Number of steps": 24, "Output/Fields": "last cycle",
         "Output/Length unit": "mm", "Output/Force unit": "N"}
@@ -172,6 +173,14 @@ class Reports(unittest.TestCase):
         text, = materials_in_words(facts)
         self.assertIn("Mohr and Coulomb's yield condition", text)
         self.assertIn("or with von Mises' yield condition", text)
+
+    def test_parts_of_boundaries(self):
+        """Named where there are any."""
+        facts = Facts(self.punch.directory)
+        self.assertNotIn("Parts of boundaries", boundaries_in_words(facts))
+        facts.run.parameters = dict(facts.run.parameters) | {"Geometry/Boundary parts": "strip: top; x > 1"}
+        self.assertIn("Parts of boundaries with names of their own, where the expression is not 0: strip: top; x > 1.",
+                      boundaries_in_words(facts))
 
     def test_meshes(self):
         """A coarser mesh: the differences; the second time it is there; a changed run makes it anew."""

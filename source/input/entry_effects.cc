@@ -44,7 +44,11 @@ namespace ElastoPlastic
       add(effects, "", {"Kinematics"}, of_section);
       add(effects,
           "Geometry",
-          {"Type", "Initial refinements", "Local refinements", "Material id"},
+          {"Type",
+           "Initial refinements",
+           "Local refinements",
+           "Material id",
+           "Boundary parts"},
           always());
       add(effects,
           "Geometry",

@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <sstream>
 #include <vector>
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "base/memory.h"
+#include "mesh/boundary_parts.h"
 #include "mesh/geometry.h"
+#include "mesh/local_refinement.h"
 #include "mesh/material_ids.h"
 
 namespace ElastoPlastic
@@ -96,99 +96,6 @@ namespace ElastoPlastic
 
 
 
-    /// What 32 bits can number of the unknowns of quadratic elements in three
-    /// dimensions, and what all machines together have room for, with two
-    /// kilobytes for a cell, which is less than any problem takes. Collective.
-    double
-    max_n_cells(const MPI_Comm communicator)
-    {
-      return std::min(1e8, machine_memory(communicator) / 2048);
-    }
-
-
-
-    /// @p value of the entry @p path asks for at least @p n_cells.
-    void
-    check_n_cells(const std::string &path,
-                  const unsigned int value,
-                  const double       n_cells,
-                  const double       max_n_cells)
-    {
-      if (n_cells <= max_n_cells)
-        return;
-      std::ostringstream remedy;
-      remedy.precision(3);
-      remedy << "the mesh would have " << n_cells << " cells or more. At most "
-             << max_n_cells << " are possible here.";
-      throw InputError(path, std::to_string(value), remedy.str());
-    }
-
-
-
-    /// As long as the ball of local refinement holds the whole mesh, all cells
-    /// are refined, so that this many are known before any is. Collective.
-    template <int dim>
-    double
-    n_cells_of_global_part(const GeometryParameters &parameters,
-                           const Point<dim>         &centre,
-                           const Triangulation<dim> &mesh)
-    {
-      double reach = 0;
-      for (const Point<dim> &vertex : mesh.get_vertices())
-        reach = std::max(reach, centre.distance(vertex));
-      reach = Utilities::MPI::max(reach, communicator_of(mesh));
-
-      const double n_times =
-        std::clamp(std::ceil(std::log2(parameters.local_radius / reach)),
-                   0.,
-                   static_cast<double>(parameters.local_refinements));
-      return mesh.n_global_active_cells() * std::pow(2., dim * n_times);
-    }
-
-
-
-    /// A cell is as near to a point as the nearest point of the ball around it.
-    template <int dim>
-    void
-    refine_locally(const GeometryParameters &parameters,
-                   const double              max_n_cells,
-                   Triangulation<dim>       &triangulation)
-    {
-      Point<dim> centre;
-      for (unsigned int d = 0; d < parameters.local_centre.size(); ++d)
-        centre[d] = parameters.local_centre[d];
-      check_n_cells("Geometry/Local refinements",
-                    parameters.local_refinements,
-                    n_cells_of_global_part(parameters, centre, triangulation),
-                    max_n_cells);
-      constexpr unsigned int n_new_cells =
-        GeometryInfo<dim>::max_children_per_cell - 1;
-      double radius = parameters.local_radius;
-      for (unsigned int i = 0; i < parameters.local_refinements; ++i)
-        {
-          types::global_cell_index n_flagged = 0;
-          for (const auto &cell : triangulation.active_cell_iterators())
-            if (cell->is_locally_owned() &&
-                cell->center().distance(centre) - 0.5 * cell->diameter() <
-                  radius)
-              {
-                cell->set_refine_flag();
-                ++n_flagged;
-              }
-          check_n_cells("Geometry/Local refinements",
-                        parameters.local_refinements,
-                        triangulation.n_global_active_cells() +
-                          n_new_cells *
-                            Utilities::MPI::sum(n_flagged,
-                                                communicator_of(triangulation)),
-                        max_n_cells);
-          triangulation.execute_coarsening_and_refinement();
-          radius *= 0.5;
-        }
-    }
-
-
-
     std::string
     all_names()
     {
@@ -251,6 +158,16 @@ namespace ElastoPlastic
       "conditions are written if(y > -0.1, 1, 0). Empty stands for 0, or with "
       "the type file for what 'Material groups' says.",
       Patterns::Anything());
+    prm.add_parameter(
+      "Boundary parts",
+      boundary_parts,
+      "Parts of boundaries that are to have conditions of their own: "
+      "'surcharge: top; x > 1' calls those sides of the boundary top surcharge "
+      "on which the expression in x, y (, z) is not 0, and what is left remains "
+      "top. Parts are separated by '|', which cannot be used in the "
+      "expressions. They end between cells of the coarse mesh, as it is before "
+      "'Initial refinements'. Empty stands for none.",
+      Patterns::Anything());
     prm.leave_subsection();
   }
 
@@ -296,6 +213,10 @@ namespace ElastoPlastic
       parameters,
       [this](const std::string &warning) { warning_texts.push_back(warning); },
       *mesh);
+    name_boundary_parts("Geometry/Boundary parts",
+                        parameters.boundary_parts,
+                        *mesh,
+                        names);
     coarse_mesh = mesh;
   }
 

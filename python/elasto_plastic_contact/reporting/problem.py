@@ -162,7 +162,9 @@ def boundaries_in_words(facts):
     stresses = [f"{component} {facts.text(path)}" for component in ("xx", "yy", "zz", "xy", "xz", "yz")
                 if facts.text(path := f"Initial stress/Stress {component}")]
     initial = f" It bears an initial stress: {', '.join(stresses)}." if stresses else ""
-    return "Boundaries. " + "; ".join(parts) + "." + initial
+    divided = facts.text("Geometry/Boundary parts")
+    of_parts = f" Parts of boundaries with names of their own, where the expression is not 0: {divided}." if divided else ""
+    return "Boundaries. " + "; ".join(parts) + "." + of_parts + initial
 
 
 def indenter_in_words(facts):
