@@ -117,6 +117,26 @@ def footings(runs):
                     for degrees, n in ((10, 7), (20, 7), (30, 8))])
 
 
+def last_mesh(runs, case, n_cycles, *entries):
+    """Two cells for words and exact values, and those of the last mesh."""
+    return [None, None] + meshes(runs.limit_load(case, N_CYCLES.format(n_cycles), *entries)[-1:], 1)[0]
+
+
+@table(600)
+def surcharges(runs):
+    """A surcharge beside a footing, with hardly any cohesion and with some, the last meshes."""
+    return Content([last_mesh(runs, "footing_surcharge", 7),
+                    last_mesh(runs, "footing_surcharge", 7, "Indenter/Surface=rough"),
+                    last_mesh(runs, "footing_surcharge", 7, "Material/Cohesion=1")])
+
+
+@table(400)
+def layers_of_ground(runs):
+    """A footing on two layers, the last meshes."""
+    return Content([last_mesh(runs, "footing_layers", 6, f"Geometry/Material id={layers}")
+                    for layers in ("if(y > -1.5, 0, 1)", "if(y > -0.5, 0, 1)", "if(y > -0.5, 1, 0)")])
+
+
 @table(300)
 def heavy_ground(runs):
     """A footing on heavy ground and a vertical cut, the last meshes."""

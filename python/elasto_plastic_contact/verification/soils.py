@@ -93,7 +93,7 @@ def soil_layers(runner):
     """Footings on two layers of ground: one layer alone, layers that are the same, and bounds by the weaker and the stronger."""
     coarse, three = "Refinement/Number of cycles=5", "Refinement/Number of cycles=3"
     thick = verify_bounds(runner, "thick weak layer", n_c(20), 0.08, LAYERS, coarse)[2]
-    verify_bounds(runner, "thick clay on sand", 2 + math.pi, 0.05, LAYERS, coarse, "Material/Friction angle=0, 30")
+    verify_bounds(runner, "thick clay on sand", 2 + math.pi, 0.05, LAYERS, three, "Material/Friction angle=0, 30")
     one, same = (runner.tables(LAYERS, three, *entries)["limit_load"][-1] for entries in (
         ("Material/Cohesion=1", "Material/Friction angle=20"), ("Material/Cohesion=1, 1", "Material/Friction angle=20, 20")))
     for bound in ("lower_bound", "upper_bound"):
