@@ -8,6 +8,7 @@ import pathlib
 import re
 import tempfile
 import unittest
+import unittest.mock
 from dataclasses import replace
 
 from elasto_plastic_contact import UserError
