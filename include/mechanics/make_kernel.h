@@ -36,12 +36,10 @@ namespace ElastoPlastic
       using Coordinates = decltype(coordinates);
       if (strain_model.is_finite())
         return of_measure(FiniteMeasure<Coordinates>());
-      if (strain_model.has_general_criteria)
-        {
-          if constexpr (!Coordinates::is_sheet)
-            return of_measure(GeneralMeasure<Coordinates>());
-          AssertThrow(false, ExcNotImplemented());
-        }
+      if constexpr (!Coordinates::is_sheet)
+        if (strain_model.has_general_criteria)
+          return of_measure(GeneralMeasure<Coordinates>());
+      AssertThrow(!strain_model.has_general_criteria, ExcInternalError());
       return of_measure(SmallStrain<Coordinates>());
     };
 
