@@ -94,6 +94,8 @@ def soil_layers(runner):
     coarse, three = "Refinement/Number of cycles=5", "Refinement/Number of cycles=3"
     thick = verify_bounds(runner, "thick weak layer", n_c(20), 0.015, LAYERS, coarse)[2]
     verify_bounds(runner, "thick clay on sand", 2 + math.pi, 0.036, LAYERS, three, "Material/Friction angle=0, 30")
+    verify_bounds(runner, "hardly any friction, on sand", n_c(0.1), 0.073, LAYERS, "Refinement/Number of cycles=2",
+                  "Material/Friction angle=0.1, 30")
     one, same = (runner.tables(LAYERS, three, *entries)["limit_load"][-1] for entries in (
         ("Material/Cohesion=1", "Material/Friction angle=20"), ("Material/Cohesion=1, 1", "Material/Friction angle=20, 20")))
     for bound in ("lower_bound", "upper_bound"):
