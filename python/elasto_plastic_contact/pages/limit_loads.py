@@ -109,25 +109,24 @@ def degrees_of_stresses(runs):
     return Content(rows)
 
 
-@table(900)
-def footings(runs):
-    """Footings on weightless ground, the last meshes."""
-    return Content([[None, None] + meshes(runs.limit_load("footing", f"Material/Friction angle={degrees}",
-                                                          N_CYCLES.format(n))[-1:], 1)[0]
-                    for degrees, n in ((10, 7), (20, 7), (30, 8))])
-
-
 def last_mesh(runs, case, n_cycles, *entries):
     """Two cells for words and exact values, and those of the last mesh."""
     return [None, None] + meshes(runs.limit_load(case, N_CYCLES.format(n_cycles), *entries)[-1:], 1)[0]
 
 
-@table(600)
+@table(900)
+def footings(runs):
+    """Footings on weightless ground, the last meshes."""
+    return Content([last_mesh(runs, "footing", n, f"Material/Friction angle={degrees}")
+                    for degrees, n in ((10, 7), (20, 7), (30, 8))])
+
+
+@table(1200)
 def surcharges(runs):
     """A surcharge beside a footing, with hardly any cohesion and with some, the last meshes."""
-    return Content([last_mesh(runs, "footing_surcharge", 7),
-                    last_mesh(runs, "footing_surcharge", 7, "Indenter/Surface=rough"),
-                    last_mesh(runs, "footing_surcharge", 7, "Material/Cohesion=1")])
+    return Content([last_mesh(runs, "footing_surcharge", 8),
+                    last_mesh(runs, "footing_surcharge", 9, "Indenter/Surface=rough"),
+                    last_mesh(runs, "footing_surcharge", 8, "Material/Cohesion=1")])
 
 
 @table(400)
@@ -137,8 +136,9 @@ def layers_of_ground(runs):
                     for layers in ("if(y > -1.5, 0, 1)", "if(y > -0.5, 0, 1)", "if(y > -0.5, 1, 0)")])
 
 
-@table(300)
+@table(900)
 def heavy_ground(runs):
     """A footing on heavy ground and a vertical cut, the last meshes."""
-    return Content([[None, None] + meshes(runs.limit_load(case, N_CYCLES.format(n))[-1:], 1)[0]
-                    for case, n in (("footing_weight", 7), ("vertical_cut_friction", 9))])
+    return Content([last_mesh(runs, "footing_weight", 10, "Indenter/Surface=smooth"),
+                    last_mesh(runs, "footing_weight", 10),
+                    last_mesh(runs, "vertical_cut_friction", 9)])
