@@ -104,15 +104,15 @@ def creep_similarity(runner):
 
 
 # Coarse and short.
-COARSE = ("Refinement/Elements over contact radius=5", "Geometry/Initial refinements=3", "Loading/Number of steps=60",
-          "Loading/History=0.5: depth 0.1 | 6: strain rate 0.1 | 16: strain rate 0.01 | 30: force rate 0")
+COARSE = ("Refinement/Elements over contact radius=5", "Geometry/Initial refinements=3", "Loading/Number of steps=30",
+          "Loading/History=1: depth 0.1 | 6: strain rate 0.1 | 16: strain rate 0.01 | 30: force rate 0")
 
 
 def creep_runs(runner):
     """A cone on a creeping body: the same on 1 and 2 ranks, stopped and resumed, in seconds and hours."""
     entries = {"Output/Fields": "never"} | dict(entry.split("=", 1) for entry in COARSE)
     in_hours = {"Material/Reference rate": f"{3600 * REFERENCE_RATE}",
-                "Loading/History": f"{0.5 / 3600}: depth 0.1 | {6 / 3600}: strain rate 360 | {16 / 3600}: strain rate 36 | "
+                "Loading/History": f"{1 / 3600}: depth 0.1 | {6 / 3600}: strain rate 360 | {16 / 3600}: strain rate 36 | "
                                    f"{30 / 3600}: force rate 0"}
     with tempfile.TemporaryDirectory() as folder:
         def run(changes, name, *options, ranks=runner.ranks):
@@ -121,8 +121,8 @@ def creep_runs(runner):
             return read_tables(directory)
 
         whole = run(entries, "whole")
-        run(entries | {"Loading/History": "0.5: depth 0.1 | 6: strain rate 0.1 | 16: strain rate 0.01",
-                       "Loading/Number of steps": "32"}, "stopped")
+        run(entries | {"Loading/History": "1: depth 0.1 | 6: strain rate 0.1 | 16: strain rate 0.01",
+                       "Loading/Number of steps": "16"}, "stopped")
         for name, other in (("2 ranks", run(entries, "ranks", ranks=2)),
                             ("resumed", run(entries, "stopped", "--resume")),
                             ("hours", run(entries | in_hours, "hours"))):
