@@ -53,6 +53,7 @@ def adhesion(runner):
     # (In ten steps; the error is proportional to their length.)
     for name, indenter, exponent, degree, tolerance in (("sphere", sphere, 2, 1, 0.005), ("cone", cone, 1, 2, 0.01)):
         rows = runner.history("indentation/sphere_axisymmetric.prm", *indenter, "Loading/Number of steps=20",
+                              "Refinement/Elements over contact radius=12",
                               "Material/Law=linear elastic", "Contact/Friction coefficient=stick",
                               f"Discretization/Polynomial degree={degree}",
                               f"Discretization/Volumetric treatment={'B-bar' if degree == 1 else 'standard'}")
