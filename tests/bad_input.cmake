@@ -559,13 +559,13 @@ add_message_test(unsafe_circular_punch 4 "There is no equilibrium under the forc
 add_message_test(safe_load_curved 0 "Warning: There is no bound of the limit load to compare the force 0.1 with. The body is curved: on a coarse mesh, it is another one. The load is applied all the same"
   ${_punch_force} --output-directory safe_load_curved --set "Geometry/Initial refinements=1" --set "Loading/Force=0.1" --set "Kinematics=axisymmetric" --set "Geometry/Type=half ball" --set "Geometry/Radius=3"
   --set "Geometry/Part=half" --set "Boundary conditions/Fixed=curved" --set "Boundary conditions/Free=" --set "Boundary conditions/Roller=left")
-# The force is safe, as finer meshes tell, but the first ones have no stresses that could bear it.
+# The force is safe, as the second mesh tells, but the first one has no stresses that could bear it.
 set(_no_bound ${CMAKE_SOURCE_DIR}/parameter_files/verification/strip_punch.prm --overwrite --quiet
   --set "Analysis=contact with error bound" --set "Geometry/Initial refinements=0" --set "Loading/Control=force"
-  --set "Loading/Force=2.9" --set "Output/Fields=never")
+  --set "Loading/Force=2.75" --set "Output/Fields=never")
 add_message_test(no_error_bound 3 "Error: The contact problem has been solved, and the results are written, but there is no error bound on the last mesh"
   ${_no_bound} --output-directory no_error_bound --set "Refinement/Number of cycles=1")
-add_message_test(no_error_bound_yet 3 "Warning: The contact problem has been solved, but there is no error bound on this mesh"
+add_message_test(no_error_bound_yet 0 "Warning: The contact problem has been solved, but there is no error bound on this mesh"
   ${_no_bound} --output-directory no_error_bound_yet --set "Refinement/Number of cycles=2")
 add_message_test(error_bound_reach 3 "there is no error bound on the last mesh. No side or face of the mesh lies within the reach of the indenter as a whole"
   ${CMAKE_SOURCE_DIR}/parameter_files/error_bound/parabola.prm --quiet --overwrite --output-directory error_bound_reach

@@ -28,7 +28,7 @@ namespace
                               const StrainModel &strain_model)
   {
     describe<dim>(degree, strain_model);
-    for (const double poisson_ratio : {0.48, 0.49, 0.499, 0.4999})
+    for (const double poisson_ratio : {0.48, 0.499, 0.4999})
       {
         output() << " Poisson's ratio " << poisson_ratio << std::endl;
         const unsigned int n_refinements = (dim == 2 ? 5 - degree : 2);

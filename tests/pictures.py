@@ -49,7 +49,7 @@ def check_material_test(program, folder):
 
 
 def check_indentation_test(program, folder):
-    n_steps = 12
+    n_steps = 6
     run_program(program, "indentation/cone_axisymmetric.prm", folder, "Geometry/Local refinements=4", "Geometry/Local radius=4",
                 "Refinement/Elements over contact radius=0",
                 "Loading/History=1: depth 0.05 | 2: force 0", f"Loading/Number of steps={n_steps}")

@@ -28,13 +28,14 @@ def compare_with_unloading(runner, name, case, depth, allowed, *entries):
 
 
 def continuous_stiffness(runner):
-    """That of a small real unloading, of an elastic sphere, and of any number of ranks; it changes nothing else."""
+    """That of a small real unloading, of an elastic sphere, and on three ranks; it changes nothing else."""
     for name, entries in (("cone", ()), ("cone, finite strain", ("Strain=logarithmic",))):
         compare_with_unloading(runner, name, CONE, 0.02, 1e-4, *FIXED_MESH, *FLOWING, *entries)
     for edge in ("within faces", "at nodes"):
         compare_with_unloading(runner, f"elastic cone, contact ends {edge}", CONE, 0.02, 1e-6, *FIXED_MESH, *ELASTIC,
                                f"Contact/Edge={edge}")
-    compare_with_unloading(runner, "sphere in space, multigrid", "indentation/sphere_3d.prm", 0.01, 1e-4, *FLOWING)
+    compare_with_unloading(runner, "sphere in space, multigrid", "indentation/sphere_3d.prm", 0.01, 1e-4, *FLOWING,
+                           "Geometry/Initial refinements=2", "Refinement/Elements over contact radius=2")
     # (at once some points at the edge of the contact flow on, which makes a real unloading softer)
     ratio = compare_with_unloading(runner, "cone that flows at once", CONE, 0.02, 0.01, *FIXED_MESH)
     runner.verify(f"the real one is not stiffer ({ratio:.5f})", ratio > 1. - 1e-6)
@@ -47,7 +48,7 @@ def continuous_stiffness(runner):
 
 
 def continuous_stiffness_of_ranks(runner):
-    """The run is the same without; the stiffness is the same on each number of ranks."""
+    """The run is the same without; the stiffness is the same on another number of ranks."""
     loading = (*FIXED_MESH, "Loading/History=1: depth 0.02", "Loading/Number of steps=4")
     without = runner.history(CONE, *loading)
     runner.verify("not a number without the entry", all(math.isnan(step["contact_stiffness"]) for step in without))
@@ -55,7 +56,6 @@ def continuous_stiffness_of_ranks(runner):
     for name in ("depth", "force", "contact_area", "plastic_work", "linear_iterations"):
         runner.verify(f"{name}: all digits as without the entry",
                       [step[name] for step in without] == [step[name] for step in reference])
-    for n in (2, 3):
-        with runner.on_ranks(n):
-            there = runner.history(CONE, SWITCHED_ON, *loading)
-        runner.compare(f"{n} ranks", there[-1]["contact_stiffness"], reference[-1]["contact_stiffness"], 1e-6)
+    with runner.on_ranks(3):
+        there = runner.history(CONE, SWITCHED_ON, *loading)
+    runner.compare("3 ranks", there[-1]["contact_stiffness"], reference[-1]["contact_stiffness"], 1e-6)

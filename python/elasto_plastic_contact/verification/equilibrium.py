@@ -37,7 +37,7 @@ def limit_load(runner):
     small = runner.tables(case, entry, "Geometry/Lower corner=0, -5", "Geometry/Upper corner=5, 0",
                           "Geometry/Repetitions=5, 5")["limit_load"]
     runner.compare("block of 5 by 5 half-widths", small[-1]["lower_bound"], 4.2, 0.015)
-    strip = runner.tables(case, entry, "Geometry/Lower corner=0, -1", "Geometry/Upper corner=10, 0",
+    strip = runner.tables(case, coarse, "Geometry/Lower corner=0, -1", "Geometry/Upper corner=10, 0",
                           "Geometry/Repetitions=10, 1", "Boundary conditions/Roller=left, bottom",
                           "Boundary conditions/Fixed=", "Geometry/Initial refinements=1")["limit_load"][-1]
     # both fields are exact
@@ -79,7 +79,7 @@ def limit_load_space(runner):
                for dim, thickness in {2: ("", "", ""), 3: (", 0", ", 1", ", 1")}.items()}
     plane = runner.tables("limit_load/strip_punch.prm", "Refinement/Number of cycles=6", "Material/Yield stress=1",
                           *entries[2])["limit_load"][-1]
-    slab = runner.tables(case, "Refinement/Number of cycles=3", "Refinement/Refinement fraction=0.15",
+    slab = runner.tables(case, "Refinement/Number of cycles=2", "Refinement/Refinement fraction=0.15",
                          "Indenter/Type=strip punch", "Indenter/Half width=1", "Boundary conditions/Free=right",
                          "Boundary conditions/Roller=left, front, back", *entries[3])["limit_load"]
     for row in slab:
@@ -88,7 +88,7 @@ def limit_load_space(runner):
                       row["lower_bound"] <= plane["upper_bound"] and row["upper_bound"] >= plane["lower_bound"])
     for earlier, later in zip(slab, slab[1:]):
         runner.verify("slab: a finer mesh is closer", later["relative_difference"] < earlier["relative_difference"])
-    runner.compare("slab: difference of the bounds", slab[-1]["relative_difference"], 0, 0.12, absolute=True)
+    runner.compare("slab: difference of the bounds", slab[-1]["relative_difference"], 0, 0.09, absolute=True)
 
     held = runner.tables(case, "Refinement/Number of cycles=3", "Refinement/Refinement fraction=0.3",
                          "Indenter/Type=strip punch", "Indenter/Half width=1", "Boundary conditions/Free=",
@@ -192,8 +192,8 @@ def verify_energies(runner, law, rows, fine):
 
 def error_bound(runner):
     """Uniform meshes: the bound is positive, above all errors, and of order h^2."""
-    for law in LAWS:
-        rows, fine = uniform_meshes(runner, law, 3)
+    for law, n_meshes in zip(LAWS, (3, 2, 2)):  # (an elastic body reaches this order on finer meshes)
+        rows, fine = uniform_meshes(runner, law, n_meshes)
         verify_energies(runner, law, rows, fine)
         for row in rows:
             largest = math.sqrt(2 * row["bound"])
@@ -276,7 +276,7 @@ def verify_interval(runner, title, rows, exact, width):
 def force_bounds(runner):
     """A cylinder: force or depth of a finer mesh between their bounds, which close in; depth without hardening."""
     case, depth = "cylinder_2d.prm", 0.01
-    for law, names in zip(LAWS, (("force", "depth"), ("force",), ("force", "depth"))):
+    for law, names in zip(LAWS, (("force",), ("force",), ("force", "depth"))):
         entries = (f"Material/Law={law}", "Refinement/Strategy=adaptive")
         force = runner.run(case, *entries, f"Loading/Depth={depth}", "Refinement/Number of cycles=6")[-1]["force"]
         bounds = {"force": (force, 3, 0.3, (f"Loading/Depth={depth}", "Refinement/Goal=force")),
@@ -339,7 +339,7 @@ def depths_for_hardening(runner, values, entries):
 
 def equilibrium_limit(runner):
     """Johnson's mu to 0: the displacement method comes to the equilibrium method's solution."""
-    entries = ("Refinement/Number of cycles=4", *QUADRATIC)
+    entries = ("Refinement/Number of cycles=3", *QUADRATIC)
     row = runner.tables("johnson/perfect.prm", BOUND, *entries)["error_bound"][-1]
     missing = [abs(1 - depth / row["equilibrium_depth"])
                for depth in depths_for_hardening(runner, (1, 0.01, 0.0001), entries)]

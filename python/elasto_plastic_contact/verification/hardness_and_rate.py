@@ -13,14 +13,15 @@ from ..tables import read_tables
 CASE = "creep/rate_jump.prm"
 EXPONENT, UNIT, REFERENCE_RATE = 5, 100.0, 0.001  # of the case, in N, mm, s
 
-# A flat punch of radius 1 on an almost rigid body.
+# A flat punch of radius 1 on an almost rigid body (where multigrid does not converge).
 PUNCH = ("Geometry/Lower corner=0, -8", "Geometry/Upper corner=8, 0", "Indenter/Type=circular punch", "Indenter/Radius=1",
-         "Contact/Edge=at nodes", "Loading/History=", "Loading/Depth=t")
+         "Contact/Edge=at nodes", "Loading/History=", "Loading/Depth=t", "Linear solver/Type=direct")
 
 
 def creep_hardness(runner):
     """A cone on a creeping body: constant hardness at constant strain rates; jumps of the rate, and a hold (1 / exponent)."""
-    tables = runner.tables(CASE)
+    tables = runner.tables(CASE, "Loading/History=0.5: depth 0.1 | 15: strain rate 0.05 | 45: strain rate 0.01 | "
+                           "55: strain rate 0.05 | 75: force rate 0", "Loading/Number of steps=150")
     hardness = {}
     for begin, end, rate in ((0.5, 15, 0.05), (15, 45, 0.01), (45, 55, 0.05)):
         late = {step["step"]: step["force"] / step["contact_area"] for step in tables["history"]
@@ -41,14 +42,14 @@ def creep_hardness(runner):
         runner.compare("sensitivity by the hold, from its depths", sensitivity_as_measured(tables), 1 / EXPONENT, 0.05)
     history = {step["time"]: step["depth"] for step in tables["history"]}
     runner.verify(f"depth grows in the hold, by {hold['creep_depth']:.3g}",
-                  0 < hold["creep_depth"] < history[85] - history[55] + 1e-2 * history[55])
+                  0 < hold["creep_depth"] < history[75] - history[55] + 1e-2 * history[55])
 
 
 def sensitivity_as_measured(tables):
     """As 'epc evaluate' finds it of a curve that is not unloaded: the area of a cone is the section at the depth."""
     import numpy  # (which what needs no curve does without)
     from ..measured.creep import FIRST_PART, rate_sensitivity
-    held = [step for step in tables["history"] if step["time"] > 55 + FIRST_PART * (85 - 55)]
+    held = [step for step in tables["history"] if step["time"] > 55 + FIRST_PART * (75 - 55)]
     time, depth = (numpy.array([step[column] for step in held]) for column in ("time", "depth"))
     return rate_sensitivity(time, depth, lambda depths: -2. * numpy.log(depths))
 
@@ -104,15 +105,15 @@ def creep_similarity(runner):
 
 
 # Coarse and short.
-COARSE = ("Refinement/Elements over contact radius=5", "Geometry/Initial refinements=3", "Loading/Number of steps=60",
-          "Loading/History=0.5: depth 0.1 | 6: strain rate 0.1 | 16: strain rate 0.01 | 30: force rate 0")
+COARSE = ("Refinement/Elements over contact radius=5", "Geometry/Initial refinements=3", "Loading/Number of steps=30",
+          "Loading/History=1: depth 0.1 | 6: strain rate 0.1 | 16: strain rate 0.01 | 30: force rate 0")
 
 
 def creep_runs(runner):
     """A cone on a creeping body: the same on 1 and 2 ranks, stopped and resumed, in seconds and hours."""
     entries = {"Output/Fields": "never"} | dict(entry.split("=", 1) for entry in COARSE)
     in_hours = {"Material/Reference rate": f"{3600 * REFERENCE_RATE}",
-                "Loading/History": f"{0.5 / 3600}: depth 0.1 | {6 / 3600}: strain rate 360 | {16 / 3600}: strain rate 36 | "
+                "Loading/History": f"{1 / 3600}: depth 0.1 | {6 / 3600}: strain rate 360 | {16 / 3600}: strain rate 36 | "
                                    f"{30 / 3600}: force rate 0"}
     with tempfile.TemporaryDirectory() as folder:
         def run(changes, name, *options, ranks=runner.ranks):
@@ -121,8 +122,8 @@ def creep_runs(runner):
             return read_tables(directory)
 
         whole = run(entries, "whole")
-        run(entries | {"Loading/History": "0.5: depth 0.1 | 6: strain rate 0.1 | 16: strain rate 0.01",
-                       "Loading/Number of steps": "32"}, "stopped")
+        run(entries | {"Loading/History": "1: depth 0.1 | 6: strain rate 0.1 | 16: strain rate 0.01",
+                       "Loading/Number of steps": "16"}, "stopped")
         for name, other in (("2 ranks", run(entries, "ranks", ranks=2)),
                             ("resumed", run(entries, "stopped", "--resume")),
                             ("hours", run(entries | in_hours, "hours"))):

@@ -155,7 +155,7 @@ def sectors(runner):
                "Refinement/Elements over contact radius=0")
     body = ("Geometry/Type=sector", "Geometry/Radius=2", "Geometry/Height=2", "Geometry/Core radius=0.03125",
             "Geometry/Initial refinements=3", "Boundary conditions/Free=side")
-    for name, angles, shape in (("sphere", (60, 180), ()),
+    for name, angles, shape in (("sphere", (60, 90), ()),
                                 ("cone", (45, 90), ("Indenter/Type=cone", "Indenter/Semi-apex angle=85"))):
         whole = runner.history("indentation/sphere_axisymmetric.prm", *loading, *shape, "Geometry/Lower corner=0, -2",
                                "Geometry/Upper corner=2, 0", "Geometry/Initial refinements=4",
@@ -163,9 +163,8 @@ def sectors(runner):
                                "Material/Law=isotropic hardening", "Material/Isotropic hardening modulus=2000")[-1]
         forces = []
         for angle in angles:
-            planes = "front" if angle == 180 else "front, back"
             part = runner.history("indentation/sphere_3d.prm", *loading, *body, *shape,
-                                  f"Geometry/Sector angle={angle}", f"Boundary conditions/Roller={planes}")[-1]
+                                  f"Geometry/Sector angle={angle}", "Boundary conditions/Roller=front, back")[-1]
             forces.append(360 / angle * part["force"])
             runner.compare(f"{name}, {angle} degrees: force against the axisymmetric body", forces[-1],
                            whole["force"], 0.01)

@@ -164,7 +164,7 @@ def initial_stress_cone(runner):
     for stress in (-150, 0, 150):
         with tempfile.TemporaryDirectory() as folder:
             tables = tables_of(runner, residual_stress(stress) | {"Loading/History": "1: depth 0.02",
-                                                                  "Loading/Number of steps": "60"},
+                                                                  "Loading/Number of steps": "30"},
                                folder, "--overwrite")
         runner.compare(f"{stress} MPa: largest force_balance_error",
                        max(row["force_balance_error"] for row in tables["statistics"]), 0, 1e-8, absolute=True)
@@ -184,13 +184,13 @@ def initial_stress_runs(runner):
                "Initial stress/Stress xx": "-100*exp(y/4)", "Initial stress/Stress zz": "-100*exp(y/4)",
                "Boundary conditions/Traction": "right: -100*exp(y/4)+0.5*(y+8); 0",
                "Refinement/Elements over contact radius": "4", "Loading/History": "1: depth 0.1 | 1.2: force 0",
-               "Loading/Number of steps": "24"}
+               "Loading/Number of steps": "12"}
     with tempfile.TemporaryDirectory() as folder:
         def run(changes, name, *options, ranks=runner.ranks):
             return tables_of(runner, entries | changes, pathlib.Path(folder) / name, *options, ranks=ranks)["history"]
 
         whole = run({}, "whole")
-        run({"Loading/History": "1: depth 0.1", "Loading/Number of steps": "20"}, "stopped")
+        run({"Loading/History": "1: depth 0.1", "Loading/Number of steps": "10"}, "stopped")
         for name, other in (("2 ranks", run({}, "ranks", ranks=2)), ("resumed", run({}, "stopped", "--resume"))):
             for column in ("depth", "force", "contact_area", "plastic_work", "elastic_energy", "external_work"):
                 largest = max(abs(row[column]) for row in whole)

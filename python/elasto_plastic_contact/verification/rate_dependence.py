@@ -61,7 +61,7 @@ LAWS = {
 }
 
 
-def integrate(rate, n_steps=20000):
+def integrate(rate, n_steps=1000):
     """The stress at t = 1 and 2 by the classical Runge-Kutta method; the back stress is counted in plastic strain."""
     def derivative(strain_rate, state):
         stress, alpha, plastic = state

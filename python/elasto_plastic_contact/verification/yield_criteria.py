@@ -95,7 +95,9 @@ def hosford_cylinder(runner):
 
 def criteria_and_von_mises(runner):
     """Hosford with the exponents 2 and 4, and Hill with ratios of 1: an indentation as with von Mises."""
-    entries = ("Refinement/Elements over contact radius=4", "Loading/Number of steps=6", "Nonlinear solver/Tolerance=1e-11")
+    entries = ("Refinement/Elements over contact radius=4", "Loading/History=1: depth 0.002 | 2: force 0",
+               "Loading/Number of steps=4", "Nonlinear solver/Tolerance=1e-11",
+               "Linear solver/Type=direct")
     forces = [[step["force"] for step in runner.history("indentation/sphere_axisymmetric.prm", *entries, *criterion)]
               for criterion in ((), ("Material/Yield criterion=Hosford", "Material/Hosford exponent=2"),
                                 ("Material/Yield criterion=Hosford", "Material/Hosford exponent=4"),
