@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "bounds/body/yield_norms.h"
 #include "bounds/equilibrium_output.h"
 #include "bounds/stress/johnson_mercier.h"
 #include "output/patches.h"
@@ -56,13 +57,13 @@ namespace ElastoPlastic
       add(motion);
       if (dim == 2)
         add(on_part<dim>(fields.stress.displacement[t], part)[corner]);
-      const auto   stress = fields.stress.without_weight(body, t, part, corner);
-      const double deviator_norm = deviator(stress).norm();
+      const auto stress = fields.stress.without_weight(body, t, part, corner);
       for (unsigned int a = 0; a < 3; ++a)
         for (unsigned int b = 0; b < 3; ++b)
           values.push_back(stress[a][b]);
-      values.push_back(std::sqrt(1.5) * deviator_norm);
-      values.push_back(deviator_norm / body.yield_radius(t, stress));
+      values.push_back(std::sqrt(1.5) * deviator(stress).norm());
+      values.push_back(stress_norm(body.materials[t], stress) /
+                       body.yield_radius(t, stress));
       values.push_back(fields.errors[t]);
       values.push_back(
         body.mesh.cells[body.mesh.simplices[t].cell].material_id);

@@ -198,6 +198,7 @@ namespace ElastoPlastic
   LimitLoadAnalysis<dim>::check()
   {
     check_contact_boundaries(model, triangulation);
+    check_symmetry_of_materials(model, triangulation);
     setup_body();
     check_supports_of_limit_load(model,
                                  parameters.limit_load.load,

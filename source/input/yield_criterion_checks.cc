@@ -3,6 +3,8 @@
 
 // Which problems go with which yield criteria.
 
+#include <algorithm>
+
 #include "base/exceptions.h"
 #include "input/parameters.h"
 
@@ -16,6 +18,27 @@ namespace ElastoPlastic
       throw InputError("Material/Yield criterion",
                        Patterns::Tools::to_string(material.criteria.criteria),
                        reason);
+    }
+
+
+
+    /// Yield conditions must be second-order cones; where rates change the
+    /// volume, von Mises' only are known.
+    void
+    check_criteria_of_limit_load(const MaterialParameters &material)
+    {
+      const auto &criteria = material.criteria.criteria;
+      if (std::find(criteria.begin(),
+                    criteria.end(),
+                    YieldCriterion::hosford) != criteria.end())
+        refuse(material,
+               "'Analysis = limit load' has bounds for the criteria of von "
+               "Mises, Hill, and Mohr and Coulomb. Choose one of these, or "
+               "'Analysis = contact'.");
+      if (material.criteria.has_soil())
+        refuse(material,
+               "beside 'Mohr-Coulomb', other materials can obey the criterion "
+               "of von Mises only. Choose 'von Mises' in place of 'Hill'.");
     }
   } // namespace
 
@@ -50,6 +73,10 @@ namespace ElastoPlastic
   {
     if (!material.criteria.are_general())
       return;
+    if (dimension == 2)
+      material.criteria.check_third_axis();
+    if (analysis == Analysis::limit_load)
+      return check_criteria_of_limit_load(material);
     if (analysis != Analysis::contact)
       refuse(material,
              "'Analysis = " + Patterns::Tools::to_string(analysis) +
@@ -65,7 +92,5 @@ namespace ElastoPlastic
              "with 'Strain = logarithmic' Newton's method converges for the "
              "criterion of von Mises only. Choose 'von Mises', or 'Strain = "
              "small'.");
-    if (dimension == 2)
-      material.criteria.check_third_axis();
   }
 } // namespace ElastoPlastic

@@ -38,12 +38,15 @@ namespace ElastoPlastic
   FullMatrix<double>
   deviator_matrix();
 
-  /// Adds the cones |dev tau| <= @p radius times a weight to a @p block without
-  /// any, for the stresses tau = @p point_stresses x: all components at each of
-  /// several points, of which those with the weight zero have no condition.
+  /// Adds the cones |@p deviator tau| <= @p radius times a weight to a @p block
+  /// without any, for the stresses tau = @p point_stresses x: all components at
+  /// each of several points, of which those with the weight zero have no
+  /// condition. @p deviator is deviator_matrix(), or what else turns components
+  /// into as many numbers.
   template <int dim>
   void
   add_yield_conditions(ConicBlock                &block,
+                       const FullMatrix<double>  &deviator,
                        const FullMatrix<double>  &point_stresses,
                        const std::vector<double> &weights,
                        const double               radius);

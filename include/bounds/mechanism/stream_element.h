@@ -39,7 +39,8 @@ namespace ElastoPlastic
     unsigned int
     n_functions() const;
 
-    /// A strain rate is given by so many components, of Euclidean norm |e|.
+    /// A strain rate is given by so many components, of Euclidean norm |e|, or
+    /// with Hill's criterion |M^-T e|.
     unsigned int
     n_rate_components() const;
 
@@ -110,6 +111,9 @@ namespace ElastoPlastic
     const Corners<2>                  corners;
     const std::array<Tensor<1, 2>, 3> gradients; ///< of linear functions
     const bool                        has_flux;
+    /// What turns strain rates into the vectors whose norm is the work, see
+    /// yield_matrices.h.
+    const FullMatrix<double> rate_factor;
   };
 } // namespace ElastoPlastic
 

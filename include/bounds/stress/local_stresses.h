@@ -30,9 +30,10 @@ namespace ElastoPlastic::LocalStresses
 
   /// What is known of sigma_33 in the plane: it is a field of its own, which
   /// need not be continuous; or the mean of sigma_11 and sigma_22, with which
-  /// the yield condition of plane strain admits most; or zero; or what the
-  /// others leave to the equilibrium of a body of revolution. In space, it is
-  /// like the other components.
+  /// the yield condition of plane strain admits most (with Hill's criterion,
+  /// see weights_out_of_plane()); or zero; or what the others leave to the
+  /// equilibrium of a body of revolution. In space, it is like the other
+  /// components.
   enum class OutOfPlane
   {
     unknown,

@@ -26,7 +26,7 @@ namespace ElastoPlastic
     double boundary_force =
       0;                ///< given tractions, and shear under the indenter
     double tension = 0; ///< under the indenter
-    /// |dev tau| - sqrt(2/3) sigma_0, where the material does not harden
+    /// stress_norm() - sqrt(2/3) sigma_0, where the material does not harden
     double yield_excess = 0;
     double force_difference =
       0; ///< of the field's force and int p ds, relative

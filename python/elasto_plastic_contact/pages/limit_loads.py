@@ -39,6 +39,13 @@ def strip_punch_variants(runs):
     return Content(numbers=numbers)
 
 
+@table(150)
+def rolled_strip_punch(runs):
+    """A strip punch on rolled metal, its axes along and at 45 degrees to the surface: every second mesh."""
+    along, between = (meshes(runs.limit_load("strip_punch_rolled", f"Material/Axes={axes}"), 1) for axes in ("0", "45"))
+    return Content([first + second for first, second in zip(along[::2], between[::2])])
+
+
 CIRCULAR_PUNCH_IN_SPACE = ("circular_punch_3d", math.pi / 4, 4, N_CYCLES.format(6))
 
 

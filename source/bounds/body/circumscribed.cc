@@ -131,13 +131,18 @@ namespace ElastoPlastic
     bool
     keep_materials(const Displacements &displacements, const SplitBody<3> &body)
     {
-      std::map<unsigned int, double> yield_radii;
+      std::map<unsigned int, const Material<double> *> materials;
       for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         for (const unsigned int v : body.mesh.simplices[t].vertices)
-          if (displacements.count(v) > 0 &&
-              yield_radii.emplace(v, body.materials[t].yield_radius)
-                  .first->second != body.materials[t].yield_radius)
-            return false;
+          if (displacements.count(v) > 0)
+            {
+              const Material<double> &here = body.materials[t];
+              const Material<double> &there =
+                *materials.emplace(v, &here).first->second;
+              if (there.yield_radius != here.yield_radius ||
+                  there.criteria != here.criteria)
+                return false;
+            }
       return true;
     }
 

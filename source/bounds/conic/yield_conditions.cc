@@ -58,15 +58,15 @@ namespace ElastoPlastic
   template <int dim>
   void
   add_yield_conditions(ConicBlock                &block,
+                       const FullMatrix<double>  &deviator,
                        const FullMatrix<double>  &point_stresses,
                        const std::vector<double> &weights,
                        const double               radius)
   {
-    static const FullMatrix<double> deviator     = deviator_matrix<dim>();
-    constexpr unsigned int          n_components = n_stress_components<dim>;
-    const unsigned int              size         = 1 + deviator.m();
-    const unsigned int              n            = point_stresses.n();
-    const unsigned int              n_cones =
+    constexpr unsigned int n_components = n_stress_components<dim>;
+    const unsigned int     size         = 1 + deviator.m();
+    const unsigned int     n            = point_stresses.n();
+    const unsigned int     n_cones =
       weights.size() - std::count(weights.begin(), weights.end(), 0.);
 
     block.cone_matrix.reinit(size * n_cones, n);
@@ -102,10 +102,12 @@ namespace ElastoPlastic
   template void
   add_yield_conditions<2>(ConicBlock &,
                           const FullMatrix<double> &,
+                          const FullMatrix<double> &,
                           const std::vector<double> &,
                           const double);
   template void
   add_yield_conditions<3>(ConicBlock &,
+                          const FullMatrix<double> &,
                           const FullMatrix<double> &,
                           const std::vector<double> &,
                           const double);

@@ -3,9 +3,9 @@
 
 #include <utility>
 
+#include "bounds/body/yield_matrices.h"
 #include "bounds/conic/dissipation_block.h"
 #include "bounds/conic/interior_point.h"
-#include "bounds/conic/yield_conditions.h"
 #include "bounds/mechanism/face_view.h"
 #include "bounds/mechanism/flux_unknowns.h"
 #include "bounds/mechanism/velocity_program.h"
@@ -84,8 +84,8 @@ namespace ElastoPlastic
     void
     FluxProgram::add_work(const unsigned int t)
     {
-      static const FullMatrix<double> deviator = deviator_matrix<3>();
-      const unsigned int              n        = deviator.m();
+      const FullMatrix<double> deviator = rate_matrix<3>(body.materials[t]);
+      const unsigned int       n        = deviator.m();
 
       ConicBlock &block = program.blocks.emplace_back(n + 1);
       block.cone_matrix.reinit(n + 1, n + 1);
@@ -154,8 +154,10 @@ namespace ElastoPlastic
                                       (at_corner.velocities[i] * directions[d]);
             }
         }
+      FullMatrix<double> work(slips.m(), slips.n());
+      slip_factor(body, f).mmult(work, slips);
       DissipationBlock block(slips.n());
-      block.add_norm(slips,
+      block.add_norm(work,
                      0,
                      2,
                      body.relative_area(f) / 3.,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds/body/yield_norms.h"
 #include "bounds/mechanism/face_view.h"
 #include "bounds/mechanism/velocity_check.h"
 #include "bounds/stress/inverse_square.h"
@@ -41,9 +42,10 @@ namespace ElastoPlastic
 
 
     /// An upper bound of int w |e| dx over a part of a triangle, for the strain
-    /// rate e and the weight w of the body.
+    /// rate e with this @p norm and the weight w of the body.
     double
     integral_of_rate(const SplitBody<2>       &body,
+                     const RateNorm           &norm,
                      const Corners<2>         &corners,
                      const SimplexVelocity<2> &velocity,
                      const Part               &part)
@@ -76,7 +78,7 @@ namespace ElastoPlastic
                 rate;
             }
           sum += (weights[0] + weights[1] + weights[2]) / 3. *
-                 inverse_square.error() * rate_in_space(body, rate).norm();
+                 inverse_square.error() * norm(rate_in_space(body, rate));
         }
       const auto moments = quadratic_moments(weights);
       for (unsigned int p = 0; p < n_quadratics; ++p)
@@ -84,7 +86,7 @@ namespace ElastoPlastic
           SymmetricTensor<2, 2> coefficient;
           for (unsigned int q = 0; q < n_quadratics; ++q)
             coefficient += Bernstein<2>::coefficients(2)(p, q) * rates[q];
-          sum += moments[p] * rate_in_space(body, coefficient).norm();
+          sum += moments[p] * norm(rate_in_space(body, coefficient));
         }
       return volume(corners) / (n_side_parts * n_side_parts) * sum;
     }
@@ -101,10 +103,11 @@ namespace ElastoPlastic
         return work_of_soil(body, velocity, t);
       static const std::vector<Part> parts = parts_of_triangle();
 
-      const auto corners = body.corners_of(t);
-      double     sum     = 0;
+      const RateNorm norm(body.materials[t]);
+      const auto     corners = body.corners_of(t);
+      double         sum     = 0;
       for (const Part &part : parts)
-        sum += integral_of_rate(body, corners, velocity, part);
+        sum += integral_of_rate(body, norm, corners, velocity, part);
       return body.angle() * body.materials[t].yield_radius * sum;
     }
 
@@ -117,7 +120,7 @@ namespace ElastoPlastic
                 const unsigned int        t)
     {
       return volume(body.corners_of(t)) * body.materials[t].yield_radius *
-             strain_rate_at(body, velocity, t, {}).norm();
+             RateNorm(body.materials[t])(strain_rate_at(body, velocity, t, {}));
     }
 
 
@@ -163,7 +166,8 @@ namespace ElastoPlastic
       const auto       &coefficients =
         Bernstein<dim - 1>::coefficients(trace_degree<dim>);
 
-      double sum = 0;
+      const SlipNorm<dim> norm(body, view.number);
+      double              sum = 0;
       for (const auto &part : parts)
         {
           std::vector<Tensor<1, dim>> slips;
@@ -175,7 +179,7 @@ namespace ElastoPlastic
               Tensor<1, dim> coefficient;
               for (unsigned int p = 0; p < slips.size(); ++p)
                 coefficient += coefficients(i, p) * slips[p];
-              sum += coefficient.norm();
+              sum += norm(coefficient);
             }
         }
       return body.angle() * body.shear_strength(view.number) * view.area /

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds/body/yield_matrices.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/tolerances.h"
 #include "bounds/conic/yield_conditions.h"
@@ -281,6 +282,7 @@ namespace ElastoPlastic
 
       ConicBlock &block = program.blocks.emplace_back(n);
       add_yield_conditions<2>(block,
+                              stress_matrix<2>(body.materials[t]),
                               stresses,
                               {1., 1., 1.},
                               body.materials[t].yield_radius /

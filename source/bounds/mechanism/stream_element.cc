@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds/body/yield_matrices.h"
 #include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/stream_element.h"
 #include "bounds/stress/inverse_square.h"
@@ -17,6 +18,7 @@ namespace ElastoPlastic
     , corners(body.mesh.corners(body.mesh.simplices[triangle]))
     , gradients(ElastoPlastic::gradients(corners))
     , has_flux(has_flux)
+    , rate_factor(ElastoPlastic::rate_factor<2>(body.materials[triangle]))
   {}
 
 
@@ -75,7 +77,8 @@ namespace ElastoPlastic
 
 
 
-  // The deviator in an orthonormal basis; its trace in space is zero.
+  // The deviator in an orthonormal basis; its trace in space is zero. What the
+  // factor makes of the first components, it makes without others.
   std::vector<double>
   StreamElement::rate_components(const SymmetricTensor<2, 2> &rate) const
   {
@@ -84,7 +87,12 @@ namespace ElastoPlastic
                                       std::sqrt(2.) * rate[0][1]};
     if (body.is_axisymmetric())
       components.push_back(-std::sqrt(1.5) * trace(rate));
-    return components;
+    const unsigned int  n = components.size();
+    std::vector<double> result(n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        result[i] += rate_factor(i, j) * components[j];
+    return result;
   }
 
 

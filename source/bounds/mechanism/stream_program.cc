@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds/body/yield_matrices.h"
 #include "bounds/conic/dissipation_block.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/tolerances.h"
@@ -136,7 +137,7 @@ namespace ElastoPlastic
                        area(body.mesh.corners(side)) / slips.m() *
                          body.stress_unit / work_unit,
                        std::sqrt(0.5) * body.materials[t].yield_radius /
-                         body.stress_unit,
+                         body.stress_unit * slip_factor(body, s, t)(0, 0),
                        weights[i] * (support.velocity * tangent));
     }
 

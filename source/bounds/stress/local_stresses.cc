@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "bounds/body/yield_matrices.h"
 #include "bounds/conic/local_algebra.h"
 #include "bounds/stress/local_stresses.h"
 
@@ -165,13 +166,15 @@ namespace ElastoPlastic::LocalStresses
           stresses(n_components * p + c, j) = basis(n_of_element * p + c, j);
     if constexpr (dim == 2)
       {
+        const auto weights = weights_out_of_plane(body.materials[t]);
         for (unsigned int p = 0; p < n_points; ++p)
           if (out_of_plane == OutOfPlane::unknown)
             stresses(n_components * p + 3, basis.n() + p) = 1.;
           else if (out_of_plane == OutOfPlane::mean)
-            for (unsigned int j = 0; j < basis.n(); ++j)
-              stresses(n_components * p + 3, j) =
-                0.5 * (basis(3 * p, j) + basis(3 * p + 1, j));
+            for (unsigned int c = 0; c < weights.size(); ++c)
+              for (unsigned int j = 0; j < basis.n(); ++j)
+                stresses(n_components * p + 3, j) +=
+                  weights[c] * basis(3 * p + c, j);
         if (out_of_plane == OutOfPlane::circumferential)
           add_circumferential_stress(stresses, body, t, degree, basis);
       }

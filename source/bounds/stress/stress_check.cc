@@ -8,6 +8,7 @@
 #include "base/largest_error.h"
 #include "base/tensors.h"
 #include "bounds/body/hencky_material.h"
+#include "bounds/body/yield_norms.h"
 #include "bounds/stress/johnson_mercier.h"
 #include "bounds/stress/stress_check.h"
 
@@ -200,7 +201,8 @@ namespace ElastoPlastic
               if (!HenckyMaterial::hardens(body.materials[t]))
                 keep_largest(
                   errors.yield_excess,
-                  inverse_weight(body, x) * deviator(weighted).norm() -
+                  inverse_weight(body, x) *
+                      stress_norm(body.materials[t], weighted) -
                     body.yield_radius(
                       t,
                       inverse_weight(body, x) * weighted -

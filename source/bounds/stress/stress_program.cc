@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "bounds/body/hencky_material.h"
+#include "bounds/body/yield_matrices.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/local_algebra.h"
 #include "bounds/conic/yield_conditions.h"
@@ -65,7 +66,8 @@ namespace ElastoPlastic
 
 
 
-  // |dev tau| <= R + zeta, or with friction R - sqrt(2) sin(phi) p.
+  // |dev tau| <= R + zeta, or with friction R - sqrt(2) sin(phi) p; with Hill's
+  // criterion, the matrix of another norm.
   template <int dim>
   void
   StressProgram<dim>::add_block(const unsigned int t)
@@ -75,6 +77,7 @@ namespace ElastoPlastic
     ConicBlock              &block = program.blocks.emplace_back(stresses.n());
     if (yields(material))
       add_yield_conditions<dim>(block,
+                                stress_matrix<dim>(material),
                                 stresses,
                                 LocalStresses::weights(body, t, degree),
                                 material.yield_radius / body.stress_unit);
@@ -237,6 +240,7 @@ namespace ElastoPlastic
         ConicBlock               block(values.size());
         const FullMatrix<double> identity{IdentityMatrix(values.size())};
         add_yield_conditions<dim>(block,
+                                  stress_matrix<dim>(body.materials[t]),
                                   identity,
                                   LocalStresses::weights(body, t, degree),
                                   /* radius = */ 1.);
@@ -255,8 +259,12 @@ namespace ElastoPlastic
         for (unsigned int c = 0; c < Element::n_components; ++c)
           of_element[Element::n_components * p + c] = of_point[c];
         if (out_of_plane == OutOfPlane::mean)
-          for (unsigned int c = 0; c < 2; ++c)
-            of_element[Element::n_components * p + c] += 0.5 * of_point[3];
+          {
+            const auto weights = weights_out_of_plane(body.materials[t]);
+            for (unsigned int c = 0; c < weights.size(); ++c)
+              of_element[Element::n_components * p + c] +=
+                weights[c] * of_point[3];
+          }
       }
     return of_element;
   }
