@@ -67,7 +67,7 @@ namespace ElastoPlastic
     };
 
     const Tensor<1, dim>  normal;
-    std::vector<Neighbor> neighbors; ///< none without a criterion
+    std::vector<Neighbor> neighbors; ///< none where all are von Mises'
   };
 } // namespace ElastoPlastic
 

@@ -86,12 +86,17 @@ namespace ElastoPlastic
   SlipNorm<dim>::SlipNorm(const SplitBody<dim> &body, const unsigned int face)
     : normal(body.outward_normal(face))
   {
-    const auto &of_face = body.mesh.faces[face];
+    const auto &of_face    = body.mesh.faces[face];
+    bool        is_general = false;
     for (unsigned int i = 0; i < of_face.n_neighbors(); ++i)
-      if (const auto &material = body.materials[of_face.neighbors[i]];
-          has_general_criterion(material))
+      {
+        const auto &material = body.materials[of_face.neighbors[i]];
         neighbors.push_back({material.yield_radius / body.shear_strength(face),
                              RateNorm(material)});
+        is_general = is_general || has_general_criterion(material);
+      }
+    if (!is_general)
+      neighbors.clear();
   }
 
 
