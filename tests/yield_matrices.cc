@@ -244,4 +244,9 @@ main(int argc, char *argv[])
   test_plane_strain(plain);
   test_slips<2>({plain, plain});
   test_slips<3>({plain, plain});
+
+  // Von Mises resists less in some directions of slip, and Hill in others.
+  output() << "Von Mises beside Hill" << std::endl;
+  test_slips<2>({material(ratios, turned), plain});
+  test_slips<3>({material(ratios, askew), plain});
 }

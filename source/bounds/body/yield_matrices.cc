@@ -69,6 +69,22 @@ namespace ElastoPlastic
 
 
 
+    /// A factor of coordinates as one of components.
+    template <int dim, typename Factor>
+    FullMatrix<double>
+    factor_of_components(const Material<double> &material,
+                         const Factor           &factor_of)
+    {
+      static const FullMatrix<double> deviator = deviator_matrix<dim>();
+      if (!has_general_criterion(material))
+        return deviator;
+      FullMatrix<double> result(deviator.m(), deviator.n());
+      factor_of(material).mmult(result, deviator);
+      return result;
+    }
+
+
+
     /// The rates sym(n x t) of the @p tangents t of a face.
     template <int dim>
     std::vector<SymmetricTensor<2, dim>>
@@ -106,12 +122,7 @@ namespace ElastoPlastic
   FullMatrix<double>
   stress_matrix(const Material<double> &material)
   {
-    static const FullMatrix<double> deviator = deviator_matrix<dim>();
-    if (!has_general_criterion(material))
-      return deviator;
-    FullMatrix<double> result(deviator.m(), deviator.n());
-    stress_factor<dim>(material).mmult(result, deviator);
-    return result;
+    return factor_of_components<dim>(material, stress_factor<dim>);
   }
 
 
@@ -133,12 +144,7 @@ namespace ElastoPlastic
   FullMatrix<double>
   rate_matrix(const Material<double> &material)
   {
-    static const FullMatrix<double> deviator = deviator_matrix<dim>();
-    if (!has_general_criterion(material))
-      return deviator;
-    FullMatrix<double> result(deviator.m(), deviator.n());
-    rate_factor<dim>(material).mmult(result, deviator);
-    return result;
+    return factor_of_components<dim>(material, rate_factor<dim>);
   }
 
 
