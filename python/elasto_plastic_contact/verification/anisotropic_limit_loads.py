@@ -40,7 +40,7 @@ def verify_bounds(runner, name, limit, difference, case, *entries):
     rows = runner.tables(case, *entries)["limit_load"]
     for row in rows:
         runner.verify(f"{name}: {row['lower_bound']:.7g} <= {limit:.7g} <= {row['upper_bound']:.7g}",
-                      row["lower_bound"] <= (1 + 1e-6) * limit and row["upper_bound"] >= (1 - 1e-6) * limit)
+                      row["lower_bound"] <= (1 + 1e-9) * limit and row["upper_bound"] >= (1 - 1e-9) * limit)
     runner.compare(f"{name}: difference of the bounds", rows[-1]["relative_difference"], 0, difference, absolute=True)
     runner.compare(f"{name}: largest error of stresses and velocities",
                    max(max(row["stress_error"], row["velocity_error"]) for row in rows), 0, 1e-9, absolute=True)
@@ -50,19 +50,19 @@ def verify_bounds(runner, name, limit, difference, case, *entries):
 def hill_strip_punch(runner):
     """A strip punch on an orthotropic half-plane around the slip-line value, with axes along, across and oblique to the surface."""
     runner.compare("slip lines without anisotropy", punch_pressure((1,) * 6, 0) * YIELD, 2 + math.pi, 1e-12)
-    coarse = "Refinement/Number of cycles=5"
+    coarse, first = "Refinement/Number of cycles=4", "Refinement/Number of cycles=1"
     shear, all_ratios = (1.0, 1.0, 1.0, 0.8, 1.0, 1.0), (1.0, 1.2, 0.9, 0.7, 1.0, 1.0)
     for ratios, degrees in ((shear, 0), (shear, 45), ((1.0, 1.0, 1.0, 1.25, 1.0, 1.0), 0), (all_ratios, 0), (all_ratios, 90)):
-        verify_bounds(runner, f"{ratios[:4]}, axes at {degrees} degrees", punch_pressure(ratios, degrees) * YIELD, 0.015, STRIP,
+        verify_bounds(runner, f"{ratios[:4]}, axes at {degrees} degrees", punch_pressure(ratios, degrees) * YIELD, 0.02, STRIP,
                       coarse, *hill(ratios, f"{degrees}"))
     # (Of the whole body, as the mirror image of such a material is another one.)
     whole = ("Geometry/Lower corner=-15, -15", "Geometry/Repetitions=30, 15", "Boundary conditions/Roller=",
              "Boundary conditions/Free=left, right")
-    oblique = verify_bounds(runner, f"{all_ratios[:4]}, axes at 30 degrees", 2 * punch_pressure(all_ratios, 30) * YIELD, 0.015, STRIP,
+    oblique = verify_bounds(runner, f"{all_ratios[:4]}, axes at 30 degrees", 2 * punch_pressure(all_ratios, 30) * YIELD, 0.02, STRIP,
                             coarse, *whole, *hill(all_ratios, "30"))
-    mirrored = runner.tables(STRIP, coarse, *whole, *hill(all_ratios, "-30"))["limit_load"]
+    mirrored = runner.tables(STRIP, first, *whole, *hill(all_ratios, "-30"))["limit_load"]
     for bound in BOUNDS:
-        runner.compare(f"mirror image, {bound}", mirrored[0][bound], oblique[0][bound], 1e-6)
+        runner.compare(f"mirror image, {bound}", mirrored[0][bound], oblique[0][bound], 1e-9)
 
 
 def hill_and_von_mises(runner):
@@ -95,7 +95,7 @@ def hill_bodies(runner):
     exact = {"along 1": (ratios, "90", ratios[0]), "along 2": (ratios, "0", ratios[1]), "along 3": (ratios, "0 | 90 | 0", ratios[2]),
              "at 45 degrees": (between, "45", 2 / math.sqrt(f + g + 3 / between[3]**2))}
     for name, (of_bar, axes, limit) in exact.items():
-        verify_bounds(runner, f"bar {name}", limit, 1e-5, *bar, *hill(of_bar, axes))
+        verify_bounds(runner, f"bar {name}", limit, 1e-6, *bar, *hill(of_bar, axes))
 
     cube = ("limit_load/square_punch_3d.prm", "Geometry/Lower corner=0, 0, 0", "Geometry/Upper corner=1, 1, 1",
             "Geometry/Repetitions=1, 1, 1", "Boundary conditions/Roller=", "Boundary conditions/Free=front, back",
@@ -104,42 +104,42 @@ def hill_bodies(runner):
             "Limit load/Load=tractions", "Refinement/Number of cycles=1", "Material/Yield stress=1")
     for axes, ratio in (("0", ratios[4]), ("90", ratios[5]), ("0 | 90 | 0", ratios[3])):
         # (In space, the first mesh is solved up to a relative gap of 1e-3 of each bound.)
-        verify_bounds(runner, f"cube in shear, axes {axes}", ratio / math.sqrt(3), 1e-3, *cube, *hill(ratios, axes))
+        verify_bounds(runner, f"cube in shear, axes {axes}", ratio / math.sqrt(3), 3e-4, *cube, *hill(ratios, axes))
 
     f, g, h = coefficients(ratios)
     tube = ("limit_load/circular_punch.prm", "Geometry/Lower corner=1, 0", "Geometry/Upper corner=2, 0.25",
             "Geometry/Repetitions=16, 4", "Boundary conditions/Roller=bottom, top", "Boundary conditions/Fixed=",
             "Boundary conditions/Free=right", "Boundary conditions/Contact=", "Boundary conditions/Traction=left: t; 0",
             "Indenter/Type=none", "Limit load/Load=tractions", "Refinement/Number of cycles=1")
-    verify_bounds(runner, "tube under pressure", math.log(2) / math.sqrt(g + f * h / (f + h)), 1e-3, *tube, *hill(ratios))
+    verify_bounds(runner, "tube under pressure", math.log(2) / math.sqrt(g + f * h / (f + h)), 1.5e-4, *tube, *hill(ratios))
     cylinder = ("limit_load/circular_punch.prm", "Geometry/Lower corner=0, 0", "Geometry/Upper corner=1, 1",
                 "Geometry/Repetitions=4, 4", "Boundary conditions/Roller=left, bottom", "Boundary conditions/Fixed=",
                 "Indenter/Radius=2", "Refinement/Number of cycles=1")
     isotropic_across = (1.0, 1.2, 1.0, 0.8, 1.0, 0.8)
-    verify_bounds(runner, "cylinder between plates", 1.2 * math.pi, 1e-5, *cylinder, *hill(isotropic_across))
+    verify_bounds(runner, "cylinder between plates", 1.2 * math.pi, 1e-6, *cylinder, *hill(isotropic_across))
 
 
 def hill_layers(runner):
     """Two materials of Hill's and one of von Mises' in one body: layers that are the same, and the weaker and stronger alone."""
     case = "limit_load/two_layer_block.prm"
-    two = ("Refinement/Number of cycles=2", f"Material/Yield stress={YIELD}, {YIELD}")
+    one_mesh = "Refinement/Number of cycles=1"
+    same_yield = (one_mesh, f"Material/Yield stress={YIELD}, {YIELD}")
     weak, strong = "1 | 1 | 1 | 0.7 | 1 | 1", "1.2 | 1.2 | 1.2 | 1.2 | 1.2 | 1.2"
 
     def bounds(criteria, first, second):
-        return runner.tables(case, *two, f"Material/Yield criterion={criteria}", f"Material/Hill ratios={first}, {second}",
+        return runner.tables(case, *same_yield, f"Material/Yield criterion={criteria}", f"Material/Hill ratios={first}, {second}",
                              "Material/Axes=0, 0")["limit_load"][-1]
 
     soft, hard, both, with_metal = (bounds("Hill, Hill", weak, weak), bounds("Hill, Hill", strong, strong),
                                     bounds("Hill, Hill", weak, strong), bounds("Hill, von Mises", weak, strong))
-    one = runner.tables(case, *two, "Material/Yield criterion=Hill", f"Material/Hill ratios={weak}", "Material/Axes=0")["limit_load"][-1]
-    metal = runner.tables(case, "Refinement/Number of cycles=2")["limit_load"][-1]
-    beside = runner.tables(case, "Refinement/Number of cycles=2", "Material/Yield criterion=von Mises, Hill")["limit_load"][-1]
+    one = runner.tables(case, *same_yield, "Material/Yield criterion=Hill", f"Material/Hill ratios={weak}", "Material/Axes=0")["limit_load"][-1]
+    metal = runner.tables(case, one_mesh)["limit_load"][-1]
+    beside = runner.tables(case, one_mesh, "Material/Yield criterion=von Mises, Hill")["limit_load"][-1]
     for bound in BOUNDS:
         runner.compare(f"both layers weak, {bound}", soft[bound], one[bound], 1e-9)
-        # (two programs that differ by rounding, each solved to 1e-6)
-        runner.compare(f"von Mises beside a layer with ratios of 1, {bound}", beside[bound], metal[bound], 1e-6)
+        runner.compare(f"von Mises beside a layer with ratios of 1, {bound}", beside[bound], metal[bound], 1e-9)
         for name, row in (("weak on strong", both), ("weak on von Mises", with_metal)):
             runner.verify(f"{name}, {bound}: {soft[bound]:.6g} <= {row[bound]:.6g} <= {hard[bound]:.6g}",
                           soft[bound] < row[bound] < hard[bound])
     for name, row in (("weak on strong", both), ("weak on von Mises", with_metal)):
-        runner.compare(f"{name}: difference of the bounds", row["relative_difference"], 0, 0.15, absolute=True)
+        runner.compare(f"{name}: difference of the bounds", row["relative_difference"], 0, 0.1, absolute=True)
