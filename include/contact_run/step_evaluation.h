@@ -6,9 +6,8 @@
 
 #include "contact_run/discrete_body.h"
 #include "contact_run/last_step.h"
-#include "evaluation/boundary_displacements.h"
 #include "evaluation/imprint.h"
-#include "evaluation/probe_points.h"
+#include "evaluation/probes.h"
 #include "evaluation/step_guards.h"
 #include "loads/reactions.h"
 #include "output/log.h"

@@ -4,6 +4,9 @@
 #ifndef evaluation_step_guards_h
 #define evaluation_step_guards_h
 
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
 #include <set>
 #include <string>
 #include <vector>
@@ -14,6 +17,10 @@
 
 namespace ElastoPlastic
 {
+  using namespace dealii;
+
+
+
   /// The largest pressure that an indenter can exert on a large body of the
   /// @p material where its equivalent plastic strain is @p plastic_strain:
   /// three times its yield stress Y, which is the mean pressure under a punch,
@@ -88,6 +95,26 @@ namespace ElastoPlastic
     const NominalContact<dim> &contact;
     std::set<std::string>      exceeded;
   };
+
+
+
+  /// How good the worst corner of a deformed mesh is, and where it is now.
+  template <int dim>
+  struct ElementQuality
+  {
+    double     scaled_jacobian;
+    Point<dim> place;
+  };
+
+  /// The smallest scaled Jacobian of all corners of all cells
+  /// @cite knupp_2000, of a body whose points have moved by @p displacement:
+  /// the determinant of the edges that meet in a corner over the product of
+  /// their lengths. 1 for right angles, 0 where a corner has collapsed,
+  /// negative where it is turned inside out. Collective.
+  template <int dim>
+  ElementQuality<dim>
+  worst_element(const DoFHandler<dim>                            &dof_handler,
+                const LinearAlgebra::distributed::Vector<double> &displacement);
 } // namespace ElastoPlastic
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef indenter_indenter_pyramid_h
 #define indenter_indenter_pyramid_h
 
-#include "indenter/indenter_symmetric.h"
+#include "indenter/indenter_shapes.h"
 
 namespace ElastoPlastic
 {

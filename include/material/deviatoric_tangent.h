@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-#include "base/inlining.h"
+#include "base/simd.h"
 #include "base/tensors.h"
 
 namespace ElastoPlastic

@@ -4,7 +4,7 @@
 #ifndef material_plane_stress_h
 #define material_plane_stress_h
 
-#include "material/flow_resistance.h"
+#include "material/flow_stress.h"
 #include "material/material_state.h"
 
 namespace ElastoPlastic

@@ -9,7 +9,7 @@
 #include <array>
 #include <limits>
 
-#include "base/lanes.h"
+#include "base/simd.h"
 #include "mechanics/logarithm.h"
 #include "mechanics/principal_frame.h"
 

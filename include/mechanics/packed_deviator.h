@@ -9,8 +9,8 @@
 #include <array>
 #include <cstdint>
 
-#include "base/inlining.h"
 #include "base/packed_lanes.h"
+#include "base/simd.h"
 #include "base/tensors.h"
 
 namespace ElastoPlastic

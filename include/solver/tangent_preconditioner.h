@@ -13,7 +13,7 @@
 
 #include "base/shared_rows.h"
 #include "solver/held_unknowns.h"
-#include "solver/matrix_preconditioner.h"
+#include "solver/system_matrix.h"
 #include "solver/tangent_operator.h"
 
 namespace ElastoPlastic

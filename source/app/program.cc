@@ -13,7 +13,6 @@
 #include "app/program.h"
 #include "app/ready_cases.h"
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "base/version.h"
 #include "contact_run/elasto_plastic_contact.h"
 #include "input/command_line.h"

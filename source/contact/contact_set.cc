@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 #include "contact/contact_nodes.h"
 #include "contact/contact_set.h"
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "base/compatibility.h"
+#include "base/ghost_values.h"
 #include "contact_run/discrete_body.h"
 #include "loads/loaded_body.h"
-#include "mechanics/ghosted_copy.h"
 #include "mechanics/state_transfer.h"
 #include "multigrid/make_tangent_solver.h"
 

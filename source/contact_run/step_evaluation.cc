@@ -9,7 +9,7 @@
 #include "base/exceptions.h"
 #include "base/text.h"
 #include "contact_run/step_evaluation.h"
-#include "evaluation/element_quality.h"
+#include "evaluation/step_guards.h"
 #include "mechanics/rigid_body_modes.h"
 #include "mesh/body_size.h"
 

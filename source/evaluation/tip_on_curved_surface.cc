@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "base/compatibility.h"
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 #include "evaluation/tip_on_curved_surface.h"
 
 namespace ElastoPlastic

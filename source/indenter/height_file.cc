@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "base/exceptions.h"
-#include "base/input_file.h"
+#include "base/text.h"
 #include "indenter/height_file.h"
 
 namespace ElastoPlastic

@@ -10,13 +10,11 @@
 
 #include "base/exceptions.h"
 #include "indenter/height_file.h"
-#include "indenter/indenter_expression.h"
 #include "indenter/indenter_height_map.h"
 #include "indenter/indenter_parameters.h"
 #include "indenter/indenter_pyramid.h"
-#include "indenter/indenter_rectangular_punch.h"
+#include "indenter/indenter_shapes.h"
 #include "indenter/indenter_stl_surface.h"
-#include "indenter/indenter_symmetric.h"
 
 namespace ElastoPlastic
 {

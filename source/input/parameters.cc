@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "input/parameter_input.h"
 #include "input/parameters.h"
 #include "loading/indenter_path.h"

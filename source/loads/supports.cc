@@ -7,7 +7,6 @@
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "loads/supports.h"
 
 namespace ElastoPlastic

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "material/material_lists.h"
 #include "material/material_parameters.h"
-#include "material/value_per_material.h"
 
 namespace ElastoPlastic
 {

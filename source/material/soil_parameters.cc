@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "material/soil_parameters.h"
-#include "material/value_per_material.h"
+#include "material/material_lists.h"
+#include "material/yield_criterion_parameters.h"
 
 namespace ElastoPlastic
 {

@@ -8,7 +8,7 @@
 
 #include "base/exceptions.h"
 #include "base/text.h"
-#include "material/value_per_material.h"
+#include "material/material_lists.h"
 #include "material/yield_criterion_parameters.h"
 
 namespace ElastoPlastic

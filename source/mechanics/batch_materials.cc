@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 #include "mechanics/batch_materials.h"
 #include "mesh/material_ids.h"
 

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "base/compatibility.h"
-#include "material/hardening_input.h"
+#include "material/material_lists.h"
 #include "material/plane_stress.h"
 #include "mechanics/solid_operator.h"
 

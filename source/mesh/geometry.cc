@@ -12,7 +12,7 @@
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "mesh/boundary_parts.h"
+#include "mesh/boundary_names.h"
 #include "mesh/geometry.h"
 #include "mesh/local_refinement.h"
 #include "mesh/material_ids.h"

@@ -4,8 +4,8 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 
-#include "mesh/owned_cells.h"
 #include "multigrid/level_hierarchy.h"
+#include "multigrid/level_matching.h"
 
 namespace ElastoPlastic
 {

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "mechanics/ghosted_copy.h"
+#include "base/ghost_values.h"
 #include "output/body_output.h"
 
 namespace ElastoPlastic

@@ -10,7 +10,6 @@
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "mesh/body_size.h"
 #include "problem/problem_checks.h"
 

@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "base/version.h"
 #include "input/parameter_input.h"
 #include "output/checked_write.h"

@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "output/checked_write.h"
-#include "output/versions.h"
+#include "output/log.h"
 #include "restart/checkpoint.h"
 #include "restart/output_directory.h"
 

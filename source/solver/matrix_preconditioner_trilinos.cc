@@ -18,9 +18,9 @@
 #include <exception>
 #include <set>
 
-#include "base/silent_error_stream.h"
+#include "base/process.h"
 #include "solver/krylov_methods.h"
-#include "solver/matrix_preconditioner.h"
+#include "solver/system_matrix.h"
 
 namespace ElastoPlastic
 {

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "indenter/indenter_symmetric.h"
+#include "indenter/indenter_shapes.h"
 
 namespace ElastoPlastic
 {
@@ -149,4 +151,108 @@ namespace ElastoPlastic
 
   template class IndenterSymmetric<2>;
   template class IndenterSymmetric<3>;
+
+
+
+  template <int dim>
+  IndenterRectangularPunch<dim>::IndenterRectangularPunch(
+    const std::vector<double> &half_widths)
+  {
+    AssertDimension(half_widths.size(), dim - 1);
+    std::copy_n(half_widths.begin(), dim - 1, widths.begin());
+  }
+
+
+
+  template <int dim>
+  double
+  IndenterRectangularPunch<dim>::profile(const Point<dim - 1> &x) const
+  {
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      if (!within(std::abs(x[d]), widths[d]))
+        return std::numeric_limits<double>::infinity();
+    return 0;
+  }
+
+
+
+  template <int dim>
+  IndenterSurface<dim>
+  IndenterRectangularPunch<dim>::surface(const Point<dim - 1> &x) const
+  {
+    return {profile(x), {}, {}};
+  }
+
+
+
+  template <int dim>
+  bool
+  IndenterRectangularPunch<dim>::is_convex() const
+  {
+    return true;
+  }
+
+
+
+  template <int dim>
+  std::optional<std::array<double, dim - 1>>
+  IndenterRectangularPunch<dim>::half_widths() const
+  {
+    return widths;
+  }
+
+
+
+  template <int dim>
+  double
+  IndenterRectangularPunch<dim>::depth_factor() const
+  {
+    return 1.;
+  }
+
+
+
+  template class IndenterRectangularPunch<2>;
+  template class IndenterRectangularPunch<3>;
+
+
+
+  template <int dim>
+  IndenterExpression<dim>::IndenterExpression(const std::string &path,
+                                              const std::string &text,
+                                              const double       reach)
+    : expression(path, text, ExpressionVariables::position)
+    , reach(reach)
+  {}
+
+
+
+  template <int dim>
+  double
+  IndenterExpression<dim>::profile(const Point<dim - 1> &x) const
+  {
+    if (!within(x.norm(), reach))
+      return std::numeric_limits<double>::infinity();
+    Point<2> horizontal;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      horizontal[d] = x[d];
+    return expression.value(horizontal);
+  }
+
+
+
+  template <int dim>
+  IndenterSurface<dim>
+  IndenterExpression<dim>::surface_for(const Point<dim - 1> & /*origin*/,
+                                       const Point<dim - 1> &x,
+                                       const double          body_size) const
+  {
+    return this->difference_quotients(x,
+                                      std::min(1e-4 * reach, 1e-5 * body_size));
+  }
+
+
+
+  template class IndenterExpression<2>;
+  template class IndenterExpression<3>;
 } // namespace ElastoPlastic
