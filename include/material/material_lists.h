@@ -51,7 +51,7 @@ namespace ElastoPlastic
     for (const double value : values)
       if (!condition(value) || !is_moderate(value))
         throw InputError("Material/" + entry,
-                         dealii::Patterns::Tools::to_string(values),
+                         values,
                          condition(value) ?
                            "its numbers must not exceed 1e100." :
                            what);

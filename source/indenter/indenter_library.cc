@@ -33,9 +33,7 @@ namespace ElastoPlastic
                    const std::string         &remedy)
     {
       if (values.size() != length)
-        throw InputError("Indenter/" + entry,
-                         Patterns::Tools::to_string(values),
-                         remedy);
+        throw InputError("Indenter/" + entry, values, remedy);
     }
 
 
@@ -193,7 +191,7 @@ namespace ElastoPlastic
       const AreaFunction area(p.area_coefficients);
       if (const auto height = area.height_of_decrease())
         throw InputError("Indenter/Area coefficients",
-                         Patterns::Tools::to_string(p.area_coefficients),
+                         p.area_coefficients,
                          "the section of the tip must grow with the height "
                          "above it, which it does not at the height " +
                            Patterns::Tools::to_string(*height) +

@@ -92,7 +92,7 @@ namespace ElastoPlastic
       }
     if (!(parameters.final_time > 0 && std::isfinite(parameters.final_time)))
       throw InputError("Loading/Final time",
-                       Patterns::Tools::to_string(parameters.final_time),
+                       parameters.final_time,
                        "it must be a number greater than 0.");
     read_expression(parameters);
   }

@@ -164,7 +164,7 @@ namespace ElastoPlastic
     if (are_general() &&
         std::any_of(materials.begin(), materials.end(), has_recovery))
       throw InputError("Material/Yield criterion",
-                       Patterns::Tools::to_string(criteria),
+                       criteria,
                        "with other criteria than that of von Mises back "
                        "stresses cannot recover. Set 'Recovery rates' to 0, "
                        "or choose 'von Mises' for all materials.");

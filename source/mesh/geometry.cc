@@ -178,11 +178,11 @@ namespace ElastoPlastic
   {
     if (!(local_radius > 0))
       throw InputError("Geometry/Local radius",
-                       Patterns::Tools::to_string(local_radius),
+                       local_radius,
                        "it must be greater than 0.");
     if (!local_centre.empty() && local_centre.size() != dim)
       throw InputError("Geometry/Local centre",
-                       Patterns::Tools::to_string(local_centre),
+                       local_centre,
                        "it must be empty or hold one coordinate for each of "
                        "the " +
                          std::to_string(dim) + " dimensions. " +
