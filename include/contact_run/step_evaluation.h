@@ -87,7 +87,10 @@ namespace ElastoPlastic
   private:
     /// The nodal forces of the indenter on the body.
     VectorType
-    contact_forces() const;
+    contact_forces() const
+    {
+      return body.contact_evaluation().forces_on_body();
+    }
 
     /// What to say of an indenter that has entered the body without touching
     /// it, or nothing. Collective.

@@ -41,7 +41,10 @@ namespace ElastoPlastic
     /// So many times largest_indentation_pressure() is beyond doubt.
     static constexpr double factor = 2.;
 
-    explicit PressureGuard(const std::vector<Material<double>> &materials);
+    explicit PressureGuard(const std::vector<Material<double>> &materials)
+      : materials(materials)
+    {}
+
 
     /// The largest pressure that passes where the equivalent plastic strain is
     /// nowhere more than @p plastic_strain; that of the hardest material.
@@ -75,7 +78,10 @@ namespace ElastoPlastic
     static constexpr double largest_relative_depth = 0.2;
 
     /// @p contact must outlive this object.
-    explicit SmallStrainGuard(const NominalContact<dim> &contact);
+    explicit SmallStrainGuard(const NominalContact<dim> &contact)
+      : contact(contact)
+    {}
+
 
     /// A warning about the @p result of a load step: what is beyond its limit
     /// and was not when this function has been called before. Empty if there is

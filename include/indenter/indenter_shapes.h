@@ -26,10 +26,17 @@ namespace ElastoPlastic
   class IndenterSymmetric : public Indenter<dim>
   {
   public:
-    IndenterSymmetric(const Symmetry symmetry, const Section &section);
+    IndenterSymmetric(const Symmetry symmetry, const Section &section)
+      : symmetry(symmetry)
+      , section(section)
+    {}
+
 
     double
-    profile(const Point<dim - 1> &x) const override;
+    profile(const Point<dim - 1> &x) const override
+    {
+      return section.at(across(x).norm()).height;
+    }
 
     /// On the axis of revolution, the slope is zero and the curvature
     /// isotropic, that of a cone zero.
@@ -42,16 +49,25 @@ namespace ElastoPlastic
                 const double          body_size) const override;
 
     bool
-    is_convex() const override;
+    is_convex() const override
+    {
+      return section.is_convex;
+    }
 
     std::optional<double>
-    disc_radius() const override;
+    disc_radius() const override
+    {
+      return is_strip() ? std::nullopt : std::make_optional(section.edge);
+    }
 
     std::optional<std::array<double, dim - 1>>
     half_widths() const override;
 
     double
-    depth_factor() const override;
+    depth_factor() const override
+    {
+      return section.depth_factor;
+    }
 
     /// In two dimensions of the body of revolution, 0 for a cylinder in three.
     double
@@ -64,7 +80,11 @@ namespace ElastoPlastic
 
     /// Whether it ends at two parallel edges.
     bool
-    is_strip() const;
+    is_strip() const
+    {
+      return dim == 3 && symmetry == Symmetry::translation &&
+             !std::isinf(section.edge);
+    }
 
     const Symmetry symmetry;
     const Section  section;
@@ -84,16 +104,28 @@ namespace ElastoPlastic
     profile(const Point<dim - 1> &x) const override;
 
     IndenterSurface<dim>
-    surface(const Point<dim - 1> &x) const override;
+    surface(const Point<dim - 1> &x) const override
+    {
+      return {profile(x), {}, {}};
+    }
 
     bool
-    is_convex() const override;
+    is_convex() const override
+    {
+      return true;
+    }
 
     std::optional<std::array<double, dim - 1>>
-    half_widths() const override;
+    half_widths() const override
+    {
+      return widths;
+    }
 
     double
-    depth_factor() const override;
+    depth_factor() const override
+    {
+      return 1.;
+    }
 
   private:
     std::array<double, dim - 1> widths; ///< half of them
@@ -113,7 +145,11 @@ namespace ElastoPlastic
     /// be infinite.
     IndenterExpression(const std::string &path,
                        const std::string &text,
-                       const double       reach);
+                       const double       reach)
+      : expression(path, text, ExpressionVariables::position)
+      , reach(reach)
+    {}
+
 
     /// Throws InputError where the value is not finite within the reach.
     double

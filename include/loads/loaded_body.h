@@ -48,7 +48,10 @@ namespace ElastoPlastic
     explicit BodyForce(const std::string &components);
 
     bool
-    is_present() const;
+    is_present() const
+    {
+      return !expressions.empty();
+    }
 
     /// In a body with finite strains, per volume of the undeformed body.
     /// @throws InputError if it is not finite, see Expression::value()

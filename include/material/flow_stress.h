@@ -39,7 +39,10 @@ namespace ElastoPlastic
 
     /// Where flow begins.
     double
-    initial() const;
+    initial() const
+    {
+      return rate_law.flow_stress(yield_stress(0.), 0.).stress;
+    }
 
     /// The derivative with respect to the @p increment > 0.
     double
@@ -76,7 +79,10 @@ namespace ElastoPlastic
     yield_stress(const double increment) const;
 
     double
-    yield_slope(const double increment) const;
+    yield_slope(const double increment) const
+    {
+      return linear_modulus + (curve ? curve->slope(alpha + increment) : 0.);
+    }
 
     /// sigma_0 and H, unit: stress
     const double initial_yield_stress, linear_modulus;

@@ -23,7 +23,13 @@ namespace ElastoPlastic
     /// outlive this object.
     PlaneStressReturn(const Material<double>      &material,
                       const SymmetricTensor<2, 3> &strain,
-                      const MaterialState<double> &old_state);
+                      const MaterialState<double> &old_state)
+      : material(material)
+      , strain(strain)
+      , old_state(old_state)
+      , resistance(material, old_state.equivalent_plastic_strain, 0)
+    {}
+
 
     /// The strain across the sheet; not a number if there is no solution, as
     /// for numbers beyond the range of the computer's.

@@ -58,7 +58,11 @@ namespace ElastoPlastic
 
     /// The number of values of each entry.
     std::vector<std::pair<std::string, unsigned int>>
-    list_lengths() const;
+    list_lengths() const
+    {
+      return {{"Cohesion", cohesions.size()},
+              {"Friction angle", friction_angles.size()}};
+    }
 
     /// sin(phi) of the material @p id.
     double

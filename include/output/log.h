@@ -83,7 +83,10 @@ namespace ElastoPlastic
 
     /// For the table of times.
     ConditionalOStream &
-    full_stream();
+    full_stream()
+    {
+      return full;
+    }
 
   private:
     ConditionalOStream    full;

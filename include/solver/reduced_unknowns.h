@@ -68,7 +68,10 @@ namespace ElastoPlastic
 
     /// Whether expand() does nothing.
     bool
-    is_trivial() const;
+    is_trivial() const
+    {
+      return !has_coupling() && !shared.rows && !is_sloped;
+    }
 
     /// Whether there may be entering unknowns.
     bool

@@ -62,7 +62,10 @@ namespace ElastoPlastic
     }
 
     const SystemMatrix &
-    matrix() const;
+    matrix() const
+    {
+      return system_matrix;
+    }
 
     /// How many patterns the matrix has had.
     unsigned int

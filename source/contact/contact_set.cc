@@ -269,15 +269,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  double
-  ContactSet<dim>::bound(const Node &node, const Vector &u) const
-  {
-    return bounds.value(node, u) - present_depth;
-  }
-
-
-
-  template <int dim>
   void
   ContactSet<dim>::move_active(Vector &u) const
   {

@@ -223,24 +223,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  std::set<types::boundary_id>
-  DiscreteBody<dim>::contact_boundaries() const
-  {
-    return model.boundary_conditions.ids(BoundaryConditionType::contact);
-  }
-
-
-
-  template <int dim>
-  ContactEvaluation<dim>
-  DiscreteBody<dim>::contact_evaluation() const
-  {
-    return {contact_set, u, residual_forces};
-  }
-
-
-
-  template <int dim>
   ContactSurface<dim>
   DiscreteBody<dim>::contact_surface() const
   {

@@ -208,15 +208,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  VectorType
-  StepEvaluation<dim>::contact_forces() const
-  {
-    return body.contact_evaluation().forces_on_body();
-  }
-
-
-
-  template <int dim>
   bool
   StepEvaluation<dim>::writes_surface_profile(const double time) const
   {

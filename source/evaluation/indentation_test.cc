@@ -93,14 +93,6 @@ namespace ElastoPlastic
 
 
   double
-  UnloadingResult::hardness(const double area) const
-  {
-    return area > 0 ? maximum.force / area : 0.;
-  }
-
-
-
-  double
   UnloadingResult::reduced_modulus(const double area) const
   {
     if (!(area > 0))

@@ -57,12 +57,6 @@ namespace ElastoPlastic
 
 
 
-  PressureGuard::PressureGuard(const std::vector<Material<double>> &materials)
-    : materials(materials)
-  {}
-
-
-
   double
   PressureGuard::limit(const double plastic_strain) const
   {
@@ -84,13 +78,6 @@ namespace ElastoPlastic
     was_exceeded = true;
     return true;
   }
-
-
-
-  template <int dim>
-  SmallStrainGuard<dim>::SmallStrainGuard(const NominalContact<dim> &contact)
-    : contact(contact)
-  {}
 
 
 

@@ -31,22 +31,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  TipOnCurvedSurface<dim>::TipOnCurvedSurface(
-    const std::shared_ptr<const TipShape>           &tip,
-    const GapFunction<dim>                          &gap_function,
-    const parallel::distributed::Triangulation<dim> &triangulation,
-    const std::set<types::boundary_id>              &boundaries,
-    const double                                     part)
-    : tip(tip)
-    , gap_function(gap_function)
-    , triangulation(triangulation)
-    , boundaries(boundaries)
-    , part(part)
-  {}
-
-
-
-  template <int dim>
   double
   TipOnCurvedSurface<dim>::initial_gap() const
   {

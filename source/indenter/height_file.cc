@@ -7,14 +7,6 @@
 
 namespace ElastoPlastic
 {
-  HeightFile::HeightFile(const std::string &path, const std::string &name)
-    : path(path)
-    , name(name)
-    , content(read_input_file(path, name))
-  {}
-
-
-
   void
   HeightFile::reject(const std::string &what) const
   {
@@ -43,14 +35,6 @@ namespace ElastoPlastic
     return plain_text(content, [this](const std::string &what) {
       reject("this file " + what);
     });
-  }
-
-
-
-  bool
-  HeightFile::begins_with(const std::string &signature) const
-  {
-    return content.compare(0, signature.size(), signature) == 0;
   }
 
 

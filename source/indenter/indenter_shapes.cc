@@ -12,24 +12,6 @@
 
 namespace ElastoPlastic
 {
-  template <int dim>
-  IndenterSymmetric<dim>::IndenterSymmetric(const Symmetry symmetry,
-                                            const Section &section)
-    : symmetry(symmetry)
-    , section(section)
-  {}
-
-
-
-  template <int dim>
-  double
-  IndenterSymmetric<dim>::profile(const Point<dim - 1> &x) const
-  {
-    return section.at(across(x).norm()).height;
-  }
-
-
-
   // The curvature of a function f(r) is f'' along e = x/r, and in a body of
   // revolution f'/r along the circle.
   template <int dim>
@@ -87,24 +69,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  bool
-  IndenterSymmetric<dim>::is_convex() const
-  {
-    return section.is_convex;
-  }
-
-
-
-  template <int dim>
-  std::optional<double>
-  IndenterSymmetric<dim>::disc_radius() const
-  {
-    return is_strip() ? std::nullopt : std::make_optional(section.edge);
-  }
-
-
-
-  template <int dim>
   std::optional<std::array<double, dim - 1>>
   IndenterSymmetric<dim>::half_widths() const
   {
@@ -114,25 +78,6 @@ namespace ElastoPlastic
     result.fill(std::numeric_limits<double>::infinity());
     result[0] = section.edge;
     return result;
-  }
-
-
-
-  template <int dim>
-  bool
-  IndenterSymmetric<dim>::is_strip() const
-  {
-    return dim == 3 && symmetry == Symmetry::translation &&
-           !std::isinf(section.edge);
-  }
-
-
-
-  template <int dim>
-  double
-  IndenterSymmetric<dim>::depth_factor() const
-  {
-    return section.depth_factor;
   }
 
 
@@ -176,54 +121,8 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  IndenterSurface<dim>
-  IndenterRectangularPunch<dim>::surface(const Point<dim - 1> &x) const
-  {
-    return {profile(x), {}, {}};
-  }
-
-
-
-  template <int dim>
-  bool
-  IndenterRectangularPunch<dim>::is_convex() const
-  {
-    return true;
-  }
-
-
-
-  template <int dim>
-  std::optional<std::array<double, dim - 1>>
-  IndenterRectangularPunch<dim>::half_widths() const
-  {
-    return widths;
-  }
-
-
-
-  template <int dim>
-  double
-  IndenterRectangularPunch<dim>::depth_factor() const
-  {
-    return 1.;
-  }
-
-
-
   template class IndenterRectangularPunch<2>;
   template class IndenterRectangularPunch<3>;
-
-
-
-  template <int dim>
-  IndenterExpression<dim>::IndenterExpression(const std::string &path,
-                                              const std::string &text,
-                                              const double       reach)
-    : expression(path, text, ExpressionVariables::position)
-    , reach(reach)
-  {}
 
 
 

@@ -122,12 +122,4 @@ namespace ElastoPlastic
         "solved at once. Choose 'fixed', or a 'Loading/Number "
         "of steps' above 1.");
   }
-
-
-
-  bool
-  LoadingParameters::is_single_step() const
-  {
-    return n_steps == 1 && history.empty() && path.empty();
-  }
 } // namespace ElastoPlastic

@@ -140,15 +140,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  bool
-  BodyForce<dim>::is_present() const
-  {
-    return !expressions.empty();
-  }
-
-
-
-  template <int dim>
   Tensor<1, dim>
   BodyForce<dim>::value(const Point<dim> &point, const double time) const
   {

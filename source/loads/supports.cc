@@ -70,13 +70,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  Supports<dim>::Supports(const LoadedBody<dim> &body)
-    : body(body)
-  {}
-
-
-
-  template <int dim>
   void
   Supports<dim>::reinit(const DoFHandler<dim> &new_dof_handler)
   {
@@ -260,24 +253,6 @@ namespace ElastoPlastic
     with_skew_rollers->merge(hanging);
     with_skew_rollers->merge(conditions);
     with_skew_rollers->close();
-  }
-
-
-
-  template <int dim>
-  const AffineConstraints<double> &
-  Supports<dim>::constraints() const
-  {
-    return with_skew_rollers ? *with_skew_rollers : hanging;
-  }
-
-
-
-  template <int dim>
-  const AffineConstraints<double> &
-  Supports<dim>::hanging_nodes() const
-  {
-    return hanging;
   }
 
 

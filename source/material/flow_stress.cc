@@ -16,22 +16,6 @@ namespace ElastoPlastic
 
 
   double
-  FlowStress::yield_slope(const double increment) const
-  {
-    return linear_modulus + (curve ? curve->slope(alpha + increment) : 0.);
-  }
-
-
-
-  double
-  FlowStress::initial() const
-  {
-    return rate_law.flow_stress(yield_stress(0.), 0.).stress;
-  }
-
-
-
-  double
   FlowStress::unknown(const double increment) const
   {
     return exponent == 1. ?

@@ -66,15 +66,6 @@ namespace ElastoPlastic
 
 
 
-  std::vector<std::pair<std::string, unsigned int>>
-  SoilParameters::list_lengths() const
-  {
-    return {{"Cohesion", cohesions.size()},
-            {"Friction angle", friction_angles.size()}};
-  }
-
-
-
   double
   SoilParameters::friction_sine(const unsigned int id) const
   {

@@ -222,33 +222,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  const BoundaryNames &
-  Geometry<dim>::boundary_names() const
-  {
-    return names;
-  }
-
-
-
-  template <int dim>
-  const std::vector<std::string> &
-  Geometry<dim>::warnings() const
-  {
-    return warning_texts;
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  Geometry<dim>::n_initial_refinements() const
-  {
-    return parameters.initial_refinements;
-  }
-
-
-
   // Each more of them makes 2^dim times as many cells.
   template <int dim>
   Geometry<dim>

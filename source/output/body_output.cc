@@ -106,15 +106,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  bool
-  BodyOutput<dim>::empty() const
-  {
-    return n_cells() == 0;
-  }
-
-
-
-  template <int dim>
   std::vector<AppendedVtu::Field>
   BodyOutput<dim>::vtu_fields() const
   {

@@ -169,12 +169,4 @@ namespace ElastoPlastic
   {
     warnings << "Warning: " << text << std::endl;
   }
-
-
-
-  ConditionalOStream &
-  Log::full_stream()
-  {
-    return full;
-  }
 } // namespace ElastoPlastic

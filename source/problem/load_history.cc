@@ -145,15 +145,6 @@ namespace ElastoPlastic
 
 
 
-  std::string
-  LoadInQuestion::in_words() const
-  {
-    return times.empty() ? "the force " + to_text(force) :
-                           "the largest load of tractions and body forces";
-  }
-
-
-
   template <>
   std::optional<LoadInQuestion>
   load_in_question(const Model<2> &model, const Parameters &parameters)

@@ -206,16 +206,6 @@ namespace ElastoPlastic
 
 
 
-  Checkpoint::Checkpoint(const MPI_Comm     communicator,
-                         const std::string &output_directory,
-                         const Entries     &entries)
-    : communicator(communicator)
-    , directory(output_directory + "/checkpoint")
-    , entries(entries)
-  {}
-
-
-
   void
   Checkpoint::save(
     const std::string                              &state,

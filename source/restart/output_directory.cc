@@ -154,14 +154,6 @@ namespace ElastoPlastic
 
 
 
-  OutputDirectory::OutputDirectory(const MPI_Comm     communicator,
-                                   const std::string &name)
-    : communicator(communicator)
-    , name(name)
-  {}
-
-
-
   // (If the disk does not let us, the next run will do it.)
   OutputDirectory::~OutputDirectory()
   {
