@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include "base/simd.h"
-#include "base/tensors.h"
 
 namespace ElastoPlastic
 {

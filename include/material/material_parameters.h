@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "base/enum_names.h"
-#include "material/material_lists.h"
 #include "material/rate_law.h"
 #include "material/yield_criterion_parameters.h"
 

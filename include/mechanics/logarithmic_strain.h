@@ -9,7 +9,6 @@
 #include <array>
 #include <limits>
 
-#include "base/simd.h"
 #include "mechanics/logarithm.h"
 #include "mechanics/principal_frame.h"
 

@@ -11,7 +11,6 @@
 
 #include "base/packed_lanes.h"
 #include "base/simd.h"
-#include "base/tensors.h"
 
 namespace ElastoPlastic
 {

@@ -6,7 +6,6 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <memory>
 #include <vector>
 
 #include "base/shared_rows.h"

@@ -7,7 +7,6 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #ifdef WITH_TRILINOS_SOLVERS

@@ -9,7 +9,6 @@
 #include <map>
 #include <memory>
 #include <set>
-#include <vector>
 
 #include "base/shared_rows.h"
 #include "solver/held_unknowns.h"

@@ -4,9 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <chrono>
-#include <functional>
 #include <iostream>
-#include <thread>
 #include <utility>
 
 #include "app/bounds.h"

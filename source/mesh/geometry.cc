@@ -5,7 +5,6 @@
 #include <deal.II/base/patterns.h>
 #include <deal.II/distributed/tria.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>

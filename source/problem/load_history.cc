@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text.h"
 #include "problem/load_history.h"
 
 namespace ElastoPlastic

@@ -15,7 +15,6 @@
 #pragma GCC diagnostic pop
 
 #include <cmath>
-#include <exception>
 #include <set>
 
 #include "base/process.h"
