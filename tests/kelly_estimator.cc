@@ -16,6 +16,7 @@
 #include "adaptivity/kelly_estimator.h"
 #include "base/ghost_values.h"
 #include "base/largest_error.h"
+#include "mechanics/solid_operator.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
