@@ -4,8 +4,8 @@
 // What an expression may contain, and that it says where it must be evaluated:
 // within rethrow_collectively(), if there are several ranks.
 
+#include "base/exceptions.h"
 #include "base/expression.h"
-#include "base/rethrow_collectively.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

@@ -10,8 +10,8 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include "base/compatibility.h"
+#include "evaluation/solve_result.h"
 #include "material/material_parameters.h"
-#include "mechanics/body_state.h"
 #include "mechanics/solid_operator.h"
 #include "sample_mesh.h"
 #include "verdict.h"

@@ -8,8 +8,8 @@
 
 #include "base/exceptions.h"
 #include "solver/krylov_methods.h"
-#include "solver/matrix_preconditioner.h"
 #include "solver/solver_parameters.h"
+#include "solver/system_matrix.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

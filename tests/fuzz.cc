@@ -24,7 +24,7 @@
 #include "input/parameters.h"
 #include "loading/load_program.h"
 #include "loads/boundary_conditions.h"
-#include "material/hardening_input.h"
+#include "material/material_lists.h"
 #include "mesh/gmsh_file.h"
 #include "output/csv_file.h"
 #include "restart/checkpoint.h"

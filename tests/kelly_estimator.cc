@@ -14,8 +14,9 @@
 #include <deal.II/numerics/error_estimator.h>
 
 #include "adaptivity/kelly_estimator.h"
+#include "base/ghost_values.h"
 #include "base/largest_error.h"
-#include "mechanics/ghosted_copy.h"
+#include "mechanics/solid_operator.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

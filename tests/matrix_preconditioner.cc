@@ -17,7 +17,7 @@
 #include "mechanics/solid_operator.h"
 #include "sample_mesh.h"
 #include "solver/krylov_methods.h"
-#include "solver/matrix_preconditioner.h"
+#include "solver/system_matrix.h"
 #include "solver/tangent_preconditioner.h"
 #include "verdict.h"
 

@@ -5,7 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include "base/memory.h"
+#include "base/process.h"
 #include "verdict.h"
 
 using namespace dealii;

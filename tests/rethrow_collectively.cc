@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <new>
 
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;

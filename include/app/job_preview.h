@@ -32,11 +32,17 @@ namespace ElastoPlastic
 
     /// The problem on the mesh that has been looked at.
     const Model<dim> &
-    quick_model() const;
+    quick_model() const
+    {
+      return quick;
+    }
 
     /// Whether that is the first mesh of the problem.
     bool
-    is_first_mesh() const;
+    is_first_mesh() const
+    {
+      return n_refinements_left_out == 0;
+    }
 
     struct MeshSize
     {

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "base/inlining.h"
+#include "base/simd.h"
 
 namespace ElastoPlastic
 {

@@ -8,7 +8,6 @@
 #include <cstring>
 #include <type_traits>
 
-#include "base/inlining.h"
 #include "base/simd.h"
 
 namespace ElastoPlastic

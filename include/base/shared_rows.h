@@ -29,10 +29,13 @@ namespace ElastoPlastic
     /// @p rows are those of this rank by number, with the columns as entries of
     /// vectors with the partition @p layout of the numbers; entries[k] is the
     /// place of the number k of this rank in vectors of all unknowns.
-    SharedRows(
-      const Rows                                               &rows,
-      const std::vector<unsigned int>                          &entries,
-      const std::shared_ptr<const Utilities::MPI::Partitioner> &layout);
+    SharedRows(const Rows                      &rows,
+               const std::vector<unsigned int> &entries,
+               const std::shared_ptr<const Utilities::MPI::Partitioner> &layout)
+      : rows(rows)
+      , entries(entries)
+      , few(layout)
+    {}
 
     /// Calls receive(i, sum_j t_ij u_j) for the unknowns i of this rank that
     /// have a row, in the order of their numbers, when u is no longer needed.
@@ -84,7 +87,23 @@ namespace ElastoPlastic
     /// The entries in the rows of this rank, with the global indices of vectors
     /// of all unknowns, which have this @p layout. Collective.
     std::vector<Entry>
-    global_entries(const Utilities::MPI::Partitioner &layout) const;
+    global_entries(const Utilities::MPI::Partitioner &layout) const
+    {
+      // (Indices are exact as numbers of double precision.)
+      for (unsigned int k = 0; k < entries.size(); ++k)
+        few.local_element(k) = layout.local_to_global(entries[k]);
+      few.update_ghost_values();
+      const auto index = [&](const unsigned int k) {
+        return static_cast<types::global_dof_index>(few.local_element(k));
+      };
+      std::vector<Entry> result;
+      rows.for_each_entry(
+        [&](const unsigned int i, const unsigned int j, const double value) {
+          result.push_back({index(i), index(j), value});
+        });
+      few.zero_out_ghost_values();
+      return result;
+    }
 
   private:
     const Rows                      rows;

@@ -10,6 +10,15 @@
 #  include <experimental/simd>
 #endif
 
+/// For the small functions of points and cells, which the compiler must inline
+/// wherever it optimises. A Debug build does not optimise: there, it would only
+/// make large functions, which take three times as long to compile.
+#ifdef DEBUG
+#  define ELASTO_PLASTIC_ALWAYS_INLINE
+#else
+#  define ELASTO_PLASTIC_ALWAYS_INLINE DEAL_II_ALWAYS_INLINE
+#endif
+
 namespace ElastoPlastic
 {
   /// The numbers that one processor instruction treats at a time: one for each
@@ -226,5 +235,52 @@ compare_and_apply_mask(const VectorizedArray<Number, width> &left,
 
 DEAL_II_NAMESPACE_CLOSE
 #endif
+
+namespace ElastoPlastic
+{
+  /// How many numbers a @p Number consists of, double or VectorizedArray, and
+  /// access to one of them: for what cannot be done with all at once.
+  template <typename Number>
+  constexpr unsigned int n_lanes = 1;
+
+  template <typename T, std::size_t width>
+  constexpr unsigned int n_lanes<dealii::VectorizedArray<T, width>> = width;
+
+
+
+  inline double &
+  lane_of(double &number, const unsigned int)
+  {
+    return number;
+  }
+
+
+
+  inline const double &
+  lane_of(const double &number, const unsigned int)
+  {
+    return number;
+  }
+
+
+
+  template <std::size_t width>
+  ELASTO_PLASTIC_ALWAYS_INLINE inline double &
+  lane_of(dealii::VectorizedArray<double, width> &number,
+          const unsigned int                      lane)
+  {
+    return number[lane];
+  }
+
+
+
+  template <std::size_t width>
+  ELASTO_PLASTIC_ALWAYS_INLINE inline const double &
+  lane_of(const dealii::VectorizedArray<double, width> &number,
+          const unsigned int                            lane)
+  {
+    return number[lane];
+  }
+} // namespace ElastoPlastic
 
 #endif

@@ -6,7 +6,7 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
-#include "base/inlining.h"
+#include "base/simd.h"
 
 namespace ElastoPlastic
 {

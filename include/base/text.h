@@ -6,6 +6,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -64,6 +65,23 @@ namespace ElastoPlastic
   /// Empty if nothing is similar.
   std::string
   did_you_mean(const std::string &path, const std::vector<std::string> &paths);
+
+
+
+  /// The bytes of the file @p name, which the entry @p path names. The first
+  /// rank reads it for all of them: on another machine, the file may be missing
+  /// or another one. All ranks call this.
+  /// @throws InputError if it cannot be read.
+  std::string
+  read_input_file(const std::string &path, const std::string &name);
+
+  /// The text that @p bytes are, with '\n' at the ends of lines, be they those
+  /// of Unix, of Windows or of an old Mac. Where editors have saved something
+  /// else than plain text or UTF-8, @p reject is told so, in words that
+  /// complete "the file ...".
+  std::string
+  plain_text(const std::string                              &bytes,
+             const std::function<void(const std::string &)> &reject);
 } // namespace ElastoPlastic
 
 #endif

@@ -45,7 +45,12 @@ namespace ElastoPlastic
                                                    const Point<dim> &place)>;
 
     /// @p gap is GapFunction::surface_for(). @p geometry is not automatic.
-    ContactBounds(const Gap &gap, const ContactGeometry geometry);
+    ContactBounds(const Gap &gap, const ContactGeometry geometry)
+      : gap(gap)
+      , geometry(geometry)
+    {
+      Assert(geometry != ContactGeometry::automatic, ExcInternalError());
+    }
 
     /// Whether the indenter is met at the present places of the nodes.
     bool

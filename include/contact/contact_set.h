@@ -321,7 +321,10 @@ namespace ElastoPlastic
     sloped_bound(const Node &node, const Vector &u) const;
 
     double
-    bound(const Node &node, const Vector &u) const;
+    bound(const Node &node, const Vector &u) const
+    {
+      return bounds.value(node, u) - present_depth;
+    }
 
     void
     move_closed_to(Vector &u, const double depth) const;

@@ -88,7 +88,11 @@ namespace ElastoPlastic
     /// @p coefficient mu >= 0; infinite for nodes that never slip. @p modulus
     /// is one of elasticity, the scale of forces over displacements; it has no
     /// influence on what the law says.
-    CoulombFriction(const double coefficient, const double modulus);
+    CoulombFriction(const double coefficient, const double modulus)
+      : coefficient(coefficient)
+      , modulus(modulus)
+    {}
+
 
     bool
     exists() const
@@ -119,7 +123,10 @@ namespace ElastoPlastic
     /// comes back where it does not, again and again, has a normal force that
     /// vanishes where it is: it slips.
     void
-    release(FrictionState<dim> &state) const;
+    release(FrictionState<dim> &state) const
+    {
+      ++state.n_releases;
+    }
 
     /// A node has come into contact: if its @p slip and its @p penetration were
     /// forces, the law would say whether it sticks.

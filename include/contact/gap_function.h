@@ -19,18 +19,33 @@ namespace ElastoPlastic
     /// the contact surface; see Indenter::surface_for() for @p body_size.
     GapFunction(const PlacedIndenter<dim> &indenter,
                 const double               surface_height,
-                const double               body_size);
+                const double               body_size)
+      : indenter(indenter)
+      , tip_height(surface_height + indenter.initial_gap)
+      , body_size(body_size)
+      , present_position(indenter.position)
+    {}
+
 
     bool
-    has_indenter() const;
+    has_indenter() const
+    {
+      return indenter.shape != nullptr;
+    }
 
     /// Moves the indenter sideways to this distance from where it has been put.
     void
-    move_to(const Tensor<1, dim - 1> &displacement);
+    move_to(const Tensor<1, dim - 1> &displacement)
+    {
+      present_position = indenter.position + displacement;
+    }
 
     /// The horizontal position of the indenter.
     const Point<dim - 1> &
-    position() const;
+    position() const
+    {
+      return present_position;
+    }
 
     /// The vertical distance from the point @p p of the undeformed body up to
     /// the undisplaced indenter; +infinity outside Gamma_0, where the indenter
@@ -46,7 +61,10 @@ namespace ElastoPlastic
     /// coordinates: the slope and curvature of the indenter above p, zero
     /// where the gap is infinite.
     IndenterSurface<dim>
-    surface(const Point<dim> &p) const;
+    surface(const Point<dim> &p) const
+    {
+      return surface_for(p, p);
+    }
 
     /// The same at the present place @p p of a node that was at @p origin in
     /// the undeformed body (Indenter::surface_for()).
@@ -60,7 +78,10 @@ namespace ElastoPlastic
 
     /// Whether contact is looked for at an offset from the tip.
     bool
-    reaches(const Point<dim - 1> &offset) const;
+    reaches(const Point<dim - 1> &offset) const
+    {
+      return has_indenter() && within(offset.norm(), indenter.reach);
+    }
 
     const PlacedIndenter<dim> indenter;
     const double              tip_height;

@@ -149,11 +149,17 @@ namespace ElastoPlastic
     total_slip(const LastStep &last) const;
 
     std::set<types::boundary_id>
-    contact_boundaries() const;
+    contact_boundaries() const
+    {
+      return model.boundary_conditions.ids(BoundaryConditionType::contact);
+    }
 
     /// What the contact amounts to now; this body must outlive it.
     ContactEvaluation<dim>
-    contact_evaluation() const;
+    contact_evaluation() const
+    {
+      return {contact_set, u, residual_forces};
+    }
 
     /// The contact surface as it is now.
     ContactSurface<dim>

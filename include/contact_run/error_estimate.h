@@ -43,7 +43,10 @@ namespace ElastoPlastic
     /// Why there is no bound of the last solution; empty if there is, or if
     /// none is asked for.
     std::string
-    why_bound_is_missing() const;
+    why_bound_is_missing() const
+    {
+      return error_bound ? error_bound->why_missing() : "";
+    }
 
     /// Writes the fields of the equilibrium method, if there are any, with the
     /// number of the mesh. @throws FileError

@@ -28,7 +28,14 @@ namespace ElastoPlastic
     /// Before the first step. All arguments must outlive this object.
     LoadStep(const Model<dim>  &model,
              const Parameters  &parameters,
-             DiscreteBody<dim> &body);
+             DiscreteBody<dim> &body)
+      : model(model)
+      , parameters(parameters)
+      , body(body)
+      , load_program(model.load_program)
+      , time_steps(make_time_steps(model, parameters))
+    {}
+
 
     /// Makes the body on its first mesh, for this step.
     void
@@ -119,7 +126,10 @@ namespace ElastoPlastic
 
     /// The load of the indenter at its end.
     Load
-    load() const;
+    load() const
+    {
+      return load_program.load(time_steps.next_time()).value();
+    }
 
     /// The equilibrium that it begins with.
     const LastStep &
@@ -158,7 +168,10 @@ namespace ElastoPlastic
 
     /// Whether the last one was the last of the history.
     bool
-    is_history_complete() const;
+    is_history_complete() const
+    {
+      return last_step.result.time == load_program.final_time();
+    }
 
     /// It has failed with @p error, however short it was made. If the body's
     /// materials stop hardening, it has a limit load; if also force or

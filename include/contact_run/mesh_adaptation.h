@@ -40,7 +40,10 @@ namespace ElastoPlastic
     /// Whether the mesh in or after load step @p step depends on the errors of
     /// its solution.
     bool
-    needs_errors(const unsigned int step) const;
+    needs_errors(const unsigned int step) const
+    {
+      return step == 1 || is_due(step);
+    }
 
     /// Whether the mesh is to change after @p last_step.
     bool
@@ -59,7 +62,11 @@ namespace ElastoPlastic
   private:
     /// Whether the indenter is in the body and has not touched it.
     bool
-    enters_untouched(const LastStep &last_step) const;
+    enters_untouched(const LastStep &last_step) const
+    {
+      return parameters.n_over_contact_radius > 0 && !last_step.has_touched() &&
+             !body.contact_zone().spots().empty();
+    }
 
     bool
     mark_contact_zone(const unsigned int step);

@@ -6,9 +6,8 @@
 
 #include "contact_run/discrete_body.h"
 #include "contact_run/last_step.h"
-#include "evaluation/boundary_displacements.h"
 #include "evaluation/imprint.h"
-#include "evaluation/probe_points.h"
+#include "evaluation/probes.h"
 #include "evaluation/step_guards.h"
 #include "loads/reactions.h"
 #include "output/log.h"
@@ -88,7 +87,10 @@ namespace ElastoPlastic
   private:
     /// The nodal forces of the indenter on the body.
     VectorType
-    contact_forces() const;
+    contact_forces() const
+    {
+      return body.contact_evaluation().forces_on_body();
+    }
 
     /// What to say of an indenter that has entered the body without touching
     /// it, or nothing. Collective.

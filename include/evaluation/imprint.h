@@ -72,7 +72,10 @@ namespace ElastoPlastic
 
     /// A load step has ended with @p result.
     void
-    note(const SolveResult &result);
+    note(const SolveResult &result)
+    {
+      largest_radius = std::max(largest_radius, result.contact_radius);
+    }
 
     /// The rows of surface_profile.csv: the nodes in two dimensions, the lines
     /// in three. On all ranks. Collective.

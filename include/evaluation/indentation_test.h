@@ -120,7 +120,10 @@ namespace ElastoPlastic
 
     /// The mean pressure force / @p area at the maximum; 0 without area.
     double
-    hardness(const double area) const;
+    hardness(const double area) const
+    {
+      return area > 0 ? maximum.force / area : 0.;
+    }
 
     /// sqrt(pi) stiffness / (2 beta sqrt(area)) of the whole contact, equation
     /// (2); 0 without area. The indenter of the simulation is rigid: with

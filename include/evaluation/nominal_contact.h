@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "contact/contact_state.h"
 #include "contact/gap_function.h"
 #include "evaluation/indentation_test.h"
 #include "loads/loaded_body.h"
@@ -49,11 +50,17 @@ namespace ElastoPlastic
 
     /// Whether the problem is plane strain or plane stress.
     bool
-    is_strip() const;
+    is_strip() const
+    {
+      return in_plane;
+    }
 
     /// Whether the contact is certainly a single one: the indenter is convex.
     bool
-    is_single() const;
+    is_single() const
+    {
+      return shape && shape->is_convex();
+    }
 
     /// How much of the surroundings of the axis is modelled; see
     /// modelled_part(). 0 if the axis does not meet the body.
@@ -67,12 +74,18 @@ namespace ElastoPlastic
     /// modelled part of the contact has this @p area. (An axis beside the body
     /// tells nothing: then that is the whole contact.)
     double
-    radius(const double area) const;
+    radius(const double area) const
+    {
+      return contact_radius(area, part == 0. ? 1. : part, in_plane);
+    }
 
     /// How deep the tip is below the undeformed surface at this @p depth of the
     /// indenter.
     double
-    depth_of_tip(const double depth) const;
+    depth_of_tip(const double depth) const
+    {
+      return depth - initial_gap;
+    }
 
     /// The radius of the indenter where it cuts the undeformed surface at this
     /// @p depth; none if it is not there yet, or if there is no single tip.

@@ -51,7 +51,11 @@ namespace ElastoPlastic
     /// @param segment_ends increasing; @param holds begin and end of those
     /// segments in which the load does not change.
     RateTest(const std::vector<double>                    &segment_ends,
-             const std::vector<std::pair<double, double>> &holds);
+             const std::vector<std::pair<double, double>> &holds)
+      : segment_ends(segment_ends)
+      , holds(holds)
+    {}
+
 
     /// Adds the end of the next step. @return what a segment that ends there
     /// says, if anything.

@@ -4,6 +4,9 @@
 #ifndef evaluation_step_guards_h
 #define evaluation_step_guards_h
 
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
 #include <set>
 #include <string>
 #include <vector>
@@ -14,6 +17,10 @@
 
 namespace ElastoPlastic
 {
+  using namespace dealii;
+
+
+
   /// The largest pressure that an indenter can exert on a large body of the
   /// @p material where its equivalent plastic strain is @p plastic_strain:
   /// three times its yield stress Y, which is the mean pressure under a punch,
@@ -34,7 +41,10 @@ namespace ElastoPlastic
     /// So many times largest_indentation_pressure() is beyond doubt.
     static constexpr double factor = 2.;
 
-    explicit PressureGuard(const std::vector<Material<double>> &materials);
+    explicit PressureGuard(const std::vector<Material<double>> &materials)
+      : materials(materials)
+    {}
+
 
     /// The largest pressure that passes where the equivalent plastic strain is
     /// nowhere more than @p plastic_strain; that of the hardest material.
@@ -68,7 +78,10 @@ namespace ElastoPlastic
     static constexpr double largest_relative_depth = 0.2;
 
     /// @p contact must outlive this object.
-    explicit SmallStrainGuard(const NominalContact<dim> &contact);
+    explicit SmallStrainGuard(const NominalContact<dim> &contact)
+      : contact(contact)
+    {}
+
 
     /// A warning about the @p result of a load step: what is beyond its limit
     /// and was not when this function has been called before. Empty if there is
@@ -88,6 +101,26 @@ namespace ElastoPlastic
     const NominalContact<dim> &contact;
     std::set<std::string>      exceeded;
   };
+
+
+
+  /// How good the worst corner of a deformed mesh is, and where it is now.
+  template <int dim>
+  struct ElementQuality
+  {
+    double     scaled_jacobian;
+    Point<dim> place;
+  };
+
+  /// The smallest scaled Jacobian of all corners of all cells
+  /// @cite knupp_2000, of a body whose points have moved by @p displacement:
+  /// the determinant of the edges that meet in a corner over the product of
+  /// their lengths. 1 for right angles, 0 where a corner has collapsed,
+  /// negative where it is turned inside out. Collective.
+  template <int dim>
+  ElementQuality<dim>
+  worst_element(const DoFHandler<dim>                            &dof_handler,
+                const LinearAlgebra::distributed::Vector<double> &displacement);
 } // namespace ElastoPlastic
 
 #endif

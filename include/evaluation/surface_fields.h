@@ -6,8 +6,9 @@
 
 #include <limits>
 
+#include "base/ghost_values.h"
 #include "contact/contact_evaluation.h"
-#include "mechanics/ghosted_copy.h"
+#include "mechanics/solid_operator.h"
 
 namespace ElastoPlastic
 {

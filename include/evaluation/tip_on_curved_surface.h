@@ -32,7 +32,14 @@ namespace ElastoPlastic
       const GapFunction<dim>                          &gap_function,
       const parallel::distributed::Triangulation<dim> &triangulation,
       const std::set<types::boundary_id>              &boundaries,
-      const double                                     part);
+      const double                                     part)
+      : tip(tip)
+      , gap_function(gap_function)
+      , triangulation(triangulation)
+      , boundaries(boundaries)
+      , part(part)
+    {}
+
 
     /// The smallest gap of a vertex: contact is found at nodes.
     double

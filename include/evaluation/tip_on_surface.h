@@ -8,6 +8,7 @@
 
 #include <memory>
 
+#include "base/exceptions.h"
 #include "indenter/indenter.h"
 
 namespace ElastoPlastic
@@ -46,16 +47,33 @@ namespace ElastoPlastic
   public:
     TipOnLevelSurface(const std::shared_ptr<const TipShape> &tip,
                       const double                           gap,
-                      const MPI_Comm                         communicator);
+                      const MPI_Comm                         communicator)
+      : tip(tip)
+      , gap(gap)
+      , communicator(communicator)
+    {}
 
     double
-    initial_gap() const override;
+    initial_gap() const override
+    {
+      return gap;
+    }
 
     double
-    depth_factor() const override;
+    depth_factor() const override
+    {
+      return tip->depth_factor();
+    }
 
+    // (The tip may be an expression, which can fail.)
     double
-    overlapped_area(const double height) const override;
+    overlapped_area(const double height) const override
+    {
+      double area = 0;
+      rethrow_collectively(communicator,
+                           [&]() { area = tip->section_area(height); });
+      return area;
+    }
 
   private:
     const std::shared_ptr<const TipShape> tip;

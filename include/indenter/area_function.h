@@ -19,7 +19,10 @@ namespace ElastoPlastic
     static constexpr double smallest_height = 1e-100;
 
     /// @param coefficients C0, C1 and so on.
-    explicit AreaFunction(const std::vector<double> &coefficients);
+    explicit AreaFunction(const std::vector<double> &coefficients)
+      : coefficients(coefficients)
+    {}
+
 
     /// The smallest height found at which the area does not grow: then there
     /// is no such tip, and the other functions must not be called.
@@ -28,13 +31,22 @@ namespace ElastoPlastic
 
     /// For a height > 0, as are its derivatives.
     double
-    value(const double height) const;
+    value(const double height) const
+    {
+      return sum(height, 0);
+    }
 
     double
-    derivative(const double height) const;
+    derivative(const double height) const
+    {
+      return sum(height, 1);
+    }
 
     double
-    second_derivative(const double height) const;
+    second_derivative(const double height) const
+    {
+      return sum(height, 2);
+    }
 
     /// The inverse of value(), for an @p area >= 0; infinite beyond the inverse
     /// of the smallest height.

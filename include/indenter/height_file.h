@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
+
 namespace ElastoPlastic
 {
   using namespace dealii;
@@ -22,7 +24,12 @@ namespace ElastoPlastic
   public:
     /// Read the file, which all ranks do together. @p path is the entry that
     /// names it. A file that cannot be read is an InputError.
-    HeightFile(const std::string &path, const std::string &name);
+    HeightFile(const std::string &path, const std::string &name)
+      : path(path)
+      , name(name)
+      , content(read_input_file(path, name))
+    {}
+
 
     /// Throw an InputError about this file. @p what completes "..., but ".
     [[noreturn]] void
@@ -40,7 +47,10 @@ namespace ElastoPlastic
 
     /// Whether the file begins with these bytes.
     bool
-    begins_with(const std::string &signature) const;
+    begins_with(const std::string &signature) const
+    {
+      return content.compare(0, signature.size(), signature) == 0;
+    }
 
     const std::string path;
     const std::string name;

@@ -69,7 +69,10 @@ namespace ElastoPlastic
     /// difference_quotients() over 1e-4 units of length, unless a shape knows
     /// better.
     virtual IndenterSurface<dim>
-    surface(const Point<dim - 1> &x) const;
+    surface(const Point<dim - 1> &x) const
+    {
+      return difference_quotients(x, 1e-4);
+    }
 
     /// The surface at @p x for a node that is below @p origin in the undeformed
     /// body: surface(@p x), unless a sharp tip or edge is above @p origin. Such
@@ -85,31 +88,46 @@ namespace ElastoPlastic
     /// Whether the profile is certainly a convex function where it is finite:
     /// false, unless a shape knows better.
     virtual bool
-    is_convex() const;
+    is_convex() const
+    {
+      return false;
+    }
 
     /// The radius of the disc around the tip in which the profile is finite,
     /// and outside of which it is not; +infinity if it is finite everywhere.
     /// None if that is no disc, or not known, which it is not unless a shape
     /// knows better.
     virtual std::optional<double>
-    disc_radius() const;
+    disc_radius() const
+    {
+      return {};
+    }
 
     /// The half widths of the rectangle around the tip, parallel to the axes,
     /// in which the profile is finite, and outside of which it is not; they may
     /// be infinite. None if that is no rectangle, or not known, which it is not
     /// unless a shape knows better.
     virtual std::optional<std::array<double, dim - 1>>
-    half_widths() const;
+    half_widths() const
+    {
+      return {};
+    }
 
     /// The length below which the profile is smooth, which a mesh should
     /// resolve: the distance of the pixels of a height map. 0, unless a shape
     /// knows better.
     virtual double
-    detail() const;
+    detail() const
+    {
+      return 0.;
+    }
 
     /// 0.75, unless a shape knows better.
     double
-    depth_factor() const override;
+    depth_factor() const override
+    {
+      return 0.75;
+    }
 
     /// The area is found by quadrature over all directions (in two dimensions,
     /// of the body of revolution), unless a shape knows better: sections are

@@ -4,7 +4,7 @@
 #ifndef indenter_indenter_pyramid_h
 #define indenter_indenter_pyramid_h
 
-#include "indenter/indenter_symmetric.h"
+#include "indenter/indenter_shapes.h"
 
 namespace ElastoPlastic
 {
@@ -37,10 +37,16 @@ namespace ElastoPlastic
     semi_apex_angle_of_cone(const Shape &shape);
 
     double
-    profile(const Point<2> &x) const override;
+    profile(const Point<2> &x) const override
+    {
+      return surface(x).height;
+    }
 
     IndenterSurface<3>
-    surface(const Point<2> &x) const override;
+    surface(const Point<2> &x) const override
+    {
+      return shape.rounding_radius > 0 ? rounded_surface(x) : sharp_surface(x);
+    }
 
     IndenterSurface<3>
     surface_for(const Point<2> &origin,
@@ -48,7 +54,10 @@ namespace ElastoPlastic
                 const double    body_size) const override;
 
     bool
-    is_convex() const override;
+    is_convex() const override
+    {
+      return true;
+    }
 
     double
     section_area(const double height) const override;

@@ -27,7 +27,10 @@ namespace ElastoPlastic
     explicit IndenterStlSurface(const std::vector<Facet> &facets);
 
     double
-    profile(const Point<dim - 1> &x) const override;
+    profile(const Point<dim - 1> &x) const override
+    {
+      return surface(x).height;
+    }
 
     /// Height and slope are those of the lowest triangle, the curvature is
     /// zero.

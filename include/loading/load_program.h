@@ -34,7 +34,10 @@ namespace ElastoPlastic
     explicit LoadProgram(const LoadingParameters &parameters);
 
     double
-    final_time() const;
+    final_time() const
+    {
+      return segments.back().end_time;
+    }
 
     /// How the indenter moves sideways meanwhile.
     const IndenterPath &
@@ -119,7 +122,10 @@ namespace ElastoPlastic
 
     /// The time at which a segment begins.
     double
-    begin_time(const unsigned int segment) const;
+    begin_time(const unsigned int segment) const
+    {
+      return segment == 0 ? 0. : segments[segment - 1].end_time;
+    }
 
     /// The load there, and at @p time in the segment; none as long as it
     /// depends on what will be reached. @throws InputError

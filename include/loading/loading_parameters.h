@@ -62,7 +62,10 @@ namespace ElastoPlastic
     /// Whether the load is one step from the virgin state, Johnson's stationary
     /// problem, rather than a history.
     bool
-    is_single_step() const;
+    is_single_step() const
+    {
+      return n_steps == 1 && history.empty() && path.empty();
+    }
   };
 
 

@@ -70,19 +70,31 @@ namespace ElastoPlastic
 
     /// Whether the end of the last segment has been reached.
     bool
-    finished() const;
+    finished() const
+    {
+      return position == ends.size();
+    }
 
     /// The number of the step under way: 1 for the first.
     unsigned int
-    number() const;
+    number() const
+    {
+      return step_number;
+    }
 
     /// The end of the last step that has succeeded.
     double
-    time() const;
+    time() const
+    {
+      return time_at(position);
+    }
 
     /// The end of the step under way; after the last one, the end of all.
     double
-    next_time() const;
+    next_time() const
+    {
+      return time_at(end());
+    }
 
     /// Whether the step under way is longer than a nominal one.
     bool
@@ -90,7 +102,10 @@ namespace ElastoPlastic
 
     /// The ends of the nominal steps, increasing.
     const std::vector<double> &
-    uncut_ends() const;
+    uncut_ends() const
+    {
+      return ends;
+    }
 
     /// The step under way has succeeded, after @p n_iterations of Newton's
     /// method, with this @p error: on to the next.

@@ -64,7 +64,10 @@ namespace ElastoPlastic
 
     /// All boundaries.
     const BoundaryNames &
-    names() const;
+    names() const
+    {
+      return boundary_names;
+    }
 
     /// The boundaries with this condition.
     std::set<types::boundary_id>
@@ -73,11 +76,17 @@ namespace ElastoPlastic
     /// What is prescribed by boundary. Components are empty where the
     /// displacement is free.
     const std::map<types::boundary_id, Components> &
-    prescribed_displacements() const;
+    prescribed_displacements() const
+    {
+      return displacements;
+    }
 
     /// The tractions by boundary. No component is empty.
     const std::map<types::boundary_id, Components> &
-    tractions() const;
+    tractions() const
+    {
+      return traction_vectors;
+    }
 
     /// The largest magnitude of a component of what is prescribed on
     /// @p boundary, zero if nothing is. @throws InputError for a value that is

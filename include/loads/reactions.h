@@ -28,7 +28,12 @@ namespace ElastoPlastic
     /// and supports are those at the time of a call.
     Reactions(const LoadedBody<dim> &body,
               const DoFHandler<dim> &dof_handler,
-              const Supports<dim>   &supports);
+              const Supports<dim>   &supports)
+      : body(body)
+      , dof_handler(dof_handler)
+      , supports(supports)
+    {}
+
 
     /// "top_x", "top_y": boundary and direction of each force.
     std::vector<std::string>

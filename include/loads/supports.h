@@ -65,7 +65,10 @@ namespace ElastoPlastic
     using Vector = LinearAlgebra::distributed::Vector<double>;
 
     /// @p body must outlive this object.
-    explicit Supports(const LoadedBody<dim> &body);
+    explicit Supports(const LoadedBody<dim> &body)
+      : body(body)
+    {}
+
 
     /// Finds out what is held where, for @p dof_handler, which must outlive
     /// this object or the next call. Prescribed displacements are zero.
@@ -83,11 +86,17 @@ namespace ElastoPlastic
 
     /// Valid until the next reinit().
     const AffineConstraints<double> &
-    constraints() const;
+    constraints() const
+    {
+      return with_skew_rollers ? *with_skew_rollers : hanging;
+    }
 
     /// The hanging nodes alone: what a field must satisfy to be continuous.
     const AffineConstraints<double> &
-    hanging_nodes() const;
+    hanging_nodes() const
+    {
+      return hanging;
+    }
 
     /// The indices in @p layout of the fixed entries that this rank owns.
     std::vector<unsigned int>

@@ -9,8 +9,7 @@
 
 #include <cmath>
 
-#include "base/inlining.h"
-#include "base/tensors.h"
+#include "base/simd.h"
 
 namespace ElastoPlastic
 {

@@ -39,7 +39,10 @@ namespace ElastoPlastic
 
     /// Where flow begins.
     double
-    initial() const;
+    initial() const
+    {
+      return rate_law.flow_stress(yield_stress(0.), 0.).stress;
+    }
 
     /// The derivative with respect to the @p increment > 0.
     double
@@ -76,7 +79,10 @@ namespace ElastoPlastic
     yield_stress(const double increment) const;
 
     double
-    yield_slope(const double increment) const;
+    yield_slope(const double increment) const
+    {
+      return linear_modulus + (curve ? curve->slope(alpha + increment) : 0.);
+    }
 
     /// sigma_0 and H, unit: stress
     const double initial_yield_stress, linear_modulus;
@@ -106,6 +112,66 @@ namespace ElastoPlastic
                          rate_law.reference_rate * material.step_duration :
                          1.)
   {}
+
+
+
+  /// What the norm of the relative stress, the z of the return to the yield
+  /// surface, must be at the end of a backward Euler step in which the plastic
+  /// multiplier is x (doc/theory, "Material"):
+  ///
+  ///   R(x) = 2 G x + sum_k c_k l_k(x) + sqrt(2/3) sigma(sqrt(2/3) x),
+  ///
+  /// with the BackStressLaw's length l_k and the FlowStress sigma. It grows by
+  /// 2 G per unit of x or faster. The unknown is that of the FlowStress.
+  class FlowResistance
+  {
+  public:
+    /// The one of a lane of @p material, whose point begins the step with the
+    /// equivalent plastic strain @p alpha. @p material must outlive this
+    /// object.
+    template <typename Number>
+    FlowResistance(const Material<Number> &material,
+                   const Number           &alpha,
+                   const unsigned int      lane);
+
+    /// All that belongs to a value of the unknown: the multiplier x, R, and
+    /// their derivatives with respect to the unknown.
+    struct Value
+    {
+      double multiplier, resistance, multiplier_slope, slope;
+    };
+
+    Value
+    at(const double unknown) const;
+
+    /// Its unknown is not smaller than the solution if the norm of z exceeds
+    /// R(0) by @p excess, and less where x > 0.
+    double
+    upper_bound(const double excess) const;
+
+    /// The back stresses' moduli and rates of recovery.
+    boost::container::static_vector<BackStressLaw<double>, max_back_stresses>
+      back_stresses;
+
+    /// 2 G
+    double elastic_modulus;
+
+    FlowStress flow_stress;
+  };
+
+
+
+  template <typename Number>
+  FlowResistance::FlowResistance(const Material<Number> &material,
+                                 const Number           &alpha,
+                                 const unsigned int      lane)
+    : elastic_modulus(2. * lane_of(material.shear_modulus, lane))
+    , flow_stress(material, alpha, lane)
+  {
+    for (const auto &[modulus, recovery] : material.back_stresses)
+      back_stresses.push_back(
+        {lane_of(modulus, lane), lane_of(recovery, lane)});
+  }
 } // namespace ElastoPlastic
 
 #endif

@@ -27,7 +27,13 @@ namespace ElastoPlastic
     GeneralReturn(const GeneralCriterion      &criterion,
                   const SymmetricTensor<2, 3> &trial,
                   const double                 modulus,
-                  const FlowStress            &flow_stress);
+                  const FlowStress            &flow_stress)
+      : criterion(criterion)
+      , trial(trial)
+      , modulus(modulus)
+      , flow_stress(flow_stress)
+    {}
+
 
     /// x and n; both zero if the trial stress lies inside the yield surface.
     /// Not a number if there is no solution, as for data that are none.

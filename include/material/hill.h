@@ -44,7 +44,10 @@ namespace ElastoPlastic
 
     /// q
     double
-    equivalent_stress(const Tensor3 &deviator) const;
+    equivalent_stress(const Tensor3 &deviator) const
+    {
+      return Relaxation(*this, deviator).equivalent_stress();
+    }
 
     /// Whether no in-plane stress belongs to shear between the third axis of
     /// the body and others: that is an axis of the material.

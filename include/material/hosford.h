@@ -29,7 +29,10 @@ namespace ElastoPlastic
 
     /// q
     double
-    equivalent_stress(const Tensor3 &deviator) const;
+    equivalent_stress(const Tensor3 &deviator) const
+    {
+      return Relaxation(*this, deviator).equivalent_stress();
+    }
 
     /// The stresses z(t) with z + t q(z) dq/dz = xi, of one trial stress xi,
     /// see HillCriterion::Relaxation. They have the principal axes of xi; with

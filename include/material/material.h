@@ -9,14 +9,24 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <variant>
 
-#include "base/lanes.h"
-#include "material/general_criterion.h"
+#include "base/simd.h"
 #include "material/hardening_curve.h"
+#include "material/hill.h"
+#include "material/hosford.h"
 #include "material/rate_law.h"
 
 namespace ElastoPlastic
 {
+  /// The criteria for which the return to the yield surface is not radial: q(z)
+  /// <= sigma with another norm q of the relative stress z than that of von
+  /// Mises. What they have in common is what GeneralReturn asks of them, point
+  /// by point: principal axes and powers are nothing for batches.
+  using GeneralCriterion = std::variant<HillCriterion, HosfordCriterion>;
+
+
+
   /// So many back stresses may a material have.
   constexpr unsigned int max_back_stresses = 4;
 

@@ -7,16 +7,56 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/enum_names.h"
-#include "material/hardening_input.h"
-#include "material/rate_law_parameters.h"
+#include "material/rate_law.h"
 #include "material/yield_criterion_parameters.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+
+
+  template <>
+  inline const EnumNames<RateLawType> enum_names<RateLawType> = {
+    {"none", RateLawType::none},
+    {"Perzyna", RateLawType::perzyna},
+    {"Norton", RateLawType::norton},
+    {"Cowper-Symonds", RateLawType::cowper_symonds},
+    {"Duvaut-Lions", RateLawType::duvaut_lions}};
+
+
+
+  /// The entries of the section "Material" about rate dependence: lists like
+  /// the others of MaterialParameters.
+  struct RateLawParameters
+  {
+    std::vector<RateLawType> types            = {RateLawType::none};
+    std::vector<double>      exponents        = {1.};
+    std::vector<double>      reference_rates  = {1.};
+    std::vector<double>      stresses         = {100.};
+    std::vector<double>      relaxation_times = {1.};
+
+    /// In the section, which has been entered.
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// @throws InputError for a value out of range.
+    void
+    check() const;
+
+    /// The number of values of each entry.
+    std::vector<std::pair<std::string, unsigned int>>
+    list_lengths() const;
+
+    RateLaw
+    rate_law(const unsigned int id) const;
+  };
+
+
 
   /// The values of the entry "Law".
   enum class MaterialLaw
@@ -51,7 +91,7 @@ namespace ElastoPlastic
     std::vector<double>      isotropic_moduli = {2000.};
     std::vector<double>      kinematic_moduli = {0.};
 
-    // nonlinear hardening; the texts are read by hardening_input.h
+    // nonlinear hardening; the texts are read by material_lists.h
     std::vector<double>      voce_stresses               = {0.};
     std::vector<double>      voce_rates                  = {0.};
     std::vector<double>      power_law_exponents         = {0.};

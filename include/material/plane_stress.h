@@ -4,7 +4,7 @@
 #ifndef material_plane_stress_h
 #define material_plane_stress_h
 
-#include "material/flow_resistance.h"
+#include "material/flow_stress.h"
 #include "material/material_state.h"
 
 namespace ElastoPlastic
@@ -23,7 +23,13 @@ namespace ElastoPlastic
     /// outlive this object.
     PlaneStressReturn(const Material<double>      &material,
                       const SymmetricTensor<2, 3> &strain,
-                      const MaterialState<double> &old_state);
+                      const MaterialState<double> &old_state)
+      : material(material)
+      , strain(strain)
+      , old_state(old_state)
+      , resistance(material, old_state.equivalent_plastic_strain, 0)
+    {}
+
 
     /// The strain across the sheet; not a number if there is no solution, as
     /// for numbers beyond the range of the computer's.

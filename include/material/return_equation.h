@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "material/flow_resistance.h"
+#include "material/flow_stress.h"
 
 namespace ElastoPlastic
 {

@@ -11,13 +11,70 @@
 #include <utility>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "material/material.h"
-#include "material/soil_parameters.h"
-#include "material/yield_criterion.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+
+
+  /// The values of the entry "Yield criterion": which stresses a material bears
+  /// without plastic flow.
+  enum class YieldCriterion
+  {
+    von_mises,
+    hosford,
+    hill,
+    mohr_coulomb
+  };
+
+  template <>
+  inline const EnumNames<YieldCriterion> enum_names<YieldCriterion> = {
+    {"von Mises", YieldCriterion::von_mises},
+    {"Hosford", YieldCriterion::hosford},
+    {"Hill", YieldCriterion::hill},
+    {"Mohr-Coulomb", YieldCriterion::mohr_coulomb}};
+
+
+
+  /// The entries of the section "Material" about strength that grows with the
+  /// pressure: lists like the others of MaterialParameters. On no plane, the
+  /// shear stress of a soil exceeds c + p tan(phi), with the pressure p on the
+  /// plane.
+  struct SoilParameters
+  {
+    std::vector<double> cohesions       = {100.}; ///< c, unit: stress
+    std::vector<double> friction_angles = {30.};  ///< phi, in degrees
+
+    /// In the section, which has been entered.
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// @throws InputError for a value out of range.
+    void
+    check() const;
+
+    /// The number of values of each entry.
+    std::vector<std::pair<std::string, unsigned int>>
+    list_lengths() const
+    {
+      return {{"Cohesion", cohesions.size()},
+              {"Friction angle", friction_angles.size()}};
+    }
+
+    /// sin(phi) of the material @p id.
+    double
+    friction_sine(const unsigned int id) const;
+
+    /// Of the deviator of a plane stress without pressure, s_33 being the mean
+    /// of s_11 and s_22: sqrt(2) c cos(phi). Unit: stress.
+    double
+    yield_radius(const unsigned int id) const;
+  };
+
+
 
   /// The entries of the section "Material" that have to do with the
   /// YieldCriterion: lists as in MaterialParameters.

@@ -19,7 +19,10 @@ namespace ElastoPlastic
   public:
     using Number = Simd<double>;
 
-    explicit BatchMaterials(const std::vector<Material<double>> &materials);
+    explicit BatchMaterials(const std::vector<Material<double>> &materials)
+      : materials(materials)
+    {}
+
 
     /// Finds the materials of the cells of @p kernel. Collective.
     /// @throws InputError if a cell's material id has no material.
@@ -54,15 +57,24 @@ namespace ElastoPlastic
 
     /// Whether a back stress recovers.
     bool
-    recover() const;
+    recover() const
+    {
+      return std::any_of(materials.begin(), materials.end(), has_recovery);
+    }
 
     /// Whether all stresses have an incremental potential.
     bool
-    have_potential() const;
+    have_potential() const
+    {
+      return std::all_of(materials.begin(), materials.end(), has_potential);
+    }
 
     /// Whether a material has a rate law.
     bool
-    are_rate_dependent() const;
+    are_rate_dependent() const
+    {
+      return std::any_of(materials.begin(), materials.end(), is_rate_dependent);
+    }
 
     /// Whether a hardening curve becomes steeper.
     bool

@@ -9,7 +9,7 @@
 #include <array>
 #include <utility>
 
-#include "base/inlining.h"
+#include "base/simd.h"
 
 namespace ElastoPlastic
 {

@@ -6,8 +6,8 @@
 
 #include <deal.II/matrix_free/fe_evaluation.h>
 
-#include "base/inlining.h"
 #include "base/kinematics.h"
+#include "base/simd.h"
 #include "base/tensors.h"
 #include "mechanics/displacement_gradient.h"
 

@@ -25,7 +25,10 @@ namespace ElastoPlastic
     add_parameters(ParameterHandler &prm);
 
     StrainModel
-    strain_model() const;
+    strain_model() const
+    {
+      return {volumetric_treatment, kinematics, strain};
+    }
   };
 } // namespace ElastoPlastic
 

@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "base/inlining.h"
+#include "base/simd.h"
 
 namespace ElastoPlastic
 {

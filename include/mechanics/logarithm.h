@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/lanes.h"
+#include "base/simd.h"
 
 namespace ElastoPlastic
 {

@@ -9,7 +9,6 @@
 #include <array>
 #include <limits>
 
-#include "base/lanes.h"
 #include "mechanics/logarithm.h"
 #include "mechanics/principal_frame.h"
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <type_traits>
 
-#include "base/inlining.h"
+#include "base/simd.h"
 #include "mechanics/box_modes.h"
 #include "mechanics/matrix_free_kernel.h"
 #include "mechanics/strain_measures.h"

@@ -9,7 +9,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-#include "base/inlining.h"
+#include "base/simd.h"
 #include "mechanics/matrix_free_kernel.h"
 
 namespace ElastoPlastic

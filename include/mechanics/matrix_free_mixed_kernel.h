@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/inlining.h"
+#include "base/simd.h"
 #include "mechanics/matrix_free_kernel.templates.h"
 #include "mechanics/solid_kernel.h"
 

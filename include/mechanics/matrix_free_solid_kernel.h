@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "base/ghost_values.h"
-#include "base/inlining.h"
 #include "mechanics/matrix_free_mixed_kernel.h"
 
 namespace ElastoPlastic

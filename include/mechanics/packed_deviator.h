@@ -9,9 +9,8 @@
 #include <array>
 #include <cstdint>
 
-#include "base/inlining.h"
 #include "base/packed_lanes.h"
-#include "base/tensors.h"
+#include "base/simd.h"
 
 namespace ElastoPlastic
 {

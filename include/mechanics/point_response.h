@@ -4,7 +4,7 @@
 #ifndef mechanics_point_response_h
 #define mechanics_point_response_h
 
-#include "base/inlining.h"
+#include "base/simd.h"
 #include "material/radial_return.h"
 
 namespace ElastoPlastic

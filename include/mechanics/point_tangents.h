@@ -9,8 +9,8 @@
 #include <array>
 #include <vector>
 
-#include "base/inlining.h"
 #include "base/kinematics.h"
+#include "base/simd.h"
 #include "base/single_precision_storage.h"
 #include "base/tensors.h"
 #include "mechanics/packed_deviator.h"

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/lanes.h"
+#include "base/simd.h"
 
 namespace ElastoPlastic
 {

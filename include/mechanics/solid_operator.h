@@ -97,14 +97,23 @@ namespace ElastoPlastic
     /// stresses recover, which makes tangents unsymmetric, and with some laws
     /// of rate dependence.
     bool
-    has_energy() const;
+    has_energy() const
+    {
+      return has_potential;
+    }
 
     bool
-    is_symmetric() const override;
+    is_symmetric() const override
+    {
+      return !recovers;
+    }
 
     /// Whether a material has a rate law.
     bool
-    is_rate_dependent() const;
+    is_rate_dependent() const
+    {
+      return materials.are_rate_dependent();
+    }
 
     /// Prepares everything that depends on the mesh; all points are virgin,
     /// and bear no stress.
@@ -136,7 +145,10 @@ namespace ElastoPlastic
     /// between steps, no time passes: what flows at a finite rate only does not
     /// flow.
     void
-    begin_step(const double duration);
+    begin_step(const double duration)
+    {
+      materials.set_step_duration(duration);
+    }
 
     double
     step_duration() const
@@ -172,7 +184,10 @@ namespace ElastoPlastic
       const std::function<std::vector<double>(const CellIterator &)> &state_of);
 
     void
-    initialize_vector(VectorType &vector) const override;
+    initialize_vector(VectorType &vector) const override
+    {
+      kernel->initialize_vector(vector);
+    }
 
     /// int W(strain(u)) dx, the incremental energy (doc/theory, "Material").
     /// If there is none: the elastic energy and the plastic work of the step,
@@ -204,29 +219,44 @@ namespace ElastoPlastic
 
     /// The product of the stored tangent with @p increment.
     void
-    vmult(VectorType &forces, const VectorType &increment) const override;
+    vmult(VectorType &forces, const VectorType &increment) const override
+    {
+      kernel->vmult(forces, increment, tangents);
+    }
 
     /// Not a sheet, which may change its thickness.
     bool
-    is_nearly_incompressible() const override;
+    is_nearly_incompressible() const override
+    {
+      return !is_sheet && materials.are_nearly_incompressible();
+    }
 
     void
     initialize_mixed_vector(BlockVectorType &vector) const override;
 
     void
     mixed_vmult(BlockVectorType       &result,
-                const BlockVectorType &vector) const override;
+                const BlockVectorType &vector) const override
+    {
+      kernel->mixed_vmult(result, vector, tangents);
+    }
 
     std::unique_ptr<const PressurePreconditioner>
     make_pressure_preconditioner(const VectorType &held) const override;
 
     /// The diagonal of the stored tangent, see CellKernel.
     void
-    diagonal(VectorType &values) const;
+    diagonal(VectorType &values) const
+    {
+      kernel->diagonal(values, tangents);
+    }
 
     void
     add_matrix(SystemMatrix                    &matrix,
-               const AffineConstraints<double> &all_constraints) const override;
+               const AffineConstraints<double> &all_constraints) const override
+    {
+      kernel->add_matrix(matrix, all_constraints, tangents);
+    }
 
     /// Calls @p receive for all locally owned cells with the mean of the stored
     /// tangent, or of a definite approximation, as the numbers that

@@ -39,7 +39,10 @@ namespace ElastoPlastic
     /// Hands in the states before the mesh changes. @p states must live until
     /// then.
     void
-    prepare(const CellStates &states);
+    prepare(const CellStates &states)
+    {
+      transfer.prepare_for_coarsening_and_refinement(states);
+    }
 
     /// The states on the mesh that execute_coarsening_and_refinement() has
     /// made.
@@ -51,7 +54,11 @@ namespace ElastoPlastic
 
     /// Whether a child of @p cell is of the same material.
     bool
-    keeps_material(const Cell &cell, const unsigned int child) const;
+    keeps_material(const Cell &cell, const unsigned int child) const
+    {
+      return n_materials == 1 ||
+             cell->child(child)->material_id() == cell->material_id();
+    }
 
     std::vector<std::vector<double>>
     to_children(const Cell &cell, const std::vector<double> &parent) const;

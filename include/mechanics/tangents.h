@@ -6,7 +6,6 @@
 
 #include <deal.II/base/aligned_vector.h>
 
-#include "base/inlining.h"
 #include "base/simd.h"
 #include "material/deviatoric_tangent.h"
 #include "mechanics/nominal_tangent.h"

@@ -23,7 +23,10 @@ namespace ElastoPlastic
     explicit ConnectedParts(const Triangulation<dim> &mesh);
 
     unsigned int
-    size() const;
+    size() const
+    {
+      return boxes.size();
+    }
 
     /// The number of the part that @p cell, of any level, belongs to.
     unsigned int
@@ -31,7 +34,10 @@ namespace ElastoPlastic
 
     /// A box around the coarse cells of a part.
     const BoundingBox<dim> &
-    box(const unsigned int part) const;
+    box(const unsigned int part) const
+    {
+      return boxes[part];
+    }
 
   private:
     std::vector<unsigned int>     part_of_coarse_cell; ///< by index

@@ -57,14 +57,23 @@ namespace ElastoPlastic
     explicit Geometry(const GeometryParameters &parameters);
 
     const BoundaryNames &
-    boundary_names() const;
+    boundary_names() const
+    {
+      return names;
+    }
 
     /// What does not prevent the mesh from being used, but may not be meant.
     const std::vector<std::string> &
-    warnings() const;
+    warnings() const
+    {
+      return warning_texts;
+    }
 
     unsigned int
-    n_initial_refinements() const;
+    n_initial_refinements() const
+    {
+      return parameters.initial_refinements;
+    }
 
     /// The same body with as many of its initial refinements as leave it some
     /// @p n_cells cells at most; with none, if that is still too much.

@@ -7,7 +7,6 @@
 #include <deal.II/grid/tria.h>
 
 #include <map>
-#include <string>
 #include <vector>
 
 #include "mesh/gmsh_contents.h"

@@ -52,10 +52,16 @@ namespace ElastoPlastic
                  const std::vector<Surface> &surfaces);
 
     const std::vector<Point<3>> &
-    vertices() const;
+    vertices() const
+    {
+      return all_vertices;
+    }
 
     const std::vector<CellData<3>> &
-    cells() const;
+    cells() const
+    {
+      return all_cells;
+    }
 
   private:
     using Numbers = std::vector<unsigned int>; ///< of vertices

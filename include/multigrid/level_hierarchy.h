@@ -53,7 +53,11 @@ namespace ElastoPlastic
     /// @p transfers, each with the level below it (none on level 0), and
     /// @p operators must
     /// outlive this object.
-    LevelTransfer(const Transfers &transfers, const Operators &operators);
+    LevelTransfer(const Transfers &transfers, const Operators &operators)
+      : transfers(transfers)
+      , operators(operators)
+    {}
+
 
     void
     prolongate(const unsigned int to_level,
@@ -113,23 +117,41 @@ namespace ElastoPlastic
     update(const SolidOperator<dim> &solid, const HeldUnknowns &held);
 
     unsigned int
-    max_level() const;
+    max_level() const
+    {
+      return levels.size() - 1;
+    }
 
     const typename LevelTransfer<dim>::Operators &
-    operators() const;
+    operators() const
+    {
+      return level_operators;
+    }
 
     const LevelTransfer<dim> &
-    transfer() const;
+    transfer() const
+    {
+      return level_transfer;
+    }
 
     /// Of level 0.
     const DoFHandler<dim> &
-    coarse_dof_handler() const;
+    coarse_dof_handler() const
+    {
+      return *levels[0].dof_handler;
+    }
 
     const AffineConstraints<double> &
-    coarse_constraints() const;
+    coarse_constraints() const
+    {
+      return *levels[0].constraints;
+    }
 
     const HeldUnknowns &
-    held_on_coarsest() const;
+    held_on_coarsest() const
+    {
+      return held_on_coarsest_level;
+    }
 
   private:
     /// A level's unknowns. The finest level uses those of the problem.

@@ -4,15 +4,62 @@
 #ifndef multigrid_level_matching_h
 #define multigrid_level_matching_h
 
+#include <deal.II/base/partitioner.h>
 #include <deal.II/distributed/tria.h>
+#include <deal.II/distributed/tria_base.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include "mesh/owned_cells.h"
+#include <memory>
 
 namespace ElastoPlastic
 {
+  using namespace dealii;
+
+
+
+  /// The locally owned cells of a distributed mesh, numbered from zero in the
+  /// order of the mesh, for data of cells: deal.II's partition of the active
+  /// cells.
+  template <int dim>
+  class OwnedCells
+  {
+  public:
+    /// The numbering is that of @p mesh as it is now.
+    explicit OwnedCells(const Triangulation<dim> &mesh)
+      : partition(dynamic_cast<const parallel::TriangulationBase<dim> &>(mesh)
+                    .global_active_cell_index_partitioner()
+                    .lock())
+    {}
+
+    unsigned int
+    size() const
+    {
+      return partition->locally_owned_size();
+    }
+
+    /// The number of a locally owned cell.
+    template <typename CellAccessor>
+    unsigned int
+    number(const CellAccessor &cell) const
+    {
+      return partition->global_to_local(cell.global_active_cell_index());
+    }
+
+    /// The same cells in a numbering of all cells of all ranks: rank by rank.
+    const IndexSet &
+    global_indices() const
+    {
+      return partition->locally_owned_range();
+    }
+
+  private:
+    std::shared_ptr<const Utilities::MPI::Partitioner> partition;
+  };
+
+
+
   /// What the owners of a coarse cell's children need to know about it. Each
   /// unknown is a combination of unconstrained ones.
   struct CoarseCell

@@ -71,7 +71,10 @@ namespace ElastoPlastic
 
     /// Whether there are no locally owned cells.
     bool
-    empty() const;
+    empty() const
+    {
+      return n_cells() == 0;
+    }
 
     /// Writes the locally owned cells. All ranks that have some must call this.
     /// @throws StandardExceptions::ExcIO

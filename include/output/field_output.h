@@ -42,7 +42,10 @@ namespace ElastoPlastic
 
     /// @p parameters say where the files go, which fields they hold and what
     /// their units are called; they must outlive this object.
-    explicit FieldOutput(const OutputParameters &parameters);
+    explicit FieldOutput(const OutputParameters &parameters)
+      : parameters(parameters)
+    {}
+
 
     /// Writes both files for @p solution. @p name distinguishes them from
     /// others (the same name as before replaces them), @p time is their place

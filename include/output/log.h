@@ -17,6 +17,16 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
+
+
+  /// What has made a result, in two lines that end with a line break and begin
+  /// with @p prefix: program, revision and kind of build; deal.II, width of its
+  /// batches and number of ranks. parameters.prm begins with them.
+  std::string
+  versions(const unsigned int n_ranks, const std::string &prefix = "");
+
+
+
   /// How much is printed; see the entry "Screen".
   enum class Verbosity
   {
@@ -73,7 +83,10 @@ namespace ElastoPlastic
 
     /// For the table of times.
     ConditionalOStream &
-    full_stream();
+    full_stream()
+    {
+      return full;
+    }
 
   private:
     ConditionalOStream    full;

@@ -25,7 +25,10 @@ namespace ElastoPlastic
 
     /// Whether both have a name.
     bool
-    are_named() const;
+    are_named() const
+    {
+      return !length.empty() && !force.empty();
+    }
 
     /// The unit of a @p quantity, as the columns of the tables call them:
     /// "force", "force x length", "stress" and so on. A quantity that is none

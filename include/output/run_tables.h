@@ -102,15 +102,6 @@ namespace ElastoPlastic
     std::vector<CsvFile *>
     tables();
 
-    void
-    make_surface_profile(const unsigned int n_rows);
-
-    void
-    make_indentation(const unsigned int n_rows);
-
-    void
-    make_continuous_stiffness(const unsigned int n_rows);
-
     /// If a stiffness has been found in this step. @throws InputError
     void
     add_stiffness(const SolveResult &result);
@@ -119,17 +110,13 @@ namespace ElastoPlastic
     void
     add_indentation(const std::optional<UnloadingResult> &result);
 
-    const MPI_Comm     communicator;
-    const std::string  directory;
-    const unsigned int dimension;
-
-    CsvTable<SolveResult>                    statistics;
-    CsvTable<SolveResult>                    history;
-    CsvFile                                  reactions;
-    CsvFile                                  probes;
-    std::optional<CsvTable<SurfaceRow>>      surface_profile;
-    CsvTable<MeshChange>                     mesh_changes;
-    std::optional<CsvTable<UnloadingResult>> indentation, continuous_stiffness;
+    CsvTable<SolveResult>             statistics;
+    CsvTable<SolveResult>             history;
+    CsvFile                           reactions;
+    CsvFile                           probes;
+    OptionalCsvTable<SurfaceRow>      surface_profile;
+    CsvTable<MeshChange>              mesh_changes;
+    OptionalCsvTable<UnloadingResult> indentation, continuous_stiffness;
 
     std::optional<IndentationTest> indentation_test;
     std::optional<RateTest>        rate_test;

@@ -5,6 +5,7 @@
 #define output_table_h
 
 #include <functional>
+#include <optional>
 
 #include "output/csv_file.h"
 
@@ -78,6 +79,57 @@ namespace ElastoPlastic
     }
 
     const Columns<Record> &columns;
+  };
+
+
+
+  /// A CsvTable whose file is there if it has rows only.
+  template <typename Record>
+  class OptionalCsvTable
+  {
+  public:
+    /// See CsvTable.
+    OptionalCsvTable(const MPI_Comm         communicator,
+                     const std::string     &file_name,
+                     const Columns<Record> &columns,
+                     const unsigned int     n_rows)
+      : communicator(communicator)
+      , file_name(file_name)
+      , columns(columns)
+    {
+      if (n_rows > 0)
+        table.emplace(communicator, file_name, columns, n_rows);
+    }
+
+    /// @throws FileError, on all ranks, if rows cannot be written.
+    void
+    add_all(const std::vector<Record> &records)
+    {
+      if (records.empty())
+        return;
+      if (!table)
+        table.emplace(communicator, file_name, columns).open();
+      table->add_all(records);
+    }
+
+    unsigned int
+    n_rows() const
+    {
+      return table ? table->n_rows() : 0;
+    }
+
+    /// A null pointer without rows.
+    CsvFile *
+    file()
+    {
+      return table ? &*table : nullptr;
+    }
+
+  private:
+    const MPI_Comm                  communicator;
+    const std::string               file_name;
+    const Columns<Record>          &columns;
+    std::optional<CsvTable<Record>> table;
   };
 } // namespace ElastoPlastic
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "evaluation/rate_test.h"
 #include "input/parameters.h"
 #include "loading/load_program.h"
@@ -68,7 +69,11 @@ namespace ElastoPlastic
     std::vector<double> times;     ///< none if it is the force
 
     std::string
-    in_words() const;
+    in_words() const
+    {
+      return times.empty() ? "the force " + to_text(force) :
+                             "the largest load of tractions and body forces";
+    }
   };
 
 

@@ -53,7 +53,12 @@ namespace ElastoPlastic
     /// @p entries are those of the present run.
     Checkpoint(const MPI_Comm     communicator,
                const std::string &output_directory,
-               const Entries     &entries);
+               const Entries     &entries)
+      : communicator(communicator)
+      , directory(output_directory + "/checkpoint")
+      , entries(entries)
+    {}
+
 
     /// Replaces the last checkpoint. @p save_mesh writes the mesh into files
     /// whose names begin with the one it is passed; @p state is what the first

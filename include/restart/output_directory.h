@@ -29,7 +29,11 @@ namespace ElastoPlastic
   {
   public:
     /// Touches nothing yet.
-    OutputDirectory(const MPI_Comm communicator, const std::string &name);
+    OutputDirectory(const MPI_Comm communicator, const std::string &name)
+      : communicator(communicator)
+      , name(name)
+    {}
+
 
     OutputDirectory(const OutputDirectory &) = delete;
 

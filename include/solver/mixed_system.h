@@ -31,7 +31,10 @@ namespace ElastoPlastic
     scale_pressures(const VectorType &forces);
 
     void
-    initialize_vector(BlockVectorType &vector) const;
+    initialize_vector(BlockVectorType &vector) const
+    {
+      tangent.initialize_mixed_vector(vector);
+    }
 
     void
     vmult(BlockVectorType &result, const BlockVectorType &vector) const;

@@ -28,7 +28,10 @@ namespace ElastoPlastic
 
     /// Computes forces and energy at u, from where the bounds are now.
     void
-    evaluate();
+    evaluate()
+    {
+      current_energy = problem.move_to(u, residual);
+    }
 
     /// The switching test; if the set comes back too often, it changes more
     /// slowly from now on, or the feasible method takes over. (The set of the

@@ -6,7 +6,6 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <memory>
 #include <vector>
 
 #include "base/shared_rows.h"
@@ -68,7 +67,10 @@ namespace ElastoPlastic
 
     /// Whether expand() does nothing.
     bool
-    is_trivial() const;
+    is_trivial() const
+    {
+      return !has_coupling() && !shared.rows && !is_sloped;
+    }
 
     /// Whether there may be entering unknowns.
     bool

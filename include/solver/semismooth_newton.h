@@ -42,7 +42,10 @@ namespace ElastoPlastic
 
     /// The number of linear systems solved.
     unsigned int
-    n_iterations() const;
+    n_iterations() const
+    {
+      return steps.empty() ? 0 : steps.size() - 1;
+    }
 
     unsigned int
     n_linear_iterations() const;
@@ -63,7 +66,11 @@ namespace ElastoPlastic
 
     SemismoothNewton(
       const NewtonParameters                        &parameters,
-      const std::function<void(const NewtonStep &)> &show_progress);
+      const std::function<void(const NewtonStep &)> &show_progress)
+      : parameters(parameters)
+      , show_progress(show_progress)
+    {}
+
 
     /// @p u is the starting guess on input, the minimiser on output.
     /// @throws ConvergenceError if the limit of iterations is reached.

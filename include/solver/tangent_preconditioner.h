@@ -9,11 +9,10 @@
 #include <map>
 #include <memory>
 #include <set>
-#include <vector>
 
 #include "base/shared_rows.h"
 #include "solver/held_unknowns.h"
-#include "solver/matrix_preconditioner.h"
+#include "solver/system_matrix.h"
 #include "solver/tangent_operator.h"
 
 namespace ElastoPlastic
@@ -62,7 +61,10 @@ namespace ElastoPlastic
     }
 
     const SystemMatrix &
-    matrix() const;
+    matrix() const
+    {
+      return system_matrix;
+    }
 
     /// How many patterns the matrix has had.
     unsigned int

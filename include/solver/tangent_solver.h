@@ -52,7 +52,14 @@ namespace ElastoPlastic
     /// the next one takes over for good.
     TangentSolver(const TangentOperator                          &tangent,
                   const std::vector<Method>                      &methods,
-                  const std::function<void(const std::string &)> &warn);
+                  const std::function<void(const std::string &)> &warn)
+      : tangent(tangent)
+      , methods(methods)
+      , warn(warn)
+      , method(this->methods.begin())
+      , preconditioner(method->make())
+    {}
+
 
     /// Takes the tangent that is stored now, and which unknowns are constrained
     /// and coupled. @throws ConvergenceError, or FileError if memory is missing

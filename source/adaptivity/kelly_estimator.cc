@@ -8,7 +8,7 @@
 
 #include "adaptivity/kelly_estimator.h"
 #include "base/compatibility.h"
-#include "mechanics/ghosted_copy.h"
+#include "base/ghost_values.h"
 
 namespace ElastoPlastic
 {

@@ -108,7 +108,7 @@ namespace ElastoPlastic
     if (goal == RefinementGoal::force &&
         strategy != RefinementStrategy::adaptive)
       throw InputError("Refinement/Goal",
-                       Patterns::Tools::to_string(goal),
+                       goal,
                        "only 'Refinement/Strategy = adaptive' has a goal.");
     if (!is_adaptive() && adaptation_interval > 0)
       throw InputError(
@@ -118,7 +118,7 @@ namespace ElastoPlastic
         "during a history. Choose it, or 0.");
     if (refinement_fraction + coarsening_fraction > 1)
       throw InputError("Refinement/Coarsening fraction",
-                       Patterns::Tools::to_string(coarsening_fraction),
+                       coarsening_fraction,
                        "together with 'Refinement/Refinement fraction' it must "
                        "not exceed 1.");
   }

@@ -81,24 +81,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  const Model<dim> &
-  JobPreview<dim>::quick_model() const
-  {
-    return quick;
-  }
-
-
-
-  template <int dim>
-  bool
-  JobPreview<dim>::is_first_mesh() const
-  {
-    return n_refinements_left_out == 0;
-  }
-
-
-
   namespace
   {
     /// Around one spot with this many elements over its radius, in space around

@@ -4,16 +4,13 @@
 #include <deal.II/base/mpi.h>
 
 #include <chrono>
-#include <functional>
 #include <iostream>
-#include <thread>
 #include <utility>
 
 #include "app/bounds.h"
 #include "app/program.h"
 #include "app/ready_cases.h"
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "base/version.h"
 #include "contact_run/elasto_plastic_contact.h"
 #include "input/command_line.h"

@@ -8,8 +8,7 @@
 
 #include "base/exceptions.h"
 #include "base/expression.h"
-#include "base/rethrow_collectively.h"
-#include "base/silent_error_stream.h"
+#include "base/process.h"
 
 namespace ElastoPlastic
 {

@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "bounds/error/support_check.h"
 #include "bounds/error_bound_analysis.h"
 #include "bounds/stress/stress_check.h"

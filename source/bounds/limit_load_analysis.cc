@@ -10,8 +10,7 @@
 
 #include "adaptivity/refinement.h"
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
-#include "base/termination.h"
+#include "base/process.h"
 #include "base/text.h"
 #include "bounds/body/loads.h"
 #include "bounds/bound_checks.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 #include "contact/contact_evaluation.h"
 
 namespace ElastoPlastic

@@ -9,17 +9,6 @@
 namespace ElastoPlastic
 {
   template <int dim>
-  ContactBounds<dim>::ContactBounds(const Gap            &gap,
-                                    const ContactGeometry geometry)
-    : gap(gap)
-    , geometry(geometry)
-  {
-    Assert(geometry != ContactGeometry::automatic, ExcInternalError());
-  }
-
-
-
-  template <int dim>
   IndenterSurface<dim>
   ContactBounds<dim>::gap_at_present_place(const ContactNode<dim> &node,
                                            const Vector           &u) const

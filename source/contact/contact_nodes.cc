@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 #include "contact/contact_nodes.h"
 
 namespace ElastoPlastic

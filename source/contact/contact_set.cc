@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 #include "contact/contact_nodes.h"
 #include "contact/contact_set.h"
 
@@ -264,15 +264,6 @@ namespace ElastoPlastic
                         depth_at(u) :
                         std::min(nearest_distance(candidates, u),
                                  nearest_distance(hanging_nodes, u));
-  }
-
-
-
-  template <int dim>
-  double
-  ContactSet<dim>::bound(const Node &node, const Vector &u) const
-  {
-    return bounds.value(node, u) - present_depth;
   }
 
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 #include "contact/contact_set.h"
 
 // The forces of ContactSet that are not vertical: flanks and friction.

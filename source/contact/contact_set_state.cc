@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "contact/contact_set.h"

@@ -87,15 +87,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  CoulombFriction<dim>::CoulombFriction(const double coefficient,
-                                        const double modulus)
-    : coefficient(coefficient)
-    , modulus(modulus)
-  {}
-
-
-
-  template <int dim>
   void
   CoulombFriction<dim>::begin_step(FrictionState<dim> &state,
                                    const bool          touches) const
@@ -103,15 +94,6 @@ namespace ElastoPlastic
     if (!dissipates())
       state = {touches, {}, 0., 0};
     state.n_releases = 0;
-  }
-
-
-
-  template <int dim>
-  void
-  CoulombFriction<dim>::release(FrictionState<dim> &state) const
-  {
-    ++state.n_releases;
   }
 
 

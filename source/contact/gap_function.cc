@@ -10,45 +10,6 @@
 namespace ElastoPlastic
 {
   template <int dim>
-  GapFunction<dim>::GapFunction(const PlacedIndenter<dim> &indenter,
-                                const double               surface_height,
-                                const double               body_size)
-    : indenter(indenter)
-    , tip_height(surface_height + indenter.initial_gap)
-    , body_size(body_size)
-    , present_position(indenter.position)
-  {}
-
-
-
-  template <int dim>
-  bool
-  GapFunction<dim>::has_indenter() const
-  {
-    return indenter.shape != nullptr;
-  }
-
-
-
-  template <int dim>
-  void
-  GapFunction<dim>::move_to(const Tensor<1, dim - 1> &displacement)
-  {
-    present_position = indenter.position + displacement;
-  }
-
-
-
-  template <int dim>
-  const Point<dim - 1> &
-  GapFunction<dim>::position() const
-  {
-    return present_position;
-  }
-
-
-
-  template <int dim>
   double
   GapFunction<dim>::value(const Point<dim> &p) const
   {
@@ -82,15 +43,6 @@ namespace ElastoPlastic
 
   template <int dim>
   IndenterSurface<dim>
-  GapFunction<dim>::surface(const Point<dim> &p) const
-  {
-    return surface_for(p, p);
-  }
-
-
-
-  template <int dim>
-  IndenterSurface<dim>
   GapFunction<dim>::surface_for(const Point<dim> &origin,
                                 const Point<dim> &p) const
   {
@@ -113,15 +65,6 @@ namespace ElastoPlastic
     for (unsigned int d = 0; d < dim - 1; ++d)
       x[d] = p[d] - present_position[d];
     return x;
-  }
-
-
-
-  template <int dim>
-  bool
-  GapFunction<dim>::reaches(const Point<dim - 1> &offset) const
-  {
-    return has_indenter() && within(offset.norm(), indenter.reach);
   }
 
 

@@ -10,8 +10,8 @@
 
 #include <sstream>
 
-#include "base/rethrow_collectively.h"
-#include "base/termination.h"
+#include "base/exceptions.h"
+#include "base/process.h"
 #include "contact_run/elasto_plastic_contact.h"
 #include "loading/loading_parameters.h"
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "base/compatibility.h"
+#include "base/ghost_values.h"
 #include "contact_run/discrete_body.h"
 #include "loads/loaded_body.h"
-#include "mechanics/ghosted_copy.h"
 #include "mechanics/state_transfer.h"
 #include "multigrid/make_tangent_solver.h"
 
@@ -218,24 +218,6 @@ namespace ElastoPlastic
     if (!last.is_virgin())
       slip += last.slip;
     return slip;
-  }
-
-
-
-  template <int dim>
-  std::set<types::boundary_id>
-  DiscreteBody<dim>::contact_boundaries() const
-  {
-    return model.boundary_conditions.ids(BoundaryConditionType::contact);
-  }
-
-
-
-  template <int dim>
-  ContactEvaluation<dim>
-  DiscreteBody<dim>::contact_evaluation() const
-  {
-    return {contact_set, u, residual_forces};
   }
 
 

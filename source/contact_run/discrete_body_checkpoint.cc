@@ -4,9 +4,9 @@
 // What a checkpoint keeps of the body.
 
 #include "base/compatibility.h"
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
+#include "base/ghost_values.h"
 #include "contact_run/discrete_body.h"
-#include "mechanics/ghosted_copy.h"
 #include "mesh/geometry.h"
 #include "restart/saved_mesh.h"
 

@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include "base/memory.h"
-#include "base/termination.h"
+#include "base/process.h"
 #include "contact_run/elasto_plastic_contact.h"
 #include "mesh/material_ids.h"
 #include "output/columns.h"

@@ -89,15 +89,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  std::string
-  ErrorEstimate<dim>::why_bound_is_missing() const
-  {
-    return error_bound ? error_bound->why_missing() : "";
-  }
-
-
-
-  template <int dim>
   void
   ErrorEstimate<dim>::write_fields(const unsigned int cycle)
   {

@@ -18,28 +18,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  LoadStep<dim>::LoadStep(const Model<dim>  &model,
-                          const Parameters  &parameters,
-                          DiscreteBody<dim> &body)
-    : model(model)
-    , parameters(parameters)
-    , body(body)
-    , load_program(model.load_program)
-    , time_steps(make_time_steps(model, parameters))
-  {}
-
-
-
-  template <int dim>
-  Load
-  LoadStep<dim>::load() const
-  {
-    return load_program.load(time_steps.next_time()).value();
-  }
-
-
-
-  template <int dim>
   void
   LoadStep<dim>::make_body()
   {
@@ -224,15 +202,6 @@ namespace ElastoPlastic
       time_steps.end_step_at(last_step.result.time);
     body.restore(mesh_file, time_steps.next_time(), load(), last_step);
     take_back();
-  }
-
-
-
-  template <int dim>
-  bool
-  LoadStep<dim>::is_history_complete() const
-  {
-    return last_step.result.time == load_program.final_time();
   }
 
 

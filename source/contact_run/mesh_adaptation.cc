@@ -109,29 +109,10 @@ namespace ElastoPlastic
 
   template <int dim>
   bool
-  MeshAdaptation<dim>::enters_untouched(const LastStep &last_step) const
-  {
-    return parameters.n_over_contact_radius > 0 && !last_step.has_touched() &&
-           !body.contact_zone().spots().empty();
-  }
-
-
-
-  template <int dim>
-  bool
   MeshAdaptation<dim>::is_due(const unsigned int step) const
   {
     const unsigned int interval = parameters.adaptation_interval;
     return interval > 0 && step % interval == 0;
-  }
-
-
-
-  template <int dim>
-  bool
-  MeshAdaptation<dim>::needs_errors(const unsigned int step) const
-  {
-    return step == 1 || is_due(step);
   }
 
 

@@ -9,7 +9,7 @@
 #include "base/exceptions.h"
 #include "base/text.h"
 #include "contact_run/step_evaluation.h"
-#include "evaluation/element_quality.h"
+#include "evaluation/step_guards.h"
 #include "mechanics/rigid_body_modes.h"
 #include "mesh/body_size.h"
 
@@ -203,15 +203,6 @@ namespace ElastoPlastic
     if (writes_surface_profile(result.time))
       step.surface_profile = imprint.profile(result, body.contact_surface());
     return step;
-  }
-
-
-
-  template <int dim>
-  VectorType
-  StepEvaluation<dim>::contact_forces() const
-  {
-    return body.contact_evaluation().forces_on_body();
   }
 
 

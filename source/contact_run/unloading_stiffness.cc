@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>

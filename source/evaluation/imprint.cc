@@ -90,15 +90,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void
-  Imprint<dim>::note(const SolveResult &result)
-  {
-    largest_radius = std::max(largest_radius, result.contact_radius);
-  }
-
-
-
-  template <int dim>
   std::vector<SurfaceRow>
   Imprint<dim>::profile(const SolveResult         &result,
                         const ContactSurface<dim> &surface) const

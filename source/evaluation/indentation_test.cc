@@ -63,22 +63,20 @@ namespace ElastoPlastic
   EvaluationParameters::check() const
   {
     if (!(beta > 0.))
-      throw InputError("Evaluation/Beta",
-                       Patterns::Tools::to_string(beta),
-                       "it must be greater than 0.");
+      throw InputError("Evaluation/Beta", beta, "it must be greater than 0.");
     if (!(epsilon >= 0. && epsilon <= 1.))
       throw InputError("Evaluation/Epsilon",
-                       Patterns::Tools::to_string(epsilon),
+                       epsilon,
                        "it must lie between 0, which stands for that of the "
                        "tip's shape, and 1, that of a flat face.");
     if (!(indenter_modulus >= 0.))
       throw InputError("Evaluation/Young's modulus of the indenter",
-                       Patterns::Tools::to_string(indenter_modulus),
+                       indenter_modulus,
                        "it must not be negative; 0 stands for a rigid "
                        "indenter.");
     if (!(indenter_ratio > -1. && indenter_ratio <= 0.5))
       throw InputError("Evaluation/Poisson's ratio of the indenter",
-                       Patterns::Tools::to_string(indenter_ratio),
+                       indenter_ratio,
                        "it must lie between -1 and 0.5, -1 excluded.");
   }
 
@@ -90,14 +88,6 @@ namespace ElastoPlastic
     return indenter_modulus > 0. ?
              (1. - indenter_ratio * indenter_ratio) / indenter_modulus :
              0.;
-  }
-
-
-
-  double
-  UnloadingResult::hardness(const double area) const
-  {
-    return area > 0 ? maximum.force / area : 0.;
   }
 
 

@@ -109,42 +109,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  bool
-  NominalContact<dim>::is_strip() const
-  {
-    return in_plane;
-  }
-
-
-
-  template <int dim>
-  bool
-  NominalContact<dim>::is_single() const
-  {
-    return shape && shape->is_convex();
-  }
-
-
-
-  template <int dim>
-  double
-  NominalContact<dim>::radius(const double area) const
-  {
-    return contact_radius(area, part == 0. ? 1. : part, in_plane);
-  }
-
-
-
-  template <int dim>
-  double
-  NominalContact<dim>::depth_of_tip(const double depth) const
-  {
-    return depth - initial_gap;
-  }
-
-
-
-  template <int dim>
   std::optional<double>
   NominalContact<dim>::radius_at_surface(const double depth) const
   {

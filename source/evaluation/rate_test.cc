@@ -59,14 +59,6 @@ namespace ElastoPlastic
 
 
 
-  RateTest::RateTest(const std::vector<double>                    &segment_ends,
-                     const std::vector<std::pair<double, double>> &holds)
-    : segment_ends(segment_ends)
-    , holds(holds)
-  {}
-
-
-
   std::optional<RateSensitivity>
   RateTest::add(const IndentationPoint &point)
   {

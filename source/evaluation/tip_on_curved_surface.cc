@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "base/compatibility.h"
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 #include "evaluation/tip_on_curved_surface.h"
 
 namespace ElastoPlastic
@@ -27,22 +27,6 @@ namespace ElastoPlastic
       return dim == 2 ? 50 : 8;
     }
   } // namespace
-
-
-
-  template <int dim>
-  TipOnCurvedSurface<dim>::TipOnCurvedSurface(
-    const std::shared_ptr<const TipShape>           &tip,
-    const GapFunction<dim>                          &gap_function,
-    const parallel::distributed::Triangulation<dim> &triangulation,
-    const std::set<types::boundary_id>              &boundaries,
-    const double                                     part)
-    : tip(tip)
-    , gap_function(gap_function)
-    , triangulation(triangulation)
-    , boundaries(boundaries)
-    , part(part)
-  {}
 
 
 

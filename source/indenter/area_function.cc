@@ -18,12 +18,6 @@ namespace ElastoPlastic
 
 
 
-  AreaFunction::AreaFunction(const std::vector<double> &coefficients)
-    : coefficients(coefficients)
-  {}
-
-
-
   std::optional<double>
   AreaFunction::height_of_decrease() const
   {
@@ -33,30 +27,6 @@ namespace ElastoPlastic
       if (!(derivative(height) > 0))
         return height;
     return {};
-  }
-
-
-
-  double
-  AreaFunction::value(const double height) const
-  {
-    return sum(height, 0);
-  }
-
-
-
-  double
-  AreaFunction::derivative(const double height) const
-  {
-    return sum(height, 1);
-  }
-
-
-
-  double
-  AreaFunction::second_derivative(const double height) const
-  {
-    return sum(height, 2);
   }
 
 

@@ -2,19 +2,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "base/exceptions.h"
-#include "base/input_file.h"
+#include "base/text.h"
 #include "indenter/height_file.h"
 
 namespace ElastoPlastic
 {
-  HeightFile::HeightFile(const std::string &path, const std::string &name)
-    : path(path)
-    , name(name)
-    , content(read_input_file(path, name))
-  {}
-
-
-
   void
   HeightFile::reject(const std::string &what) const
   {
@@ -43,14 +35,6 @@ namespace ElastoPlastic
     return plain_text(content, [this](const std::string &what) {
       reject("this file " + what);
     });
-  }
-
-
-
-  bool
-  HeightFile::begins_with(const std::string &signature) const
-  {
-    return content.compare(0, signature.size(), signature) == 0;
   }
 
 

@@ -64,15 +64,6 @@ namespace ElastoPlastic
 
   template <int dim>
   IndenterSurface<dim>
-  Indenter<dim>::surface(const Point<dim - 1> &x) const
-  {
-    return difference_quotients(x, 1e-4);
-  }
-
-
-
-  template <int dim>
-  IndenterSurface<dim>
   Indenter<dim>::difference_quotients(const Point<dim - 1> &x,
                                       const double          h) const
   {
@@ -119,51 +110,6 @@ namespace ElastoPlastic
                              const double /* body_size */) const
   {
     return surface(x);
-  }
-
-
-
-  template <int dim>
-  std::optional<double>
-  Indenter<dim>::disc_radius() const
-  {
-    return {};
-  }
-
-
-
-  template <int dim>
-  std::optional<std::array<double, dim - 1>>
-  Indenter<dim>::half_widths() const
-  {
-    return {};
-  }
-
-
-
-  template <int dim>
-  bool
-  Indenter<dim>::is_convex() const
-  {
-    return false;
-  }
-
-
-
-  template <int dim>
-  double
-  Indenter<dim>::detail() const
-  {
-    return 0.;
-  }
-
-
-
-  template <int dim>
-  double
-  Indenter<dim>::depth_factor() const
-  {
-    return 0.75;
   }
 
 

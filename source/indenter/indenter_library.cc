@@ -10,13 +10,11 @@
 
 #include "base/exceptions.h"
 #include "indenter/height_file.h"
-#include "indenter/indenter_expression.h"
 #include "indenter/indenter_height_map.h"
 #include "indenter/indenter_parameters.h"
 #include "indenter/indenter_pyramid.h"
-#include "indenter/indenter_rectangular_punch.h"
+#include "indenter/indenter_shapes.h"
 #include "indenter/indenter_stl_surface.h"
-#include "indenter/indenter_symmetric.h"
 
 namespace ElastoPlastic
 {
@@ -35,9 +33,7 @@ namespace ElastoPlastic
                    const std::string         &remedy)
     {
       if (values.size() != length)
-        throw InputError("Indenter/" + entry,
-                         Patterns::Tools::to_string(values),
-                         remedy);
+        throw InputError("Indenter/" + entry, values, remedy);
     }
 
 
@@ -195,7 +191,7 @@ namespace ElastoPlastic
       const AreaFunction area(p.area_coefficients);
       if (const auto height = area.height_of_decrease())
         throw InputError("Indenter/Area coefficients",
-                         Patterns::Tools::to_string(p.area_coefficients),
+                         p.area_coefficients,
                          "the section of the tip must grow with the height "
                          "above it, which it does not at the height " +
                            Patterns::Tools::to_string(*height) +

@@ -202,9 +202,7 @@ namespace ElastoPlastic
             const std::string &remedy)
     {
       if (!condition)
-        throw InputError("Indenter/" + entry,
-                         Patterns::Tools::to_string(value),
-                         remedy);
+        throw InputError("Indenter/" + entry, value, remedy);
     }
 
 

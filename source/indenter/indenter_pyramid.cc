@@ -72,22 +72,6 @@ namespace ElastoPlastic
 
 
 
-  double
-  IndenterPyramid::profile(const Point<2> &x) const
-  {
-    return surface(x).height;
-  }
-
-
-
-  IndenterSurface<3>
-  IndenterPyramid::surface(const Point<2> &x) const
-  {
-    return shape.rounding_radius > 0 ? rounded_surface(x) : sharp_surface(x);
-  }
-
-
-
   IndenterSurface<3>
   IndenterPyramid::surface_for(const Point<2> &origin,
                                const Point<2> &x,
@@ -102,14 +86,6 @@ namespace ElastoPlastic
     return (origin - (origin * edge) * edge).norm() <= rounding ?
              sharp_edge(x, edge) :
              sharp_surface(x);
-  }
-
-
-
-  bool
-  IndenterPyramid::is_convex() const
-  {
-    return true;
   }
 
 

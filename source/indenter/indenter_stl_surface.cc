@@ -151,15 +151,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  double
-  IndenterStlSurface<dim>::profile(const Point<dim - 1> &x) const
-  {
-    return surface(x).height;
-  }
-
-
-
-  template <int dim>
   IndenterSurface<dim>
   IndenterStlSurface<dim>::surface(const Point<dim - 1> &x) const
   {

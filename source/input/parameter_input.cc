@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "base/exceptions.h"
-#include "base/input_file.h"
 #include "base/text.h"
 #include "input/parameter_input.h"
 

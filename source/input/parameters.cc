@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "input/parameter_input.h"
 #include "input/parameters.h"
 #include "loading/indenter_path.h"
@@ -180,14 +179,13 @@ namespace ElastoPlastic
     geometry.check(dimension);
     if (dimension == 3 && discretization.kinematics != Kinematics::cartesian)
       throw InputError("Kinematics",
-                       Patterns::Tools::to_string(discretization.kinematics),
+                       discretization.kinematics,
                        "that is for two dimensions. Set 'Dimension = 2' for a "
                        "axisymmetric body or a sheet.");
     if (discretization.kinematics == Kinematics::plane_stress &&
         discretization.volumetric_treatment != VolumetricTreatment::standard)
       throw InputError("Discretization/Volumetric treatment",
-                       Patterns::Tools::to_string(
-                         discretization.volumetric_treatment),
+                       discretization.volumetric_treatment,
                        "in plane stress the volume can change freely, and "
                        "there is nothing that locks. Choose 'standard'.");
     if (analysis != Analysis::contact)
@@ -203,7 +201,7 @@ namespace ElastoPlastic
     if (refinement.goal == RefinementGoal::force &&
         analysis != Analysis::contact_with_error_bound)
       throw InputError("Refinement/Goal",
-                       Patterns::Tools::to_string(refinement.goal),
+                       refinement.goal,
                        "only 'Analysis = contact with error bound' bounds the "
                        "force. Choose 'energy'.");
     linear_solver.check();
@@ -238,7 +236,7 @@ namespace ElastoPlastic
       return;
     throw InputError(
       "Contact/Geometry",
-      Patterns::Tools::to_string(contact.geometry),
+      contact.geometry,
       is_finite ?
         "'Strain = logarithmic' needs the indenter where the surface is now: "
         "under a sharp tip the vertical gap makes the force a fifth too small. "
@@ -265,7 +263,7 @@ namespace ElastoPlastic
     if (indenter.surface != SurfaceFinish::smooth &&
         analysis != Analysis::limit_load)
       throw InputError("Indenter/Surface",
-                       Patterns::Tools::to_string(indenter.surface),
+                       indenter.surface,
                        "that is for 'Analysis = limit load'. Choose 'smooth', "
                        "and set 'Contact/Friction coefficient', for instance "
                        "to stick.");
@@ -297,7 +295,7 @@ namespace ElastoPlastic
       "'Analysis = " + Patterns::Tools::to_string(analysis) + "'";
     if (discretization.strain != Strain::small)
       throw InputError("Strain",
-                       Patterns::Tools::to_string(discretization.strain),
+                       discretization.strain,
                        entry +
                          " is for small strains: its bounds do not hold "
                          "for others. Set 'Strain = small'.");
@@ -305,7 +303,7 @@ namespace ElastoPlastic
         (analysis != Analysis::limit_load || dimension == 3 ||
          discretization.kinematics == Kinematics::plane_stress))
       throw InputError("Contact/Geometry",
-                       Patterns::Tools::to_string(contact.geometry),
+                       contact.geometry,
                        entry +
                          " knows the vertical gap only, but for limit loads in "
                          "plane strain and of bodies of revolution. Choose "
@@ -344,7 +342,7 @@ namespace ElastoPlastic
     if (analysis == Analysis::contact_with_error_bound &&
         !loading.is_single_step())
       throw InputError("Analysis",
-                       Patterns::Tools::to_string(analysis),
+                       analysis,
                        "the equilibrium method takes one step from the virgin "
                        "state. Set 'Loading/Number of steps = 1', without "
                        "'Loading/History'.");

@@ -16,7 +16,7 @@ namespace ElastoPlastic
     refuse(const MaterialParameters &material, const std::string &reason)
     {
       throw InputError("Material/Yield criterion",
-                       Patterns::Tools::to_string(material.criteria.criteria),
+                       material.criteria.criteria,
                        reason);
     }
 
@@ -61,7 +61,7 @@ namespace ElastoPlastic
              "'Kinematics = plane strain', or choose 'von Mises'.");
     if (contact.geometry == ContactGeometry::normal)
       throw InputError("Contact/Geometry",
-                       Patterns::Tools::to_string(contact.geometry),
+                       contact.geometry,
                        "on soil ('Material/Yield criterion = Mohr-Coulomb') "
                        "indenters press vertically. Choose 'vertical'.");
   }

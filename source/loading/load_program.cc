@@ -92,7 +92,7 @@ namespace ElastoPlastic
       }
     if (!(parameters.final_time > 0 && std::isfinite(parameters.final_time)))
       throw InputError("Loading/Final time",
-                       Patterns::Tools::to_string(parameters.final_time),
+                       parameters.final_time,
                        "it must be a number greater than 0.");
     read_expression(parameters);
   }
@@ -194,14 +194,6 @@ namespace ElastoPlastic
 
 
 
-  double
-  LoadProgram::final_time() const
-  {
-    return segments.back().end_time;
-  }
-
-
-
   std::vector<double>
   LoadProgram::segment_ends() const
   {
@@ -252,14 +244,6 @@ namespace ElastoPlastic
           result.emplace_back(begin_time(i), segment.end_time);
       }
     return result;
-  }
-
-
-
-  double
-  LoadProgram::begin_time(const unsigned int segment) const
-  {
-    return segment == 0 ? 0. : segments[segment - 1].end_time;
   }
 
 

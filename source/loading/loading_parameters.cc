@@ -112,22 +112,14 @@ namespace ElastoPlastic
   {
     if (!(step_tolerance > 0))
       throw InputError("Loading/Step tolerance",
-                       Patterns::Tools::to_string(step_tolerance),
+                       step_tolerance,
                        "it must be greater than 0, such as 0.002.");
     if (step_control != StepControl::fixed && is_single_step())
       throw InputError(
         "Loading/Step control",
-        Patterns::Tools::to_string(step_control),
+        step_control,
         "a single step is Johnson's stationary problem, which is "
         "solved at once. Choose 'fixed', or a 'Loading/Number "
         "of steps' above 1.");
-  }
-
-
-
-  bool
-  LoadingParameters::is_single_step() const
-  {
-    return n_steps == 1 && history.empty() && path.empty();
   }
 } // namespace ElastoPlastic

@@ -75,22 +75,6 @@ namespace ElastoPlastic
 
 
 
-  bool
-  TimeSteps::finished() const
-  {
-    return position == ends.size();
-  }
-
-
-
-  unsigned int
-  TimeSteps::number() const
-  {
-    return step_number;
-  }
-
-
-
   double
   TimeSteps::time_at(const double a_position) const
   {
@@ -132,14 +116,6 @@ namespace ElastoPlastic
 
 
   double
-  TimeSteps::time() const
-  {
-    return time_at(position);
-  }
-
-
-
-  double
   TimeSteps::end() const
   {
     if (finished())
@@ -151,26 +127,10 @@ namespace ElastoPlastic
 
 
 
-  double
-  TimeSteps::next_time() const
-  {
-    return time_at(end());
-  }
-
-
-
   bool
   TimeSteps::is_longer_than_nominal() const
   {
     return end() - position > 1 + negligible;
-  }
-
-
-
-  const std::vector<double> &
-  TimeSteps::uncut_ends() const
-  {
-    return ends;
   }
 
 

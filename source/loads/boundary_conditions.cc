@@ -154,15 +154,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  const BoundaryNames &
-  BoundaryConditions<dim>::names() const
-  {
-    return boundary_names;
-  }
-
-
-
-  template <int dim>
   std::set<types::boundary_id>
   BoundaryConditions<dim>::ids(const BoundaryConditionType type) const
   {
@@ -171,26 +162,6 @@ namespace ElastoPlastic
       if (condition.type == type)
         result.insert(id);
     return result;
-  }
-
-
-
-  template <int dim>
-  const std::map<types::boundary_id,
-                 typename BoundaryConditions<dim>::Components> &
-  BoundaryConditions<dim>::prescribed_displacements() const
-  {
-    return displacements;
-  }
-
-
-
-  template <int dim>
-  const std::map<types::boundary_id,
-                 typename BoundaryConditions<dim>::Components> &
-  BoundaryConditions<dim>::tractions() const
-  {
-    return traction_vectors;
   }
 
 

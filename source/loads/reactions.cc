@@ -9,17 +9,6 @@
 namespace ElastoPlastic
 {
   template <int dim>
-  Reactions<dim>::Reactions(const LoadedBody<dim> &body,
-                            const DoFHandler<dim> &dof_handler,
-                            const Supports<dim>   &supports)
-    : body(body)
-    , dof_handler(dof_handler)
-    , supports(supports)
-  {}
-
-
-
-  template <int dim>
   std::vector<typename Reactions<dim>::Component>
   Reactions<dim>::components() const
   {

@@ -7,7 +7,6 @@
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "loads/supports.h"
 
 namespace ElastoPlastic
@@ -67,13 +66,6 @@ namespace ElastoPlastic
       return mask;
     }
   } // namespace
-
-
-
-  template <int dim>
-  Supports<dim>::Supports(const LoadedBody<dim> &body)
-    : body(body)
-  {}
 
 
 
@@ -261,24 +253,6 @@ namespace ElastoPlastic
     with_skew_rollers->merge(hanging);
     with_skew_rollers->merge(conditions);
     with_skew_rollers->close();
-  }
-
-
-
-  template <int dim>
-  const AffineConstraints<double> &
-  Supports<dim>::constraints() const
-  {
-    return with_skew_rollers ? *with_skew_rollers : hanging;
-  }
-
-
-
-  template <int dim>
-  const AffineConstraints<double> &
-  Supports<dim>::hanging_nodes() const
-  {
-    return hanging;
   }
 
 

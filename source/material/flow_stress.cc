@@ -16,22 +16,6 @@ namespace ElastoPlastic
 
 
   double
-  FlowStress::yield_slope(const double increment) const
-  {
-    return linear_modulus + (curve ? curve->slope(alpha + increment) : 0.);
-  }
-
-
-
-  double
-  FlowStress::initial() const
-  {
-    return rate_law.flow_stress(yield_stress(0.), 0.).stress;
-  }
-
-
-
-  double
   FlowStress::unknown(const double increment) const
   {
     return exponent == 1. ?
@@ -81,4 +65,40 @@ namespace ElastoPlastic
     return sum;
   }
 
+
+
+  namespace
+  {
+    const double sqrt_two_thirds = std::sqrt(2. / 3.);
+  }
+
+
+
+  FlowResistance::Value
+  FlowResistance::at(const double unknown) const
+  {
+    const FlowStress::Value flow = flow_stress.at(unknown);
+    const double            x    = flow.increment / sqrt_two_thirds;
+
+    double elastic_and_kinematic = elastic_modulus * x, slope = elastic_modulus;
+    for (const auto &law : back_stresses)
+      {
+        const double length = law.length(x);
+        elastic_and_kinematic += law.modulus * length;
+        slope += law.modulus * (1. - law.recovery * length);
+      }
+    const double multiplier_slope = flow.increment_slope / sqrt_two_thirds;
+    return {x,
+            elastic_and_kinematic + sqrt_two_thirds * flow.stress,
+            multiplier_slope,
+            slope * multiplier_slope + sqrt_two_thirds * flow.stress_slope};
+  }
+
+
+
+  double
+  FlowResistance::upper_bound(const double excess) const
+  {
+    return flow_stress.unknown(sqrt_two_thirds * excess / elastic_modulus);
+  }
 } // namespace ElastoPlastic

@@ -28,18 +28,6 @@ namespace ElastoPlastic
 
 
 
-  GeneralReturn::GeneralReturn(const GeneralCriterion      &criterion,
-                               const SymmetricTensor<2, 3> &trial,
-                               const double                 modulus,
-                               const FlowStress            &flow_stress)
-    : criterion(criterion)
-    , trial(trial)
-    , modulus(modulus)
-    , flow_stress(flow_stress)
-  {}
-
-
-
   // (Of all these criteria, |n|^2 is about 3/2: that bounds x.)
   GeneralReturn::Flow
   GeneralReturn::flow() const

@@ -85,14 +85,6 @@ namespace ElastoPlastic
 
 
 
-  double
-  HillCriterion::equivalent_stress(const Tensor3 &deviator) const
-  {
-    return Relaxation(*this, deviator).equivalent_stress();
-  }
-
-
-
   bool
   HillCriterion::has_third_axis() const
   {

@@ -36,14 +36,6 @@ namespace ElastoPlastic
 
 
 
-  double
-  HosfordCriterion::equivalent_stress(const Tensor3 &deviator) const
-  {
-    return Relaxation(*this, deviator).equivalent_stress();
-  }
-
-
-
   HosfordCriterion::Relaxation::Relaxation(const HosfordCriterion &criterion,
                                            const Tensor3          &trial)
     : criterion(criterion)

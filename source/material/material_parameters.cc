@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "material/material_lists.h"
 #include "material/material_parameters.h"
-#include "material/value_per_material.h"
 
 namespace ElastoPlastic
 {
@@ -209,7 +209,7 @@ namespace ElastoPlastic
             yield_stress < smallest_yield_strain * young_modulus)
           throw InputError(
             "Material/Yield stress",
-            Patterns::Tools::to_string(yield_stresses),
+            yield_stresses,
             "with 'Material/Young's modulus = " +
               Patterns::Tools::to_string(young_modulus) +
               "' the material yields at a strain of " +
@@ -252,7 +252,7 @@ namespace ElastoPlastic
         if (of_material(voce_stresses, id) > 0 &&
             of_material(voce_rates, id) == 0)
           throw InputError("Material/Voce rate",
-                           Patterns::Tools::to_string(voce_rates),
+                           voce_rates,
                            "'Material/Voce stress' is not 0: then the rate "
                            "must be greater than 0.");
         hardening_curve(id);
@@ -273,7 +273,7 @@ namespace ElastoPlastic
             type != RateLawType::none && type != RateLawType::norton)
           throw InputError(
             "Material/Rate law",
-            Patterns::Tools::to_string(rates.types),
+            rates.types,
             "with 'Law = linear elastic' the material does not flow, however "
             "fast: choose a law with a yield stress, or 'Norton', which "
             "creeps at any stress.");

@@ -1,25 +1,12 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <cmath>
-
 #include "base/tensors.h"
 #include "material/plane_stress.h"
 #include "material/positive_root.h"
 
 namespace ElastoPlastic
 {
-  PlaneStressReturn::PlaneStressReturn(const Material<double>      &material,
-                                       const SymmetricTensor<2, 3> &strain,
-                                       const MaterialState<double> &old_state)
-    : material(material)
-    , strain(strain)
-    , old_state(old_state)
-    , resistance(material, old_state.equivalent_plastic_strain, 0)
-  {}
-
-
-
   SymmetricTensor<2, 3>
   PlaneStressReturn::back_stress(const double multiplier) const
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "material/rate_law_parameters.h"
-#include "material/value_per_material.h"
+#include "material/material_lists.h"
+#include "material/material_parameters.h"
 
 namespace ElastoPlastic
 {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "material/soil_parameters.h"
-#include "material/value_per_material.h"
+#include "material/material_lists.h"
+#include "material/yield_criterion_parameters.h"
 
 namespace ElastoPlastic
 {
@@ -62,15 +62,6 @@ namespace ElastoPlastic
         return phi >= 0 && phi <= largest_friction_angle;
       },
       "it must lie between 0 and 60 degrees.");
-  }
-
-
-
-  std::vector<std::pair<std::string, unsigned int>>
-  SoilParameters::list_lengths() const
-  {
-    return {{"Cohesion", cohesions.size()},
-            {"Friction angle", friction_angles.size()}};
   }
 
 

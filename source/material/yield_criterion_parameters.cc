@@ -8,7 +8,7 @@
 
 #include "base/exceptions.h"
 #include "base/text.h"
-#include "material/value_per_material.h"
+#include "material/material_lists.h"
 #include "material/yield_criterion_parameters.h"
 
 namespace ElastoPlastic
@@ -165,7 +165,7 @@ namespace ElastoPlastic
     if (are_general() &&
         std::any_of(materials.begin(), materials.end(), has_recovery))
       throw InputError("Material/Yield criterion",
-                       Patterns::Tools::to_string(criteria),
+                       criteria,
                        "with other criteria than that of von Mises back "
                        "stresses cannot recover. Set 'Recovery rates' to 0, "
                        "or choose 'von Mises' for all materials.");

@@ -3,18 +3,12 @@
 
 #include <algorithm>
 
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 #include "mechanics/batch_materials.h"
 #include "mesh/material_ids.h"
 
 namespace ElastoPlastic
 {
-  BatchMaterials::BatchMaterials(const std::vector<Material<double>> &materials)
-    : materials(materials)
-  {}
-
-
-
   unsigned int
   BatchMaterials::n_back_stresses() const
   {
@@ -32,30 +26,6 @@ namespace ElastoPlastic
     return std::any_of(materials.begin(),
                        materials.end(),
                        is_nearly_incompressible);
-  }
-
-
-
-  bool
-  BatchMaterials::recover() const
-  {
-    return std::any_of(materials.begin(), materials.end(), has_recovery);
-  }
-
-
-
-  bool
-  BatchMaterials::have_potential() const
-  {
-    return std::all_of(materials.begin(), materials.end(), has_potential);
-  }
-
-
-
-  bool
-  BatchMaterials::are_rate_dependent() const
-  {
-    return std::any_of(materials.begin(), materials.end(), is_rate_dependent);
   }
 
 

@@ -40,12 +40,4 @@ namespace ElastoPlastic
       "by its mean over each cell, which does not lock.");
     prm.leave_subsection();
   }
-
-
-
-  StrainModel
-  DiscretizationParameters::strain_model() const
-  {
-    return {volumetric_treatment, kinematics, strain};
-  }
 } // namespace ElastoPlastic

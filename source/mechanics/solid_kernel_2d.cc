@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "mechanics/general_small_strain.h"
 #include "mechanics/make_kernel.h"
 #include "mechanics/matrix_free_solid_kernel.h"
 

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "base/compatibility.h"
-#include "material/hardening_input.h"
+#include "material/material_lists.h"
 #include "material/plane_stress.h"
 #include "mechanics/solid_operator.h"
 
@@ -58,24 +58,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  bool
-  SolidOperator<dim>::has_energy() const
-  {
-    return has_potential;
-  }
-
-
-
-  template <int dim>
-  bool
-  SolidOperator<dim>::is_symmetric() const
-  {
-    return !recovers;
-  }
-
-
-
-  template <int dim>
   void
   SolidOperator<dim>::reinit(const DoFHandler<dim>           &dof_handler,
                              const AffineConstraints<double> &constraints)
@@ -88,15 +70,6 @@ namespace ElastoPlastic
       tangents.set_bulk_modulus(batch, materials[batch].bulk_modulus);
     history.reinit(kernel->n_batches(), n_points);
     initial_strains.clear();
-  }
-
-
-
-  template <int dim>
-  void
-  SolidOperator<dim>::initialize_vector(VectorType &vector) const
-  {
-    kernel->initialize_vector(vector);
   }
 
 
@@ -128,15 +101,6 @@ namespace ElastoPlastic
                                  strain_at(strains, point),
                                  volumetric_strain_at(strains, point),
                                  history.state(strains.batch, point));
-  }
-
-
-
-  template <int dim>
-  bool
-  SolidOperator<dim>::is_rate_dependent() const
-  {
-    return materials.are_rate_dependent();
   }
 
 
@@ -272,36 +236,6 @@ namespace ElastoPlastic
     if (&new_u != &old_u)
       fields.push_back(&new_u);
     kernel->for_each_batch(fields, predict);
-  }
-
-
-
-  template <int dim>
-  void
-  SolidOperator<dim>::vmult(VectorType       &forces,
-                            const VectorType &increment) const
-  {
-    kernel->vmult(forces, increment, tangents);
-  }
-
-
-
-  template <int dim>
-  void
-  SolidOperator<dim>::diagonal(VectorType &values) const
-  {
-    kernel->diagonal(values, tangents);
-  }
-
-
-
-  template <int dim>
-  void
-  SolidOperator<dim>::add_matrix(
-    SystemMatrix                    &matrix,
-    const AffineConstraints<double> &all_constraints) const
-  {
-    kernel->add_matrix(matrix, all_constraints, tangents);
   }
 
 

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <variant>
 
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 #include "base/tensors.h"
 #include "base/text.h"
 #include "mechanics/solid_operator.h"

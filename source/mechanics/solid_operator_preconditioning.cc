@@ -25,15 +25,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  bool
-  SolidOperator<dim>::is_nearly_incompressible() const
-  {
-    return !is_sheet && materials.are_nearly_incompressible();
-  }
-
-
-
-  template <int dim>
   Simd<double>
   SolidOperator<dim>::shear_modulus(const unsigned int batch) const
   {
@@ -68,16 +59,6 @@ namespace ElastoPlastic
     initialize_vector(vector.block(0));
     kernel->initialize_pressures(vector.block(1));
     vector.collect_sizes();
-  }
-
-
-
-  template <int dim>
-  void
-  SolidOperator<dim>::mixed_vmult(BlockVectorType       &result,
-                                  const BlockVectorType &vector) const
-  {
-    kernel->mixed_vmult(result, vector, tangents);
   }
 
 

@@ -10,15 +10,6 @@ namespace ElastoPlastic
 {
   template <int dim>
   void
-  SolidOperator<dim>::begin_step(const double duration)
-  {
-    materials.set_step_duration(duration);
-  }
-
-
-
-  template <int dim>
-  void
   SolidOperator<dim>::commit(const VectorType &u)
   {
     kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {

@@ -50,32 +50,12 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void
-  StateTransfer<dim>::prepare(const CellStates &states)
-  {
-    transfer.prepare_for_coarsening_and_refinement(states);
-  }
-
-
-
-  template <int dim>
   CellStates
   StateTransfer<dim>::take()
   {
     CellStates states(triangulation.n_active_cells());
     transfer.unpack(states);
     return states;
-  }
-
-
-
-  template <int dim>
-  bool
-  StateTransfer<dim>::keeps_material(const Cell        &cell,
-                                     const unsigned int child) const
-  {
-    return n_materials == 1 ||
-           cell->child(child)->material_id() == cell->material_id();
   }
 
 

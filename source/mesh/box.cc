@@ -98,9 +98,7 @@ namespace ElastoPlastic
            const std::vector<T> &values,
            const std::string    &remedy)
     {
-      throw InputError("Geometry/" + entry,
-                       Patterns::Tools::to_string(values),
-                       remedy);
+      throw InputError("Geometry/" + entry, values, remedy);
     }
 
 

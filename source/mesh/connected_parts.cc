@@ -36,15 +36,6 @@ namespace ElastoPlastic
 
   template <int dim>
   unsigned int
-  ConnectedParts<dim>::size() const
-  {
-    return boxes.size();
-  }
-
-
-
-  template <int dim>
-  unsigned int
   ConnectedParts<dim>::part_of(
     const typename Triangulation<dim>::cell_iterator &cell) const
   {
@@ -52,15 +43,6 @@ namespace ElastoPlastic
     while (ancestor->level() > 0)
       ancestor = ancestor->parent();
     return part_of_coarse_cell[ancestor->index()];
-  }
-
-
-
-  template <int dim>
-  const BoundingBox<dim> &
-  ConnectedParts<dim>::box(const unsigned int part) const
-  {
-    return boxes[part];
   }
 
 

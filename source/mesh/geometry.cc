@@ -5,14 +5,13 @@
 #include <deal.II/base/patterns.h>
 #include <deal.II/distributed/tria.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "mesh/boundary_parts.h"
+#include "mesh/boundary_names.h"
 #include "mesh/geometry.h"
 #include "mesh/local_refinement.h"
 #include "mesh/material_ids.h"
@@ -178,11 +177,11 @@ namespace ElastoPlastic
   {
     if (!(local_radius > 0))
       throw InputError("Geometry/Local radius",
-                       Patterns::Tools::to_string(local_radius),
+                       local_radius,
                        "it must be greater than 0.");
     if (!local_centre.empty() && local_centre.size() != dim)
       throw InputError("Geometry/Local centre",
-                       Patterns::Tools::to_string(local_centre),
+                       local_centre,
                        "it must be empty or hold one coordinate for each of "
                        "the " +
                          std::to_string(dim) + " dimensions. " +
@@ -218,33 +217,6 @@ namespace ElastoPlastic
                         *mesh,
                         names);
     coarse_mesh = mesh;
-  }
-
-
-
-  template <int dim>
-  const BoundaryNames &
-  Geometry<dim>::boundary_names() const
-  {
-    return names;
-  }
-
-
-
-  template <int dim>
-  const std::vector<std::string> &
-  Geometry<dim>::warnings() const
-  {
-    return warning_texts;
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  Geometry<dim>::n_initial_refinements() const
-  {
-    return parameters.initial_refinements;
   }
 
 

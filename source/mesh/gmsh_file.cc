@@ -105,7 +105,7 @@ namespace ElastoPlastic
         }
       if (!names.empty())
         throw InputError(path,
-                         Patterns::Tools::to_string(groups),
+                         groups,
                          "it must name all groups: " + list_of(names) +
                            " is missing." + all_names);
     }

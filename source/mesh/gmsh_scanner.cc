@@ -8,7 +8,7 @@
 #include <map>
 
 #include "base/exceptions.h"
-#include "base/input_file.h"
+#include "base/text.h"
 #include "mesh/gmsh_scanner.h"
 
 namespace ElastoPlastic

@@ -121,12 +121,10 @@ namespace ElastoPlastic
   HalfBallParameters::check(const unsigned int dim) const
   {
     if (radius <= 0)
-      throw InputError("Geometry/Radius",
-                       Patterns::Tools::to_string(radius),
-                       "it must be greater than 0.");
+      throw InputError("Geometry/Radius", radius, "it must be greater than 0.");
     if (dim == 2 && part == HalfBallPart::quarter)
       throw InputError("Geometry/Part",
-                       Patterns::Tools::to_string(part),
+                       part,
                        "in two dimensions there are only 'full' and 'half'.");
   }
 

@@ -7,7 +7,7 @@
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "base/memory.h"
+#include "base/process.h"
 #include "mesh/local_refinement.h"
 
 namespace ElastoPlastic

@@ -11,7 +11,6 @@
 #include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "base/expression.h"
-#include "base/rethrow_collectively.h"
 #include "mesh/material_ids.h"
 
 namespace ElastoPlastic

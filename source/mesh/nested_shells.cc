@@ -71,22 +71,6 @@ namespace ElastoPlastic
 
 
 
-  const std::vector<Point<3>> &
-  NestedShells::vertices() const
-  {
-    return all_vertices;
-  }
-
-
-
-  const std::vector<CellData<3>> &
-  NestedShells::cells() const
-  {
-    return all_cells;
-  }
-
-
-
   unsigned int
   NestedShells::add_vertex(const double x, const double y, const double z)
   {

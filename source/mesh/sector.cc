@@ -139,9 +139,7 @@ namespace ElastoPlastic
            const double       value,
            const std::string &remedy)
     {
-      throw InputError("Geometry/" + entry,
-                       Patterns::Tools::to_string(value),
-                       remedy);
+      throw InputError("Geometry/" + entry, value, remedy);
     }
   } // namespace
 

@@ -4,20 +4,11 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 
-#include "mesh/owned_cells.h"
 #include "multigrid/level_hierarchy.h"
+#include "multigrid/level_matching.h"
 
 namespace ElastoPlastic
 {
-  template <int dim>
-  LevelTransfer<dim>::LevelTransfer(const Transfers &transfers,
-                                    const Operators &operators)
-    : transfers(transfers)
-    , operators(operators)
-  {}
-
-
-
   template <int dim>
   void
   LevelTransfer<dim>::prolongate(const unsigned int to_level,
@@ -227,60 +218,6 @@ namespace ElastoPlastic
         }
     for (unsigned int l = 0; l <= max_level(); ++l)
       level_operators[l]->finish_tangents();
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  LevelHierarchy<dim>::max_level() const
-  {
-    return levels.size() - 1;
-  }
-
-
-
-  template <int dim>
-  const typename LevelTransfer<dim>::Operators &
-  LevelHierarchy<dim>::operators() const
-  {
-    return level_operators;
-  }
-
-
-
-  template <int dim>
-  const LevelTransfer<dim> &
-  LevelHierarchy<dim>::transfer() const
-  {
-    return level_transfer;
-  }
-
-
-
-  template <int dim>
-  const DoFHandler<dim> &
-  LevelHierarchy<dim>::coarse_dof_handler() const
-  {
-    return *levels[0].dof_handler;
-  }
-
-
-
-  template <int dim>
-  const AffineConstraints<double> &
-  LevelHierarchy<dim>::coarse_constraints() const
-  {
-    return *levels[0].constraints;
-  }
-
-
-
-  template <int dim>
-  const HeldUnknowns &
-  LevelHierarchy<dim>::held_on_coarsest() const
-  {
-    return held_on_coarsest_level;
   }
 
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "mesh/owned_cells.h"
+#include "multigrid/level_matching.h"
 #include "multigrid/level_operator.h"
 
 namespace ElastoPlastic

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <utility>
 
 #include "base/compatibility.h"
 #include "mechanics/rigid_body_modes.h"

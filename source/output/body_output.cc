@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "mechanics/ghosted_copy.h"
+#include "base/ghost_values.h"
 #include "output/body_output.h"
 
 namespace ElastoPlastic
@@ -101,15 +101,6 @@ namespace ElastoPlastic
     const auto &mesh = dynamic_cast<const parallel::TriangulationBase<dim> &>(
       dof_handler.get_triangulation());
     return mesh.n_locally_owned_active_cells();
-  }
-
-
-
-  template <int dim>
-  bool
-  BodyOutput<dim>::empty() const
-  {
-    return n_cells() == 0;
   }
 
 

@@ -10,8 +10,6 @@
 #include <sstream>
 
 #include "base/exceptions.h"
-#include "base/input_file.h"
-#include "base/rethrow_collectively.h"
 #include "base/text.h"
 #include "output/checked_write.h"
 #include "output/csv_file.h"

@@ -87,13 +87,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  FieldOutput<dim>::FieldOutput(const OutputParameters &parameters)
-    : parameters(parameters)
-  {}
-
-
-
-  template <int dim>
   void
   FieldOutput<dim>::write(const Solution    &solution,
                           const std::string &name,

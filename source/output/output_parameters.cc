@@ -44,14 +44,6 @@ namespace ElastoPlastic
 
 
 
-  bool
-  Units::are_named() const
-  {
-    return !length.empty() && !force.empty();
-  }
-
-
-
   std::string
   Units::of(const std::string &quantity) const
   {

@@ -50,10 +50,7 @@ namespace ElastoPlastic
                        const std::optional<IndentationTest> &indentation_test,
                        const std::optional<RateTest>        &rate_test,
                        const Progress                       &progress)
-    : communicator(communicator)
-    , directory(directory)
-    , dimension(names.dimension)
-    , statistics(communicator,
+    : statistics(communicator,
                  directory + "/statistics.csv",
                  statistics_columns(),
                  progress.statistics)
@@ -69,23 +66,29 @@ namespace ElastoPlastic
              directory + "/probes.csv",
              step_columns(names.probes),
              progress.probes)
+    , surface_profile(communicator,
+                      directory + "/surface_profile.csv",
+                      surface_profile_columns(names.dimension),
+                      progress.surface_profile)
     , mesh_changes(communicator,
                    directory + "/mesh_changes.csv",
                    mesh_change_columns(),
                    progress.mesh_changes)
+    , indentation(communicator,
+                  directory + "/indentation.csv",
+                  indentation_columns(),
+                  progress.indentation)
+    , continuous_stiffness(communicator,
+                           directory + "/continuous_stiffness.csv",
+                           continuous_stiffness_columns(),
+                           progress.continuous_stiffness)
     , indentation_test(indentation_test)
     , rate_test(rate_test)
   {
-    if (progress.surface_profile > 0)
-      make_surface_profile(progress.surface_profile);
     if (this->indentation_test)
       this->indentation_test->resume(progress.unloading);
     if (this->rate_test)
       this->rate_test->resume(progress.rates);
-    if (progress.indentation > 0)
-      make_indentation(progress.indentation);
-    if (progress.continuous_stiffness > 0)
-      make_continuous_stiffness(progress.continuous_stiffness);
     for (CsvFile *table : tables())
       table->open();
   }
@@ -97,12 +100,11 @@ namespace ElastoPlastic
   {
     std::vector<CsvFile *> result = {
       &statistics, &history, &reactions, &probes, &mesh_changes};
-    if (surface_profile)
-      result.push_back(&*surface_profile);
-    if (indentation)
-      result.push_back(&*indentation);
-    if (continuous_stiffness)
-      result.push_back(&*continuous_stiffness);
+    for (CsvFile *const file : {surface_profile.file(),
+                                indentation.file(),
+                                continuous_stiffness.file()})
+      if (file)
+        result.push_back(file);
     return result;
   }
 
@@ -115,13 +117,13 @@ namespace ElastoPlastic
             history.n_rows(),
             reactions.n_rows(),
             probes.n_rows(),
-            surface_profile ? surface_profile->n_rows() : 0,
+            surface_profile.n_rows(),
             mesh_changes.n_rows(),
-            indentation ? indentation->n_rows() : 0,
+            indentation.n_rows(),
             indentation_test ? indentation_test->progress() :
                                IndentationTest::Progress(),
             rate_test ? rate_test->progress() : RateTest::Progress(),
-            continuous_stiffness ? continuous_stiffness->n_rows() : 0};
+            continuous_stiffness.n_rows()};
   }
 
 
@@ -149,15 +151,8 @@ namespace ElastoPlastic
     history.add(result.solve);
     reactions.add_rows({step_row(result.solve, result.reactions)});
     probes.add_rows({step_row(result.solve, result.probes)});
-    if (!result.surface_profile.empty())
-      {
-        if (!surface_profile)
-          {
-            make_surface_profile(0);
-            surface_profile->open();
-          }
-        surface_profile->add_all(result.surface_profile);
-      }
+    surface_profile.add_all(result.surface_profile);
+
     const IndentationPoint point = indentation_point(result.solve);
     if (!indentation_test)
       return;
@@ -181,51 +176,12 @@ namespace ElastoPlastic
 
 
   void
-  RunTables::make_surface_profile(const unsigned int n_rows)
-  {
-    surface_profile.emplace(communicator,
-                            directory + "/surface_profile.csv",
-                            surface_profile_columns(dimension),
-                            n_rows);
-  }
-
-
-
-  void
-  RunTables::make_indentation(const unsigned int n_rows)
-  {
-    indentation.emplace(communicator,
-                        directory + "/indentation.csv",
-                        indentation_columns(),
-                        n_rows);
-  }
-
-
-
-  void
-  RunTables::make_continuous_stiffness(const unsigned int n_rows)
-  {
-    continuous_stiffness.emplace(communicator,
-                                 directory + "/continuous_stiffness.csv",
-                                 continuous_stiffness_columns(),
-                                 n_rows);
-  }
-
-
-
-  void
   RunTables::add_stiffness(const SolveResult &result)
   {
-    if (std::isnan(result.contact_stiffness))
-      return;
-    if (!continuous_stiffness)
-      {
-        make_continuous_stiffness(0);
-        continuous_stiffness->open();
-      }
-    continuous_stiffness->add(
-      indentation_test->with_stiffness(indentation_point(result),
-                                       result.contact_stiffness));
+    if (!std::isnan(result.contact_stiffness))
+      continuous_stiffness.add_all(
+        {indentation_test->with_stiffness(indentation_point(result),
+                                          result.contact_stiffness)});
   }
 
 
@@ -233,14 +189,8 @@ namespace ElastoPlastic
   void
   RunTables::add_indentation(const std::optional<UnloadingResult> &result)
   {
-    if (!result)
-      return;
-    if (!indentation)
-      {
-        make_indentation(0);
-        indentation->open();
-      }
-    indentation->add(*result);
+    if (result)
+      indentation.add_all({*result});
   }
 
 

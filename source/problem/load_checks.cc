@@ -10,7 +10,6 @@
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "mesh/body_size.h"
 #include "problem/problem_checks.h"
 
@@ -217,7 +216,7 @@ namespace ElastoPlastic
     for (const double time : output.field_times)
       if (time <= 0. || time > (1. + 1e-9) * end)
         throw InputError("Output/Field times",
-                         Patterns::Tools::to_string(output.field_times),
+                         output.field_times,
                          "there are no fields at " +
                            Patterns::Tools::to_string(time) +
                            ": the load steps begin at t = 0, where nothing "

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text.h"
 #include "problem/load_history.h"
 
 namespace ElastoPlastic
@@ -141,15 +140,6 @@ namespace ElastoPlastic
           load && load->control == control)
         largest = std::max(largest.value_or(load->value), load->value);
     return largest;
-  }
-
-
-
-  std::string
-  LoadInQuestion::in_words() const
-  {
-    return times.empty() ? "the force " + to_text(force) :
-                           "the largest load of tractions and body forces";
   }
 
 

@@ -11,7 +11,6 @@
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "loads/loaded_body.h"
 #include "mechanics/rigid_body_modes.h"
 #include "problem/problem_checks.h"

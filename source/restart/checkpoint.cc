@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "base/version.h"
 #include "input/parameter_input.h"
 #include "output/checked_write.h"
@@ -204,16 +203,6 @@ namespace ElastoPlastic
         set_entry(prm, path, value);
     return parameters;
   }
-
-
-
-  Checkpoint::Checkpoint(const MPI_Comm     communicator,
-                         const std::string &output_directory,
-                         const Entries     &entries)
-    : communicator(communicator)
-    , directory(output_directory + "/checkpoint")
-    , entries(entries)
-  {}
 
 
 

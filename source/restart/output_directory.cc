@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "output/checked_write.h"
-#include "output/versions.h"
+#include "output/log.h"
 #include "restart/checkpoint.h"
 #include "restart/output_directory.h"
 
@@ -152,14 +151,6 @@ namespace ElastoPlastic
       fs::remove(directory / moved);
     }
   } // namespace
-
-
-
-  OutputDirectory::OutputDirectory(const MPI_Comm     communicator,
-                                   const std::string &name)
-    : communicator(communicator)
-    , name(name)
-  {}
 
 
 

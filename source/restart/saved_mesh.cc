@@ -8,7 +8,6 @@
 #include <type_traits>
 
 #include "base/exceptions.h"
-#include "base/rethrow_collectively.h"
 #include "output/checked_write.h"
 #include "restart/saved_mesh.h"
 

@@ -11,10 +11,10 @@
 #include <new>
 #include <string>
 
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 #include "base/shared_rows.h"
 #include "solver/krylov_methods.h"
-#include "solver/matrix_preconditioner.h"
+#include "solver/system_matrix.h"
 
 namespace ElastoPlastic
 {

@@ -15,12 +15,11 @@
 #pragma GCC diagnostic pop
 
 #include <cmath>
-#include <exception>
 #include <set>
 
-#include "base/silent_error_stream.h"
+#include "base/process.h"
 #include "solver/krylov_methods.h"
-#include "solver/matrix_preconditioner.h"
+#include "solver/system_matrix.h"
 
 namespace ElastoPlastic
 {

@@ -23,14 +23,6 @@ namespace ElastoPlastic
 
 
 
-  void
-  MixedSystem::initialize_vector(BlockVectorType &vector) const
-  {
-    tangent.initialize_mixed_vector(vector);
-  }
-
-
-
   // (Where no bulk modulus is more than moderate, D is zero.)
   void
   MixedSystem::scale_pressures(const VectorType &forces)

@@ -72,14 +72,6 @@ namespace ElastoPlastic
 
 
 
-  void
-  NewtonIteration::evaluate()
-  {
-    current_energy = problem.move_to(u, residual);
-  }
-
-
-
   bool
   NewtonIteration::set_cycles()
   {

@@ -89,14 +89,6 @@ namespace ElastoPlastic
 
 
   bool
-  ReducedUnknowns::is_trivial() const
-  {
-    return !has_coupling() && !shared.rows && !is_sloped;
-  }
-
-
-
-  bool
   ReducedUnknowns::owns_leader() const
   {
     return leading_rank == Utilities::MPI::this_mpi_process(communicator);

@@ -9,14 +9,6 @@
 namespace ElastoPlastic
 {
   unsigned int
-  NewtonReport::n_iterations() const
-  {
-    return steps.empty() ? 0 : steps.size() - 1;
-  }
-
-
-
-  unsigned int
   NewtonReport::n_linear_iterations() const
   {
     unsigned int sum = 0;
@@ -24,15 +16,6 @@ namespace ElastoPlastic
       sum += step.linear_iterations;
     return sum;
   }
-
-
-
-  SemismoothNewton::SemismoothNewton(
-    const NewtonParameters                        &parameters,
-    const std::function<void(const NewtonStep &)> &show_progress)
-    : parameters(parameters)
-    , show_progress(show_progress)
-  {}
 
 
 

@@ -44,11 +44,11 @@ namespace ElastoPlastic
   {
     if (!(tolerance >= 1e-14 && tolerance <= 1e-2))
       throw InputError("Nonlinear solver/Tolerance",
-                       Patterns::Tools::to_string(tolerance),
+                       tolerance,
                        "it must lie between 1e-14 and 1e-2.");
     if (!(loosest_linear_reduction >= 1e-12 && loosest_linear_reduction <= 0.5))
       throw InputError("Nonlinear solver/Loosest linear reduction",
-                       Patterns::Tools::to_string(loosest_linear_reduction),
+                       loosest_linear_reduction,
                        "it must lie between 1e-12 and 0.5.");
   }
 

@@ -201,15 +201,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  const SystemMatrix &
-  TangentMatrix<dim>::matrix() const
-  {
-    return system_matrix;
-  }
-
-
-
   template class TangentMatrix<2>;
   template class TangentMatrix<3>;
 } // namespace ElastoPlastic

@@ -98,19 +98,6 @@ namespace ElastoPlastic
 
 
 
-  TangentSolver::TangentSolver(
-    const TangentOperator                          &tangent,
-    const std::vector<Method>                      &methods,
-    const std::function<void(const std::string &)> &warn)
-    : tangent(tangent)
-    , methods(methods)
-    , warn(warn)
-    , method(this->methods.begin())
-    , preconditioner(method->make())
-  {}
-
-
-
   void
   TangentSolver::prepare(const ReducedUnknowns &new_unknowns)
   {

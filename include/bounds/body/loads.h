@@ -10,8 +10,8 @@
 #include "base/exceptions.h"
 #include "bounds/conic/tolerances.h"
 #include "bounds/mesh/split_mesh.h"
-#include "loads/body_force.h"
 #include "loads/boundary_conditions.h"
+#include "loads/loaded_body.h"
 
 namespace ElastoPlastic
 {

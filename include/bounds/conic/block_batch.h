@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-#include "base/lanes.h"
+#include "base/simd.h"
 #include "bounds/conic/conic_program.h"
 #include "bounds/conic/second_order_cone.h"
 

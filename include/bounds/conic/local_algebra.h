@@ -13,7 +13,7 @@
 #include <numeric>
 #include <vector>
 
-#include "base/lanes.h"
+#include "base/simd.h"
 #include "bounds/conic/tolerances.h"
 
 /// Products and factors of the small matrices of a ConicBlock. Matrices are

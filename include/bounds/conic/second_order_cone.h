@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/lanes.h"
+#include "base/simd.h"
 
 /// Algebra of the second-order cones { (v_0, v_1) : |v_1| <= v_0 }, of
 /// dimension 1 (numbers that are not negative) to 6, as an interior point

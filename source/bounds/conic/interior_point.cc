@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/exceptions.h"
-#include "base/termination.h"
+#include "base/process.h"
 #include "bounds/conic/conic_evaluation.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/kkt_system.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/memory.h"
+#include "base/process.h"
 #include "bounds/conic/sparse_cholesky.h"
 
 namespace ElastoPlastic

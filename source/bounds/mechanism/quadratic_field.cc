@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/compatibility.h"
+#include "base/ghost_values.h"
 #include "bounds/mechanism/quadratic_field.h"
-#include "mechanics/ghosted_copy.h"
 
 namespace ElastoPlastic
 {

@@ -5,7 +5,7 @@
 
 #include "base/exceptions.h"
 #include "base/text.h"
-#include "material/hardening_input.h"
+#include "material/material_lists.h"
 
 namespace ElastoPlastic
 {

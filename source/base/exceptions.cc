@@ -5,7 +5,7 @@
 #include <new>
 #include <string>
 
-#include "base/rethrow_collectively.h"
+#include "base/exceptions.h"
 
 namespace ElastoPlastic
 {

@@ -4,11 +4,12 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <csignal>
 #include <iomanip>
 #include <sstream>
 
 #include "base/exceptions.h"
-#include "base/memory.h"
+#include "base/process.h"
 
 #include <unistd.h>
 
@@ -23,6 +24,11 @@ namespace ElastoPlastic
       return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
              static_cast<double>(sysconf(_SC_PAGE_SIZE));
     }
+
+
+
+    // A signal handler may do no more than set such a variable.
+    volatile std::sig_atomic_t signal_received = 0;
   } // namespace
 
 
@@ -71,5 +77,30 @@ namespace ElastoPlastic
                "refinements'), or fewer of them ('Refinement/Number of "
                "cycles').";
     throw FileError(message.str());
+  }
+
+
+
+  void
+  note_termination_requests()
+  {
+    std::signal(SIGTERM, [](int) { signal_received = 1; });
+  }
+
+
+
+  bool
+  termination_requested_here()
+  {
+    return signal_received != 0;
+  }
+
+
+
+  bool
+  termination_requested(const MPI_Comm communicator)
+  {
+    return dealii::Utilities::MPI::logical_or(termination_requested_here(),
+                                              communicator);
   }
 } // namespace ElastoPlastic

@@ -1,33 +1,17 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "indenter/indenter_symmetric.h"
+#include "indenter/indenter_shapes.h"
 
 namespace ElastoPlastic
 {
-  template <int dim>
-  IndenterSymmetric<dim>::IndenterSymmetric(const Symmetry symmetry,
-                                            const Section &section)
-    : symmetry(symmetry)
-    , section(section)
-  {}
-
-
-
-  template <int dim>
-  double
-  IndenterSymmetric<dim>::profile(const Point<dim - 1> &x) const
-  {
-    return section.at(across(x).norm()).height;
-  }
-
-
-
   // The curvature of a function f(r) is f'' along e = x/r, and in a body of
   // revolution f'/r along the circle.
   template <int dim>
@@ -85,24 +69,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  bool
-  IndenterSymmetric<dim>::is_convex() const
-  {
-    return section.is_convex;
-  }
-
-
-
-  template <int dim>
-  std::optional<double>
-  IndenterSymmetric<dim>::disc_radius() const
-  {
-    return is_strip() ? std::nullopt : std::make_optional(section.edge);
-  }
-
-
-
-  template <int dim>
   std::optional<std::array<double, dim - 1>>
   IndenterSymmetric<dim>::half_widths() const
   {
@@ -112,25 +78,6 @@ namespace ElastoPlastic
     result.fill(std::numeric_limits<double>::infinity());
     result[0] = section.edge;
     return result;
-  }
-
-
-
-  template <int dim>
-  bool
-  IndenterSymmetric<dim>::is_strip() const
-  {
-    return dim == 3 && symmetry == Symmetry::translation &&
-           !std::isinf(section.edge);
-  }
-
-
-
-  template <int dim>
-  double
-  IndenterSymmetric<dim>::depth_factor() const
-  {
-    return section.depth_factor;
   }
 
 
@@ -149,4 +96,62 @@ namespace ElastoPlastic
 
   template class IndenterSymmetric<2>;
   template class IndenterSymmetric<3>;
+
+
+
+  template <int dim>
+  IndenterRectangularPunch<dim>::IndenterRectangularPunch(
+    const std::vector<double> &half_widths)
+  {
+    AssertDimension(half_widths.size(), dim - 1);
+    std::copy_n(half_widths.begin(), dim - 1, widths.begin());
+  }
+
+
+
+  template <int dim>
+  double
+  IndenterRectangularPunch<dim>::profile(const Point<dim - 1> &x) const
+  {
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      if (!within(std::abs(x[d]), widths[d]))
+        return std::numeric_limits<double>::infinity();
+    return 0;
+  }
+
+
+
+  template class IndenterRectangularPunch<2>;
+  template class IndenterRectangularPunch<3>;
+
+
+
+  template <int dim>
+  double
+  IndenterExpression<dim>::profile(const Point<dim - 1> &x) const
+  {
+    if (!within(x.norm(), reach))
+      return std::numeric_limits<double>::infinity();
+    Point<2> horizontal;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      horizontal[d] = x[d];
+    return expression.value(horizontal);
+  }
+
+
+
+  template <int dim>
+  IndenterSurface<dim>
+  IndenterExpression<dim>::surface_for(const Point<dim - 1> & /*origin*/,
+                                       const Point<dim - 1> &x,
+                                       const double          body_size) const
+  {
+    return this->difference_quotients(x,
+                                      std::min(1e-4 * reach, 1e-5 * body_size));
+  }
+
+
+
+  template class IndenterExpression<2>;
+  template class IndenterExpression<3>;
 } // namespace ElastoPlastic

@@ -11,7 +11,7 @@
 #include "base/exceptions.h"
 #include "base/expression.h"
 #include "base/text.h"
-#include "mesh/boundary_parts.h"
+#include "mesh/boundary_names.h"
 
 namespace ElastoPlastic
 {

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef base_process_h
+#define base_process_h
+
+#include <iostream>
+#include <string>
+
+#include <mpi.h>
+
+namespace ElastoPlastic
+{
+  /// The most memory that the processes have held until now, all together, in
+  /// MB. Collective.
+  double
+  peak_memory(const MPI_Comm communicator);
+
+
+
+  /// The memory of the machines that the processes run on, in bytes; of a
+  /// machine with other processes beside them, all the same. Collective.
+  double
+  machine_memory(const MPI_Comm communicator);
+
+
+
+  /// Compares what somebody is about to ask for with the machine's memory, of
+  /// which this process holds some already. Linux promises more than there is,
+  /// and ends processes that use it.
+  /// @param purpose says what for, in a clause like "to factorise a matrix".
+  /// @throws FileError if the @p bytes do not fit.
+  void
+  require_memory(const double bytes, const std::string &purpose);
+
+
+
+  /// From now on the signal SIGTERM does not end the program, but is noted.
+  void
+  note_termination_requests();
+
+  /// Whether this rank has received SIGTERM since.
+  bool
+  termination_requested_here();
+
+  /// Whether any rank has received SIGTERM since. All ranks call this, and all
+  /// get the same answer.
+  bool
+  termination_requested(const MPI_Comm communicator);
+
+
+
+  /// As long as it lives, keeps what is sent to std::cerr from the user: what
+  /// libraries print there, on every rank, before they report an error.
+  class SilentErrorStream
+  {
+  public:
+    SilentErrorStream()
+      : buffer(std::cerr.rdbuf(nullptr))
+    {}
+
+    ~SilentErrorStream()
+    {
+      std::cerr.rdbuf(buffer); // clears the state, too
+    }
+
+    SilentErrorStream(const SilentErrorStream &) = delete;
+    SilentErrorStream &
+    operator=(const SilentErrorStream &) = delete;
+
+  private:
+    std::streambuf *const buffer;
+  };
+} // namespace ElastoPlastic
+
+#endif
