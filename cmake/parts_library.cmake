@@ -127,13 +127,20 @@ function(add_parts_library _target _type)
   # deal.II's headers are large: parse those that every file needs only once.
   target_precompile_headers(${_target} PRIVATE
     <deal.II/base/parameter_handler.h>
+    <deal.II/base/quadrature_lib.h>
     <deal.II/base/symmetric_tensor.h>
     <deal.II/distributed/tria.h>
     <deal.II/dofs/dof_handler.h>
+    <deal.II/dofs/dof_tools.h>
+    <deal.II/fe/fe_q.h>
+    <deal.II/fe/fe_system.h>
+    <deal.II/grid/grid_generator.h>
+    <deal.II/grid/grid_tools.h>
     <deal.II/lac/affine_constraints.h>
     <deal.II/lac/la_parallel_vector.h>
     <deal.II/matrix_free/fe_evaluation.h>
-    <deal.II/matrix_free/matrix_free.h>)
+    <deal.II/matrix_free/matrix_free.h>
+    <deal.II/numerics/vector_tools.h>)
   if(ONE_UNIT_PER_MODULE)
     set_target_properties(${_target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   endif()
