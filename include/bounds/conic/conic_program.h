@@ -161,7 +161,7 @@ namespace ElastoPlastic
     Vector<double> s; ///< see ConicLayout::rows
 
     double       cost         = 0; ///< 1/2 x^T P x + c^T x - lambda
-    double       relative_gap = 0; ///< s^T z, relative to the cost
+    double       relative_gap = 0; ///< s^T z of the iterate, relative to cost
     double       primal_error = 0; ///< of A x = b + ... and G x + s = h
     double       dual_error   = 0; ///< of the first and the third, relative
     unsigned int n_iterations = 0;

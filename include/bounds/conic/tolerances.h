@@ -68,7 +68,7 @@ namespace ElastoPlastic::Tolerance
   /// power, relative to that of a stress unit, which is more than what is
   /// missing where the interior point method ends. So the velocities are
   /// strictly inside of the dual cones of the yield condition.
-  constexpr double dilation_margin = 1e-9;
+  constexpr double dilation_margin = 1e-10;
 
   /// Of the same, for the least energy: smaller, because with compliance the
   /// linear systems are regular, and rounding errors small.

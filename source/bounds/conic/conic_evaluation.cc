@@ -36,6 +36,8 @@ namespace ElastoPlastic
 
 
 
+    // What stresses lack, stresses make up for, and not the multipliers: these
+    // are velocities, which have conditions of their own.
     void
     restore_equations(const ConicProgram &program,
                       const ConicLayout  &layout,
@@ -47,6 +49,16 @@ namespace ElastoPlastic
            k < max_restorations && !satisfies_equations(solution);
            ++k)
         {
+          KktVector of_stresses   = residual;
+          of_stresses.x           = 0.;
+          of_stresses.z           = 0.;
+          of_stresses.load_factor = 0.;
+          system.solve(change, of_stresses);
+          solution.x += change.x;
+          solution.load_factor += change.load_factor;
+
+          residual   = evaluate(program, layout, system, solution);
+          residual.y = 0.;
           residual.z = 0.;
           system.solve(change, residual);
           solution.x += change.x;

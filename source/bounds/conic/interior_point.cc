@@ -152,6 +152,7 @@ namespace ElastoPlastic
           current  = last;
           make_admissible(program, layout, system, interior, current);
         }
+      current.relative_gap = best.relative_gap;
       return current;
     }
 
