@@ -60,6 +60,13 @@ add_message_test(soil_error_bound 2 "'Mohr-Coulomb' is for limit loads. Set 'Ana
 add_message_test(soil_revolution 2 "'Mohr-Coulomb' is for plane strain. Set 'Dimension = 2' and 'Kinematics = plane strain'" ${_soil} "Kinematics=axisymmetric")
 add_message_test(soil_plane_stress 2 "'Mohr-Coulomb' is for plane strain" ${_soil} "Kinematics=plane stress")
 add_message_test(soil_space 2 "'Mohr-Coulomb' is for plane strain" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/square_punch_3d.prm --validate --set "Material/Yield criterion=Mohr-Coulomb")
+set(_cone ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/footing_circular.prm --validate --set)
+add_message_test(cone_analysis 2 "entry 'Material/Yield criterion' is 'Drucker-Prager', but 'Drucker-Prager' is for limit loads. Set 'Analysis = limit load'" ${_cone} "Analysis=contact")
+add_message_test(cone_plane_strain 2 "'Drucker-Prager' is for bodies of revolution.*in plane strain 'Mohr-Coulomb', which bears the same there" ${_soil} "Material/Yield criterion=Drucker-Prager")
+add_message_test(cone_space 2 "'Drucker-Prager' is for bodies of revolution. Set 'Dimension = 2' and 'Kinematics = axisymmetric'" ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/square_punch_3d.prm --validate --set "Material/Yield criterion=Drucker-Prager")
+add_message_test(cone_and_wedge 2 "'Mohr-Coulomb' is for plane strain.*in a body of revolution 'Drucker-Prager'" ${_cone} "Material/Yield criterion=Drucker-Prager, Mohr-Coulomb")
+add_message_test(cone_linear_stresses 2 "entry 'Limit load/Stresses' is 'linear', but beside a 'Body force', bodies of revolution whose strength grows with the pressure need 'quadratic'" ${_cone} "Limit load/Stresses=linear" --set "Body force=0; -1")
+add_message_test(cone_normal 2 "on soil .'Material/Yield criterion = Drucker-Prager'. indenters press vertically" ${_cone} "Contact/Geometry=normal")
 add_message_test(soil_normal 2 "entry 'Contact/Geometry' is 'normal', but on soil .*indenters press vertically" ${_soil} "Contact/Geometry=normal")
 set(_full_width ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch.prm --quiet --overwrite
   --set "Indenter/Half width=10" --set "Boundary conditions/Free=" --set "Boundary conditions/Fixed=bottom, right")

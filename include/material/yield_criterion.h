@@ -15,7 +15,8 @@ namespace ElastoPlastic
     von_mises,
     hosford,
     hill,
-    mohr_coulomb
+    mohr_coulomb,
+    drucker_prager
   };
 
   template <>
@@ -23,7 +24,8 @@ namespace ElastoPlastic
     {"von Mises", YieldCriterion::von_mises},
     {"Hosford", YieldCriterion::hosford},
     {"Hill", YieldCriterion::hill},
-    {"Mohr-Coulomb", YieldCriterion::mohr_coulomb}};
+    {"Mohr-Coulomb", YieldCriterion::mohr_coulomb},
+    {"Drucker-Prager", YieldCriterion::drucker_prager}};
 } // namespace ElastoPlastic
 
 #endif

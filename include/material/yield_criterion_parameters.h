@@ -43,7 +43,12 @@ namespace ElastoPlastic
     std::vector<std::pair<std::string, unsigned int>>
     list_lengths() const;
 
-    /// Whether the criterion of a material is that of Mohr and Coulomb.
+    /// Whether any material has this criterion.
+    bool
+    has(const YieldCriterion criterion) const;
+
+    /// Whether the criterion of a material is that of Mohr and Coulomb, or of
+    /// Drucker and Prager.
     bool
     is_soil(const unsigned int id) const;
 
@@ -51,9 +56,13 @@ namespace ElastoPlastic
     bool
     has_soil() const;
 
-    /// By material id, of the first @p n_materials: sin(phi) of a soil, or 0.
+    /// Of a material whose criterion is one of these.
+    SoilStrength
+    soil_strength(const unsigned int id) const;
+
+    /// By material id, of the first @p n_materials: that of SoilStrength, or 0.
     std::vector<double>
-    friction_sines(const unsigned int n_materials) const;
+    friction_slopes(const unsigned int n_materials) const;
 
     /// Whether a material has the criterion of Hosford or of Hill.
     bool
