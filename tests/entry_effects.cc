@@ -90,6 +90,10 @@ main(int argc, char *argv[])
   compare("Material/Yield stress",
           {{"Material/Yield criterion", "Mohr-Coulomb"}});
   compare("Material/Cohesion", {{"Material/Yield criterion", "Mohr-Coulomb"}});
+  compare("Material/Yield stress",
+          {{"Material/Yield criterion", "Drucker-Prager"}});
+  compare("Material/Friction angle",
+          {{"Material/Yield criterion", "Drucker-Prager"}});
   compare("Initial stress/Stress xz", {{"Dimension", "2"}});
   compare("Material/Voce rate",
           {{"Material/Law", "linear elastic, nonlinear hardening"},

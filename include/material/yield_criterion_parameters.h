@@ -27,7 +27,8 @@ namespace ElastoPlastic
     von_mises,
     hosford,
     hill,
-    mohr_coulomb
+    mohr_coulomb,
+    drucker_prager
   };
 
   template <>
@@ -35,14 +36,25 @@ namespace ElastoPlastic
     {"von Mises", YieldCriterion::von_mises},
     {"Hosford", YieldCriterion::hosford},
     {"Hill", YieldCriterion::hill},
-    {"Mohr-Coulomb", YieldCriterion::mohr_coulomb}};
+    {"Mohr-Coulomb", YieldCriterion::mohr_coulomb},
+    {"Drucker-Prager", YieldCriterion::drucker_prager}};
+
+
+
+  /// How the strength of a soil grows with the pressure: by |dev s| <= R -
+  /// sqrt(2) f m, with the mean stress m, tension being positive.
+  struct SoilStrength
+  {
+    double yield_radius; ///< R, unit: stress
+    double slope;        ///< f, less than 1
+  };
 
 
 
   /// The entries of the section "Material" about strength that grows with the
   /// pressure: lists like the others of MaterialParameters. On no plane, the
-  /// shear stress of a soil exceeds c + p tan(phi), with the pressure p on the
-  /// plane.
+  /// shear stress of Mohr and Coulomb's soil exceeds c + p tan(phi), with the
+  /// pressure p on the plane.
   struct SoilParameters
   {
     std::vector<double> cohesions       = {100.}; ///< c, unit: stress
@@ -64,14 +76,17 @@ namespace ElastoPlastic
               {"Friction angle", friction_angles.size()}};
     }
 
-    /// sin(phi) of the material @p id.
-    double
-    friction_sine(const unsigned int id) const;
+    /// Of the material @p id in plane strain, s_33 being the mean of s_11 and
+    /// s_22: R = sqrt(2) c cos(phi), f = sin(phi).
+    SoilStrength
+    mohr_coulomb(const unsigned int id) const;
 
-    /// Of the deviator of a plane stress without pressure, s_33 being the mean
-    /// of s_11 and s_22: sqrt(2) c cos(phi). Unit: stress.
-    double
-    yield_radius(const unsigned int id) const;
+    /// Of the cone that Drucker and Prager have chosen @cite
+    /// drucker_prager_1952: it bears as much as Mohr and Coulomb's soil where a
+    /// body flows in plane strain. Its R and f are those of mohr_coulomb() over
+    /// sqrt(1 + sin^2(phi) / 3); they write alpha = f / 3 and k = R / sqrt(2).
+    SoilStrength
+    drucker_prager(const unsigned int id) const;
   };
 
 
@@ -100,7 +115,12 @@ namespace ElastoPlastic
     std::vector<std::pair<std::string, unsigned int>>
     list_lengths() const;
 
-    /// Whether the criterion of a material is that of Mohr and Coulomb.
+    /// Whether any material has this criterion.
+    bool
+    has(const YieldCriterion criterion) const;
+
+    /// Whether the criterion of a material is that of Mohr and Coulomb, or of
+    /// Drucker and Prager.
     bool
     is_soil(const unsigned int id) const;
 
@@ -108,9 +128,13 @@ namespace ElastoPlastic
     bool
     has_soil() const;
 
-    /// By material id, of the first @p n_materials: sin(phi) of a soil, or 0.
+    /// Of a material whose criterion is one of these.
+    SoilStrength
+    soil_strength(const unsigned int id) const;
+
+    /// By material id, of the first @p n_materials: that of SoilStrength, or 0.
     std::vector<double>
-    friction_sines(const unsigned int n_materials) const;
+    friction_slopes(const unsigned int n_materials) const;
 
     /// Whether a material has the criterion of Hosford or of Hill.
     bool

@@ -173,6 +173,10 @@ class Reports(unittest.TestCase):
         text, = materials_in_words(facts)
         self.assertIn("Mohr and Coulomb's yield condition", text)
         self.assertIn("or with von Mises' yield condition", text)
+        facts.run.parameters["Material/Yield criterion"] = "Drucker-Prager"
+        facts.run.parameters["Material/Cohesion"] = "20"
+        self.assertEqual([row[0] for row in material_table(facts)[1]][1:3], ["Cohesion", "Friction angle"])
+        self.assertIn("Drucker and Prager's yield condition", materials_in_words(facts)[0])
 
     def test_parts_of_boundaries(self):
         """Named where there are any."""

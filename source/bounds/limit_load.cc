@@ -12,9 +12,9 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// What the stresses lack of the pressure of body forces, at a point of a
-    /// part. Without friction, velocities change no volume, and it does not
-    /// count.
+    /// What the weighted stresses lack of the pressure of body forces, at a
+    /// point of a part. Without friction, velocities change no volume, and it
+    /// does not count.
     template <int dim>
     double
     pressure_at(const LimitLoad<dim>   &bounds,
@@ -25,10 +25,11 @@ namespace ElastoPlastic
       const auto &body = bounds.body_of_velocity;
       if (!body.has_friction())
         return 0.;
-      const auto corners =
-        JohnsonMercier<dim>::part_of(body.corners_of(t), part);
-      return body.pressure_of_body_force(interpolate(inside, corners),
-                                         bounds.stress.load_factor);
+      const Point<dim> x =
+        interpolate(inside,
+                    JohnsonMercier<dim>::part_of(body.corners_of(t), part));
+      return body.weight(x) *
+             body.pressure_of_body_force(x, bounds.stress.load_factor);
     }
 
 

@@ -74,10 +74,21 @@ namespace ElastoPlastic
 
 
 
+    /// Times r, the pressure of a weight is quadratic: so must the stresses be
+    /// whose strength grows with it.
     void
     check_loads(const SplitBody<2> &body, const Parameters &parameters)
     {
-      require_polynomial_tractions(body, degree_of_stresses(body, parameters));
+      const unsigned int degree = degree_of_stresses(body, parameters);
+      require_polynomial_tractions(body, degree);
+      if (degree == 1 && body.is_axisymmetric() && body.has_friction() &&
+          body.body_force.norm() + body.live_body_force.norm() > 0.)
+        throw InputError("Limit load/Stresses",
+                         Patterns::Tools::to_string(
+                           parameters.limit_load.stresses),
+                         "beside a 'Body force', bodies of revolution whose "
+                         "strength grows with the pressure need 'quadratic' "
+                         "stresses. Choose them, or 'automatic'.");
     }
 
     /// In space, make_split_body() looks at them.
@@ -92,7 +103,7 @@ namespace ElastoPlastic
     {
       const MaterialParameters &material = parameters.material;
       set_friction(body,
-                   material.criteria.friction_sines(material.n_materials()));
+                   material.criteria.friction_slopes(material.n_materials()));
     }
 
     void

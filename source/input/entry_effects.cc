@@ -102,18 +102,18 @@ namespace ElastoPlastic
           {"Stress xx", "Stress yy", "Stress zz", "Stress xy"},
           always());
       add(effects, "Initial stress", {"Stress xz", "Stress yz"}, of_space);
+      const auto obeys = [](const Names &criteria) {
+        return with("Material/Yield criterion", criteria);
+      };
       add(effects,
           "Material",
           {"Yield stress"},
           all({without("Material/Law", "linear elastic"),
-               without("Material/Yield criterion", "Mohr-Coulomb")}));
-      const auto of_criterion = [](const std::string &criterion) {
-        return with("Material/Yield criterion", {criterion});
-      };
-      add(effects, "Material", {"Hosford exponent"}, of_criterion("Hosford"));
-      add(effects, "Material", {"Hill ratios", "Axes"}, of_criterion("Hill"));
-      const Names of_soil = {"Cohesion", "Friction angle"};
-      add(effects, "Material", of_soil, of_criterion("Mohr-Coulomb"));
+               obeys({"von Mises", "Hosford", "Hill"})}));
+      add(effects, "Material", {"Hosford exponent"}, obeys({"Hosford"}));
+      add(effects, "Material", {"Hill ratios", "Axes"}, obeys({"Hill"}));
+      const Names soil = {"Mohr-Coulomb", "Drucker-Prager"};
+      add(effects, "Material", {"Cohesion", "Friction angle"}, obeys(soil));
       add(effects,
           "Material",
           {"Isotropic hardening modulus"},

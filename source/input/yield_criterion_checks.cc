@@ -31,39 +31,57 @@ namespace ElastoPlastic
       if (std::find(criteria.begin(),
                     criteria.end(),
                     YieldCriterion::hosford) != criteria.end())
-        refuse(material,
-               "'Analysis = limit load' has bounds for the criteria of von "
-               "Mises, Hill, and Mohr and Coulomb. Choose one of these, or "
-               "'Analysis = contact'.");
+        refuse(
+          material,
+          "'Analysis = limit load' has bounds for all criteria but that of "
+          "Hosford. Choose another one, or 'Analysis = contact'.");
       if (material.criteria.has_soil())
-        refuse(material,
-               "beside 'Mohr-Coulomb', other materials can obey the criterion "
-               "of von Mises only. Choose 'von Mises' in place of 'Hill'.");
+        refuse(
+          material,
+          "beside soil, other materials can obey the criterion of von Mises "
+          "only. Choose 'von Mises' in place of 'Hill'.");
     }
   } // namespace
 
 
 
-  // The flow rule of soil is that of a rigid body that collapses, where it
-  // changes the volume in the plane.
+  // The flow rule of soil is that of a rigid body that collapses, and changes
+  // its volume.
   void
   Parameters::check_soil() const
   {
     if (!material.criteria.has_soil())
       return;
+    const std::string name =
+      material.criteria.has(YieldCriterion::mohr_coulomb) ? "Mohr-Coulomb" :
+                                                            "Drucker-Prager";
     if (analysis != Analysis::limit_load)
       refuse(material,
-             "'Mohr-Coulomb' is for limit loads. Set 'Analysis = limit load', "
-             "or choose 'von Mises'.");
-    if (dimension == 3 || discretization.kinematics != Kinematics::cartesian)
-      refuse(material,
-             "'Mohr-Coulomb' is for plane strain. Set 'Dimension = 2' and "
-             "'Kinematics = plane strain', or choose 'von Mises'.");
+             "'" + name +
+               "' is for limit loads. Set 'Analysis = limit load', or choose "
+               "'von Mises'.");
+    const auto needs = [&](const YieldCriterion criterion,
+                           const Kinematics     kinematics,
+                           const std::string   &reason) {
+      if (material.criteria.has(criterion) &&
+          (dimension == 3 || discretization.kinematics != kinematics))
+        refuse(material, reason);
+    };
+    needs(YieldCriterion::mohr_coulomb,
+          Kinematics::cartesian,
+          "'Mohr-Coulomb' is for plane strain. Set 'Dimension = 2' and "
+          "'Kinematics = plane strain', or choose 'von Mises', or in a body of "
+          "revolution 'Drucker-Prager'.");
+    needs(YieldCriterion::drucker_prager,
+          Kinematics::axisymmetric,
+          "'Drucker-Prager' is for bodies of revolution. Set 'Dimension = 2' "
+          "and 'Kinematics = axisymmetric', or choose 'von Mises', or in plane "
+          "strain 'Mohr-Coulomb', which bears the same there.");
     if (contact.geometry == ContactGeometry::normal)
       throw InputError("Contact/Geometry",
                        contact.geometry,
-                       "on soil ('Material/Yield criterion = Mohr-Coulomb') "
-                       "indenters press vertically. Choose 'vertical'.");
+                       "on soil ('Material/Yield criterion = " + name +
+                         "') indenters press vertically. Choose 'vertical'.");
   }
 
 

@@ -373,7 +373,7 @@ namespace ElastoPlastic
         material.bulk_modulus      = E / (3 * (1 - 2 * nu));
         material.shear_modulus     = E / (2 * (1 + nu));
         material.yield_radius      = law.yields && criteria.is_soil(id) ?
-                                       criteria.soil.yield_radius(id) :
+                                       criteria.soil_strength(id).yield_radius :
                                        std::sqrt(2. / 3.) * sigma_0;
         material.isotropic_modulus = 2. / 3. * H;
         for (const auto &back_stress : back_stresses(id))

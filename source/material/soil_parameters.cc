@@ -31,15 +31,17 @@ namespace ElastoPlastic
   {
     prm.add_parameter("Cohesion",
                       cohesions,
-                      "c > 0, the shear stress that a 'Mohr-Coulomb' material "
-                      "bears on planes without pressure. A ground without "
-                      "cohesion is approached by a small one. Unit: stress.",
+                      "c > 0, the shear stress that a 'Mohr-Coulomb' or "
+                      "'Drucker-Prager' material bears on planes without "
+                      "pressure. A ground without cohesion is approached by a "
+                      "small one. Unit: stress.",
                       Patterns::List(Patterns::Double(), 1));
     prm.add_parameter("Friction angle",
                       friction_angles,
                       "phi, from 0 to 60 degrees: the shear stress that a "
-                      "'Mohr-Coulomb' material bears grows by tan(phi) times "
-                      "the pressure on its plane. Unit: degrees.",
+                      "'Mohr-Coulomb' material bears, and in plane strain a "
+                      "'Drucker-Prager' one, grows by tan(phi) times the "
+                      "pressure on its plane. Unit: degrees.",
                       Patterns::List(Patterns::Double(), 1));
   }
 
@@ -66,18 +68,21 @@ namespace ElastoPlastic
 
 
 
-  double
-  SoilParameters::friction_sine(const unsigned int id) const
+  SoilStrength
+  SoilParameters::mohr_coulomb(const unsigned int id) const
   {
-    return std::sin(in_radians(of_material(friction_angles, id)));
+    const double phi = in_radians(of_material(friction_angles, id));
+    return {std::sqrt(2.) * of_material(cohesions, id) * std::cos(phi),
+            std::sin(phi)};
   }
 
 
 
-  double
-  SoilParameters::yield_radius(const unsigned int id) const
+  SoilStrength
+  SoilParameters::drucker_prager(const unsigned int id) const
   {
-    return std::sqrt(2.) * of_material(cohesions, id) *
-           std::cos(in_radians(of_material(friction_angles, id)));
+    const auto [radius, sine] = mohr_coulomb(id);
+    const double factor       = 1. / std::sqrt(1. + sine * sine / 3.);
+    return {factor * radius, factor * sine};
   }
 } // namespace ElastoPlastic

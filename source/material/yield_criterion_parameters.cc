@@ -117,7 +117,12 @@ namespace ElastoPlastic
       "'Cohesion' plus tan('Friction angle') times the pressure on it, "
       "whatever the yield stress; flow along the normal of this condition "
       "dilates it. That is for limit loads in plane strain, with 'Law = "
-      "perfectly plastic'.",
+      "perfectly plastic'. 'Drucker-Prager': the same of bodies of revolution, "
+      "sqrt(J_2) + alpha I_1 <= k with the second invariant J_2 of the "
+      "deviator and the sum I_1 of the principal stresses. Of the cones with "
+      "this name it is the first, that of Drucker and Prager (1952), which "
+      "bears in plane strain what 'Mohr-Coulomb' does: alpha = tan(phi) / "
+      "sqrt(9 + 12 tan^2(phi)), k = 3 c / sqrt(9 + 12 tan^2(phi)).",
       Patterns::List(*Patterns::Tools::Convert<YieldCriterion>::to_pattern(),
                      1));
     prm.add_parameter("Hosford exponent",
@@ -189,9 +194,20 @@ namespace ElastoPlastic
 
 
   bool
+  YieldCriterionParameters::has(const YieldCriterion criterion) const
+  {
+    return std::find(criteria.begin(), criteria.end(), criterion) !=
+           criteria.end();
+  }
+
+
+
+  bool
   YieldCriterionParameters::is_soil(const unsigned int id) const
   {
-    return of_material(criteria, id) == YieldCriterion::mohr_coulomb;
+    const YieldCriterion criterion = of_material(criteria, id);
+    return criterion == YieldCriterion::mohr_coulomb ||
+           criterion == YieldCriterion::drucker_prager;
   }
 
 
@@ -199,19 +215,29 @@ namespace ElastoPlastic
   bool
   YieldCriterionParameters::has_soil() const
   {
-    return std::find(criteria.begin(),
-                     criteria.end(),
-                     YieldCriterion::mohr_coulomb) != criteria.end();
+    return has(YieldCriterion::mohr_coulomb) ||
+           has(YieldCriterion::drucker_prager);
+  }
+
+
+
+  SoilStrength
+  YieldCriterionParameters::soil_strength(const unsigned int id) const
+  {
+    return of_material(criteria, id) == YieldCriterion::mohr_coulomb ?
+             soil.mohr_coulomb(id) :
+             soil.drucker_prager(id);
   }
 
 
 
   std::vector<double>
-  YieldCriterionParameters::friction_sines(const unsigned int n_materials) const
+  YieldCriterionParameters::friction_slopes(
+    const unsigned int n_materials) const
   {
     std::vector<double> result;
     for (unsigned int id = 0; id < n_materials; ++id)
-      result.push_back(is_soil(id) ? soil.friction_sine(id) : 0.);
+      result.push_back(is_soil(id) ? soil_strength(id).slope : 0.);
     return result;
   }
 
@@ -248,6 +274,7 @@ namespace ElastoPlastic
             HillCriterion(read_ratios(of_material(hill_ratios, id)),
                           read_axes(of_material(axes, id))));
         case YieldCriterion::mohr_coulomb:
+        case YieldCriterion::drucker_prager:
           return nullptr;
       }
     AssertThrow(false, ExcInternalError());

@@ -162,10 +162,10 @@ namespace ElastoPlastic
     Tensor<1, dim> body_force;
     Tensor<1, dim> live_body_force;
 
-    /// By triangles, in plane strain: the sine of the angle of internal
-    /// friction, see bounds/conic/yield_conditions.h; none if no strength
-    /// depends on the pressure.
-    std::vector<double> friction_sines;
+    /// By triangles, in plane strain and in a body of revolution: how the
+    /// strength grows with the pressure, see bounds/conic/yield_conditions.h;
+    /// none if no strength does.
+    std::vector<double> friction_slopes;
 
     /// A typical stress: the smallest yield stress, or a modulus of elasticity;
     /// with friction, the strength that comes from constant loads if that is
@@ -304,10 +304,10 @@ namespace ElastoPlastic
                   const Loads<dim>                    &loads,
                   const Kinematics kinematics = Kinematics::cartesian);
 
-  /// Lets the strength of a body depend on the pressure: @p sines by material
+  /// Lets the strength of a body depend on the pressure: @p slopes by material
   /// id, or one for all; nothing changes if all are zero.
   void
-  set_friction(SplitBody<2> &body, const std::vector<double> &sines);
+  set_friction(SplitBody<2> &body, const std::vector<double> &slopes);
 
 
 

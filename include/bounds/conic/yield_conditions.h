@@ -11,11 +11,15 @@
 
 #include "bounds/conic/conic_program.h"
 
-// The sine of the angle of internal friction is 0 <= sin(phi) < 1. With the
-// cohesion c, Mohr and Coulomb's yield condition in plane strain is, tension
-// being positive,
+// With the mean stress m, tension being positive, a strength that grows with
+// the pressure is
+//   |dev s| <= R - sqrt(2) f m,
+// with the yield radius R of the material and a slope 0 <= f < 1. In plane
+// strain, with s_33 = m = (s_11 + s_22) / 2, that is Mohr and Coulomb's yield
+// condition if f is the sine of the angle of internal friction and, with the
+// cohesion c, R = sqrt(2) c cos(phi):
 //   |((s_11 - s_22) / 2, s_12)| <= c cos(phi) - sin(phi) (s_11 + s_22) / 2.
-// The yield radius of the material is sqrt(2) c cos(phi).
+// In other bodies it is a cone of Drucker and Prager, see SoilParameters.
 
 namespace ElastoPlastic
 {
@@ -53,16 +57,19 @@ namespace ElastoPlastic
 
 
 
-  /// Lets the yield conditions of plane stresses, with which the cones of a
-  /// @p block begin, depend on the pressure.
+  /// Lets the yield conditions of two-dimensional stresses, with which the
+  /// cones of a @p block begin, depend on the pressure.
   /// @param point_stresses what add_yield_conditions() was given
-  /// @param pressures what the stresses at these points lack: a pressure that
-  ///   has been taken out of them
+  /// @param weights the same
+  /// @param pressures what the stresses lack, by cones: a pressure that has
+  ///   been taken out of them
+  /// @param slope f
   void
   add_friction(ConicBlock                &block,
                const FullMatrix<double>  &point_stresses,
+               const std::vector<double> &weights,
                const std::vector<double> &pressures,
-               const double               sine);
+               const double               slope);
 
   /// The same for a pressure that is in proportion to an @p unknown of the
   /// block: its @p pressures where that is one.
@@ -70,7 +77,7 @@ namespace ElastoPlastic
   add_growing_pressure(ConicBlock                &block,
                        const unsigned int         unknown,
                        const std::vector<double> &pressures,
-                       const double               sine);
+                       const double               slope);
 } // namespace ElastoPlastic
 
 #endif

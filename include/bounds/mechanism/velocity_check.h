@@ -58,15 +58,18 @@ namespace ElastoPlastic
 
 
 
-  // Of velocities in plane strain whose strength depends on the pressure, see
-  // SplitBody::friction_sines. With the rate of volume theta and the rate of
-  // shear g = |(e_11 - e_22, 2 e_12)|, the plastic work is finite where
-  // theta >= sin(phi) g, and then c cot(phi) theta. Both functions look at the
-  // coefficients of the strain rate in Bernstein's basis, and use nothing but
-  // the velocities.
+  // Of velocities of bodies whose strength depends on the pressure, see
+  // SplitBody::friction_slopes. With the rate of volume theta, the rate of
+  // shear g, which is sqrt(2) |dev e|, in plane strain |(e_11 - e_22, 2 e_12)|,
+  // and the slope f, the plastic work is finite where theta >= f g, and then R
+  // theta / (sqrt(2) f), which in plane strain is c cot(phi) theta. Both
+  // functions look at the coefficients of the strain rate in Bernstein's basis,
+  // and use nothing but the velocities.
 
-  /// By how much the rate of volume violates that in a triangle, at most: what
-  /// it lacks to sin(phi) g, or its absolute value without friction.
+  /// By how much the rate of volume violates that in a triangle, at most, times
+  /// the size of the triangle: what it lacks to f g, or its absolute value
+  /// without friction. Or, in a body of revolution, by how much v_r is not r
+  /// times a quadratic polynomial, so that the rates would be none.
   double
   missing_dilatation(const SplitBody<2>       &body,
                      const SimplexVelocity<2> &velocity,
@@ -74,7 +77,7 @@ namespace ElastoPlastic
 
   /// An upper bound of the plastic work in a triangle: exact with friction,
   /// where rates that lack a little dilatation count as if they did not; else
-  /// that of int c g dx by the coefficients.
+  /// that of int R g / sqrt(2) dx by the coefficients.
   double
   work_of_soil(const SplitBody<2>       &body,
                const SimplexVelocity<2> &velocity,

@@ -149,7 +149,8 @@ namespace ElastoPlastic
                    const std::vector<SimplexVelocity<dim>> &velocity);
 
   /// The strain rate at a point of a simplex; out of plane it is zero in plane
-  /// strain, or else keeps the volume.
+  /// strain, v_r / r in a body of revolution with friction, or else keeps the
+  /// volume.
   template <int dim>
   SymmetricTensor<2, 3>
   strain_rate_at(const SplitBody<dim>       &body,

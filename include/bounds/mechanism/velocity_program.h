@@ -40,12 +40,12 @@ namespace ElastoPlastic
 
 
 
-  /// The mechanism in plane strain or of a body of revolution that takes least
-  /// plastic work among those with a stream function (StreamElement). It is
-  /// continuous, so nothing passes through the sides of triangles; but they may
-  /// slide along each other, which takes the work k |[v_t]| per area, with the
-  /// yield stress in shear k of the weaker material. So they may along fixed
-  /// sides and along a rough indenter.
+  /// The mechanism in plane strain or of a body of revolution, without
+  /// friction, that takes least plastic work among those with a stream function
+  /// (StreamElement). It is continuous, so nothing passes through the sides of
+  /// triangles; but they may slide along each other, which takes the work k
+  /// |[v_t]| per area, with the yield stress in shear k of the weaker material.
+  /// So they may along fixed sides and along a rough indenter.
   ///
   /// Velocities are up to a factor. The force is what has been minimised; work
   /// and errors are not yet computed.
@@ -55,12 +55,12 @@ namespace ElastoPlastic
 
 
 
-  /// The mechanism in plane stress, or in plane strain with friction, that
-  /// takes least plastic work among all continuous piecewise quadratic
-  /// velocities. The strain rate is linear on a triangle: so the work is at
-  /// most a third of the area times the sum of that at the corners, because it
-  /// is a convex function; and with friction, the rate is in the dual cone of
-  /// the yield condition everywhere because it is at the corners.
+  /// The mechanism in plane stress, or in plane strain or of a body of
+  /// revolution with friction, that takes least plastic work among all
+  /// ContinuousVelocities. The strain rate is a polynomial on a triangle: so
+  /// the work is at most that of its coefficients in Bernstein's basis, because
+  /// it is a convex function; and with friction, the rate is in the dual cone
+  /// of the yield condition everywhere because its coefficients are.
   ///
   /// Velocities are up to a factor. The force is what has been minimised; work
   /// and errors are not yet computed.

@@ -73,6 +73,16 @@ namespace ElastoPlastic::LocalStresses
                      const unsigned int    simplex,
                      const unsigned int    degree);
 
+  /// The coefficients of the weighted pressure of body forces over those of the
+  /// weight, where these are positive, in the units of the body. In a body of
+  /// revolution, the degree must be 2, that of the product.
+  template <int dim>
+  std::vector<double>
+  pressures(const SplitBody<dim> &body,
+            const unsigned int    simplex,
+            const unsigned int    degree,
+            const double          load_factor);
+
   /// What turns @p n unknowns, the first of which are those of this @p basis,
   /// into the coefficients of the weighted stresses, all components at each
   /// point. If sigma_33 is unknown, its coefficients come next.

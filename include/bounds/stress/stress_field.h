@@ -114,8 +114,8 @@ namespace ElastoPlastic
 
   /// The stresses with the largest load factor, or if no load grows, with the
   /// largest force of the indenter, that satisfy the yield condition
-  /// everywhere. This is a lower bound of the limit load. In plane strain, the
-  /// strength may depend on the pressure, see SplitBody::friction_sines.
+  /// everywhere. This is a lower bound of the limit load. The strength may
+  /// depend on the pressure, see SplitBody::friction_slopes.
   /// @param degree of the stresses, 1 or 2; in space 1
   /// @throws ConvergenceError, in particular if there is no limit.
   template <int dim>

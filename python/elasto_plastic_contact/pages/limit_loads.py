@@ -137,6 +137,14 @@ def surcharges(runs):
 
 
 @table(400)
+def circular_footings(runs):
+    """Circular footings on weightless ground in revolution, over the area, the last meshes."""
+    return Content([[None, None] + meshes(runs.limit_load("footing_circular", f"Material/Friction angle={degrees}",
+                                                          f"Indenter/Surface={surface}")[-1:], math.pi)[0]
+                    for degrees in (10, 20, 30) for surface in ("smooth", "rough")])
+
+
+@table(400)
 def layers_of_ground(runs):
     """A footing on two layers, the last meshes."""
     return Content([last_mesh(runs, "footing_layers", 6, f"Geometry/Material id={layers}")

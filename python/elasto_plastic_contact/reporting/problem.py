@@ -20,11 +20,12 @@ OF_LAW = {"linear elastic": (), "perfectly plastic": (YIELD,), "isotropic harden
 OF_RATE = (("Rate exponent", "n", NUMBER), ("Reference rate", "r_0", RATE), ("Rate stress", "D", STRESS))
 OF_RATE_LAW = {"none": (), "Perzyna": OF_RATE, "Norton": OF_RATE, "Cowper-Symonds": OF_RATE[:2],
                "Duvaut-Lions": (("Relaxation time", "t_r", TIME),)}
+OF_SOIL = (("Cohesion", "c", STRESS), ("Friction angle", "φ", "degrees"))
 OF_CRITERION = {"von Mises": (), "Hosford": (("Hosford exponent", "a", NUMBER),),
                 "Hill": (("Hill ratios", "R_ij", ""), ("Axes", "", "")),
-                "Mohr-Coulomb": (("Cohesion", "c", STRESS), ("Friction angle", "φ", "degrees"))}
+                "Mohr-Coulomb": OF_SOIL, "Drucker-Prager": OF_SOIL}
 CRITERION_OF = {"von Mises": "von Mises'", "Hosford": "Hosford's", "Hill": "Hill's orthotropic",
-                "Mohr-Coulomb": "Mohr and Coulomb's"}
+                "Mohr-Coulomb": "Mohr and Coulomb's", "Drucker-Prager": "Drucker and Prager's"}
 
 # The entries of an indenter's shape: path below 'Indenter/', kind of quantity.
 OF_INDENTER = {
@@ -70,7 +71,7 @@ def material(facts, i):
     law, rate_law = value_of(facts, "Law", i), value_of(facts, "Rate law", i) or "none"
     criterion = value_of(facts, "Yield criterion", i) or "von Mises"
     elastic = () if facts.kind == LIMIT else ELASTIC
-    of_law = () if criterion == "Mohr-Coulomb" else OF_LAW[law]
+    of_law = () if OF_CRITERION[criterion] == OF_SOIL else OF_LAW[law]
     read = [entry for entry, _, _ in (*elastic, *of_law, *OF_CRITERION[criterion], *OF_RATE_LAW[rate_law])]
     found = {"Law": law} | {entry: value_of(facts, entry, i) for entry in read}
     if found.get("Power law exponent", "0") in NOTHING:
@@ -106,7 +107,10 @@ def materials_in_words(facts):
     if facts.kind == LIMIT:
         strength = {"von Mises": "von Mises' yield condition and the yield stress σ_0",
                     "Mohr-Coulomb": "Mohr and Coulomb's yield condition, the cohesion c and the angle of friction φ, "
-                                    "and flow along its normal"}
+                                    "and flow along its normal",
+                    "Drucker-Prager": "Drucker and Prager's yield condition sqrt(J_2) + α I_1 ≤ k, with the cone that in plane "
+                                      "strain is that of Mohr and Coulomb with the cohesion c and the angle of friction φ, "
+                                      "and flow along its normal"}
         criteria = dict.fromkeys(values.get("Yield criterion", "von Mises") for values in all_of)
         return [f"The body is rigid and perfectly plastic, with {'; or with '.join(strength[name] for name in criteria)}."]
     return [f"{f'Material {i}' if len(all_of) > 1 else 'The material'} is {law_in_words(values)}."

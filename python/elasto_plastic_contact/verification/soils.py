@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cases of verify: limit loads of ground that obeys Mohr's and Coulomb's yield condition."""
+"""Cases of verify: limit loads of ground that obeys Mohr's and Coulomb's, or Drucker's and Prager's yield condition."""
 
 import math
 
@@ -10,6 +10,7 @@ LAYERS = "limit_load/footing_layers.prm"
 # At 30 degrees, by the method of characteristics (Martin 2005), smooth and rough.
 N_GAMMA = {"smooth": 7.653, "rough": 14.754}
 HEAVY_COHESION, SURCHARGE_COHESION = 0.0001, 0.001  # of footing_weight.prm and footing_surcharge.prm
+CIRCULAR = "limit_load/footing_circular.prm"
 # H gamma / c at 30 degrees: the upper bound of a log spiral through the toe (Chen 1975), and what a better mechanism is
 # better by without friction (3.7776 against 3.83).
 VERTICAL_CUT = (0.98 * 6.69, 6.69)
@@ -129,6 +130,77 @@ def soil_weight(runner):
                    for entries in ((), ("Material/Cohesion=0.5e3",)))
     for bound in ("lower_bound", "upper_bound"):
         runner.compare(f"vertical cut in other units, {bound}", half[bound], 0.5e3 * whole[bound], 1e-5)
+
+
+def cone(degrees):
+    """alpha and k of Drucker and Prager's cone with the cohesion 1: sqrt(J_2) + alpha I_1 <= k."""
+    tangent = math.tan(math.radians(degrees))
+    root = math.sqrt(9 + 12 * tangent**2)
+    return tangent / root, 3 / root
+
+
+def box(lower, upper, repetitions):
+    """Entries of another geometry."""
+    return [f"Geometry/{entry}={x}, {y}" for entry, (x, y) in (("Lower corner", lower), ("Upper corner", upper),
+                                                               ("Repetitions", repetitions))]
+
+
+def soil_revolution(runner):
+    """Bodies of revolution of Drucker's and Prager's material: exact limit loads of a cylinder and of a tube, footings."""
+    for degrees in (10, 30):
+        angle, (alpha, k) = f"Material/Friction angle={degrees}", cone(degrees)
+        for pressure in (0, 0.5):
+            limit = (k + pressure * (1 / math.sqrt(3) + 2 * alpha)) / (1 / math.sqrt(3) - alpha)
+            row, = runner.tables(CIRCULAR, *box((0, 0), (1, 1), (2, 2)), angle, "Boundary conditions/Fixed=",
+                                 "Boundary conditions/Roller=left, bottom", f"Boundary conditions/Traction=right: {-pressure}; 0",
+                                 "Indenter/Surface=smooth", "Refinement/Number of cycles=1")["limit_load"]
+            for bound in ("lower_bound", "upper_bound"):
+                runner.compare(f"cylinder, {degrees} degrees, lateral pressure {pressure}, {bound}", row[bound], math.pi * limit, 1e-5)
+        sine = math.sin(math.radians(degrees))
+        tube = (2**(2 * sine / (1 + sine)) - 1) / math.tan(math.radians(degrees))
+        verify_bounds(runner, f"tube, {degrees} degrees", tube, 0.0005, CIRCULAR, *box((1, 0), (2, 0.25), (4, 1)), angle,
+                      "Boundary conditions/Fixed=", "Boundary conditions/Roller=bottom, top", "Boundary conditions/Contact=",
+                      "Boundary conditions/Free=right", "Boundary conditions/Traction=left: t; 0", "Indenter/Type=none",
+                      "Limit load/Load=tractions", "Refinement/Strategy=global", "Refinement/Number of cycles=3")
+    circular_footings(runner)
+
+
+def circular_footings(runner):
+    """Circular footings: against each other, a surcharge and metals; with weight, in other units, on other ranks."""
+    three, five = "Refinement/Number of cycles=3", "Refinement/Number of cycles=5"
+
+    def footing(name, difference, *entries):
+        rows = runner.tables(CIRCULAR, *entries)["limit_load"]
+        verify_last(runner, name, difference, rows)
+        return rows[-1]
+
+    order = [footing(f"{surface} footing, {degrees} degrees", difference, five, f"Material/Friction angle={degrees}",
+                     f"Indenter/Surface={surface}") for degrees, surface, difference in (
+                         (10, "smooth", 0.038), (10, "rough", 0.047), (20, "smooth", 0.042), (20, "rough", 0.052),
+                         (30, "smooth", 0.049), (30, "rough", 0.067))]
+    for smaller, larger in zip(order[::2], order[2::2]):
+        runner.verify(f"less than with more friction: {smaller['upper_bound']:.6g} < {larger['lower_bound']:.6g}",
+                      smaller["upper_bound"] < larger["lower_bound"])
+    without, metal, little = (runner.tables(CIRCULAR, three, *entries)["limit_load"][-1] for entries in (
+        ("Material/Friction angle=0",), ("Material/Yield criterion=von Mises", f"Material/Yield stress={math.sqrt(3)}"),
+        ("Material/Friction angle=0.1",)))
+    alone, beside, heavy, units = (runner.tables(CIRCULAR, three, *entries)["limit_load"][-1] for entries in (
+        (), ("Geometry/Boundary parts=surcharge: top; x > 1", "Boundary conditions/Traction=surcharge: 0; -2"),
+        ("Body force=0; -3",), ("Body force=0; -3000", "Material/Cohesion=1000")))
+    with runner.on_ranks(2 if runner.ranks == 1 else 1):
+        other = runner.tables(CIRCULAR, three)["limit_load"][-1]
+    tangent = math.tan(math.radians(20))
+    for bound in ("lower_bound", "upper_bound"):
+        runner.compare(f"no friction, {bound}", without[bound], metal[bound], 1e-7)
+        # (a cone with its apex at the tension c cot(phi): the pressure q adds what the cohesion q tan(phi) does, and q)
+        runner.compare(f"surcharge, {bound}", beside[bound], alone[bound] * (1 + 2 * tangent) + 2 * math.pi, 1e-5)
+        runner.compare(f"other units, {bound}", units[bound], 1000 * heavy[bound], 1e-5)
+        runner.compare(f"another number of ranks, {bound}", other[bound], alone[bound], 1e-9)
+    runner.verify(f"hardly any friction: {metal['lower_bound']:.6g} < {little['lower_bound']:.6g} < {little['upper_bound']:.6g}",
+                  metal["lower_bound"] < little["lower_bound"] < 1.005 * metal["lower_bound"]
+                  and little["upper_bound"] > metal["lower_bound"])
+    runner.verify(f"weight: {alone['upper_bound']:.6g} < {heavy['lower_bound']:.6g} < {heavy['upper_bound']:.6g}",
+                  alone["upper_bound"] < heavy["lower_bound"] <= heavy["upper_bound"])
 
 
 def soil_fine(runner):

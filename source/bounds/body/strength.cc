@@ -36,7 +36,7 @@ namespace ElastoPlastic
   bool
   SplitBody<dim>::has_friction() const
   {
-    return !friction_sines.empty();
+    return !friction_slopes.empty();
   }
 
 
@@ -50,18 +50,19 @@ namespace ElastoPlastic
 
 
 
-  // With s_33 = (s_11 + s_22) / 2, the deviator has sqrt(2) times the norm of
-  // ((s_11 - s_22) / 2, s_12).
+  // See bounds/conic/yield_conditions.h. In plane strain, s_33 is the mean of
+  // the others.
   template <int dim>
   double
   SplitBody<dim>::yield_radius(const unsigned int           simplex,
                                const SymmetricTensor<2, 3> &stress) const
   {
     const double without_pressure = materials[simplex].yield_radius;
-    return has_friction() ?
-             without_pressure - std::sqrt(0.5) * friction_sines[simplex] *
-                                  (stress[0][0] + stress[1][1]) :
-             without_pressure;
+    if (!has_friction())
+      return without_pressure;
+    const double mean = is_axisymmetric() ? trace(stress) / 3. :
+                                            (stress[0][0] + stress[1][1]) / 2.;
+    return without_pressure - std::sqrt(2.) * friction_slopes[simplex] * mean;
   }
 
 
@@ -82,18 +83,20 @@ namespace ElastoPlastic
   // A strength that comes from the pressure of constant loads may be much
   // larger than the cohesion.
   void
-  set_friction(SplitBody<2> &body, const std::vector<double> &sines)
+  set_friction(SplitBody<2> &body, const std::vector<double> &slopes)
   {
-    const double largest_sine = *std::max_element(sines.begin(), sines.end());
-    if (largest_sine == 0.)
+    const double largest_slope =
+      *std::max_element(slopes.begin(), slopes.end());
+    if (largest_slope == 0.)
       return;
     for (const auto &triangle : body.mesh.simplices)
-      body.friction_sines.push_back(
-        sines.size() == 1 ? sines.front() :
-                            sines[body.mesh.cells[triangle.cell].material_id]);
+      body.friction_slopes.push_back(
+        slopes.size() == 1 ?
+          slopes.front() :
+          slopes[body.mesh.cells[triangle.cell].material_id]);
     const double factor =
       std::max(1.,
-               largest_sine * largest_constant_load(body) / body.stress_unit);
+               largest_slope * largest_constant_load(body) / body.stress_unit);
     body.stress_unit *= factor;
     body.strain_unit *= factor;
     body.load_factor_unit *= factor;

@@ -114,25 +114,28 @@ namespace ElastoPlastic
 
 
 
-  // The deviator of a stress with s_33 = (s_11 + s_22) / 2 has sqrt(2) times
-  // the norm of ((s_11 - s_22) / 2, s_12).
   void
   add_friction(ConicBlock                &block,
                const FullMatrix<double>  &point_stresses,
+               const std::vector<double> &weights,
                const std::vector<double> &pressures,
-               const double               sine)
+               const double               slope)
   {
     constexpr unsigned int n_components = n_stress_components<2>;
 
-    const double factor = std::sqrt(0.5) * sine;
-    for (unsigned int p = 0; p < pressures.size(); ++p)
-      {
-        const unsigned int row = n_components * p;
-        block.cone_offset[row] += 2. * factor * pressures[p];
-        for (unsigned int j = 0; j < point_stresses.n(); ++j)
-          block.cone_matrix(row, j) +=
-            factor * (point_stresses(row, j) + point_stresses(row + 1, j));
-      }
+    const double factor = std::sqrt(2.) * slope;
+    unsigned int cone   = 0;
+    for (unsigned int p = 0; p < weights.size(); ++p)
+      if (weights[p] > 0)
+        {
+          const unsigned int row = n_components * cone;
+          block.cone_offset[row] += factor * pressures[cone++];
+          for (const unsigned int c : {0u, 1u, across<2>})
+            for (unsigned int j = 0; j < point_stresses.n(); ++j)
+              block.cone_matrix(row, j) +=
+                factor / (3. * weights[p]) *
+                point_stresses(n_components * p + c, j);
+        }
   }
 
 
@@ -141,10 +144,10 @@ namespace ElastoPlastic
   add_growing_pressure(ConicBlock                &block,
                        const unsigned int         unknown,
                        const std::vector<double> &pressures,
-                       const double               sine)
+                       const double               slope)
   {
     for (unsigned int p = 0; p < pressures.size(); ++p)
       block.cone_matrix(n_stress_components<2> * p, unknown) -=
-        std::sqrt(2.) * sine * pressures[p];
+        std::sqrt(2.) * slope * pressures[p];
   }
 } // namespace ElastoPlastic

@@ -2,293 +2,265 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <cmath>
 
 #include "bounds/body/yield_matrices.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/tolerances.h"
 #include "bounds/conic/yield_conditions.h"
-#include "bounds/mechanism/quadratic_field.h"
+#include "bounds/mechanism/continuous_velocities.h"
+#include "bounds/mechanism/face_view.h"
 #include "bounds/mechanism/velocity_program.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
-    /// Stresses at the corners of a triangle: 11, 22, 12.
-    constexpr unsigned int n_stresses = 9;
+    using Functions = std::vector<VelocityFunction>;
 
-    constexpr unsigned int invalid = numbers::invalid_unsigned_int;
-
-
-
-    /// The components of the velocity at a node, in two directions at right
-    /// angles: the numbers of their equations, if they are not zero.
-    struct Node
+    /// The integrals over a triangle of Bernstein's functions of the strain
+    /// rate, in units of the body: positive.
+    std::vector<double>
+    moments_of_rate(const SplitBody<2> &body,
+                    const unsigned int  t,
+                    const unsigned int  degree)
     {
-      std::array<Tensor<1, 2>, 2> directions = {
-        {Tensor<1, 2>({1., 0.}), Tensor<1, 2>({0., 1.})}};
-      std::array<bool, 2>         fixed     = {};
-      std::array<unsigned int, 2> equations = {{invalid, invalid}};
-
-      /// No velocity in this direction.
-      void
-      fix(const Tensor<1, 2> &direction)
-      {
-        for (unsigned int c = 0; c < 2; ++c)
-          if (std::abs(std::abs(directions[c] * direction) - 1.) <
-              Tolerance::small_angle)
-            {
-              fixed[c] = true;
-              return;
-            }
-        if (fixed[0] || fixed[1])
-          fixed = {{true, true}};
-        else
-          {
-            directions = {{direction, cross_product_2d(direction)}};
-            fixed      = {{true, false}};
-          }
-      }
-    };
+      const auto          corners = body.corners_of(t);
+      std::vector<double> result(3, 1. / 3.);
+      if (degree == 2)
+        {
+          std::array<double, 3> weights;
+          for (unsigned int i = 0; i < 3; ++i)
+            weights[i] = body.weight(corners[i]) / body.weight_unit();
+          const auto of_quadratics = quadratic_moments(weights);
+          result.assign(of_quadratics.begin(), of_quadratics.end());
+        }
+      for (double &moment : result)
+        moment *= volume(corners) / body.length_unit;
+      return result;
+    }
 
 
 
-    /// The dual of the minimisation, which reads: find stresses at the corners
-    /// of the triangles, and forces q >= 0 of the indenter, in equilibrium in
-    /// the sense of the principle of virtual power, with the largest sum of
-    /// all q. Its Lagrange multipliers are the velocities, with the opposite
-    /// sign.
-    class QuadraticVelocityProgram
+    /// The coefficients in Bernstein's basis of a strain rate of this
+    /// @p degree, by components: 11, 22, 2 e_12 and 33.
+    std::vector<std::array<double, 4>>
+    components_of_rate(const SplitBody<2>       &body,
+                       const SimplexVelocity<2> &velocity,
+                       const unsigned int        t,
+                       const unsigned int        degree)
+    {
+      const auto                        &points = Bernstein<2>::points(degree);
+      std::vector<std::array<double, 4>> result(points.size());
+      for (unsigned int p = 0; p < points.size(); ++p)
+        {
+          const auto rate = strain_rate_at(body, velocity, t, points[p]);
+          const std::array<double, 4> components = {
+            {rate[0][0], rate[1][1], 2. * rate[0][1], rate[2][2]}};
+          for (unsigned int a = 0; a < points.size(); ++a)
+            for (unsigned int c = 0; c < components.size(); ++c)
+              result[a][c] +=
+                Bernstein<2>::coefficients(degree)(a, p) * components[c];
+        }
+      return result;
+    }
+
+
+
+    /// The dual of the minimisation, which reads: find stresses for the
+    /// coefficients of the strain rate of the triangles, and forces q >= 0 of
+    /// the indenter, in equilibrium in the sense of the principle of virtual
+    /// power, with the largest sum of all q. Its Lagrange multipliers are the
+    /// factors of the velocities, with the opposite sign.
+    class ContinuousProgram
     {
     public:
-      explicit QuadraticVelocityProgram(const SplitBody<2> &body);
+      explicit ContinuousProgram(const SplitBody<2> &body);
 
       VelocityField<2>
       solve(const double tolerance) const;
 
     private:
-      /// No velocity of a side in this direction.
+      /// Adds the power of the tractions on a triangle, and of its body force.
       void
-      fix(const unsigned int side, const Tensor<1, 2> &direction);
+      add_tractions(const unsigned int triangle, const Functions &functions);
       void
-      number_equations();
+      add_body_force(const unsigned int triangle, const Functions &functions);
       void
-      add_tractions();
+      add_block(const unsigned int triangle, const Functions &functions);
+      /// To a block that begins with the yield conditions of these stresses.
       void
-      add_body_force();
-      void
-      add_block(const unsigned int triangle);
+      add_friction_to(ConicBlock               &block,
+                      const FullMatrix<double> &stresses,
+                      const unsigned int        triangle) const;
 
-      /// The nodes that a force of the indenter moves, with factors, downwards.
-      using ContactForce = std::vector<std::pair<unsigned int, double>>;
+      /// The power of a force of the indenter, which presses downwards, by
+      /// functions.
+      using ContactForce = std::vector<double>;
 
       /// Those of the triangle's sides, each vertex being counted once.
       std::vector<ContactForce>
-      contact_forces(const unsigned int triangle);
-      SimplexVelocity<2>
-      velocity_of(const unsigned int               triangle,
-                  const std::vector<Tensor<1, 2>> &velocities) const;
+      contact_forces(const unsigned int triangle, const Functions &functions);
 
-      const SplitBody<2> &body;
-      std::vector<Node>   nodes;
-      ConicProgram        program;
-      std::vector<bool>   vertex_is_pressed;
+      const SplitBody<2>                         &body;
+      const std::unique_ptr<ContinuousVelocities> velocities;
+      ConicProgram                                program;
+      std::vector<bool>                           vertex_is_pressed;
     };
 
 
 
-    /// Of a triangle: its corners, then the middles of its sides.
-    std::array<unsigned int, 6>
-    nodes_of(const SplitMesh<2> &mesh, const unsigned int t)
-    {
-      const auto        &vertices = mesh.simplices[t].vertices;
-      const auto        &sides    = mesh.simplices[t].faces;
-      const unsigned int n        = mesh.vertices.size();
-      return {{vertices[0],
-               vertices[1],
-               vertices[2],
-               n + sides[0],
-               n + sides[1],
-               n + sides[2]}};
-    }
-
-
-
-    QuadraticVelocityProgram::QuadraticVelocityProgram(const SplitBody<2> &body)
+    ContinuousProgram::ContinuousProgram(const SplitBody<2> &body)
       : body(body)
-      , nodes(body.mesh.vertices.size() + body.mesh.faces.size())
+      , velocities(make_continuous_velocities(body))
       , vertex_is_pressed(body.mesh.vertices.size(), false)
     {
-      number_equations();
-      add_tractions();
-      add_body_force();
-      for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
-        add_block(t);
-    }
-
-
-
-    void
-    QuadraticVelocityProgram::fix(const unsigned int  s,
-                                  const Tensor<1, 2> &direction)
-    {
-      for (const unsigned int vertex : body.mesh.faces[s].vertices)
-        nodes[vertex].fix(direction);
-      nodes[body.mesh.vertices.size() + s].fix(direction);
-    }
-
-
-
-    void
-    QuadraticVelocityProgram::number_equations()
-    {
-      for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
-        {
-          for (const auto &component : body.conditions[s].components)
-            if (component.type == ConditionType::displacement)
-              fix(s, component.direction);
-          if (body.conditions[s].is_reached &&
-              body.indenter_surface == SurfaceFinish::rough)
-            fix(s, Point<2>::unit_vector(0));
-        }
-
-      unsigned int n_equations = 0;
-      for (Node &node : nodes)
-        for (unsigned int c = 0; c < 2; ++c)
-          if (!node.fixed[c])
-            node.equations[c] = n_equations++;
-      program.right_hand_side.reinit(n_equations);
+      program.right_hand_side.reinit(velocities->n_functions());
       if (body.load_factor_unit > 0)
-        program.live_load.reinit(n_equations);
+        program.live_load.reinit(velocities->n_functions());
+      for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
+        {
+          const Functions functions = velocities->functions_of(t);
+          add_tractions(t, functions);
+          add_body_force(t, functions);
+          add_block(t, functions);
+        }
     }
 
 
 
-    // The power of the given tractions, for each of the three quadratic
-    // functions of a side.
     void
-    QuadraticVelocityProgram::add_tractions()
+    ContinuousProgram::add_tractions(const unsigned int t,
+                                     const Functions   &functions)
     {
-      const double unit           = body.stress_unit * body.length_unit;
-      const double live_load_unit = body.load_factor_unit / unit;
-      for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
+      const double unit =
+        body.stress_unit * body.length_unit * body.weight_unit();
+      for (const unsigned int s : body.mesh.simplices[t].faces)
         for (const auto &component : body.conditions[s].components)
           {
-            if (component.type != ConditionType::traction)
+            if (component.type != ConditionType::traction ||
+                (component.value.is_zero() && component.live_load.is_zero()))
               continue;
-            const auto        &side   = body.mesh.faces[s];
-            const unsigned int middle = body.mesh.vertices.size() + s;
-            const auto         add    = [&](Vector<double>    &loads,
-                                 const unsigned int n,
-                                 const double       force) {
-              for (unsigned int c = 0; c < 2; ++c)
-                if (!nodes[n].fixed[c])
-                  loads[nodes[n].equations[c]] +=
-                    force * (component.direction * nodes[n].directions[c]);
-            };
-            const auto add_all =
-              [&](Vector<double> &loads, const double t, const double force) {
-                add(loads, side.vertices[0], (1. - t) * (1. - 2. * t) * force);
-                add(loads, side.vertices[1], t * (2. * t - 1.) * force);
-                add(loads, middle, 4. * t * (1. - t) * force);
-              };
+            const FaceView<2> view(body, s);
             integrate_on_face<2>(
-              body.mesh.corners(side),
+              view.corners,
               [&](const FacePoint<2> &point, const double weight) {
-                const double t      = point.position[1];
-                const double length = weight * area(body.mesh.corners(side));
-                add_all(program.right_hand_side,
-                        t,
-                        length * component.value(point) / unit);
-                if (body.load_factor_unit > 0)
-                  add_all(program.live_load,
-                          t,
-                          length * live_load_unit * component.live_load(point));
+                const double constant = component.value(point) / unit,
+                             growing  = body.load_factor_unit *
+                                       component.live_load(point) / unit;
+                for (const auto &[number, velocity] : functions)
+                  {
+                    const double along =
+                      weight * view.area *
+                      (weighted_velocity(
+                         body, velocity, t, view.point(point.position)) *
+                       component.direction);
+                    program.right_hand_side[number] += constant * along;
+                    if (body.load_factor_unit > 0)
+                      program.live_load[number] += growing * along;
+                  }
               });
           }
     }
 
 
 
-    // A third of that of a triangle acts at the middle of each of its sides: it
-    // is the integral of the function of this node, and those of the corners
-    // have none.
     void
-    QuadraticVelocityProgram::add_body_force()
+    ContinuousProgram::add_body_force(const unsigned int t,
+                                      const Functions   &functions)
     {
-      const double unit = body.stress_unit * body.length_unit;
-      for (const auto &triangle : body.mesh.simplices)
-        for (const unsigned int s : triangle.faces)
-          {
-            const Node  &node = nodes[body.mesh.vertices.size() + s];
-            const double third =
-              volume(body.mesh.corners(triangle)) / (3. * unit);
-            for (unsigned int c = 0; c < 2; ++c)
-              if (!node.fixed[c])
-                {
-                  const auto        &d = node.directions[c];
-                  const unsigned int n = node.equations[c];
-                  program.right_hand_side[n] += third * (body.body_force * d);
-                  if (body.load_factor_unit > 0)
-                    program.live_load[n] += third * body.load_factor_unit *
-                                            (body.live_body_force * d);
-                }
-          }
+      if (body.body_force.norm() == 0. && body.live_body_force.norm() == 0.)
+        return;
+      const double size =
+        volume(body.corners_of(t)) /
+        (body.stress_unit * body.length_unit * body.weight_unit());
+      for (const auto &[number, velocity] : functions)
+        {
+          Tensor<1, 2> mean;
+          for (const auto &[point, weight] : simplex_quadrature<2>())
+            mean += weight * weighted_velocity(body, velocity, t, point);
+          program.right_hand_side[number] += size * (body.body_force * mean);
+          if (body.load_factor_unit > 0)
+            program.live_load[number] +=
+              size * body.load_factor_unit * (body.live_body_force * mean);
+        }
     }
 
 
 
-    // A quadratic function is 1 or more on a side if its three coefficients in
-    // Bernstein's basis are: the values at the ends, a and b, and 2 m - (a + b)
-    // / 2 with that in the middle, m. To each belongs a force.
-    std::vector<QuadraticVelocityProgram::ContactForce>
-    QuadraticVelocityProgram::contact_forces(const unsigned int t)
+    // A polynomial is 1 or more on a side if its coefficients in Bernstein's
+    // basis are. To each belongs a force; those at the ends are common to
+    // neighbours.
+    std::vector<ContinuousProgram::ContactForce>
+    ContinuousProgram::contact_forces(const unsigned int t,
+                                      const Functions   &functions)
     {
+      const auto &points = Bernstein<1>::points(velocities->trace_degree);
+      const auto &coefficients =
+        Bernstein<1>::coefficients(velocities->trace_degree);
       std::vector<ContactForce> forces;
       for (const unsigned int s : body.mesh.simplices[t].faces)
         {
           if (!body.conditions[s].is_reached)
             continue;
-          const auto        &vertices = body.mesh.faces[s].vertices;
-          const unsigned int middle   = body.mesh.vertices.size() + s;
-          forces.push_back(
-            {{middle, 2.}, {vertices[0], -0.5}, {vertices[1], -0.5}});
-          for (const unsigned int vertex : vertices)
-            if (!vertex_is_pressed[vertex])
-              {
-                vertex_is_pressed[vertex] = true;
-                forces.push_back({{vertex, 1.}});
-              }
+          const FaceView<2> view(body, s);
+          for (unsigned int i = 0; i < points.size(); ++i)
+            {
+              if (i == 0 || i + 1 == points.size())
+                {
+                  const unsigned int vertex =
+                    view.face.vertices[i == 0 ? 0 : 1];
+                  if (vertex_is_pressed[vertex])
+                    continue;
+                  vertex_is_pressed[vertex] = true;
+                }
+              ContactForce &force = forces.emplace_back();
+              for (const auto &[number, velocity] : functions)
+                {
+                  double coefficient = 0.;
+                  for (unsigned int p = 0; p < points.size(); ++p)
+                    coefficient +=
+                      coefficients(i, p) *
+                      velocity_at(body, velocity, t, view.point(points[p]))[1];
+                  force.push_back(coefficient);
+                }
+            }
         }
       return forces;
     }
 
 
 
+    // The stresses of a coefficient: 11, 22, 12, and in a body of revolution
+    // 33, which in plane strain with friction is the mean of the first two.
     void
-    QuadraticVelocityProgram::add_block(const unsigned int t)
+    ContinuousProgram::add_block(const unsigned int t,
+                                 const Functions   &functions)
     {
-      const auto         forces = contact_forces(t);
-      const unsigned int n      = n_stresses + forces.size();
-      FullMatrix<double> stresses(3 * n_stress_components<2>, n);
-      for (unsigned int corner = 0; corner < 3; ++corner)
-        for (unsigned int c = 0; c < 3; ++c)
-          stresses(n_stress_components<2> * corner + c, 3 * corner + c) = 1.;
-      if (body.has_friction())
-        for (unsigned int corner = 0; corner < 3; ++corner)
-          for (unsigned int c = 0; c < 2; ++c)
-            stresses(n_stress_components<2> * corner + 3, 3 * corner + c) = 0.5;
+      const auto moments = moments_of_rate(body, t, velocities->rate_degree);
+      const auto forces  = contact_forces(t, functions);
+      const unsigned int n_components = body.is_axisymmetric() ? 4 : 3,
+                         n_stresses   = n_components * moments.size(),
+                         n            = n_stresses + forces.size();
+      FullMatrix<double> stresses(n_stress_components<2> * moments.size(), n);
+      for (unsigned int p = 0; p < moments.size(); ++p)
+        for (unsigned int c = 0; c < n_components; ++c)
+          {
+            const unsigned int row    = n_stress_components<2> * p,
+                               column = n_components * p + c;
+            stresses(row + c, column) = 1.;
+            if (body.has_friction() && n_components == 3 && c < 2)
+              stresses(row + 3, column) = 0.5;
+          }
 
       ConicBlock &block = program.blocks.emplace_back(n);
       add_yield_conditions<2>(block,
                               stress_matrix<2>(body.materials[t]),
                               stresses,
-                              {1., 1., 1.},
+                              std::vector<double>(moments.size(), 1.),
                               body.materials[t].yield_radius /
                                 body.stress_unit);
       if (body.has_friction())
-        add_friction(block, stresses, {0., 0., 0.}, body.friction_sines[t]);
+        add_friction_to(block, stresses, t);
       for (unsigned int f = 0; f < forces.size(); ++f)
         {
           block.linear_cost[n_stresses + f] = body.indenter_velocity[1];
@@ -297,46 +269,50 @@ namespace ElastoPlastic
           block.add_inequality(row);
         }
 
-      if (body.has_friction() && body.friction_sines[t] > 0.)
-        for (unsigned int corner = 0; corner < 3; ++corner)
-          for (unsigned int c = 0; c < 2; ++c)
-            block.linear_cost[3 * corner + c] = Tolerance::dilation_margin;
-
-      const auto   corners = body.mesh.corners(body.mesh.simplices[t]);
-      const double weight  = volume(corners) / (3. * body.length_unit);
-      std::array<std::array<Tensor<1, 2>, 6>, 3> gradients;
-      for (unsigned int corner = 0; corner < 3; ++corner)
-        gradients[corner] = shape_gradients<2>(corners, corner);
-
-      unsigned int i = 0;
-      for (const unsigned int node : nodes_of(body.mesh, t))
+      for (unsigned int i = 0; i < functions.size(); ++i)
         {
-          for (unsigned int c = 0; c < 2; ++c)
-            if (!nodes[node].fixed[c])
-              {
-                const Tensor<1, 2> &d = nodes[node].directions[c];
-                Vector<double>      power(n);
-                for (unsigned int corner = 0; corner < 3; ++corner)
-                  {
-                    const Tensor<1, 2> g  = weight * gradients[corner][i];
-                    power[3 * corner]     = d[0] * g[0];
-                    power[3 * corner + 1] = d[1] * g[1];
-                    power[3 * corner + 2] = d[0] * g[1] + d[1] * g[0];
-                  }
-                for (unsigned int f = 0; f < forces.size(); ++f)
-                  for (const auto &[pressed, factor] : forces[f])
-                    if (pressed == node)
-                      power[n_stresses + f] += factor * d[1];
-                block.add_to_equation(nodes[node].equations[c], power);
-              }
-          ++i;
+          const auto     rates = components_of_rate(body,
+                                                functions[i].velocity,
+                                                t,
+                                                velocities->rate_degree);
+          Vector<double> power(n);
+          for (unsigned int p = 0; p < moments.size(); ++p)
+            for (unsigned int c = 0; c < n_components; ++c)
+              power[n_components * p + c] = moments[p] * rates[p][c];
+          for (unsigned int f = 0; f < forces.size(); ++f)
+            power[n_stresses + f] = forces[f][i];
+          block.add_to_equation(functions[i].number, power);
         }
     }
 
 
 
+    // The margin is that of the rate of volume: a cost of the mean stress.
+    void
+    ContinuousProgram::add_friction_to(ConicBlock               &block,
+                                       const FullMatrix<double> &stresses,
+                                       const unsigned int        t) const
+    {
+      const unsigned int n_points = stresses.m() / n_stress_components<2>;
+      const double       slope    = body.friction_slopes[t];
+      add_friction(block,
+                   stresses,
+                   std::vector<double>(n_points, 1.),
+                   std::vector<double>(n_points, 0.),
+                   slope);
+      if (slope > 0.)
+        for (unsigned int p = 0; p < n_points; ++p)
+          for (const unsigned int c : {0, 1, 3})
+            for (unsigned int j = 0; j < stresses.n(); ++j)
+              block.linear_cost[j] +=
+                2. / 3. * Tolerance::dilation_margin *
+                stresses(n_stress_components<2> * p + c, j);
+    }
+
+
+
     VelocityField<2>
-    QuadraticVelocityProgram::solve(const double tolerance) const
+    ContinuousProgram::solve(const double tolerance) const
     {
       // With friction, rates must be in the dual cones of the yield condition:
       // what they lack becomes smaller with the gap.
@@ -345,39 +321,21 @@ namespace ElastoPlastic
                                        tolerance;
       const ConicSolution solution = minimize(program, smaller);
 
-      std::vector<Tensor<1, 2>> velocities(nodes.size());
-      for (unsigned int i = 0; i < nodes.size(); ++i)
-        for (unsigned int c = 0; c < 2; ++c)
-          if (!nodes[i].fixed[c])
-            velocities[i] -=
-              solution.y[nodes[i].equations[c]] * nodes[i].directions[c];
-
       VelocityField<2> field;
       for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
-        field.velocity.push_back(velocity_of(t, velocities));
-      field.bound        = -solution.cost * (body.load_factor_unit > 0 ?
-                                               body.load_factor_unit :
-                                               body.stress_unit * body.length_unit);
+        {
+          SimplexVelocity<2> &sum = field.velocity.emplace_back();
+          for (const auto &[number, velocity] : velocities->functions_of(t))
+            for (unsigned int i = 0; i < n_cubics; ++i)
+              sum.coefficients[i] -=
+                solution.y[number] * velocity.coefficients[i];
+        }
+      field.bound =
+        -solution.cost *
+        (body.load_factor_unit > 0 ? body.load_factor_unit : body.force_unit());
       field.n_iterations = solution.n_iterations;
       field.is_optimal   = solution.relative_gap <= tolerance;
       return field;
-    }
-
-
-
-    SimplexVelocity<2>
-    QuadraticVelocityProgram::velocity_of(
-      const unsigned int t, const std::vector<Tensor<1, 2>> &velocities) const
-    {
-      const auto at_nodes = nodes_of(body.mesh, t);
-      return interpolate_cubic([&](const Barycentric<2> &point) {
-        Tensor<1, 2> value;
-        for (unsigned int i = 0; i < 3; ++i)
-          value +=
-            point[i] * (2. * point[i] - 1.) * velocities[at_nodes[i]] +
-            4. * point[i] * point[(i + 1) % 3] * velocities[at_nodes[3 + i]];
-        return value;
-      });
     }
   } // namespace
 
@@ -386,6 +344,6 @@ namespace ElastoPlastic
   VelocityField<2>
   find_motion_of_sheet(const SplitBody<2> &body, const double tolerance)
   {
-    return QuadraticVelocityProgram(body).solve(tolerance);
+    return ContinuousProgram(body).solve(tolerance);
   }
 } // namespace ElastoPlastic

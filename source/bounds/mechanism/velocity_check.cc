@@ -90,9 +90,7 @@ namespace ElastoPlastic
                  const unsigned int        t)
     {
       if (body.has_friction())
-        keep_largest(errors.divergence,
-                     missing_dilatation(body, velocity, t) *
-                       std::sqrt(volume(body.corners_of(t))));
+        keep_largest(errors.divergence, missing_dilatation(body, velocity, t));
       else if (body.kinematics != Kinematics::plane_stress)
         check_divergence(errors, body, velocity, t);
     }

@@ -135,6 +135,7 @@ namespace ElastoPlastic
 
 
 
+  // (v_r / r has the limit d_r v_r on the axis, where v_r vanishes.)
   template <int dim>
   SymmetricTensor<2, 3>
   strain_rate_at(const SplitBody<dim>       &body,
@@ -144,6 +145,14 @@ namespace ElastoPlastic
   {
     const auto corners = body.corners_of(t);
     auto       rate    = polynomial_rate<dim>(corners, velocity, point);
+    if (body.is_axisymmetric() && body.has_friction())
+      {
+        const Point<dim> x = interpolate(point, corners);
+        return in_space<dim>(rate,
+                             body.is_on_axis(x) ?
+                               rate[0][0] :
+                               polynomial_velocity(velocity, point)[0] / x[0]);
+      }
     if constexpr (dim == 2)
       if (velocity.flux.norm() > 0)
         rate += weighted_flux_rate(velocity) /

@@ -147,6 +147,40 @@ namespace ElastoPlastic::LocalStresses
 
 
   template <int dim>
+  std::vector<double>
+  pressures(const SplitBody<dim> &body,
+            const unsigned int    t,
+            const unsigned int    degree,
+            const double          load_factor)
+  {
+    using Element              = JohnsonMercier<dim>;
+    const auto         weights = LocalStresses::weights(body, t, degree);
+    const unsigned int n       = Bernstein<dim>::n_functions(degree);
+    Vector<double>     at_points(n), coefficients(n);
+
+    std::vector<double> result;
+    for (unsigned int k = 0; k < Element::n_parts; ++k)
+      {
+        const auto part = Element::part_of(body.corners_of(t), k);
+        for (unsigned int p = 0; p < n; ++p)
+          {
+            const Point<dim> x =
+              interpolate(Bernstein<dim>::points(degree)[p], part);
+            at_points[p] = body.weight(x) / body.weight_unit() *
+                           body.pressure_of_body_force(x, load_factor) /
+                           body.stress_unit;
+          }
+        Bernstein<dim>::coefficients(degree).vmult(coefficients, at_points);
+        for (unsigned int p = 0; p < n; ++p)
+          if (weights[n * k + p] > 0)
+            result.push_back(coefficients[p] / weights[n * k + p]);
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
   FullMatrix<double>
   point_stresses(const SplitBody<dim>     &body,
                  const unsigned int        t,
@@ -242,6 +276,16 @@ namespace ElastoPlastic::LocalStresses
   equilibrated_basis(const SplitBody<3> &,
                      const unsigned int,
                      const unsigned int);
+  template std::vector<double>
+  pressures(const SplitBody<2> &,
+            const unsigned int,
+            const unsigned int,
+            const double);
+  template std::vector<double>
+  pressures(const SplitBody<3> &,
+            const unsigned int,
+            const unsigned int,
+            const double);
   template FullMatrix<double>
   point_stresses(const SplitBody<2> &,
                  const unsigned int,

@@ -169,6 +169,29 @@ namespace ElastoPlastic
 
 
 
+    /// A coefficient of the pressure of the body forces, multiplied by the
+    /// weight: both are linear on a face or a part with these @p corners. With
+    /// the degree 1, their product counts where it is at the corners.
+    template <int dim, std::size_t n>
+    double
+    weighted_pressure(const SplitBody<dim>            &body,
+                      const StressField<dim>          &field,
+                      const std::array<Point<dim>, n> &corners,
+                      const std::array<int, n>        &exponents)
+    {
+      const auto product = [&](const unsigned int i, const unsigned int j) {
+        return body.weight(corners[i]) *
+               body.pressure_of_body_force(corners[j], field.load_factor);
+      };
+      std::vector<unsigned int> factors; // corners, as often as they count
+      for (unsigned int i = 0; i < n; ++i)
+        factors.insert(factors.end(), exponents[i], i);
+      return 0.5 * (product(factors.front(), factors.back()) +
+                    product(factors.back(), factors.front()));
+    }
+
+
+
     /// The yield condition, which holds everywhere if it does for the
     /// coefficients over those of the weight, and what makes it hold for the
     /// circumferential stress and on the axis.
@@ -179,8 +202,9 @@ namespace ElastoPlastic
                  const StressField<dim> &field,
                  const unsigned int      t)
     {
-      const auto  corners = body.corners_of(t);
-      const auto &points  = Bernstein<dim>::points(field.degree);
+      const auto  corners   = body.corners_of(t);
+      const auto &points    = Bernstein<dim>::points(field.degree);
+      const auto &exponents = Bernstein<dim>::exponents(field.degree);
       for (unsigned int k = 0; k < JohnsonMercier<dim>::n_parts; ++k)
         {
           const auto part = JohnsonMercier<dim>::part_of(corners, k);
@@ -205,9 +229,10 @@ namespace ElastoPlastic
                       stress_norm(body.materials[t], weighted) -
                     body.yield_radius(
                       t,
-                      inverse_weight(body, x) * weighted -
-                        body.pressure_of_body_force(x, field.load_factor) *
-                          unit_symmetric_tensor<3>()));
+                      inverse_weight(body, x) *
+                        (weighted -
+                         weighted_pressure(body, field, part, exponents[i]) *
+                           unit_symmetric_tensor<3>())));
             }
         }
     }
@@ -249,33 +274,6 @@ namespace ElastoPlastic
 
 
 
-    /// The coefficient of the pressure of the body forces, multiplied by the
-    /// weight: both are linear on a face. With the degree 1, their product
-    /// counts where it is at the corners.
-    template <int dim>
-    double
-    weighted_pressure(const SplitBody<dim>   &body,
-                      const StressField<dim> &field,
-                      const unsigned int      f,
-                      const unsigned int      coefficient)
-    {
-      const auto corners = body.corners_of_face(f);
-      const auto product = [&](const unsigned int i, const unsigned int j) {
-        return body.weight(corners[i]) *
-               body.pressure_of_body_force(corners[j], field.load_factor);
-      };
-      std::vector<unsigned int> factors; // corners, as often as they count
-      for (unsigned int i = 0; i < dim; ++i)
-        factors.insert(factors.end(),
-                       Bernstein<dim - 1>::exponents(
-                         field.degree)[coefficient][i],
-                       i);
-      return 0.5 * (product(factors.front(), factors.back()) +
-                    product(factors.back(), factors.front()));
-    }
-
-
-
     /// That no coefficient of the pressure of the indenter is a tension.
     /// @return its force.
     template <int dim>
@@ -289,12 +287,14 @@ namespace ElastoPlastic
     {
       const Tensor<1, dim> direction = body.conditions[f].contact().direction;
       const auto           corners   = body.corners_of_face(f);
-      const double         cosine    = normal * direction;
-      double               force     = 0;
+      const auto  &exponents = Bernstein<dim - 1>::exponents(field.degree);
+      const double cosine    = normal * direction;
+      double       force     = 0;
       for (unsigned int i = 0; i < tractions.size(); ++i)
         {
-          const double weighted = tractions[i] * direction -
-                                  cosine * weighted_pressure(body, field, f, i);
+          const double weighted =
+            tractions[i] * direction -
+            cosine * weighted_pressure(body, field, corners, exponents[i]);
           keep_largest(errors.tension,
                        inverse_weight<dim>(body, corners, field.degree, i) *
                          weighted);

@@ -107,31 +107,22 @@ namespace ElastoPlastic
   StressProgram<dim>::add_friction_to(const unsigned int        t,
                                       const FullMatrix<double> &stresses)
   {
-    ConicBlock  &block          = program.blocks[t];
-    const double sine           = body.friction_sines[t];
-    const auto   pressures_with = [&](const double load_factor) {
-      std::vector<double> pressures;
-      for (unsigned int k = 0; k < Element::n_parts; ++k)
-        for (const auto &point : Bernstein<dim>::points(degree))
-          pressures.push_back(
-            body.pressure_of_body_force(
-              interpolate(point, Element::part_of(body.corners_of(t), k)),
-              load_factor) /
-            body.stress_unit);
-      return pressures;
-    };
-    const auto constant = pressures_with(0.);
-    add_friction(block, stresses, constant, sine);
+    ConicBlock  &block    = program.blocks[t];
+    const double slope    = body.friction_slopes[t];
+    const auto   weights  = LocalStresses::weights(body, t, degree);
+    const auto   constant = LocalStresses::pressures(body, t, degree, 0.);
+    add_friction(block, stresses, weights, constant, slope);
     if (!has_growing_pressure())
       return;
-    auto growing = pressures_with(body.load_factor_unit);
+    auto growing =
+      LocalStresses::pressures(body, t, degree, body.load_factor_unit);
     std::transform(growing.begin(),
                    growing.end(),
                    constant.begin(),
                    growing.begin(),
                    std::minus<>());
     const unsigned int unknown = stresses.n() - 1;
-    add_growing_pressure(block, unknown, growing, sine);
+    add_growing_pressure(block, unknown, growing, slope);
     Vector<double> row(stresses.n());
     row[unknown] = 1.;
     block.add_to_equation(program.right_hand_side.size() -
@@ -239,16 +230,18 @@ namespace ElastoPlastic
       {
         ConicBlock               block(values.size());
         const FullMatrix<double> identity{IdentityMatrix(values.size())};
+        const auto weights = LocalStresses::weights(body, t, degree);
         add_yield_conditions<dim>(block,
                                   stress_matrix<dim>(body.materials[t]),
                                   identity,
-                                  LocalStresses::weights(body, t, degree),
+                                  weights,
                                   /* radius = */ 1.);
         if (body.has_friction())
           add_friction(block,
                        identity,
-                       std::vector<double>(values.size() / n_components, 0.),
-                       body.friction_sines[t]);
+                       weights,
+                       std::vector<double>(weights.size(), 0.),
+                       body.friction_slopes[t]);
         LocalAlgebra::add_transposed_product(all.begin(), block.cone_matrix, z);
       }
 
