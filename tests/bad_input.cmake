@@ -270,9 +270,9 @@ add_entry_test(criterion_third_axis "'Material/Axes' is '0 . 30 . 0', but in two
 set(_asymmetric --validate --set "Material/Yield criterion=Hill" --set "Material/Hill ratios=1 | 1.3 | 0.9 | 0.8 | 1 | 1" --set "Material/Axes=10")
 add_message_test(criterion_symmetry 2 "The rollers through 'Indenter/Position' make a plane of symmetry of the body, but its material is not symmetric about that" ${CMAKE_SOURCE_DIR}/parameter_files/cylinder_2d.prm ${_asymmetric})
 add_message_test(criterion_symmetry_of_sector 2 "The rollers through 'Indenter/Position' make a plane of symmetry of the body, but its material is not symmetric about that" ${CMAKE_SOURCE_DIR}/parameter_files/indentation/vickers_sector.prm ${_asymmetric} --set Strain=small --set "Material/Axes=0")
-add_entry_test(criterion_error_bound "'Material/Yield criterion' is 'Hill', but 'Analysis = contact with error bound' has bounds for the criterion of von Mises only" "Material/Yield criterion=Hill" "Analysis=contact with error bound")
+add_entry_test(criterion_error_bound "'Material/Yield criterion' is 'Hosford', but 'Analysis = contact with error bound' has no bounds for the criterion of Hosford" "Material/Yield criterion=Hosford" "Analysis=contact with error bound")
 set(_rolled ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch_rolled.prm --validate --set)
-add_message_test(criterion_limit_load 2 "'Material/Yield criterion' is 'Hill, Hosford', but 'Analysis = limit load' has bounds for all criteria but that of Hosford" ${_rolled} "Material/Yield criterion=Hill, Hosford")
+add_message_test(criterion_limit_load 2 "'Material/Yield criterion' is 'Hill, Hosford', but 'Analysis = limit load' has no bounds for the criterion of Hosford" ${_rolled} "Material/Yield criterion=Hill, Hosford")
 add_message_test(criterion_beside_soil 2 "'Material/Yield criterion' is 'Hill, Mohr-Coulomb', but beside soil, other materials can obey the criterion of von Mises only" ${_rolled} "Material/Yield criterion=Hill, Mohr-Coulomb")
 add_message_test(criterion_limit_load_axis 2 "'Material/Axes' is '0 . 30 . 0', but in two dimensions one of the axes of the material must be the third of the body" ${_rolled} "Material/Axes=0 | 30 | 0" --set "Material/Hill ratios=1 | 1.1 | 1 | 1 | 1 | 1")
 add_message_test(criterion_limit_load_symmetry 2 "The rollers through 'Indenter/Position' make a plane of symmetry of the body, but its material is not symmetric about that" ${_rolled} "Material/Axes=10")
@@ -562,6 +562,10 @@ add_message_test(unsafe_history 4 "There is no equilibrium under the force 4: th
   ${_punch_force} --output-directory unsafe_history --set "Loading/Force=4*t" --set "Loading/Number of steps=3")
 add_message_test(validate_unsafe_load 4 "There is no equilibrium under the force 4: the limit load of the body is between 2.[0-9]* and 3.[0-9]*."
   ${_punch_force} --validate --output-directory validate_unsafe_load --set "Loading/Force=4")
+add_message_test(unsafe_rolled_metal 4 "There is no equilibrium under the force 6: the limit load of the body is between 4.[0-9]* and [45].[0-9]*."
+  ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/strip_punch_rolled.prm --overwrite --quiet --output-directory unsafe_rolled_metal --set Analysis=contact
+  --set "Loading/Control=force" --set "Loading/Force=6" --set "Refinement/Number of cycles=1" --set "Output/Fields=never")
+add_entry_test(error_bound_back_stresses "'Analysis' is 'contact with error bound', but with 'Material/Yield criterion = Hill', the equilibrium method knows isotropic hardening only" "Material/Yield criterion=Hill" "Analysis=contact with error bound" "Material/Law=kinematic hardening" "Material/Kinematic hardening modulus=1000")
 add_message_test(unsafe_circular_punch 4 "There is no equilibrium under the force 12: the limit load of the body is between [89].[0-9]* and 1[01].[0-9]*."
   ${_punch_force} --output-directory unsafe_circular_punch --set "Loading/Force=12" --set "Kinematics=axisymmetric")
 # The coarse mesh is another body, which may bear less.

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -224,6 +225,23 @@ namespace
 
 
 
+  /// With Hill's criterion, in axes turned by 30 degrees in the plane.
+  Material<double>
+  rolled(Material<double> material)
+  {
+    Tensor<2, 3> axes;
+    axes[0][0] = axes[1][1] = std::cos(numbers::PI / 6.);
+    axes[1][0]              = std::sin(numbers::PI / 6.);
+    axes[0][1]              = -axes[1][0];
+    axes[2][2]              = 1.;
+    material.is_linear      = false;
+    material.criteria[0]    = std::make_shared<GeneralCriterion>(
+      HillCriterion({{1., 1.2, 0.9, 0.8, 1., 1.}}, axes));
+    return material;
+  }
+
+
+
   // A block compressed by a flat indenter, free to expand, in plane stress: the
   // displacement u_h is the exact one, which is linear, beyond the yield stress
   // as well.
@@ -335,11 +353,17 @@ main(int argc, char *argv[])
   test_conjugate(make_body(mesh, free_to_move(), material(infinity, 0.)),
                  "Elastic");
   for (const double hardening : {0., 20.})
-    for (const auto kinematics :
-         {Kinematics::cartesian, Kinematics::plane_stress})
-      test_conjugate(
-        make_body(mesh, free_to_move(), material(1.4, hardening), kinematics),
-        std::string(hardening > 0 ? "Hardening" : "Perfectly plastic") +
-          (kinematics == Kinematics::plane_stress ? ", plane stress" :
-                                                    ", plane strain"));
+    {
+      const auto        law = material(1.4, hardening);
+      const std::string name =
+        hardening > 0 ? "Hardening" : "Perfectly plastic";
+      for (const auto kinematics :
+           {Kinematics::cartesian, Kinematics::plane_stress})
+        test_conjugate(make_body(mesh, free_to_move(), law, kinematics),
+                       name + (kinematics == Kinematics::plane_stress ?
+                                 ", plane stress" :
+                                 ", plane strain"));
+      test_conjugate(make_body(mesh, free_to_move(), rolled(law)),
+                     name + ", Hill's criterion");
+    }
 }

@@ -22,13 +22,24 @@ namespace ElastoPlastic
     check_is_linear(const std::vector<Material<double>> &materials)
     {
       for (const Material<double> &material : materials)
-        if (!material.is_linear)
-          throw InputError(
-            "Analysis",
-            "contact with error bound",
-            "the equilibrium method knows linear hardening only. Choose a "
-            "'Material/Law' without hardening curve and recovery, and 'Rate "
-            "law = none'.");
+        {
+          if (material.curves[0] || has_recovery(material) ||
+              is_rate_dependent(material))
+            throw InputError(
+              "Analysis",
+              "contact with error bound",
+              "the equilibrium method knows linear hardening only. Choose a "
+              "'Material/Law' without hardening curve and recovery, and 'Rate "
+              "law = none'.");
+          if (has_general_criterion(material) &&
+              !material.back_stresses.empty())
+            throw InputError(
+              "Analysis",
+              "contact with error bound",
+              "with 'Material/Yield criterion = Hill', the equilibrium method "
+              "knows isotropic hardening only, or none. Choose 'Material/Law "
+              "= isotropic hardening' or 'perfectly plastic'.");
+        }
     }
 
 

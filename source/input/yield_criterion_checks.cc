@@ -3,8 +3,6 @@
 
 // Which problems go with which yield criteria.
 
-#include <algorithm>
-
 #include "base/exceptions.h"
 #include "input/parameters.h"
 
@@ -25,16 +23,14 @@ namespace ElastoPlastic
     /// Yield conditions must be second-order cones; where rates change the
     /// volume, von Mises' only are known.
     void
-    check_criteria_of_limit_load(const MaterialParameters &material)
+    check_criteria_of_bounds(const MaterialParameters &material,
+                             const Analysis            analysis)
     {
-      const auto &criteria = material.criteria.criteria;
-      if (std::find(criteria.begin(),
-                    criteria.end(),
-                    YieldCriterion::hosford) != criteria.end())
-        refuse(
-          material,
-          "'Analysis = limit load' has bounds for all criteria but that of "
-          "Hosford. Choose another one, or 'Analysis = contact'.");
+      if (material.criteria.has(YieldCriterion::hosford))
+        refuse(material,
+               "'Analysis = " + Patterns::Tools::to_string(analysis) +
+                 "' has no bounds for the criterion of Hosford. Choose another "
+                 "one, or 'Analysis = contact'.");
       if (material.criteria.has_soil())
         refuse(
           material,
@@ -93,13 +89,10 @@ namespace ElastoPlastic
       return;
     if (dimension == 2)
       material.criteria.check_third_axis();
-    if (analysis == Analysis::limit_load)
-      return check_criteria_of_limit_load(material);
     if (analysis != Analysis::contact)
-      refuse(material,
-             "'Analysis = " + Patterns::Tools::to_string(analysis) +
-               "' has bounds for the criterion of von Mises only. Choose 'von "
-               "Mises', or 'Analysis = contact'.");
+      check_criteria_of_bounds(material, analysis);
+    if (analysis == Analysis::limit_load)
+      return;
     if (discretization.kinematics == Kinematics::plane_stress)
       refuse(material,
              "the strain across a sheet is known for the criterion of von "

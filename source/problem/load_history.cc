@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "problem/load_history.h"
 
@@ -25,7 +26,6 @@ namespace ElastoPlastic
     has_limit_load(const Model<2> &model)
     {
       return !model.strain_model.is_finite() &&
-             !model.strain_model.has_general_criteria &&
              model.contact.friction_coefficient() == 0. &&
              !(model.body_force.is_present() &&
                model.strain_model.kinematics == Kinematics::plane_stress) &&
@@ -33,7 +33,10 @@ namespace ElastoPlastic
                          model.materials.end(),
                          [](const Material<double> &material) {
                            return is_perfect(material) &&
-                                  std::isfinite(material.yield_radius);
+                                  std::isfinite(material.yield_radius) &&
+                                  (!has_general_criterion(material) ||
+                                   std::holds_alternative<HillCriterion>(
+                                     *material.criteria[0]));
                          });
     }
   } // namespace

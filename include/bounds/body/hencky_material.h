@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/kinematics.h"
+#include "bounds/body/yield_norms.h"
 #include "material/material.h"
 
 /// A material in one step from the virgin state, with linear hardening: the
@@ -18,6 +19,8 @@
 ///   W*(tau) = min over zeta of 1/2 tau : C^-1 tau + zeta^2 / (2 h)
 ///                             with |dev tau| <= R + zeta,
 /// R being the yield radius. Isotropic and kinematic hardening are the same.
+/// With Hill's criterion, the norm of e_p is RateNorm, that of dev tau is
+/// stress_norm(), and hardening is isotropic.
 namespace ElastoPlastic::HenckyMaterial
 {
   using namespace dealii;
@@ -70,8 +73,10 @@ namespace ElastoPlastic::HenckyMaterial
   /// plastic strain e_p and any zeta of the stress. Its two parts, with
   /// d = eps - e_p - C^-1 tau, are
   ///   1/2 d : C d and h/2 |e_p|^2 + zeta^2 / (2 h) - tau : e_p.
+  /// @p norm is that of plastic strains.
   double
   quadratic_gap(const Material<double>      &material,
+                const RateNorm              &norm,
                 const SymmetricTensor<2, 3> &strain,
                 const SymmetricTensor<2, 3> &plastic_strain,
                 const SymmetricTensor<2, 3> &stress,

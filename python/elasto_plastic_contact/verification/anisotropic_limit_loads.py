@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cases of verify: limit loads of bodies that obey Hill's yield criterion."""
+"""Cases of verify: limit loads and error bounds of bodies that obey Hill's yield criterion."""
 
 import math
 
+from .equilibrium import BOUND, coarse_and_fine, order, verify_energies, verify_interval
 from .yield_criteria import coefficients, hill
 
 STRIP = "limit_load/strip_punch_rolled.prm"
@@ -143,3 +144,30 @@ def hill_layers(runner):
                           soft[bound] < row[bound] < hard[bound])
     for name, row in (("weak on strong", both), ("weak on von Mises", with_metal)):
         runner.compare(f"{name}: difference of the bounds", row["relative_difference"], 0, 0.1, absolute=True)
+
+
+def hill_error_bound(runner):
+    """Error bounds with Hill's criterion: above the errors, of order h^2, the force between them; ratios of 1, turned axes."""
+    cylinder, sphere = "cylinder_2d.prm", "error_bound/sphere.prm"
+    of_sphere = ("Loading/Control=depth", "Loading/Depth=0.1", "Material/Yield stress=2000", "Geometry/Local refinements=3")
+    film = hill((1.0, 1.2, 1.0, 0.8, 1.0, 0.8))  # the same in all directions across the axis
+    for case, law, body, width in ((cylinder, "isotropic hardening", hill((1.0, 1.2, 0.9, 0.7, 1.0, 1.0)), 0.12),
+                                   (sphere, "perfectly plastic", (*of_sphere, *film), 0.1)):
+        entries = (f"Material/Law={law}", *body)
+        title = f"{case}, {law}"
+        (tables, _), (finer, _) = coarse_and_fine(runner, case, 3, *entries,
+                                                  f"Geometry/Initial refinements={3 if case == cylinder else 2}")
+        rows, fine = tables["error_bound"], finer["error_bound"][-1]
+        verify_energies(runner, title, rows, fine)
+        runner.compare(f"{title}, order of the bound", order(rows, "bound"), 2, 0.15)
+        runner.compare(f"{title}, largest error of the stresses", max(row["stress_error"] for row in rows), 0, 1e-9, absolute=True)
+        rows = runner.tables(case, BOUND, *entries, "Refinement/Strategy=adaptive", "Refinement/Number of cycles=3",
+                             "Refinement/Goal=force")["error_bound"]
+        verify_interval(runner, f"{title}, force", rows, fine["force"], width)
+    one_mesh = (BOUND, "Refinement/Number of cycles=1", "Geometry/Initial refinements=3", "Material/Law=perfectly plastic")
+    for name, first, other in (
+            ("ratios of 1", (), hill((1.0,) * 6, "20")),
+            ("turned axes", hill((1.0, 1.2, 0.9, 0.7, 1.0, 0.8), "90"), hill((1.2, 1.0, 0.9, 0.7, 0.8, 1.0)))):
+        one, two = (runner.tables(cylinder, *one_mesh, *criterion)["error_bound"][-1] for criterion in (first, other))
+        for column in ("energy", "complementary_energy", "bound"):
+            runner.compare(f"{name}, {column}", two[column], one[column], 1e-9)

@@ -15,7 +15,7 @@ import argparse
 import math
 
 from . import uniaxial as exact_uniaxial
-from .anisotropic_limit_loads import hill_and_von_mises, hill_bodies, hill_layers, hill_strip_punch
+from .anisotropic_limit_loads import hill_and_von_mises, hill_bodies, hill_error_bound, hill_layers, hill_strip_punch
 from .contact_edge import contact_edge, contact_mesh
 from .contact_pressure import contact_pressure
 from .runner import E, E_STAR, NU, Runner, add_program
@@ -296,7 +296,7 @@ ALL = {
                      rates_uniaxial, creep_cylinder, creep_sphere, creep_contact, creep_accurate_steps, creep_hardness, creep_punch,
                      creep_similarity, creep_runs, hold_before_path,
                      hill_tension, hill_plane_strain, turned_axes, hosford_cylinder, criteria_and_von_mises, hill_indentation,
-                     hill_strip_punch, hill_and_von_mises, hill_bodies, hill_layers,
+                     hill_strip_punch, hill_and_von_mises, hill_bodies, hill_layers, hill_error_bound,
                      force_control, hertz, hertz_axisymmetric, hertz_cylinder,
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space, sectors, pyramid_sectors,

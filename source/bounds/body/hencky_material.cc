@@ -107,6 +107,7 @@ namespace ElastoPlastic
 
   double
   HenckyMaterial::quadratic_gap(const Material<double>      &material,
+                                const RateNorm              &norm,
                                 const SymmetricTensor<2, 3> &strain,
                                 const SymmetricTensor<2, 3> &plastic_strain,
                                 const SymmetricTensor<2, 3> &stress,
@@ -117,9 +118,12 @@ namespace ElastoPlastic
     double       result = 0.5 * material.bulk_modulus * trace(d) * trace(d) +
                     material.shear_modulus * (deviator(d) * deviator(d));
     if (yields(material))
-      result += (0.5 * h * plastic_strain - stress) * plastic_strain;
+      result -= stress * plastic_strain;
     if (h > 0)
-      result += 0.5 * zeta * zeta / h;
+      {
+        const double size = norm(plastic_strain);
+        result += 0.5 * h * size * size + 0.5 * zeta * zeta / h;
+      }
     return result;
   }
 } // namespace ElastoPlastic

@@ -38,8 +38,10 @@ namespace ElastoPlastic
     class PartOfSimplex
     {
     public:
-      /// @p strains are those at the corners of the simplex.
+      /// @p norm is that of plastic strains, @p strains are those at the
+      /// corners of the simplex.
       PartOfSimplex(const SplitBody<dim>      &body,
+                    const RateNorm            &norm,
                     const QuadraticField<dim> &displacement,
                     const StressField<dim>    &stress_field,
                     const std::array<SymmetricTensor<2, dim>, dim + 1> &strains,
@@ -47,6 +49,7 @@ namespace ElastoPlastic
                     const unsigned int                                  k)
         : body(body)
         , material(body.materials[t])
+        , norm(norm)
         , displacement(displacement)
         , simplex(body.mesh.simplices[t])
         , k(k)
@@ -70,11 +73,12 @@ namespace ElastoPlastic
         double result = 0;
         if (HenckyMaterial::yields(material))
           for (const auto &plastic : plastic_strain)
-            result += material.yield_radius * plastic.norm() / (dim + 1.);
+            result += material.yield_radius * norm(plastic) / (dim + 1.);
         for (const WeightedPoint<dim> &point : quadrature_of_part(r))
           result +=
             point.weight *
             HenckyMaterial::quadratic_gap(material,
+                                          norm,
                                           strain_at(point.position),
                                           point.interpolate(plastic_strain),
                                           point.interpolate(stress),
@@ -91,9 +95,9 @@ namespace ElastoPlastic
       {
         using HenckyMaterial::split_strain;
         if (HenckyMaterial::yields(material))
-          zeta[i] =
-            std::max(0.,
-                     deviator(stress[i]).norm() - r[i] * material.yield_radius);
+          zeta[i] = std::max(0.,
+                             stress_norm(material, stress[i]) -
+                               r[i] * material.yield_radius);
         if (body.is_axisymmetric())
           {
             Barycentric<dim> corner = {};
@@ -138,6 +142,7 @@ namespace ElastoPlastic
 
       const SplitBody<dim>                   &body;
       const Material<double>                 &material;
+      const RateNorm                         &norm; ///< of plastic strains
       const QuadraticField<dim>              &displacement;
       const typename SplitMesh<dim>::Simplex &simplex;
       const unsigned int                      k;
@@ -160,10 +165,12 @@ namespace ElastoPlastic
     {
       constexpr unsigned int n_parts = JohnsonMercier<dim>::n_parts;
       const auto             strain  = strains(body.mesh, displacement, t);
-      double                 result  = 0;
+      const RateNorm         norm(body.materials[t]);
+      double                 result = 0;
       for (unsigned int k = 0; k < n_parts; ++k)
         result +=
-          PartOfSimplex<dim>(body, displacement, stress, strain, t, k).bound();
+          PartOfSimplex<dim>(body, norm, displacement, stress, strain, t, k)
+            .bound();
       return body.angle() * volume(body.corners_of(t)) / n_parts * result;
     }
 
