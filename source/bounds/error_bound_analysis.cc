@@ -353,24 +353,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  const Vector<float> &
-  ErrorBoundAnalysis<dim>::indicators() const
-  {
-    return error_indicators;
-  }
-
-
-
-  template <int dim>
-  const std::string &
-  ErrorBoundAnalysis<dim>::why_missing() const
-  {
-    return reason_why_missing;
-  }
-
-
-
-  template <int dim>
   void
   ErrorBoundAnalysis<dim>::write_fields(const unsigned int cycle)
   {

@@ -58,7 +58,10 @@ namespace ElastoPlastic
 
     /// Whether the indenter does not reach the side.
     bool
-    is_empty() const;
+    is_empty() const
+    {
+      return values.empty();
+    }
 
     std::vector<SmallSimplex<2>>
     small_simplices() const;
@@ -71,7 +74,10 @@ namespace ElastoPlastic
   private:
     /// One of the points, as a position between the ends of the side.
     double
-    position(const unsigned int i) const;
+    position(const unsigned int i) const
+    {
+      return begin + (end - begin) * i / n_intervals;
+    }
 
     double              begin = 0, end = 1; ///< of what the indenter reaches
     std::vector<double> values; ///< g at the n_intervals + 1 points, or empty

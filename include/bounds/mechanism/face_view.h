@@ -29,7 +29,10 @@ namespace ElastoPlastic
     /// Whether the neighbours, or the body and what is beside it, pay for
     /// sliding along the face.
     bool
-    resists_slip() const;
+    resists_slip() const
+    {
+      return face.is_inside() || support.resists_slip;
+    }
 
     /// The point of the first neighbour (or the @p i th) at a @p position on
     /// the face.
@@ -50,7 +53,10 @@ namespace ElastoPlastic
 
     /// The part of a velocity along the face.
     Tensor<1, dim>
-    along(const Tensor<1, dim> &velocity) const;
+    along(const Tensor<1, dim> &velocity) const
+    {
+      return velocity - (velocity * normal) * normal;
+    }
 
   private:
     const SplitBody<dim> &body;

@@ -28,11 +28,17 @@ namespace ElastoPlastic
     /// there, in the direction of normal(), and zero on the other two faces. At
     /// the other corners, it vanishes.
     Tensor<1, 3>
-    velocity(const unsigned int k, const unsigned int v) const;
+    velocity(const unsigned int k, const unsigned int v) const
+    {
+      return normal_derivatives[k] * (corners[k] - corners[v]);
+    }
 
     /// Its strain rate, which is constant.
     SymmetricTensor<2, 3>
-    rate(const unsigned int k, const unsigned int v) const;
+    rate(const unsigned int k, const unsigned int v) const
+    {
+      return symmetrize(outer_product(velocity(k, v), gradients_of_corners[v]));
+    }
 
     const Corners<3> corners;
 
@@ -52,14 +58,21 @@ namespace ElastoPlastic
     explicit FluxUnknowns(const SplitBody<3> &body);
 
     unsigned int
-    size() const;
+    size() const
+    {
+      return n_unknowns;
+    }
 
     /// That of face @p k of a tetrahedron at its corner @p v;
     /// invalid_unsigned_int if it vanishes.
     unsigned int
     at(const unsigned int tetrahedron,
        const unsigned int k,
-       const unsigned int v) const;
+       const unsigned int v) const
+    {
+      return numbering[3 * body.mesh.simplices[tetrahedron].faces[k] +
+                       (v < k ? v : v - 1)];
+    }
 
     /// Calls @p action(k, v, unknown) for those of a tetrahedron.
     template <typename Action>

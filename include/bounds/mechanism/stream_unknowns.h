@@ -30,7 +30,10 @@ namespace ElastoPlastic
 
     /// Of different unknowns that need not vanish.
     unsigned int
-    size() const;
+    size() const
+    {
+      return n_unknowns;
+    }
 
     /// Whether there is a phi on a triangle. There is none in plane strain, nor
     /// where triangles touch the axis.

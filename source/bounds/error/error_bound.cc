@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/tensors.h"
 #include "bounds/body/hencky_material.h"
@@ -197,30 +196,6 @@ namespace ElastoPlastic
       return body.angle() * area(corners) * sum;
     }
   } // namespace
-
-
-
-  double
-  ErrorBound::of_body() const
-  {
-    return std::accumulate(of_simplices.begin(), of_simplices.end(), 0.);
-  }
-
-
-
-  double
-  ErrorBound::of_contact() const
-  {
-    return std::accumulate(of_faces.begin(), of_faces.end(), 0.);
-  }
-
-
-
-  double
-  ErrorBound::total() const
-  {
-    return of_body() + of_contact();
-  }
 
 
 

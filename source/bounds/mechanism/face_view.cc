@@ -20,15 +20,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  bool
-  FaceView<dim>::resists_slip() const
-  {
-    return face.is_inside() || support.resists_slip;
-  }
-
-
-
-  template <int dim>
   Barycentric<dim>
   FaceView<dim>::point(const Barycentric<dim - 1> &position,
                        const unsigned int          i) const
@@ -63,15 +54,6 @@ namespace ElastoPlastic
            (face.is_inside() ?
               velocity_of(1, velocity, position) :
               body.weight(interpolate(position, corners)) * support.velocity);
-  }
-
-
-
-  template <int dim>
-  Tensor<1, dim>
-  FaceView<dim>::along(const Tensor<1, dim> &velocity) const
-  {
-    return velocity - (velocity * normal) * normal;
   }
 
 

@@ -22,22 +22,6 @@ namespace ElastoPlastic
 
 
 
-  Tensor<1, 3>
-  FluxElement::velocity(const unsigned int k, const unsigned int v) const
-  {
-    return normal_derivatives[k] * (corners[k] - corners[v]);
-  }
-
-
-
-  SymmetricTensor<2, 3>
-  FluxElement::rate(const unsigned int k, const unsigned int v) const
-  {
-    return symmetrize(outer_product(velocity(k, v), gradients_of_corners[v]));
-  }
-
-
-
   FluxUnknowns::FluxUnknowns(const SplitBody<3> &body)
     : body(body)
   {
@@ -48,24 +32,6 @@ namespace ElastoPlastic
           numbering.push_back(is_closed ? numbers::invalid_unsigned_int :
                                           n_unknowns++);
       }
-  }
-
-
-
-  unsigned int
-  FluxUnknowns::size() const
-  {
-    return n_unknowns;
-  }
-
-
-
-  unsigned int
-  FluxUnknowns::at(const unsigned int t,
-                   const unsigned int k,
-                   const unsigned int v) const
-  {
-    return numbering[3 * body.mesh.simplices[t].faces[k] + (v < k ? v : v - 1)];
   }
 
 

@@ -26,14 +26,6 @@ namespace ElastoPlastic
 
 
 
-  unsigned int
-  StreamUnknowns::size() const
-  {
-    return n_unknowns;
-  }
-
-
-
   void
   StreamUnknowns::find_flux()
   {

@@ -137,43 +137,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  unsigned int
-  SplitMesh<dim>::Simplex::place_of_vertex(const unsigned int vertex) const
-  {
-    return std::find(vertices.begin(), vertices.end(), vertex) -
-           vertices.begin();
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  SplitMesh<dim>::Simplex::place_of_face(const unsigned int face) const
-  {
-    return std::find(faces.begin(), faces.end(), face) - faces.begin();
-  }
-
-
-
-  template <int dim>
-  bool
-  SplitMesh<dim>::Face::is_inside() const
-  {
-    return boundary_id == numbers::internal_face_boundary_id;
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  SplitMesh<dim>::Face::n_neighbors() const
-  {
-    return is_inside() ? 2 : 1;
-  }
-
-
-
-  template <int dim>
   Corners<dim>
   SplitMesh<dim>::corners(const Simplex &simplex) const
   {

@@ -92,15 +92,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  bool
-  StressProgram<dim>::has_growing_pressure() const
-  {
-    return body.has_friction() && body.live_body_force.norm() > 0.;
-  }
-
-
-
   // The pressure of body forces is not in the stresses.
   template <int dim>
   void
