@@ -1,19 +1,177 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_matrix.h>
+
 #include <utility>
+#include <vector>
 
 #include "bounds/body/yield_matrices.h"
 #include "bounds/conic/dissipation_block.h"
 #include "bounds/conic/interior_point.h"
+#include "bounds/conic/sparse_cholesky.h"
 #include "bounds/mechanism/face_view.h"
-#include "bounds/mechanism/flux_unknowns.h"
 #include "bounds/mechanism/velocity_program.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
+    /// The linear velocities on a tetrahedron whose unknowns are the normal
+    /// components at the corners of its faces: the element of Brezzi, Douglas
+    /// and Marini in space @cite nedelec_1986. Where faces meet in a corner,
+    /// the velocity follows from those of the three.
+    class FluxElement
+    {
+    public:
+      FluxElement(const SplitBody<3> &body, const unsigned int t)
+        : corners(body.mesh.corners(body.mesh.simplices[t]))
+        , gradients_of_corners(gradients(corners))
+      {
+        for (unsigned int k = 0; k < 4; ++k)
+          normal_derivatives[k] =
+            gradients_of_corners[k] *
+            normal(body.mesh.corners(
+              body.mesh.faces[body.mesh.simplices[t].faces[k]]));
+      }
+
+      /// At corner @p v, of the function whose normal component on face @p k is
+      /// 1 there, in the direction of normal(), and zero on the other two
+      /// faces. At the other corners, it vanishes.
+      Tensor<1, 3>
+      velocity(const unsigned int k, const unsigned int v) const
+      {
+        return normal_derivatives[k] * (corners[k] - corners[v]);
+      }
+
+      /// Its strain rate, which is constant.
+      SymmetricTensor<2, 3>
+      rate(const unsigned int k, const unsigned int v) const
+      {
+        return symmetrize(
+          outer_product(velocity(k, v), gradients_of_corners[v]));
+      }
+
+      const Corners<3> corners;
+
+    private:
+      const std::array<Tensor<1, 3>, 4> gradients_of_corners;
+      std::array<double, 4>             normal_derivatives;
+    };
+
+
+
+    /// The unknowns of such velocities, whose normal components are continuous,
+    /// and zero on closed faces.
+    class FluxUnknowns
+    {
+    public:
+      /// @p body must live as long as this object.
+      explicit FluxUnknowns(const SplitBody<3> &body)
+        : body(body)
+      {
+        for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
+          {
+            const bool is_closed = body.support_of(f).is_closed;
+            for (unsigned int i = 0; i < 3; ++i)
+              numbering.push_back(is_closed ? numbers::invalid_unsigned_int :
+                                              n_unknowns++);
+          }
+      }
+
+      unsigned int
+      size() const
+      {
+        return n_unknowns;
+      }
+
+      /// That of face @p k of a tetrahedron at its corner @p v;
+      /// invalid_unsigned_int if it vanishes.
+      unsigned int
+      at(const unsigned int tetrahedron,
+         const unsigned int k,
+         const unsigned int v) const
+      {
+        return numbering[3 * body.mesh.simplices[tetrahedron].faces[k] +
+                         (v < k ? v : v - 1)];
+      }
+
+      /// Calls @p action(k, v, unknown) for those of a tetrahedron.
+      template <typename Action>
+      void
+      for_each(const unsigned int tetrahedron, const Action &action) const
+      {
+        for (unsigned int k = 0; k < 4; ++k)
+          for (unsigned int v = 0; v < 4; ++v)
+            if (v != k &&
+                at(tetrahedron, k, v) != numbers::invalid_unsigned_int)
+              action(k, v, at(tetrahedron, k, v));
+      }
+
+      /// Removes the divergence by the smallest change of the @p fluxes.
+      // The change is -D^T (D D^T)^-1 D, with a row of D for the flux out of
+      // each tetrahedron; to repeat that removes rounding errors.
+      void
+      remove_divergence(Vector<double> &fluxes) const
+      {
+        constexpr unsigned int n_repetitions = 3;
+
+        const unsigned int     n = body.mesh.simplices.size();
+        DynamicSparsityPattern couplings(n, n_unknowns), neighbors(n, n);
+        for (unsigned int t = 0; t < n; ++t)
+          for_each(t,
+                   [&](unsigned int, unsigned int, const unsigned int unknown) {
+                     couplings.add(t, unknown);
+                   });
+        for (const auto &face : body.mesh.faces)
+          for (const unsigned int s : face.neighbors)
+            for (const unsigned int t : face.neighbors)
+              if (s != numbers::invalid_unsigned_int &&
+                  t != numbers::invalid_unsigned_int)
+                neighbors.add(s, t);
+        SparsityPattern pattern, pattern_of_square;
+        pattern.copy_from(couplings);
+        pattern_of_square.copy_from(neighbors);
+
+        SparseMatrix<double> divergence(pattern), square(pattern_of_square);
+        for (unsigned int t = 0; t < n; ++t)
+          {
+            const FluxElement element(body, t);
+            for_each(t, [&](const auto k, const auto v, const auto unknown) {
+              divergence.set(t,
+                             unknown,
+                             volume(element.corners) *
+                               trace(element.rate(k, v)));
+            });
+          }
+        for (unsigned int t = 0; t < n; ++t)
+          for (auto entry = square.begin(t); entry != square.end(t); ++entry)
+            for (auto d = divergence.begin(t); d != divergence.end(t); ++d)
+              entry->value() +=
+                d->value() * divergence.el(entry->column(), d->column());
+
+        SparseCholesky factor(pattern_of_square);
+        if (!factor.factorize(square))
+          return; // what is left will be noticed
+        Vector<double> flux(n), potential(n);
+        for (unsigned int i = 0; i < n_repetitions; ++i)
+          {
+            divergence.vmult(flux, fluxes);
+            factor.vmult(potential, flux);
+            potential *= -1.;
+            divergence.Tvmult_add(fluxes, potential);
+          }
+      }
+
+    private:
+      const SplitBody<3>       &body;
+      std::vector<unsigned int> numbering; ///< by faces and their corners
+      unsigned int              n_unknowns = 0;
+    };
+
+
+
     /// In the units of the body, as the dual of a DissipationBlock's.
     class FluxProgram
     {
