@@ -42,8 +42,6 @@ namespace ElastoPlastic
   class StressProgram
   {
   public:
-    using OutOfPlane = LocalStresses::OutOfPlane;
-
     /// @p body must live as long as this object. There is no cost yet, except
     /// that of a load factor.
     StressProgram(const SplitBody<dim> &body,
@@ -90,6 +88,11 @@ namespace ElastoPlastic
     };
 
     // What concerns the simplices.
+    LocalStresses<dim>
+    local(const unsigned int simplex) const
+    {
+      return {body, simplex, degree};
+    }
     void
     add_block(const unsigned int simplex);
     unsigned int

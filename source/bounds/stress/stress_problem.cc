@@ -13,10 +13,6 @@ namespace ElastoPlastic
     /// Of the stresses with the least energy: ErrorBound is for linear ones.
     constexpr unsigned int energy_degree = 1;
 
-    using LocalStresses::OutOfPlane;
-
-
-
     /// @p in_plane_strain says what is known of it in plane strain.
     template <int dim>
     OutOfPlane
