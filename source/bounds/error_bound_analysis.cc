@@ -85,7 +85,7 @@ namespace ElastoPlastic
     {
       std::vector<std::array<Tensor<1, dim>, dim + 2>> values;
       for (const auto &simplex : mesh.simplices)
-        values.push_back(values_at_vertices<dim>(displacement, simplex));
+        values.push_back(displacement.values_at_vertices(simplex));
       return values;
     }
   } // namespace
@@ -179,9 +179,10 @@ namespace ElastoPlastic
   {
     auto       mesh = make_split_mesh(solution.dof_handler.get_triangulation());
     const bool has_mesh = !mesh.simplices.empty();
-    displacement        = interpolate_displacement(mesh,
-                                            solution.dof_handler,
-                                            solution.displacement);
+    displacement =
+      QuadraticField<dim>::interpolate_displacement(mesh,
+                                                    solution.dof_handler,
+                                                    solution.displacement);
 
     ErrorBoundRow row = {};
     rethrow_collectively(communicator, [&]() {
@@ -285,9 +286,9 @@ namespace ElastoPlastic
     try
       {
         QuadraticField<dim> field =
-          interpolate_displacement(body.mesh,
-                                   solution.dof_handler,
-                                   displacement_at(depth));
+          QuadraticField<dim>::interpolate_displacement(body.mesh,
+                                                        solution.dof_handler,
+                                                        displacement_at(depth));
         return on_first_rank([&]() {
           remove_penetration(field, body, depth);
           return energy_gap(field, depth, stress);

@@ -127,9 +127,7 @@ namespace ElastoPlastic
       double
       radial_displacement(const Barycentric<dim> &point) const
       {
-        return value<dim>(displacement,
-                          simplex,
-                          point_of_part<dim>(k, point))[0];
+        return displacement.value(simplex, point_of_part<dim>(k, point))[0];
       }
 
       using Strains = std::array<SymmetricTensor<2, dim>, dim + 1>;
@@ -158,7 +156,7 @@ namespace ElastoPlastic
                      const unsigned int         t)
     {
       constexpr unsigned int n_parts = JohnsonMercier<dim>::n_parts;
-      const auto             strain  = strains(body.mesh, displacement, t);
+      const auto             strain  = displacement.strains(body.mesh, t);
       double                 result  = 0;
       for (unsigned int k = 0; k < n_parts; ++k)
         result +=
@@ -179,7 +177,7 @@ namespace ElastoPlastic
                   const unsigned int         f)
     {
       const auto              corners = body.corners_of_face(f);
-      const auto              v = values_on_face(body.mesh, displacement, f);
+      const auto              v = displacement.values_on_face(body.mesh, f);
       std::array<double, dim> weighted;
       for (unsigned int i = 0; i < dim; ++i)
         weighted[i] = body.weight(corners[i]) * pressure[i];
