@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "bounds/body/evaluated_bounds.h"
 #include "bounds/body/hencky_material.h"
 #include "bounds/stress/johnson_mercier.h"
 #include "bounds/stress/stress_check.h"
