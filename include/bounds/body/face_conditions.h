@@ -9,9 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <memory>
-#include <set>
 #include <vector>
 
 #include "bounds/body/split_body.h"
@@ -46,65 +43,14 @@ namespace ElastoPlastic
 
 
 
-  /// Tells the conditions of faces from those of the boundaries. See
-  /// make_split_body(), whose arguments must live as long as this object.
+  /// The conditions of the faces of a @p mesh, from those of the boundaries;
+  /// see make_split_body(). @throws InputError
   template <int dim>
-  class FaceConditions
-  {
-  public:
-    FaceConditions(const BoundaryConditions<dim> &conditions,
-                   const IndenterOnBody<dim>     &indenter,
-                   const Loads<dim>              &loads);
-
-    /// Of a face with these corners. @throws InputError
-    FaceCondition<dim>
-    operator()(const FaceCorners<dim>  &corners,
-               const types::boundary_id id) const;
-
-  private:
-    using Values = std::map<types::boundary_id,
-                            typename BoundaryConditions<dim>::Components>;
-
-    /// How much of a face the indenter can touch.
-    enum class Reach
-    {
-      none,
-      part,
-      whole
-    };
-
-    /// Lets the indenter press where it can.
-    void
-    add_contact(FaceCondition<dim>     &condition,
-                const FaceCorners<dim> &corners) const;
-
-    void
-    prescribe(FaceCondition<dim>      &condition,
-              const ConditionType      type,
-              const Values            &values,
-              const types::boundary_id id,
-              const FaceCorners<dim>  &corners) const;
-
-    /// At the points of a lattice, but where the indenter does not reach.
-    std::vector<double>
-    gaps_of(const FaceCorners<dim> &corners) const;
-
-    Reach
-    reach_of(const FaceCorners<dim> &corners) const;
-
-    /// Whether the indenter presses across a face that it reaches. It fits the
-    /// face if the gap is the same everywhere.
-    bool
-    presses_across(const FaceCorners<dim> &corners) const;
-
-    const std::set<types::boundary_id> contact;
-    const std::set<types::boundary_id> fixed;
-    const std::set<types::boundary_id> rollers;
-    const Values                      &displacements;
-    const Values                      &tractions;
-    const IndenterOnBody<dim>         &indenter;
-    const Loads<dim>                  &loads;
-  };
+  std::vector<FaceCondition<dim>>
+  conditions_of_faces(const SplitMesh<dim>          &mesh,
+                      const BoundaryConditions<dim> &conditions,
+                      const IndenterOnBody<dim>     &indenter,
+                      const Loads<dim>              &loads);
 } // namespace ElastoPlastic
 
 #endif

@@ -220,10 +220,8 @@ namespace ElastoPlastic
     body.footprint        = indenter.footprint;
     set_body_force(body, loads);
 
-    const FaceConditions<dim> condition_of(conditions, indenter, loads);
-    for (const auto &face : body.mesh.faces)
-      body.conditions.push_back(
-        condition_of(body.mesh.corners(face), face.boundary_id));
+    body.conditions =
+      conditions_of_faces(body.mesh, conditions, indenter, loads);
     for (const auto &simplex : body.mesh.simplices)
       body.materials.push_back(
         materials.size() == 1 ?
