@@ -118,7 +118,11 @@ namespace ElastoPlastic
 
     /// At a corner of the face.
     double
-    lower_at_corner(const unsigned int corner) const;
+    lower_at_corner(const unsigned int corner) const
+    {
+      return lower[index(
+        {corner == 1 ? n_intervals : 0, corner == 2 ? n_intervals : 0})];
+    }
 
   private:
     /// A point of the lattice: so many steps to corner 1 and to corner 2.
@@ -134,7 +138,11 @@ namespace ElastoPlastic
 
     /// Of the arrays of values.
     static std::size_t
-    index(const LatticePoint &point);
+    index(const LatticePoint &point)
+    {
+      return (n_intervals + 2 * margin + 1) * (margin + point.i) + margin +
+             point.j;
+    }
 
     /// Runs @p action on the corners of all small triangles.
     template <typename Action>

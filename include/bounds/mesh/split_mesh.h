@@ -101,10 +101,22 @@ namespace ElastoPlastic
     std::vector<Cell>       cells;
 
     Corners<dim>
-    corners(const Simplex &simplex) const;
+    corners(const Simplex &simplex) const
+    {
+      Corners<dim> result;
+      for (unsigned int i = 0; i <= dim; ++i)
+        result[i] = vertices[simplex.vertices[i]];
+      return result;
+    }
 
     FaceCorners<dim>
-    corners(const Face &face) const;
+    corners(const Face &face) const
+    {
+      FaceCorners<dim> result;
+      for (unsigned int i = 0; i < dim; ++i)
+        result[i] = vertices[face.vertices[i]];
+      return result;
+    }
 
     /// Where the corners of face @p k of a simplex, in the order of the face
     /// itself, are in part k of the simplex.

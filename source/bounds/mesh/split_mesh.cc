@@ -137,30 +137,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  Corners<dim>
-  SplitMesh<dim>::corners(const Simplex &simplex) const
-  {
-    Corners<dim> result;
-    for (unsigned int i = 0; i <= dim; ++i)
-      result[i] = vertices[simplex.vertices[i]];
-    return result;
-  }
-
-
-
-  template <int dim>
-  FaceCorners<dim>
-  SplitMesh<dim>::corners(const Face &face) const
-  {
-    FaceCorners<dim> result;
-    for (unsigned int i = 0; i < dim; ++i)
-      result[i] = vertices[face.vertices[i]];
-    return result;
-  }
-
-
-
-  template <int dim>
   std::array<unsigned int, dim>
   SplitMesh<dim>::places_in_part(const unsigned int t,
                                  const unsigned int k) const
