@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/kinematics.h"
+#include "bounds/body/face_conditions.h"
 #include "bounds/body/loads.h"
 #include "bounds/conic/tolerances.h"
 #include "bounds/mesh/integration.h"
@@ -25,100 +26,6 @@
 namespace ElastoPlastic
 {
   using namespace dealii;
-
-
-
-  /// What holds for one component of displacement and traction on a face.
-  enum class ConditionType
-  {
-    continuous,   ///< between two simplices
-    traction,     ///< the traction is given, maybe zero
-    displacement, ///< the displacement is given, maybe zero; as it is across
-                  ///< the direction in which a rough indenter presses
-    contact       ///< the indenter presses, if it touches, in this direction
-  };
-
-
-
-  /// A given traction or displacement on a face: in the plane any function of
-  /// the position, zero if there is none; in space a linear one.
-  template <int dim>
-  struct FaceValue;
-
-  template <>
-  struct FaceValue<2>
-  {
-    std::function<double(const Point<2> &)> function;
-
-    double
-    operator()(const FacePoint<2> &point) const
-    {
-      return function ? function(point.x) : 0.;
-    }
-
-    bool
-    is_zero() const
-    {
-      return !function;
-    }
-  };
-
-  template <>
-  struct FaceValue<3>
-  {
-    std::array<double, 3> at_corners = {};
-
-    double
-    operator()(const FacePoint<3> &point) const
-    {
-      return interpolate(point.position, at_corners);
-    }
-
-    bool
-    is_zero() const
-    {
-      return at_corners == std::array<double, 3>();
-    }
-  };
-
-
-
-  /// The condition of a face: for each of dim directions at right angles.
-  template <int dim>
-  struct FaceCondition
-  {
-    struct Component
-    {
-      Tensor<1, dim> direction;
-      ConditionType  type;
-      FaceValue<dim> value     = {};
-      FaceValue<dim> live_load = {}; ///< what a load factor adds to a traction
-    };
-
-    std::array<Component, dim> components;
-
-    /// Whether the indenter can touch any point of the face. If it can touch
-    /// some only, it presses on none: the stresses stay admissible. But no
-    /// point of the face may penetrate, nor slide along a rough indenter, so
-    /// that motions are admissible, too.
-    bool is_reached = false;
-
-    /// The component in which the indenter presses.
-    const Component &
-    contact() const
-    {
-      return components[dim - 1];
-    }
-
-    /// Whether it can press on all of the face.
-    bool
-    is_pressed() const
-    {
-      return contact().type == ConditionType::contact;
-    }
-  };
-
-
 
   /// What the condition of a face at the boundary demands of a mechanism.
   template <int dim>

@@ -11,6 +11,7 @@
 #include "base/exceptions.h"
 #include "base/largest_error.h"
 #include "bounds/body/face_conditions.h"
+#include "bounds/body/split_body.h"
 #include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
