@@ -53,7 +53,8 @@ namespace ElastoPlastic
                                        lowest_depth(body, field.velocity);
       if (!(size > 0. && std::isfinite(size)))
         throw ConvergenceError(
-          "No mechanism of collapse has been found, because of rounding errors.");
+          "No mechanism of collapse has been found, because of rounding "
+          "errors.");
       scale(field, 1. / size);
 
       field.error = check_velocity(body, field.velocity).largest();

@@ -63,18 +63,18 @@ namespace ElastoPlastic
       catch (const UnboundedError &)
         {
           throw ConvergenceError(
-            "There is no limit load: the supports enclose the body, which bears "
-            "any load, or the indenter reaches a point that is held. Let "
+            "There is no limit load: the supports enclose the body, which "
+            "bears any load, or the indenter reaches a point that is held. Let "
             "'Indenter/Reach' end before what is held.");
         }
       catch (const NoSolutionError &)
         {
           throw EquilibriumError(
             "No stresses on this mesh bear the constant loads alone, those in "
-            "'Boundary conditions/Traction' and 'Body force'. Prescribe smaller "
-            "ones, begin with a finer mesh if the body should just bear them, or "
-            "look for the part of them that it bears with 'Limit load/Load = "
-            "tractions'.");
+            "'Boundary conditions/Traction' and 'Body force'. Prescribe "
+            "smaller ones, begin with a finer mesh if the body should just "
+            "bear them, or look for the part of them that it bears with "
+            "'Limit load/Load = tractions'.");
         }
     }
   } // namespace
