@@ -56,21 +56,20 @@ namespace
 
     const SplitMesh<2>      mesh = make_split_mesh(triangulation);
     const QuadraticField<2> field =
-      interpolate_displacement(mesh, dof_handler, values);
+      QuadraticField<2>::interpolate_displacement(mesh, dof_handler, values);
     double value_error = 0, strain_error = 0;
     for (unsigned int t = 0; t < mesh.simplices.size(); ++t)
       {
         const auto     corners = mesh.corners(mesh.simplices[t]);
-        const auto     strain  = strains(mesh, field, t);
+        const auto     strain  = field.strains(mesh, t);
         const Point<2> center =
           corners[0] +
           ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.;
         for (unsigned int d = 0; d < 2; ++d)
-          value_error =
-            std::max(value_error,
-                     std::abs(
-                       values_at_vertices(field, mesh.simplices[t])[3][d] -
-                       Bilinear().value(center, d)));
+          value_error = std::max(value_error,
+                                 std::abs(field.values_at_vertices(
+                                            mesh.simplices[t])[3][d] -
+                                          Bilinear().value(center, d)));
         for (unsigned int i = 0; i < 3; ++i)
           {
             const Point<2>       &x = corners[i];

@@ -18,6 +18,7 @@
 #include "bounds/stress/johnson_mercier.h"
 #include "bounds/stress/stress_check.h"
 #include "bounds/stress/stress_field.h"
+#include "element_tractions.h"
 #include "interpolated_stress.h"
 #include "verdict.h"
 
@@ -160,7 +161,8 @@ namespace
                     u += shape[i] * displacement[i];
                     stress_here += shape[i] * field.coefficient(t, k, i);
                     interpolation +=
-                      shape[i] * Element::coefficient(interpolated, k, i);
+                      shape[i] *
+                      ElementTractions<2>::coefficient(interpolated, k, i);
                   }
                 const auto   computed = in_plane<2>(stress_here);
                 const double across   = stress_here[2][2];

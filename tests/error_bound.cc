@@ -184,7 +184,7 @@ namespace
                field.at_vertices[body.mesh.faces[s].vertices[1]]);
 
     const Material<double> &material = body.materials.front();
-    const auto              strain   = strains(body.mesh, field, 0)[0];
+    const auto              strain   = field.strains(body.mesh, 0)[0];
     const auto [elastic, plastic] =
       HenckyMaterial::split_strain(material, strain, body.kinematics);
     const SymmetricTensor<2, 3> stress =

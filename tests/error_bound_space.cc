@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "bounds/body/evaluated_bounds.h"
 #include "bounds/body/hencky_material.h"
 #include "bounds/stress/johnson_mercier.h"
 #include "bounds/stress/stress_check.h"
@@ -59,7 +58,7 @@ namespace
                            0.001 * x[2] + 0.005 * x[0]});
     });
     const auto [elastic, plastic] =
-      HenckyMaterial::split_strain(material, strains(mesh, field, 0)[0]);
+      HenckyMaterial::split_strain(material, field.strains(mesh, 0)[0]);
     const SymmetricTensor<2, 3> stress =
       material.bulk_modulus * trace(elastic) * unit_symmetric_tensor<3>() +
       2. * material.shear_modulus * deviator(elastic);

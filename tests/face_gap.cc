@@ -98,7 +98,7 @@ namespace
       if (body.conditions[f].is_reached)
         {
           const FaceCorners<3> corners = body.mesh.corners(body.mesh.faces[f]);
-          const FaceValues<3>  v       = values_on_face(body.mesh, field, f);
+          const FaceValues<3>  v       = field.values_on_face(body.mesh, f);
           for_points([&](const std::array<double, 3> &position) {
             const double clearance = body.gap(point_of(corners, position)) -
                                      depth - v.value(position)[2];
@@ -126,7 +126,7 @@ namespace
     });
     for (unsigned int f = 0; f < mesh.faces.size(); ++f)
       {
-        const FaceValues<3> v = values_on_face(mesh, field, f);
+        const FaceValues<3> v = field.values_on_face(mesh, f);
         for (unsigned int i = 0; i < 3; ++i)
           field.at_edges[v.edges[i]] =
             0.5 * (v.at_corners[i] + v.at_corners[(i + 1) % 3]);
@@ -170,7 +170,7 @@ namespace
                       MPI_COMM_WORLD);
     VectorTools::interpolate(dof_handler, Quadratic(), values);
     const QuadraticField<3> field =
-      interpolate_displacement(mesh, dof_handler, values);
+      QuadraticField<3>::interpolate_displacement(mesh, dof_handler, values);
     if (mesh.simplices.empty())
       return;
 
@@ -188,7 +188,7 @@ namespace
     for (unsigned int t = 0; t < mesh.simplices.size(); ++t)
       {
         const auto corners = mesh.corners(mesh.simplices[t]);
-        const auto strain  = strains(mesh, field, t);
+        const auto strain  = field.strains(mesh, t);
         for (unsigned int i = 0; i < 4; ++i)
           {
             const Point<3> &x = corners[i];
@@ -203,7 +203,7 @@ namespace
           0.25 * (corners[0] + corners[1] + corners[2] + corners[3]));
         center_error =
           std::max(center_error,
-                   std::abs(values_at_vertices(field, mesh.simplices[t])[4][1] -
+                   std::abs(field.values_at_vertices(mesh.simplices[t])[4][1] -
                             Quadratic().value(center, 1)));
       }
     output() << "A finite element solution" << std::endl;

@@ -8,6 +8,7 @@
 
 #include "bounds/mesh/integration.h"
 #include "bounds/stress/johnson_mercier.h"
+#include "element_tractions.h"
 
 /// The interpolation pi_h of J (4.5) in @cite johnson_1978: the values of the
 /// Johnson-Mercier stress of the first degree with the same mean values as a
@@ -33,9 +34,9 @@ interpolate(const ElastoPlastic::Corners<2> &triangle, const Stress &stress)
           const Tensor<1, 2> traction = weight * (stress(point.x) * normal);
           for (unsigned int c = 0; c < 2; ++c)
             {
-              freedoms[Element::traction_index(1, side, 0, c)] +=
+              freedoms[ElementTractions<2>::index(1, side, 0, c)] +=
                 (4. - 6. * t) * traction[c];
-              freedoms[Element::traction_index(1, side, 1, c)] +=
+              freedoms[ElementTractions<2>::index(1, side, 1, c)] +=
                 (6. * t - 2.) * traction[c];
             }
         });
@@ -54,7 +55,7 @@ interpolate(const ElastoPlastic::Corners<2> &triangle, const Stress &stress)
     }
 
   FullMatrix<double> functionals(15, Element::n_values(1));
-  functionals.fill(Element::traction_matrix(triangle, 1));
+  functionals.fill(ElementTractions<2>::matrix(triangle, 1));
   for (unsigned int i = 0; i < Element::n_values(1); ++i)
     functionals(12 + i % 3, i) = 1. / Element::n_points(1);
   const FullMatrix<double> shapes = Element::basis(triangle, 1);

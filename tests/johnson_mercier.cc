@@ -13,6 +13,7 @@
 #include "bounds/conic/local_algebra.h"
 #include "bounds/mesh/split_mesh.h"
 #include "bounds/stress/johnson_mercier.h"
+#include "element_tractions.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -35,7 +36,8 @@ namespace
     const auto            functions = Bernstein<2>::functions(degree, point);
     SymmetricTensor<2, 2> stress;
     for (unsigned int i = 0; i < functions.size(); ++i)
-      stress += functions[i] * Element::coefficient(values, subtriangle, i);
+      stress +=
+        functions[i] * ElementTractions<2>::coefficient(values, subtriangle, i);
     return stress;
   }
 
@@ -149,7 +151,7 @@ namespace
     verify("divergence", divergence_error(all, n), 1e-12);
     verify("all stresses",
            rank(all) == all.n() &&
-             all.n() == Element::n_values(n) - Element::n_tractions(n) &&
+             all.n() == Element::n_values(n) - ElementTractions<2>::size(n) &&
              rank(product(Element::divergence_matrix(triangle, n), all)) ==
                Element::n_divergences(n));
     verify("equilibrated, jumps inside", largest_jump(equilibrated, n), 1e-13);
@@ -161,8 +163,8 @@ namespace
            rank(equilibrated) == equilibrated.n() &&
              equilibrated.n() == 3 * (n * n + 3 * n + 4) / 2 - 3);
     verify("their tractions",
-           rank(product(Element::traction_matrix(triangle, n), equilibrated)) ==
-             Element::n_tractions(n) - 3);
+           rank(product(ElementTractions<2>::matrix(triangle, n),
+                        equilibrated)) == ElementTractions<2>::size(n) - 3);
   }
 
 
@@ -194,8 +196,8 @@ namespace
            rank(equilibrated) == equilibrated.n() &&
              equilibrated.n() + InSpace::n_divergences(n) == all.n());
     verify("their tractions",
-           rank(product(InSpace::traction_matrix(tetrahedron, n),
-                        equilibrated)) == InSpace::n_tractions(n) - 6);
+           rank(product(ElementTractions<3>::matrix(tetrahedron, n),
+                        equilibrated)) == ElementTractions<3>::size(n) - 6);
   }
 } // namespace
 

@@ -15,7 +15,6 @@
 #include <limits>
 #include <numeric>
 
-#include "bounds/body/evaluated_bounds.h"
 #include "bounds/limit_load.h"
 #include "bounds/stress/stress_check.h"
 #include "box_names.h"

@@ -12,6 +12,7 @@
 #include "bounds/conic/local_algebra.h"
 #include "bounds/conic/yield_conditions.h"
 #include "bounds/stress/johnson_mercier.h"
+#include "element_tractions.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -97,7 +98,7 @@ main(int argc, char *argv[])
            << LocalAlgebra::kernel(joined(jumps, divergences)).m()
            << ", without tractions: "
            << LocalAlgebra::kernel(
-                joined(jumps, Element::traction_matrix(tetrahedron, 1)))
+                joined(jumps, ElementTractions<3>::matrix(tetrahedron, 1)))
                 .m()
            << std::endl;
 

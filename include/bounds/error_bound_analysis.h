@@ -49,10 +49,16 @@ namespace ElastoPlastic
              const DisplacementAt &displacement_at) override;
 
     const Vector<float> &
-    indicators() const override;
+    indicators() const override
+    {
+      return error_indicators;
+    }
 
     const std::string &
-    why_missing() const override;
+    why_missing() const override
+    {
+      return reason_why_missing;
+    }
 
     /// Those that the last bound has been computed from, to equilibrium-*.vtu.
     void

@@ -40,11 +40,6 @@ namespace ElastoPlastic
 
 
 
-  /// Computes the gaps from stress and velocity.
-  template <int dim>
-  void
-  find_gaps(LimitLoad<dim> &bounds);
-
   /// @param degree of the stresses, see maximize_load().
   /// @throws ConvergenceError
   template <int dim>

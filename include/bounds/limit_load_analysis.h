@@ -68,7 +68,10 @@ namespace ElastoPlastic
     is_safe_at_first_sight(const LoadInQuestion &load);
 
     types::global_cell_index
-    n_cells() const;
+    n_cells() const
+    {
+      return triangulation.n_global_active_cells();
+    }
 
   private:
     void
@@ -76,7 +79,11 @@ namespace ElastoPlastic
 
     /// Of the bounds of the mesh before, relative; 1 if there is none.
     double
-    last_difference() const;
+    last_difference() const
+    {
+      return cycle == 0 || row.lower_bound == 0. ? 1. :
+                                                   row.relative_difference();
+    }
 
     void
     find_bounds();
@@ -100,7 +107,10 @@ namespace ElastoPlastic
     write_results(CsvTable<LimitLoadRow> &table);
 
     bool
-    is_last_cycle() const;
+    is_last_cycle() const
+    {
+      return cycle + 1 >= parameters.refinement.n_cycles;
+    }
 
     void
     refine_mesh();

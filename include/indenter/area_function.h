@@ -4,6 +4,8 @@
 #ifndef indenter_area_function_h
 #define indenter_area_function_h
 
+#include <deal.II/base/numbers.h>
+
 #include <optional>
 #include <vector>
 
@@ -56,7 +58,12 @@ namespace ElastoPlastic
     /// The curvature of the body of revolution at its lowest point; 0 for a
     /// cone.
     double
-    tip_curvature() const;
+    tip_curvature() const
+    {
+      return is_convex() && coefficients.size() > 1 && coefficients[1] > 0 ?
+               2 * dealii::numbers::PI / coefficients[1] :
+               0.;
+    }
 
     /// Whether the body of revolution is certainly convex: no power is less
     /// than 1.

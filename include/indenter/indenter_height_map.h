@@ -7,6 +7,7 @@
 #include <deal.II/base/function_lib.h>
 #include <deal.II/base/table.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "indenter/indenter.h"
@@ -48,11 +49,17 @@ namespace ElastoPlastic
 
     /// The larger distance of pixels.
     double
-    detail() const override;
+    detail() const override
+    {
+      return std::max(spacing[0], spacing[dim - 2]);
+    }
 
     /// 0: a surface has no single tip.
     double
-    section_area(const double height) const override;
+    section_area(const double) const override
+    {
+      return 0.;
+    }
 
   private:
     const std::vector<double> size;

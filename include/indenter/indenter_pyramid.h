@@ -83,7 +83,12 @@ namespace ElastoPlastic
     rounded_surface(const Point<2> &x) const;
 
     IndenterSurface<3>
-    face(const Point<2> &x, const Tensor<1, 2> &normal) const;
+    face(const Point<2> &x, const Tensor<1, 2> &normal) const
+    {
+      return {face_slope * (x * normal) - missing_height,
+              face_slope * normal,
+              {}};
+    }
 
     IndenterSurface<3>
     rounded_edge(const Point<2> &x, const Tensor<1, 2> &edge) const;

@@ -96,7 +96,7 @@ namespace ElastoPlastic
     {
       std::vector<std::array<Tensor<1, dim>, dim + 2>> values;
       for (const auto &simplex : mesh.simplices)
-        values.push_back(values_at_vertices<dim>(displacement, simplex));
+        values.push_back(displacement.values_at_vertices(simplex));
       return values;
     }
   } // namespace
@@ -190,9 +190,10 @@ namespace ElastoPlastic
   {
     auto       mesh = make_split_mesh(solution.dof_handler.get_triangulation());
     const bool has_mesh = !mesh.simplices.empty();
-    displacement        = interpolate_displacement(mesh,
-                                            solution.dof_handler,
-                                            solution.displacement);
+    displacement =
+      QuadraticField<dim>::interpolate_displacement(mesh,
+                                                    solution.dof_handler,
+                                                    solution.displacement);
 
     ErrorBoundRow row = {};
     rethrow_collectively(communicator, [&]() {
@@ -296,9 +297,9 @@ namespace ElastoPlastic
     try
       {
         QuadraticField<dim> field =
-          interpolate_displacement(body.mesh,
-                                   solution.dof_handler,
-                                   displacement_at(depth));
+          QuadraticField<dim>::interpolate_displacement(body.mesh,
+                                                        solution.dof_handler,
+                                                        displacement_at(depth));
         return on_first_rank([&]() {
           remove_penetration(field, body, depth);
           return energy_gap(field, depth, stress);
@@ -359,24 +360,6 @@ namespace ElastoPlastic
         result = function();
     });
     return Utilities::MPI::broadcast(communicator, result);
-  }
-
-
-
-  template <int dim>
-  const Vector<float> &
-  ErrorBoundAnalysis<dim>::indicators() const
-  {
-    return error_indicators;
-  }
-
-
-
-  template <int dim>
-  const std::string &
-  ErrorBoundAnalysis<dim>::why_missing() const
-  {
-    return reason_why_missing;
   }
 
 

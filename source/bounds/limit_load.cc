@@ -90,30 +90,31 @@ namespace ElastoPlastic
         });
       return sum;
     }
+
+
+
+    /// Computes the gaps from stress and velocity. Also of stresses on another
+    /// mesh, the power in a simplex or on a face is not more than the work of
+    /// velocities that change no volume: that follows from the yield condition
+    /// alone.
+    template <int dim>
+    void
+    find_gaps(LimitLoad<dim> &bounds)
+    {
+      const double angle = bounds.body_of_velocity.angle();
+      bounds.gaps        = bounds.velocity.dissipation;
+      for (unsigned int t = 0; t < bounds.gaps.size(); ++t)
+        bounds.gaps[t] -= angle * power_inside(bounds, t);
+      for (const auto &view : views_of_faces(bounds.body_of_velocity))
+        if (view.resists_slip())
+          {
+            const unsigned int n     = view.face.n_neighbors();
+            const double       power = angle * power_on_face(bounds, view) / n;
+            for (unsigned int i = 0; i < n; ++i)
+              bounds.gaps[view.face.neighbors[i]] -= power;
+          }
+    }
   } // namespace
-
-
-
-  // Also of stresses on another mesh, the power in a simplex or on a face is
-  // not more than the work of velocities that change no volume: that follows
-  // from the yield condition alone.
-  template <int dim>
-  void
-  find_gaps(LimitLoad<dim> &bounds)
-  {
-    const double angle = bounds.body_of_velocity.angle();
-    bounds.gaps        = bounds.velocity.dissipation;
-    for (unsigned int t = 0; t < bounds.gaps.size(); ++t)
-      bounds.gaps[t] -= angle * power_inside(bounds, t);
-    for (const auto &view : views_of_faces(bounds.body_of_velocity))
-      if (view.resists_slip())
-        {
-          const unsigned int n     = view.face.n_neighbors();
-          const double       power = angle * power_on_face(bounds, view) / n;
-          for (unsigned int i = 0; i < n; ++i)
-            bounds.gaps[view.face.neighbors[i]] -= power;
-        }
-  }
 
 
 
@@ -136,10 +137,6 @@ namespace ElastoPlastic
 
 
 
-  template void
-  find_gaps(LimitLoad<2> &);
-  template void
-  find_gaps(LimitLoad<3> &);
   template LimitLoad<2>
   bound_limit_load(const SplitBody<2> &, const unsigned int, const double);
   template LimitLoad<3>

@@ -221,15 +221,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  types::global_cell_index
-  LimitLoadAnalysis<dim>::n_cells() const
-  {
-    return triangulation.n_global_active_cells();
-  }
-
-
-
   // For the first rank.
   template <int dim>
   void
@@ -258,15 +249,6 @@ namespace ElastoPlastic
       if (!model.indenter.shape && body.load_factor_unit == 0)
         throw ConvergenceError("No load acts on the body.");
     });
-  }
-
-
-
-  template <int dim>
-  double
-  LimitLoadAnalysis<dim>::last_difference() const
-  {
-    return cycle == 0 || row.lower_bound == 0. ? 1. : row.relative_difference();
   }
 
 
@@ -365,15 +347,6 @@ namespace ElastoPlastic
                           bounds.velocity.velocity,
                           cycle);
       });
-  }
-
-
-
-  template <int dim>
-  bool
-  LimitLoadAnalysis<dim>::is_last_cycle() const
-  {
-    return cycle + 1 >= parameters.refinement.n_cycles;
   }
 
 

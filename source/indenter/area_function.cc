@@ -55,16 +55,6 @@ namespace ElastoPlastic
 
 
 
-  double
-  AreaFunction::tip_curvature() const
-  {
-    return is_convex() && coefficients.size() > 1 && coefficients[1] > 0 ?
-             2 * numbers::PI / coefficients[1] :
-             0.;
-  }
-
-
-
   bool
   AreaFunction::is_convex() const
   {

@@ -153,24 +153,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  double
-  IndenterHeightMap<dim>::detail() const
-  {
-    return std::max(spacing[0], spacing[dim - 2]);
-  }
-
-
-
-  template <int dim>
-  double
-  IndenterHeightMap<dim>::section_area(const double) const
-  {
-    return 0.;
-  }
-
-
-
   template class IndenterHeightMap<2>;
   template class IndenterHeightMap<3>;
 } // namespace ElastoPlastic

@@ -178,16 +178,6 @@ namespace ElastoPlastic
 
 
 
-  IndenterSurface<3>
-  IndenterPyramid::face(const Point<2> &x, const Tensor<1, 2> &normal) const
-  {
-    return {face_slope * (x * normal) - missing_height,
-            face_slope * normal,
-            {}};
-  }
-
-
-
   // An oblique cylinder: along the edge it rises with the edge's slope.
   IndenterSurface<3>
   IndenterPyramid::rounded_edge(const Point<2>     &x,

@@ -7,19 +7,116 @@
 #include <deal.II/base/point.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <map>
-#include <memory>
-#include <set>
 #include <vector>
 
-#include "bounds/body/split_body.h"
+#include "bounds/body/loads.h"
 #include "bounds/conic/tolerances.h"
+#include "bounds/mesh/integration.h"
+#include "bounds/mesh/split_mesh.h"
+#include "loads/boundary_conditions.h"
 
 namespace ElastoPlastic
 {
   using namespace dealii;
+
+  template <int dim>
+  struct IndenterOnBody;
+
+
+
+  /// What holds for one component of displacement and traction on a face.
+  enum class ConditionType
+  {
+    continuous,   ///< between two simplices
+    traction,     ///< the traction is given, maybe zero
+    displacement, ///< the displacement is given, maybe zero; as it is across
+                  ///< the direction in which a rough indenter presses
+    contact       ///< the indenter presses, if it touches, in this direction
+  };
+
+
+
+  /// A given traction or displacement on a face: in the plane any function of
+  /// the position, zero if there is none; in space a linear one.
+  template <int dim>
+  struct FaceValue;
+
+  template <>
+  struct FaceValue<2>
+  {
+    std::function<double(const Point<2> &)> function;
+
+    double
+    operator()(const FacePoint<2> &point) const
+    {
+      return function ? function(point.x) : 0.;
+    }
+
+    bool
+    is_zero() const
+    {
+      return !function;
+    }
+  };
+
+  template <>
+  struct FaceValue<3>
+  {
+    std::array<double, 3> at_corners = {};
+
+    double
+    operator()(const FacePoint<3> &point) const
+    {
+      return interpolate(point.position, at_corners);
+    }
+
+    bool
+    is_zero() const
+    {
+      return at_corners == std::array<double, 3>();
+    }
+  };
+
+
+
+  /// The condition of a face: for each of dim directions at right angles.
+  template <int dim>
+  struct FaceCondition
+  {
+    struct Component
+    {
+      Tensor<1, dim> direction;
+      ConditionType  type;
+      FaceValue<dim> value     = {};
+      FaceValue<dim> live_load = {}; ///< what a load factor adds to a traction
+    };
+
+    std::array<Component, dim> components;
+
+    /// Whether the indenter can touch any point of the face. If it can touch
+    /// some only, it presses on none: the stresses stay admissible. But no
+    /// point of the face may penetrate, nor slide along a rough indenter, so
+    /// that motions are admissible, too.
+    bool is_reached = false;
+
+    /// The component in which the indenter presses.
+    const Component &
+    contact() const
+    {
+      return components[dim - 1];
+    }
+
+    /// Whether it can press on all of the face.
+    bool
+    is_pressed() const
+    {
+      return contact().type == ConditionType::contact;
+    }
+  };
 
 
 
@@ -46,65 +143,14 @@ namespace ElastoPlastic
 
 
 
-  /// Tells the conditions of faces from those of the boundaries. See
-  /// make_split_body(), whose arguments must live as long as this object.
+  /// The conditions of the faces of a @p mesh, from those of the boundaries;
+  /// see make_split_body(). @throws InputError
   template <int dim>
-  class FaceConditions
-  {
-  public:
-    FaceConditions(const BoundaryConditions<dim> &conditions,
-                   const IndenterOnBody<dim>     &indenter,
-                   const Loads<dim>              &loads);
-
-    /// Of a face with these corners. @throws InputError
-    FaceCondition<dim>
-    operator()(const FaceCorners<dim>  &corners,
-               const types::boundary_id id) const;
-
-  private:
-    using Values = std::map<types::boundary_id,
-                            typename BoundaryConditions<dim>::Components>;
-
-    /// How much of a face the indenter can touch.
-    enum class Reach
-    {
-      none,
-      part,
-      whole
-    };
-
-    /// Lets the indenter press where it can.
-    void
-    add_contact(FaceCondition<dim>     &condition,
-                const FaceCorners<dim> &corners) const;
-
-    void
-    prescribe(FaceCondition<dim>      &condition,
-              const ConditionType      type,
-              const Values            &values,
-              const types::boundary_id id,
-              const FaceCorners<dim>  &corners) const;
-
-    /// At the points of a lattice, but where the indenter does not reach.
-    std::vector<double>
-    gaps_of(const FaceCorners<dim> &corners) const;
-
-    Reach
-    reach_of(const FaceCorners<dim> &corners) const;
-
-    /// Whether the indenter presses across a face that it reaches. It fits the
-    /// face if the gap is the same everywhere.
-    bool
-    presses_across(const FaceCorners<dim> &corners) const;
-
-    const std::set<types::boundary_id> contact;
-    const std::set<types::boundary_id> fixed;
-    const std::set<types::boundary_id> rollers;
-    const Values                      &displacements;
-    const Values                      &tractions;
-    const IndenterOnBody<dim>         &indenter;
-    const Loads<dim>                  &loads;
-  };
+  std::vector<FaceCondition<dim>>
+  conditions_of_faces(const SplitMesh<dim>          &mesh,
+                      const BoundaryConditions<dim> &conditions,
+                      const IndenterOnBody<dim>     &indenter,
+                      const Loads<dim>              &loads);
 } // namespace ElastoPlastic
 
 #endif

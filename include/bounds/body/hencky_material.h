@@ -6,6 +6,7 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <cmath>
 #include <vector>
 
 #include "base/kinematics.h"
@@ -25,15 +26,21 @@ namespace ElastoPlastic::HenckyMaterial
 {
   using namespace dealii;
 
-  bool
-  yields(const Material<double> &material);
+  inline bool
+  yields(const Material<double> &material)
+  {
+    return std::isfinite(material.yield_radius);
+  }
 
   /// h = 2/3 (H + H_k)
   double
   hardening(const Material<double> &material);
 
-  bool
-  hardens(const Material<double> &material);
+  inline bool
+  hardens(const Material<double> &material)
+  {
+    return yields(material) && hardening(material) > 0;
+  }
 
   /// With what the equilibrium method computes, to be of the order 1.
   struct Units

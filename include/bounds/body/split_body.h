@@ -4,13 +4,17 @@
 #ifndef bounds_body_split_body_h
 #define bounds_body_split_body_h
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/utilities.h>
 
 #include <functional>
 #include <vector>
 
 #include "base/kinematics.h"
+#include "bounds/body/face_conditions.h"
 #include "bounds/body/loads.h"
+#include "bounds/conic/tolerances.h"
 #include "bounds/mesh/integration.h"
 #include "bounds/mesh/split_mesh.h"
 #include "contact/contact_geometry.h"
@@ -22,100 +26,6 @@
 namespace ElastoPlastic
 {
   using namespace dealii;
-
-
-
-  /// What holds for one component of displacement and traction on a face.
-  enum class ConditionType
-  {
-    continuous,   ///< between two simplices
-    traction,     ///< the traction is given, maybe zero
-    displacement, ///< the displacement is given, maybe zero; as it is across
-                  ///< the direction in which a rough indenter presses
-    contact       ///< the indenter presses, if it touches, in this direction
-  };
-
-
-
-  /// A given traction or displacement on a face: in the plane any function of
-  /// the position, zero if there is none; in space a linear one.
-  template <int dim>
-  struct FaceValue;
-
-  template <>
-  struct FaceValue<2>
-  {
-    std::function<double(const Point<2> &)> function;
-
-    double
-    operator()(const FacePoint<2> &point) const
-    {
-      return function ? function(point.x) : 0.;
-    }
-
-    bool
-    is_zero() const
-    {
-      return !function;
-    }
-  };
-
-  template <>
-  struct FaceValue<3>
-  {
-    std::array<double, 3> at_corners = {};
-
-    double
-    operator()(const FacePoint<3> &point) const
-    {
-      return interpolate(point.position, at_corners);
-    }
-
-    bool
-    is_zero() const
-    {
-      return at_corners == std::array<double, 3>();
-    }
-  };
-
-
-
-  /// The condition of a face: for each of dim directions at right angles.
-  template <int dim>
-  struct FaceCondition
-  {
-    struct Component
-    {
-      Tensor<1, dim> direction;
-      ConditionType  type;
-      FaceValue<dim> value     = {};
-      FaceValue<dim> live_load = {}; ///< what a load factor adds to a traction
-    };
-
-    std::array<Component, dim> components;
-
-    /// Whether the indenter can touch any point of the face. If it can touch
-    /// some only, it presses on none: the stresses stay admissible. But no
-    /// point of the face may penetrate, nor slide along a rough indenter, so
-    /// that motions are admissible, too.
-    bool is_reached = false;
-
-    /// The component in which the indenter presses.
-    const Component &
-    contact() const
-    {
-      return components[dim - 1];
-    }
-
-    /// Whether it can press on all of the face.
-    bool
-    is_pressed() const
-    {
-      return contact().type == ConditionType::contact;
-    }
-  };
-
-
 
   /// What the condition of a face at the boundary demands of a mechanism.
   template <int dim>
@@ -179,13 +89,22 @@ namespace ElastoPlastic
     double load_factor_unit = 0;
 
     Corners<dim>
-    corners_of(const unsigned int simplex) const;
+    corners_of(const unsigned int simplex) const
+    {
+      return mesh.corners(mesh.simplices[simplex]);
+    }
 
     FaceCorners<dim>
-    corners_of_face(const unsigned int face) const;
+    corners_of_face(const unsigned int face) const
+    {
+      return mesh.corners(mesh.faces[face]);
+    }
 
     bool
-    is_axisymmetric() const;
+    is_axisymmetric() const
+    {
+      return kinematics == Kinematics::axisymmetric;
+    }
 
     bool
     has_friction() const;
@@ -197,32 +116,56 @@ namespace ElastoPlastic
 
     /// Of a body of revolution, with rounding errors.
     bool
-    is_on_axis(const Point<dim> &x) const;
+    is_on_axis(const Point<dim> &x) const
+    {
+      return is_axisymmetric() && x[0] <= Tolerance::on_axis * length_unit;
+    }
 
     /// What stresses are multiplied by to be in equilibrium like those of a
     /// plane section: the distance r from the axis of a body of revolution, or
     /// 1.
     double
-    weight(const Point<dim> &x) const;
+    weight(const Point<dim> &x) const
+    {
+      return is_axisymmetric() ? x[0] : 1.;
+    }
 
     /// A typical value of it.
     double
-    weight_unit() const;
+    weight_unit() const
+    {
+      return is_axisymmetric() ? length_unit : 1.;
+    }
 
     /// What weighted stresses, integrated over the mesh, are multiplied by to
     /// be those of the body: 2 pi, or 1.
     double
-    angle() const;
+    angle() const
+    {
+      return is_axisymmetric() ? 2. * numbers::PI : 1.;
+    }
 
     /// The size of a simplex and of a face in units of the body.
     double
-    relative_volume(const unsigned int simplex) const;
+    relative_volume(const unsigned int simplex) const
+    {
+      return ElastoPlastic::volume(corners_of(simplex)) /
+             Utilities::fixed_power<dim>(length_unit);
+    }
     double
-    relative_area(const unsigned int face) const;
+    relative_area(const unsigned int face) const
+    {
+      return area(corners_of_face(face)) /
+             Utilities::fixed_power<dim - 1>(length_unit);
+    }
 
     /// Of the indenter, and of other forces, on the whole body of revolution.
     double
-    force_unit() const;
+    force_unit() const
+    {
+      return stress_unit * Utilities::fixed_power<dim - 1>(length_unit) *
+             weight_unit() * angle();
+    }
 
     /// Of the ring whose section is a triangle, or of the triangle by unit of
     /// thickness, or of a tetrahedron.
@@ -244,7 +187,11 @@ namespace ElastoPlastic
 
     /// That pressure.
     double
-    pressure_of_body_force(const Point<dim> &x, const double load_factor) const;
+    pressure_of_body_force(const Point<dim> &x, const double load_factor) const
+    {
+      return (body_force + load_factor * live_body_force) *
+             (x - mesh.vertices.front());
+    }
 
     /// If a face is held in a direction oblique to it, it is taken to be
     /// closed, and rough if it is held in any direction along it: such a
@@ -270,7 +217,11 @@ namespace ElastoPlastic
     /// What a pressure on a face at the boundary has in the direction of a
     /// component; within the body, both neighbours bear the same one.
     double
-    pressed_part(const unsigned int face, const unsigned int component) const;
+    pressed_part(const unsigned int face, const unsigned int component) const
+    {
+      return outward_normal(face) *
+             conditions[face].components[component].direction;
+    }
   };
 
 

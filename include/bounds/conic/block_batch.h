@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <tuple>
 #include <vector>
 
 #include "base/simd.h"
@@ -48,8 +49,17 @@ namespace ElastoPlastic
           return size - first_row;
         }
 
+        auto
+        members() const
+        {
+          return std::tie(size, first_row, first_column, n_columns);
+        }
+
         bool
-        operator==(const Cone &other) const;
+        operator==(const Cone &other) const
+        {
+          return members() == other.members();
+        }
       };
 
       unsigned int      n_unknowns;
@@ -58,8 +68,18 @@ namespace ElastoPlastic
       bool              has_quadratic_cost;
       std::vector<Cone> cones;
 
+      auto
+      members() const
+      {
+        return std::tie(
+          n_unknowns, n_equations, n_null, has_quadratic_cost, cones);
+      }
+
       bool
-      operator==(const Shape &other) const;
+      operator==(const Shape &other) const
+      {
+        return members() == other.members();
+      }
     };
 
     /// All batches of a @p program.

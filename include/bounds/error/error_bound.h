@@ -4,6 +4,7 @@
 #ifndef bounds_error_error_bound_h
 #define bounds_error_error_bound_h
 
+#include <numeric>
 #include <vector>
 
 #include "bounds/mechanism/quadratic_field.h"
@@ -25,11 +26,20 @@ namespace ElastoPlastic
     std::vector<double> of_faces;
 
     double
-    of_body() const;
+    of_body() const
+    {
+      return std::accumulate(of_simplices.begin(), of_simplices.end(), 0.);
+    }
     double
-    of_contact() const;
+    of_contact() const
+    {
+      return std::accumulate(of_faces.begin(), of_faces.end(), 0.);
+    }
     double
-    total() const;
+    total() const
+    {
+      return of_body() + of_contact();
+    }
 
     /// By simplices, the faces counting for the simplex they belong to.
     template <int dim>

@@ -58,7 +58,10 @@ namespace ElastoPlastic
 
     /// Whether the indenter does not reach the side.
     bool
-    is_empty() const;
+    is_empty() const
+    {
+      return values.empty();
+    }
 
     std::vector<SmallSimplex<2>>
     small_simplices() const;
@@ -71,7 +74,10 @@ namespace ElastoPlastic
   private:
     /// One of the points, as a position between the ends of the side.
     double
-    position(const unsigned int i) const;
+    position(const unsigned int i) const
+    {
+      return begin + (end - begin) * i / n_intervals;
+    }
 
     double              begin = 0, end = 1; ///< of what the indenter reaches
     std::vector<double> values; ///< g at the n_intervals + 1 points, or empty
@@ -112,7 +118,11 @@ namespace ElastoPlastic
 
     /// At a corner of the face.
     double
-    lower_at_corner(const unsigned int corner) const;
+    lower_at_corner(const unsigned int corner) const
+    {
+      return lower[index(
+        {corner == 1 ? n_intervals : 0, corner == 2 ? n_intervals : 0})];
+    }
 
   private:
     /// A point of the lattice: so many steps to corner 1 and to corner 2.
@@ -128,7 +138,11 @@ namespace ElastoPlastic
 
     /// Of the arrays of values.
     static std::size_t
-    index(const LatticePoint &point);
+    index(const LatticePoint &point)
+    {
+      return (n_intervals + 2 * margin + 1) * (margin + point.i) + margin +
+             point.j;
+    }
 
     /// Runs @p action on the corners of all small triangles.
     template <typename Action>

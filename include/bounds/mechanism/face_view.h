@@ -16,7 +16,16 @@ namespace ElastoPlastic
   {
   public:
     /// @p body must live as long as this object.
-    FaceView(const SplitBody<dim> &body, const unsigned int face);
+    FaceView(const SplitBody<dim> &body, const unsigned int face)
+      : number(face)
+      , face(body.mesh.faces[face])
+      , condition(body.conditions[face])
+      , support(body.support_of(face))
+      , corners(body.corners_of_face(face))
+      , normal(ElastoPlastic::normal(corners))
+      , area(ElastoPlastic::area(corners))
+      , body(body)
+    {}
 
     const unsigned int                   number; ///< of the face
     const typename SplitMesh<dim>::Face &face;
@@ -29,28 +38,51 @@ namespace ElastoPlastic
     /// Whether the neighbours, or the body and what is beside it, pay for
     /// sliding along the face.
     bool
-    resists_slip() const;
+    resists_slip() const
+    {
+      return face.is_inside() || support.resists_slip;
+    }
 
     /// The point of the first neighbour (or the @p i th) at a @p position on
     /// the face.
     Barycentric<dim>
-    point(const Barycentric<dim - 1> &position, const unsigned int i = 0) const;
+    point(const Barycentric<dim - 1> &position, const unsigned int i = 0) const
+    {
+      const auto      &simplex = body.mesh.simplices[face.neighbors[i]];
+      Barycentric<dim> result  = {};
+      for (unsigned int j = 0; j < dim; ++j)
+        result[simplex.place_of_vertex(face.vertices[j])] = position[j];
+      return result;
+    }
 
     /// The velocity of a neighbour, weighted like weighted_velocity().
     Tensor<1, dim>
     velocity_of(const unsigned int                       i,
                 const std::vector<SimplexVelocity<dim>> &velocity,
-                const Barycentric<dim - 1>              &position) const;
+                const Barycentric<dim - 1>              &position) const
+    {
+      const unsigned int t = face.neighbors[i];
+      return weighted_velocity(body, velocity[t], t, point(position, i));
+    }
 
     /// That of the first neighbour less that of the second one, or of what the
     /// body slides along.
     Tensor<1, dim>
     jump(const std::vector<SimplexVelocity<dim>> &velocity,
-         const Barycentric<dim - 1>              &position) const;
+         const Barycentric<dim - 1>              &position) const
+    {
+      return velocity_of(0, velocity, position) -
+             (face.is_inside() ?
+                velocity_of(1, velocity, position) :
+                body.weight(interpolate(position, corners)) * support.velocity);
+    }
 
     /// The part of a velocity along the face.
     Tensor<1, dim>
-    along(const Tensor<1, dim> &velocity) const;
+    along(const Tensor<1, dim> &velocity) const
+    {
+      return velocity - (velocity * normal) * normal;
+    }
 
   private:
     const SplitBody<dim> &body;
@@ -61,7 +93,13 @@ namespace ElastoPlastic
   /// All faces of the mesh.
   template <int dim>
   std::vector<FaceView<dim>>
-  views_of_faces(const SplitBody<dim> &body);
+  views_of_faces(const SplitBody<dim> &body)
+  {
+    std::vector<FaceView<dim>> views;
+    for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
+      views.emplace_back(body, f);
+    return views;
+  }
 } // namespace ElastoPlastic
 
 #endif

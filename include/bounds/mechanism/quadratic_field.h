@@ -17,47 +17,8 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// A displacement that is quadratic on each simplex of a SplitMesh and
-  /// continuous: its strains are linear on each simplex.
-  template <int dim>
-  struct QuadraticField
-  {
-    std::vector<Tensor<1, dim>> at_vertices;
-    std::vector<Tensor<1, dim>> at_edges; ///< in the middle
-  };
-
-
-
-  /// The gradients of the quadratic shape functions at a @p corner of a
-  /// simplex: of those that belong to its corners, then of those that belong to
-  /// the middles of its edges.
-  template <int dim>
-  std::array<Tensor<1, dim>, dim + 1 + edges_per_simplex<dim>>
-  shape_gradients(const Corners<dim> &corners, const unsigned int corner);
-
-  /// The strain of @p field at the corners of a @p simplex, between which it is
-  /// linear.
-  template <int dim>
-  std::array<SymmetricTensor<2, dim>, dim + 1>
-  strains(const SplitMesh<dim>      &mesh,
-          const QuadraticField<dim> &field,
-          const unsigned int         simplex);
-
-  /// The value at a point of a simplex.
-  template <int dim>
-  Tensor<1, dim>
-  value(const QuadraticField<dim>              &field,
-        const typename SplitMesh<dim>::Simplex &simplex,
-        const Barycentric<dim>                 &position);
-
-  /// Its values at the corners and at the centre of gravity of a simplex.
-  template <int dim>
-  std::array<Tensor<1, dim>, dim + 2>
-  values_at_vertices(const QuadraticField<dim>              &field,
-                     const typename SplitMesh<dim>::Simplex &simplex);
-
-  /// Its values on a face: at the corners, and in the middle of the edges, see
-  /// ends_of_edge().
+  /// The values of a QuadraticField on a face: at the corners, and in the
+  /// middle of the edges, see ends_of_edge().
   template <int dim>
   struct FaceValues
   {
@@ -69,21 +30,42 @@ namespace ElastoPlastic
     value(const Barycentric<dim - 1> &position) const;
   };
 
-  template <int dim>
-  FaceValues<dim>
-  values_on_face(const SplitMesh<dim>      &mesh,
-                 const QuadraticField<dim> &field,
-                 const unsigned int         face);
 
-  /// Interpolates a finite element solution on the cells of which @p mesh is
-  /// made. Bilinear displacements of parallelograms are reproduced. The values
-  /// are gathered on the first rank; the field of the others is empty, as their
-  /// mesh is. Collective.
+
+  /// A displacement that is quadratic on each simplex of a SplitMesh and
+  /// continuous: its strains are linear on each simplex.
   template <int dim>
-  QuadraticField<dim>
-  interpolate_displacement(const SplitMesh<dim>  &mesh,
-                           const DoFHandler<dim> &dof_handler,
-                           const VectorType      &displacement);
+  struct QuadraticField
+  {
+    using Simplex = typename SplitMesh<dim>::Simplex;
+
+    /// Interpolates a finite element solution on the cells of which @p mesh is
+    /// made. Bilinear displacements of parallelograms are reproduced. The
+    /// values are gathered on the first rank; the field of the others is empty,
+    /// as their mesh is. Collective.
+    static QuadraticField
+    interpolate_displacement(const SplitMesh<dim>  &mesh,
+                             const DoFHandler<dim> &dof_handler,
+                             const VectorType      &displacement);
+
+    /// The strain at the corners of a @p simplex, between which it is linear.
+    std::array<SymmetricTensor<2, dim>, dim + 1>
+    strains(const SplitMesh<dim> &mesh, const unsigned int simplex) const;
+
+    /// The value at a point of a simplex.
+    Tensor<1, dim>
+    value(const Simplex &simplex, const Barycentric<dim> &position) const;
+
+    /// The values at the corners and at the centre of gravity of a simplex.
+    std::array<Tensor<1, dim>, dim + 2>
+    values_at_vertices(const Simplex &simplex) const;
+
+    FaceValues<dim>
+    values_on_face(const SplitMesh<dim> &mesh, const unsigned int face) const;
+
+    std::vector<Tensor<1, dim>> at_vertices;
+    std::vector<Tensor<1, dim>> at_edges; ///< in the middle
+  };
 } // namespace ElastoPlastic
 
 #endif

@@ -37,12 +37,18 @@ namespace ElastoPlastic
                   const bool          has_flux);
 
     unsigned int
-    n_functions() const;
+    n_functions() const
+    {
+      return n_cubics + (has_flux ? 3 : 0);
+    }
 
     /// A strain rate is given by so many components, of Euclidean norm |e|, or
     /// with Hill's criterion |M^-T e|.
     unsigned int
-    n_rate_components() const;
+    n_rate_components() const
+    {
+      return body.is_axisymmetric() ? 3 : 2;
+    }
 
     /// Strain rates e_a, and weights w_a: the plastic work is at most
     /// sqrt(2/3) sigma_0 times the sum of all w_a |e_a|. The e_a are the
@@ -85,7 +91,10 @@ namespace ElastoPlastic
   private:
     /// Of the polynomials on sides.
     unsigned int
-    side_degree() const;
+    side_degree() const
+    {
+      return body.is_axisymmetric() ? 4 : 2;
+    }
 
     /// What turns values of functions (one per column) at equidistant points
     /// of side @p k, given by @p values(point, t), into their coefficients.

@@ -4,7 +4,6 @@
 #ifndef bounds_mechanism_velocity_program_h
 #define bounds_mechanism_velocity_program_h
 
-#include "bounds/body/evaluated_bounds.h"
 #include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/velocity_field.h"
 

@@ -188,11 +188,6 @@ namespace ElastoPlastic
   gradients(const Corners<2> &corners);
   std::array<Tensor<1, 3>, 4>
   gradients(const Corners<3> &corners);
-
-  /// The unit normal of face @p k that points out of the simplex.
-  template <int dim>
-  Tensor<1, dim>
-  outward_normal(const Corners<dim> &corners, const unsigned int k);
 } // namespace ElastoPlastic
 
 #endif

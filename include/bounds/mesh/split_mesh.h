@@ -8,6 +8,7 @@
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "bounds/mesh/simplex.h"
@@ -50,9 +51,16 @@ namespace ElastoPlastic
 
       /// Which of the corners or faces has this number.
       unsigned int
-      place_of_vertex(const unsigned int vertex) const;
+      place_of_vertex(const unsigned int vertex) const
+      {
+        return std::find(vertices.begin(), vertices.end(), vertex) -
+               vertices.begin();
+      }
       unsigned int
-      place_of_face(const unsigned int face) const;
+      place_of_face(const unsigned int face) const
+      {
+        return std::find(faces.begin(), faces.end(), face) - faces.begin();
+      }
     };
 
     /// A side has the direction of the first of its neighbours, which lies to
@@ -66,11 +74,17 @@ namespace ElastoPlastic
       std::array<unsigned int, 2> neighbors;
 
       bool
-      is_inside() const;
+      is_inside() const
+      {
+        return boundary_id == numbers::internal_face_boundary_id;
+      }
 
       /// One, or two inside of the body.
       unsigned int
-      n_neighbors() const;
+      n_neighbors() const
+      {
+        return is_inside() ? 2 : 1;
+      }
     };
 
     /// An active cell of the mesh of quadrilaterals or hexahedra.
@@ -87,10 +101,22 @@ namespace ElastoPlastic
     std::vector<Cell>       cells;
 
     Corners<dim>
-    corners(const Simplex &simplex) const;
+    corners(const Simplex &simplex) const
+    {
+      Corners<dim> result;
+      for (unsigned int i = 0; i <= dim; ++i)
+        result[i] = vertices[simplex.vertices[i]];
+      return result;
+    }
 
     FaceCorners<dim>
-    corners(const Face &face) const;
+    corners(const Face &face) const
+    {
+      FaceCorners<dim> result;
+      for (unsigned int i = 0; i < dim; ++i)
+        result[i] = vertices[face.vertices[i]];
+      return result;
+    }
 
     /// Where the corners of face @p k of a simplex, in the order of the face
     /// itself, are in part k of the simplex.

@@ -61,13 +61,6 @@ namespace ElastoPlastic
       return Bernstein<dim - 1>::n_functions(degree);
     }
 
-    /// Coefficients of the tractions on all faces.
-    static constexpr unsigned int
-    n_tractions(const unsigned int degree)
-    {
-      return n_parts * dim * n_face_points(degree);
-    }
-
     /// Coefficients of the divergence on the parts.
     static constexpr unsigned int
     n_divergences(const unsigned int degree)
@@ -84,25 +77,8 @@ namespace ElastoPlastic
       return n_components * (Bernstein<dim>::n_functions(degree) * part + i);
     }
 
-    /// A @p component of coefficient @p i of the traction on a @p face, whose
-    /// corners are in the order of corner_of_face().
-    static constexpr unsigned int
-    traction_index(const unsigned int degree,
-                   const unsigned int face,
-                   const unsigned int i,
-                   const unsigned int component)
-    {
-      return dim * (n_face_points(degree) * face + i) + component;
-    }
-
     static Corners<dim>
     part_of(const Corners<dim> &corners, const unsigned int part);
-
-    /// The coefficient number @p i on a @p part of a stress of any degree.
-    static SymmetricTensor<2, dim>
-    coefficient(const Vector<double> &values,
-                const unsigned int    part,
-                const unsigned int    i);
 
     /// The number, among the coefficients of a part, of coefficient @p i on the
     /// face that joins the corners at these @p places of the part.
@@ -110,10 +86,6 @@ namespace ElastoPlastic
     number_on_face(const unsigned int                   degree,
                    const std::array<unsigned int, dim> &places,
                    const unsigned int                   i);
-
-    /// Where the corners of face @p k are in part k.
-    static std::array<unsigned int, dim>
-    places_of_face(const unsigned int k);
 
     /// What the tractions of the parts @p k and @p l on the face between them
     /// are of: where its corners are in either, the centre being the last.
@@ -128,11 +100,6 @@ namespace ElastoPlastic
     /// A basis of the stresses without divergence: 9 and 18, or 30.
     static FullMatrix<double>
     equilibrated_basis(const Corners<dim> &corners, const unsigned int degree);
-
-    /// What turns values into the coefficients of the tractions on the faces;
-    /// the normals point outwards.
-    static FullMatrix<double>
-    traction_matrix(const Corners<dim> &corners, const unsigned int degree);
 
     /// The jumps of the tractions on the faces between parts.
     static FullMatrix<double>

@@ -4,7 +4,6 @@
 #ifndef bounds_stress_stress_check_h
 #define bounds_stress_stress_check_h
 
-#include "bounds/body/evaluated_bounds.h"
 #include "bounds/stress/stress_field.h"
 
 namespace ElastoPlastic
@@ -42,6 +41,13 @@ namespace ElastoPlastic
   template <int dim>
   StressErrors
   check_stress(const SplitBody<dim> &body, const StressField<dim> &field);
+
+  /// The largest error that check_stress() finds, which must not be more than
+  /// rounding. @throws ConvergenceError if it is: nothing follows from such
+  /// stresses.
+  template <int dim>
+  double
+  require_admissible(const SplitBody<dim> &body, const StressField<dim> &field);
 } // namespace ElastoPlastic
 
 #endif

@@ -12,6 +12,8 @@
 
 #include "bounds/body/split_body.h"
 #include "bounds/conic/tolerances.h"
+#include "bounds/conic/yield_conditions.h"
+#include "bounds/stress/bernstein.h"
 
 namespace ElastoPlastic
 {
@@ -60,7 +62,13 @@ namespace ElastoPlastic
     SymmetricTensor<2, 3>
     coefficient(const unsigned int simplex,
                 const unsigned int part,
-                const unsigned int i) const;
+                const unsigned int i) const
+    {
+      return stress_from<dim>(
+        values[simplex].begin() +
+        n_stress_components<dim> *
+          (Bernstein<dim>::n_functions(degree) * part + i));
+    }
 
     /// The weighted stress at a @p point of a part.
     SymmetricTensor<2, 3>

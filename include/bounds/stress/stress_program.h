@@ -42,8 +42,6 @@ namespace ElastoPlastic
   class StressProgram
   {
   public:
-    using OutOfPlane = LocalStresses::OutOfPlane;
-
     /// @p body must live as long as this object. There is no cost yet, except
     /// that of a load factor.
     StressProgram(const SplitBody<dim> &body,
@@ -90,13 +88,21 @@ namespace ElastoPlastic
     };
 
     // What concerns the simplices.
+    LocalStresses<dim>
+    local(const unsigned int simplex) const
+    {
+      return {body, simplex, degree};
+    }
     void
     add_block(const unsigned int simplex);
     unsigned int
     n_growths(const unsigned int simplex) const;
     /// Whether each simplex needs to know the load factor.
     bool
-    has_growing_pressure() const;
+    has_growing_pressure() const
+    {
+      return body.has_friction() && body.live_body_force.norm() > 0.;
+    }
     void
     add_friction_to(const unsigned int        simplex,
                     const FullMatrix<double> &stresses);
@@ -129,12 +135,18 @@ namespace ElastoPlastic
     number_equations();
     /// The number of a point among those of all faces.
     unsigned int
-    index(const PointOfFace &point) const;
+    index(const PointOfFace &point) const
+    {
+      return Element::n_face_points(degree) * point.face + point.point;
+    }
 
     /// The share of a face in the integral of a polynomial that each of its
     /// coefficients has, in units of the body.
     double
-    share_of_face(const unsigned int face) const;
+    share_of_face(const unsigned int face) const
+    {
+      return body.relative_area(face) / Element::n_face_points(degree);
+    }
 
     /// int f B ds for Bernstein's functions B of a face, relative to its share
     /// of the area.
@@ -179,17 +191,33 @@ namespace ElastoPlastic
     add_indenter();
     /// The block of a point under the indenter.
     ConicBlock &
-    contact_block(const unsigned int i);
+    contact_block(const unsigned int i)
+    {
+      return program.blocks[body.mesh.simplices.size() + i];
+    }
     /// What the unknown there is multiplied by to be a force: 1 in the plane,
     /// where it is the force; in space, it is the pressure.
     double
-    contact_unit(const unsigned int face) const;
+    contact_unit(const unsigned int face) const
+    {
+      return dim == 2 ? 1. : share_of_face(face);
+    }
     /// What the force there is multiplied by to be vertical.
     double
-    vertical_part(const unsigned int i) const;
+    vertical_part(const unsigned int i) const
+    {
+      return body.conditions[contact_points[i].face]
+        .contact()
+        .direction[dim - 1];
+    }
     /// Adds the work of the vertical part along this @p distance.
     void
-    add_contact_cost(const unsigned int i, const double distance);
+    add_contact_cost(const unsigned int i, const double distance)
+    {
+      contact_block(i).linear_cost[0] += contact_unit(contact_points[i].face) *
+                                         vertical_part(i) * distance /
+                                         (body.strain_unit * body.length_unit);
+    }
 
     // What concerns the solution.
     /// Pressure and force of the indenter, from the unknowns of its blocks.

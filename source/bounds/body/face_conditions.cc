@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "base/exceptions.h"
 #include "base/largest_error.h"
 #include "bounds/body/face_conditions.h"
+#include "bounds/body/split_body.h"
 #include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
@@ -154,164 +157,203 @@ namespace ElastoPlastic
         "functions of x, y and z on each face. Put jumps and kinks on edges of "
         "the mesh.");
     }
+
+
+
+    /// Tells the conditions of faces from those of the boundaries. The
+    /// arguments must live as long as this object.
+    template <int dim>
+    class FaceConditions
+    {
+    public:
+      FaceConditions(const BoundaryConditions<dim> &conditions,
+                     const IndenterOnBody<dim>     &indenter,
+                     const Loads<dim>              &loads)
+        : contact(conditions.ids(BoundaryConditionType::contact))
+        , fixed(conditions.ids(BoundaryConditionType::fixed))
+        , rollers(conditions.ids(BoundaryConditionType::roller))
+        , displacements(conditions.prescribed_displacements())
+        , tractions(conditions.tractions())
+        , indenter(indenter)
+        , loads(loads)
+      {}
+
+      /// Of a face with these corners. @throws InputError
+      FaceCondition<dim>
+      of_face(const FaceCorners<dim>  &corners,
+              const types::boundary_id id) const
+      {
+        if (id == numbers::internal_face_boundary_id)
+          return along_axes<dim>(ConditionType::continuous);
+        if (fixed.count(id) > 0)
+          return along_axes<dim>(ConditionType::displacement);
+        auto condition = rollers.count(id) > 0 ?
+                           on_roller<dim>(corners) :
+                           along_axes<dim>(ConditionType::traction);
+        if (contact.count(id) > 0)
+          add_contact(condition, corners);
+        prescribe(
+          condition, ConditionType::displacement, displacements, id, corners);
+        prescribe(condition, ConditionType::traction, tractions, id, corners);
+        return condition;
+      }
+
+    private:
+      using Values = std::map<types::boundary_id,
+                              typename BoundaryConditions<dim>::Components>;
+
+      /// How much of a face the indenter can touch.
+      enum class Reach
+      {
+        none,
+        part,
+        whole
+      };
+
+      /// Lets the indenter press where it can.
+      void
+      add_contact(FaceCondition<dim>     &condition,
+                  const FaceCorners<dim> &corners) const
+      {
+        const Reach reach         = reach_of(corners);
+        condition.is_reached      = reach != Reach::none;
+        const bool     is_rough   = indenter.surface == SurfaceFinish::rough;
+        Tensor<1, dim> horizontal = normal(corners);
+        horizontal[dim - 1]       = 0.;
+        if (condition.is_reached && is_rough &&
+            horizontal.norm() > Tolerance::small_angle)
+          throw InputError("Indenter/Surface",
+                           "rough",
+                           "the bounds of a rough indenter are for contact "
+                           "boundaries that are level where it can touch. "
+                           "Choose 'smooth', or reduce 'Indenter/Reach'.");
+        if (condition.is_reached && presses_across(corners))
+          turn<dim>(condition, corners, dim - 1);
+        if (reach != Reach::whole)
+          return;
+        condition.components[dim - 1].type = ConditionType::contact;
+        if (is_rough)
+          for (unsigned int d = 0; d + 1 < dim; ++d)
+            condition.components[d].type = ConditionType::displacement;
+      }
+
+      void
+      prescribe(FaceCondition<dim>      &condition,
+                const ConditionType      type,
+                const Values            &values,
+                const types::boundary_id id,
+                const FaceCorners<dim>  &corners) const
+      {
+        const auto found = values.find(id);
+        if (found == values.end())
+          return;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (found->second[d])
+            {
+              const auto at = [expression = found->second[d]](const auto &x) {
+                return [expression, x](const double time) {
+                  return expression->value(x, time);
+                };
+              };
+              auto &component = condition.components[d];
+              component       = {Point<dim>::unit_vector(d), type};
+              component.value =
+                value_on_face(corners,
+                              [at, loads = loads](const Point<dim> &x) {
+                                return loads.constant_part(at(x));
+                              });
+              if (type == ConditionType::traction)
+                component.live_load =
+                  value_on_face(corners,
+                                [at, loads = loads](const Point<dim> &x) {
+                                  return loads.growing_part(at(x));
+                                });
+            }
+      }
+
+      /// At the points of a lattice, but where the indenter does not reach.
+      std::vector<double>
+      gaps_of(const FaceCorners<dim> &corners) const
+      {
+        const Point<dim>    centre = centre_of_face<dim>(corners);
+        std::vector<double> gaps;
+        static const auto   points = lattice_points<dim>();
+        for (const auto &lattice_point : points)
+          {
+            const Point<dim> x = point_on_face<dim>(corners, lattice_point).x;
+            if (const double value = indenter.gap(
+                  Point<dim>(x + Tolerance::inset_of_gap * (centre - x)));
+                std::isfinite(value))
+              gaps.push_back(value);
+          }
+        return gaps;
+      }
+
+      // Points of the face must do where nothing else is known than the gap at
+      // points.
+      Reach
+      reach_of(const FaceCorners<dim> &corners) const
+      {
+        const auto &footprint = indenter.footprint;
+        if (footprint.is_known())
+          return contains(footprint, corners) ? Reach::whole :
+                 overlaps(footprint, corners) ? Reach::part :
+                                                Reach::none;
+        const auto n_finite = gaps_of(corners).size();
+        return n_finite == 0                           ? Reach::none :
+               n_finite < lattice_points<dim>().size() ? Reach::part :
+                                                         Reach::whole;
+      }
+
+      /// Whether the indenter presses across a face that it reaches. It fits
+      /// the face if the gap is the same everywhere.
+      bool
+      presses_across(const FaceCorners<dim> &corners) const
+      {
+        if (indenter.geometry != ContactGeometry::automatic)
+          return indenter.geometry == ContactGeometry::normal;
+        const auto gaps = gaps_of(corners);
+        return !gaps.empty() &&
+               std::abs(gaps.front() - gaps.back()) <=
+                 Tolerance::fit_of_indenter * corners[0].distance(corners[1]);
+      }
+
+      const std::set<types::boundary_id> contact;
+      const std::set<types::boundary_id> fixed;
+      const std::set<types::boundary_id> rollers;
+      const Values                      &displacements;
+      const Values                      &tractions;
+      const IndenterOnBody<dim>         &indenter;
+      const Loads<dim>                  &loads;
+    };
   } // namespace
 
 
 
   template <int dim>
-  FaceConditions<dim>::FaceConditions(const BoundaryConditions<dim> &conditions,
-                                      const IndenterOnBody<dim>     &indenter,
-                                      const Loads<dim>              &loads)
-    : contact(conditions.ids(BoundaryConditionType::contact))
-    , fixed(conditions.ids(BoundaryConditionType::fixed))
-    , rollers(conditions.ids(BoundaryConditionType::roller))
-    , displacements(conditions.prescribed_displacements())
-    , tractions(conditions.tractions())
-    , indenter(indenter)
-    , loads(loads)
-  {}
-
-
-
-  template <int dim>
-  FaceCondition<dim>
-  FaceConditions<dim>::operator()(const FaceCorners<dim>  &corners,
-                                  const types::boundary_id id) const
+  std::vector<FaceCondition<dim>>
+  conditions_of_faces(const SplitMesh<dim>          &mesh,
+                      const BoundaryConditions<dim> &conditions,
+                      const IndenterOnBody<dim>     &indenter,
+                      const Loads<dim>              &loads)
   {
-    if (id == numbers::internal_face_boundary_id)
-      return along_axes<dim>(ConditionType::continuous);
-    if (fixed.count(id) > 0)
-      return along_axes<dim>(ConditionType::displacement);
-    auto condition = rollers.count(id) > 0 ?
-                       on_roller<dim>(corners) :
-                       along_axes<dim>(ConditionType::traction);
-    if (contact.count(id) > 0)
-      add_contact(condition, corners);
-    prescribe(
-      condition, ConditionType::displacement, displacements, id, corners);
-    prescribe(condition, ConditionType::traction, tractions, id, corners);
-    return condition;
+    const FaceConditions<dim>       of(conditions, indenter, loads);
+    std::vector<FaceCondition<dim>> result;
+    for (const auto &face : mesh.faces)
+      result.push_back(of.of_face(mesh.corners(face), face.boundary_id));
+    return result;
   }
 
 
 
-  template <int dim>
-  void
-  FaceConditions<dim>::add_contact(FaceCondition<dim>     &condition,
-                                   const FaceCorners<dim> &corners) const
-  {
-    const Reach reach         = reach_of(corners);
-    condition.is_reached      = reach != Reach::none;
-    const bool     is_rough   = indenter.surface == SurfaceFinish::rough;
-    Tensor<1, dim> horizontal = normal(corners);
-    horizontal[dim - 1]       = 0.;
-    if (condition.is_reached && is_rough &&
-        horizontal.norm() > Tolerance::small_angle)
-      throw InputError("Indenter/Surface",
-                       "rough",
-                       "the bounds of a rough indenter are for contact "
-                       "boundaries that are level where it can touch. "
-                       "Choose 'smooth', or reduce 'Indenter/Reach'.");
-    if (condition.is_reached && presses_across(corners))
-      turn<dim>(condition, corners, dim - 1);
-    if (reach != Reach::whole)
-      return;
-    condition.components[dim - 1].type = ConditionType::contact;
-    if (is_rough)
-      for (unsigned int d = 0; d + 1 < dim; ++d)
-        condition.components[d].type = ConditionType::displacement;
-  }
-
-
-
-  template <int dim>
-  void
-  FaceConditions<dim>::prescribe(FaceCondition<dim>      &condition,
-                                 const ConditionType      type,
-                                 const Values            &values,
-                                 const types::boundary_id id,
-                                 const FaceCorners<dim>  &corners) const
-  {
-    const auto found = values.find(id);
-    if (found == values.end())
-      return;
-    for (unsigned int d = 0; d < dim; ++d)
-      if (found->second[d])
-        {
-          const auto at = [expression = found->second[d]](const auto &x) {
-            return [expression, x](const double time) {
-              return expression->value(x, time);
-            };
-          };
-          auto &component = condition.components[d];
-          component       = {Point<dim>::unit_vector(d), type};
-          component.value =
-            value_on_face(corners, [at, loads = loads](const Point<dim> &x) {
-              return loads.constant_part(at(x));
-            });
-          if (type == ConditionType::traction)
-            component.live_load =
-              value_on_face(corners, [at, loads = loads](const Point<dim> &x) {
-                return loads.growing_part(at(x));
-              });
-        }
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
-  FaceConditions<dim>::gaps_of(const FaceCorners<dim> &corners) const
-  {
-    const Point<dim>    centre = centre_of_face<dim>(corners);
-    std::vector<double> gaps;
-    static const auto   points = lattice_points<dim>();
-    for (const auto &lattice_point : points)
-      {
-        const Point<dim> x = point_on_face<dim>(corners, lattice_point).x;
-        if (const double value = indenter.gap(
-              Point<dim>(x + Tolerance::inset_of_gap * (centre - x)));
-            std::isfinite(value))
-          gaps.push_back(value);
-      }
-    return gaps;
-  }
-
-
-
-  // Points of the face must do where nothing else is known than the gap at
-  // points.
-  template <int dim>
-  typename FaceConditions<dim>::Reach
-  FaceConditions<dim>::reach_of(const FaceCorners<dim> &corners) const
-  {
-    const auto &footprint = indenter.footprint;
-    if (footprint.is_known())
-      return contains(footprint, corners) ? Reach::whole :
-             overlaps(footprint, corners) ? Reach::part :
-                                            Reach::none;
-    const auto n_finite = gaps_of(corners).size();
-    return n_finite == 0                           ? Reach::none :
-           n_finite < lattice_points<dim>().size() ? Reach::part :
-                                                     Reach::whole;
-  }
-
-
-
-  template <int dim>
-  bool
-  FaceConditions<dim>::presses_across(const FaceCorners<dim> &corners) const
-  {
-    if (indenter.geometry != ContactGeometry::automatic)
-      return indenter.geometry == ContactGeometry::normal;
-    const auto gaps = gaps_of(corners);
-    return !gaps.empty() &&
-           std::abs(gaps.front() - gaps.back()) <=
-             Tolerance::fit_of_indenter * corners[0].distance(corners[1]);
-  }
-
-
-
-  template class FaceConditions<2>;
-  template class FaceConditions<3>;
+  template std::vector<FaceCondition<2>>
+  conditions_of_faces(const SplitMesh<2> &,
+                      const BoundaryConditions<2> &,
+                      const IndenterOnBody<2> &,
+                      const Loads<2> &);
+  template std::vector<FaceCondition<3>>
+  conditions_of_faces(const SplitMesh<3> &,
+                      const BoundaryConditions<3> &,
+                      const IndenterOnBody<3> &,
+                      const Loads<3> &);
 } // namespace ElastoPlastic

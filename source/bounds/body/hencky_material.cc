@@ -24,14 +24,6 @@ namespace ElastoPlastic
 
 
 
-  bool
-  HenckyMaterial::yields(const Material<double> &material)
-  {
-    return std::isfinite(material.yield_radius);
-  }
-
-
-
   double
   HenckyMaterial::hardening(const Material<double> &material)
   {
@@ -39,14 +31,6 @@ namespace ElastoPlastic
     for (const auto &law : material.back_stresses)
       sum += law.modulus;
     return sum;
-  }
-
-
-
-  bool
-  HenckyMaterial::hardens(const Material<double> &material)
-  {
-    return yields(material) && hardening(material) > 0;
   }
 
 

@@ -107,99 +107,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  Corners<dim>
-  SplitBody<dim>::corners_of(const unsigned int simplex) const
-  {
-    return mesh.corners(mesh.simplices[simplex]);
-  }
-
-
-
-  template <int dim>
-  FaceCorners<dim>
-  SplitBody<dim>::corners_of_face(const unsigned int face) const
-  {
-    return mesh.corners(mesh.faces[face]);
-  }
-
-
-
-  template <int dim>
-  bool
-  SplitBody<dim>::is_axisymmetric() const
-  {
-    return kinematics == Kinematics::axisymmetric;
-  }
-
-
-
-  template <int dim>
-  bool
-  SplitBody<dim>::is_on_axis(const Point<dim> &x) const
-  {
-    return is_axisymmetric() && x[0] <= Tolerance::on_axis * length_unit;
-  }
-
-
-
-  template <int dim>
-  double
-  SplitBody<dim>::weight(const Point<dim> &x) const
-  {
-    return is_axisymmetric() ? x[0] : 1.;
-  }
-
-
-
-  template <int dim>
-  double
-  SplitBody<dim>::weight_unit() const
-  {
-    return is_axisymmetric() ? length_unit : 1.;
-  }
-
-
-
-  template <int dim>
-  double
-  SplitBody<dim>::angle() const
-  {
-    return is_axisymmetric() ? 2. * numbers::PI : 1.;
-  }
-
-
-
-  template <int dim>
-  double
-  SplitBody<dim>::relative_volume(const unsigned int simplex) const
-  {
-    return ElastoPlastic::volume(corners_of(simplex)) /
-           Utilities::fixed_power<dim>(length_unit);
-  }
-
-
-
-  template <int dim>
-  double
-  SplitBody<dim>::relative_area(const unsigned int face) const
-  {
-    return area(corners_of_face(face)) /
-           Utilities::fixed_power<dim - 1>(length_unit);
-  }
-
-
-
-  template <int dim>
-  double
-  SplitBody<dim>::force_unit() const
-  {
-    return stress_unit * Utilities::fixed_power<dim - 1>(length_unit) *
-           weight_unit() * angle();
-  }
-
-
-
-  template <int dim>
   double
   SplitBody<dim>::volume(const unsigned int simplex) const
   {
@@ -208,17 +115,6 @@ namespace ElastoPlastic
     for (const Point<dim> &corner : corners)
       weights += weight(corner);
     return angle() * ElastoPlastic::volume(corners) * weights / (dim + 1.);
-  }
-
-
-
-  template <int dim>
-  double
-  SplitBody<dim>::pressed_part(const unsigned int face,
-                               const unsigned int component) const
-  {
-    return outward_normal(face) *
-           conditions[face].components[component].direction;
   }
 
 
@@ -250,17 +146,6 @@ namespace ElastoPlastic
                pressed_part(face, component) *
                  (pressure_of_body_force(point.x, 1.) -
                   pressure_of_body_force(point.x, 0.));
-  }
-
-
-
-  template <int dim>
-  double
-  SplitBody<dim>::pressure_of_body_force(const Point<dim> &x,
-                                         const double      load_factor) const
-  {
-    return (body_force + load_factor * live_body_force) *
-           (x - mesh.vertices.front());
   }
 
 
@@ -335,10 +220,8 @@ namespace ElastoPlastic
     body.footprint        = indenter.footprint;
     set_body_force(body, loads);
 
-    const FaceConditions<dim> condition_of(conditions, indenter, loads);
-    for (const auto &face : body.mesh.faces)
-      body.conditions.push_back(
-        condition_of(body.mesh.corners(face), face.boundary_id));
+    body.conditions =
+      conditions_of_faces(body.mesh, conditions, indenter, loads);
     for (const auto &simplex : body.mesh.simplices)
       body.materials.push_back(
         materials.size() == 1 ?

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 
 #include "bounds/conic/block_batch.h"
 #include "bounds/conic/local_algebra.h"
@@ -66,34 +65,6 @@ namespace ElastoPlastic
       return shape;
     }
   } // namespace
-
-
-
-  bool
-  BlockBatch::Shape::Cone::operator==(const Cone &other) const
-  {
-    return std::tie(size, first_row, first_column, n_columns) ==
-           std::tie(other.size,
-                    other.first_row,
-                    other.first_column,
-                    other.n_columns);
-  }
-
-
-
-  bool
-  BlockBatch::Shape::operator==(const Shape &other) const
-  {
-    return std::tie(n_unknowns,
-                    n_equations,
-                    n_null,
-                    has_quadratic_cost,
-                    cones) == std::tie(other.n_unknowns,
-                                       other.n_equations,
-                                       other.n_null,
-                                       other.has_quadratic_cost,
-                                       other.cones);
-  }
 
 
 

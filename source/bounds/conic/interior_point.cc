@@ -45,37 +45,258 @@ namespace ElastoPlastic
     class InteriorPoint
     {
     public:
-      InteriorPoint(ConicProgram program, const double tolerance);
+      InteriorPoint(ConicProgram the_program, const double tolerance)
+        : program(std::move(the_program))
+        , layout(program)
+        , n_cones(layout.cones.size())
+        , shares(n_cones)
+        , tolerance(tolerance)
+        , system(program, layout)
+      {
+        for (unsigned int c = 0; c < n_cones; ++c)
+          shares[c] = layout.scales[c].slack * layout.scales[c].multiplier;
+        shares /= shares.l1_norm();
+        for (ConicBlock &block : program.blocks)
+          {
+            block.cone_matrix.reinit(0, 0);
+            block.coupling.reinit(0, 0);
+          }
+        current.x.reinit(layout.unknowns.back());
+        current.s.reinit(layout.rows.back());
+        current.z.reinit(layout.rows.back());
+        current.y.reinit(program.right_hand_side.size());
+        scaled = current.z;
+      }
 
       ConicSolution
-      run();
+      run()
+      {
+        if (program.live_load.size() > 0 &&
+            program.live_load.linfty_norm() < Tolerance::smallest_load)
+          throw UnboundedError();
+        begin();
+        while (!converged() && current.n_iterations < max_iterations &&
+               current.n_iterations <=
+                 best.n_iterations + max_idle_iterations &&
+               step())
+          {
+            if (termination_requested_here())
+              throw TerminationError("Ended on request (SIGTERM).");
+            ++current.n_iterations;
+            look_at_iterate();
+            check_solvability(program, layout, current, residual);
+          }
+        current            = best;
+        current.is_optimal = converged();
+        if (interior.x.size() == 0 ||
+            current.relative_gap > std::max(tolerance, Tolerance::largest_gap))
+          throw ConvergenceError(
+            "The interior point method has not converged.");
+        const ConicSolution last = current;
+        if (!make_admissible(program, layout, system, interior, current))
+          {
+            center(interior);
+            interior = current;
+            current  = last;
+            make_admissible(program, layout, system, interior, current);
+          }
+        current.relative_gap = best.relative_gap;
+        return current;
+      }
 
     private:
+      // Without the cones and with the expected scales, this is a linear
+      // system, s being -W^2 z. Its solution is moved into the cones.
       void
-      begin();
+      begin()
+      {
+        scalings = expected_scalings(layout);
+        if (!system.factorize(scalings))
+          throw ConvergenceError(
+            "The interior point method cannot begin: "
+            "rounding errors are too large.");
+        residual = evaluate(program, layout, system, current);
+        system.solve(current, residual);
+        current.s = evaluate(program, layout, system, current).z;
+        move_into_cones(layout, current.s, &ConeScale::slack);
+        move_into_cones(layout, current.z, &ConeScale::multiplier);
+        look_at_iterate();
+      }
+
       bool
-      converged() const;
+      converged() const
+      {
+        return distance_from_solution() <= 1.;
+      }
+
+      /// Not more than 1 if the iterate is a solution.
       double
-      distance_from_solution() const;
+      distance_from_solution() const
+      {
+        return std::max(current.relative_gap / tolerance,
+                        std::max(current.primal_error, current.dual_error) /
+                          Tolerance::equations);
+      }
+
       void
-      look_at_iterate();
+      look_at_iterate()
+      {
+        residual = evaluate(program, layout, system, current);
+        if (current.n_iterations == 0 ||
+            distance_from_solution() < best_distance)
+          {
+            best          = current;
+            best_distance = distance_from_solution();
+          }
+        if (interior.x.size() == 0 &&
+            current.primal_error <= Tolerance::equations)
+          interior = current;
+      }
+
       bool
-      scale();
+      scale()
+      {
+        scalings.clear();
+        for (unsigned int c = 0; c < n_cones; ++c)
+          {
+            const ConstView s = layout.cone(std::as_const(current.s), c),
+                            z = layout.cone(std::as_const(current.z), c);
+            if (!(SecondOrderCone::determinant(s) > 0 &&
+                  SecondOrderCone::determinant(z) > 0))
+              return false;
+            scalings.emplace_back(s, z);
+            const View lambda = layout.cone(scaled, c);
+            std::copy_n(z.begin(), lambda.size(), lambda.begin());
+            scalings[c].multiply(lambda);
+          }
+        return system.factorize(scalings);
+      }
+
+      /// @return false if rounding errors do not allow another one.
       bool
-      step();
+      step()
+      {
+        if (!scale())
+          return false;
+
+        // The predictor tells how much smaller the gap can become in one step,
+        Vector<double> complementarity = square(layout, scaled);
+        find_direction(complementarity, 1., Tolerance::residual_of_predictor);
+        const double centering =
+          std::pow(1. - std::min(1., largest_step(layout, scaled, direction)),
+                   3);
+
+        // the corrector adds terms of second order, and goes to the central
+        // path.
+        Vector<double> &scaled_s = direction.scaled_s;
+        for (unsigned int c = 0; c < n_cones; ++c)
+          {
+            const View v = layout.cone(scaled_s, c);
+            SecondOrderCone::multiply(
+              v, v, layout.cone(std::as_const(direction.scaled_z), c));
+          }
+        subtract_centre(scaled_s, centering * (current.s * current.z));
+        complementarity += scaled_s;
+        find_direction(complementarity, 1. - centering, Tolerance::residual);
+        advance(correct_centrality(complementarity, centering));
+        return true;
+      }
+
+      /// Longer steps save factorisations.
+      /// @return the largest step.
       double
       correct_centrality(Vector<double> &complementarity,
-                         const double    centering);
+                         const double    centering)
+      {
+        double length = largest_step(layout, scaled, direction);
+        if (current.relative_gap < Tolerance::smallest_corrected_gap)
+          return length;
+        Vector<double> targets = shares;
+        targets *= centering * (current.s * current.z);
+        for (unsigned int k = 0; k < max_corrections && length < long_step; ++k)
+          {
+            StepDirection last = std::move(direction);
+            complementarity -=
+              centrality_correction(layout, scaled, last, length, targets);
+            find_direction(complementarity,
+                           1. - centering,
+                           Tolerance::residual);
+            const double gain =
+              largest_step(layout, scaled, direction) - length;
+            if (gain < 0)
+              direction = std::move(last);
+            else
+              length += gain;
+            if (gain < smallest_gain)
+              break;
+          }
+        return length;
+      }
+
+      /// As far as the cones allow.
       void
-      advance(const double longest);
+      advance(const double longest)
+      {
+        const double     length = std::min(1., largest_part * longest);
+        const KktVector &change = direction.change;
+        current.x.add(length, change.x);
+        current.y.add(length, change.y);
+        current.z.add(length, change.z);
+        current.load_factor += length * change.load_factor;
+        for (unsigned int c = 0; c < n_cones; ++c)
+          scalings[c].multiply(layout.cone(direction.scaled_s, c));
+        current.s.add(length, direction.scaled_s);
+      }
+
+      // An @p iterate on which the rounding errors of its equations are not
+      // small when compared with its slacks goes to the central path, where
+      // they are largest, without making the gap smaller.
       void
-      center(const ConicSolution &iterate);
+      center(const ConicSolution &iterate)
+      {
+        current  = iterate;
+        residual = evaluate(program, layout, system, current);
+        for (unsigned int k = 0;
+             k < max_centerings && current.primal_error > Tolerance::interior &&
+             scale();
+             ++k)
+          {
+            Vector<double> complementarity = square(layout, scaled);
+            subtract_centre(complementarity, current.s * current.z);
+            find_direction(complementarity, 1., Tolerance::residual);
+            advance(largest_step(layout, scaled, direction));
+            residual = evaluate(program, layout, system, current);
+          }
+      }
+
+      /// Subtracts what lambda o lambda is on the central path with this @p
+      /// gap: a multiple of the unit of each cone.
       void
-      subtract_centre(Vector<double> &values, const double gap) const;
+      subtract_centre(Vector<double> &values, const double gap) const
+      {
+        for (unsigned int c = 0; c < n_cones; ++c)
+          layout.cone(values, c)[0] -= gap * shares[c];
+      }
+
+      /// With a @p part of the residuals.
       void
       find_direction(const Vector<double> &complementarity,
                      const double          part,
-                     const double          relative_residual);
+                     const double          relative_residual)
+      {
+        KktVector right_hand_side = residual;
+        right_hand_side.x *= part;
+        right_hand_side.y *= part;
+        right_hand_side.z *= part;
+        right_hand_side.load_factor *= part;
+        direction = ElastoPlastic::find_direction(system,
+                                                  layout,
+                                                  scalings,
+                                                  scaled,
+                                                  complementarity,
+                                                  std::move(right_hand_side),
+                                                  relative_residual);
+      }
 
       ConicProgram        program; ///< without A and G, which the system has
       const ConicLayout   layout;
@@ -93,278 +314,6 @@ namespace ElastoPlastic
       Vector<double> scaled; ///< lambda = W z = W^-1 s
       StepDirection  direction;
     };
-
-
-
-    InteriorPoint::InteriorPoint(ConicProgram the_program,
-                                 const double tolerance)
-      : program(std::move(the_program))
-      , layout(program)
-      , n_cones(layout.cones.size())
-      , shares(n_cones)
-      , tolerance(tolerance)
-      , system(program, layout)
-    {
-      for (unsigned int c = 0; c < n_cones; ++c)
-        shares[c] = layout.scales[c].slack * layout.scales[c].multiplier;
-      shares /= shares.l1_norm();
-      for (ConicBlock &block : program.blocks)
-        {
-          block.cone_matrix.reinit(0, 0);
-          block.coupling.reinit(0, 0);
-        }
-      current.x.reinit(layout.unknowns.back());
-      current.s.reinit(layout.rows.back());
-      current.z.reinit(layout.rows.back());
-      current.y.reinit(program.right_hand_side.size());
-      scaled = current.z;
-    }
-
-
-
-    ConicSolution
-    InteriorPoint::run()
-    {
-      if (program.live_load.size() > 0 &&
-          program.live_load.linfty_norm() < Tolerance::smallest_load)
-        throw UnboundedError();
-      begin();
-      while (!converged() && current.n_iterations < max_iterations &&
-             current.n_iterations <= best.n_iterations + max_idle_iterations &&
-             step())
-        {
-          if (termination_requested_here())
-            throw TerminationError("Ended on request (SIGTERM).");
-          ++current.n_iterations;
-          look_at_iterate();
-          check_solvability(program, layout, current, residual);
-        }
-      current            = best;
-      current.is_optimal = converged();
-      if (interior.x.size() == 0 ||
-          current.relative_gap > std::max(tolerance, Tolerance::largest_gap))
-        throw ConvergenceError("The interior point method has not converged.");
-      const ConicSolution last = current;
-      if (!make_admissible(program, layout, system, interior, current))
-        {
-          center(interior);
-          interior = current;
-          current  = last;
-          make_admissible(program, layout, system, interior, current);
-        }
-      current.relative_gap = best.relative_gap;
-      return current;
-    }
-
-
-
-    // Without the cones and with the expected scales, this is a linear system,
-    // s being -W^2 z. Its solution is moved into the cones.
-    void
-    InteriorPoint::begin()
-    {
-      scalings = expected_scalings(layout);
-      if (!system.factorize(scalings))
-        throw ConvergenceError(
-          "The interior point method cannot begin: "
-          "rounding errors are too large.");
-      residual = evaluate(program, layout, system, current);
-      system.solve(current, residual);
-      current.s = evaluate(program, layout, system, current).z;
-      move_into_cones(layout, current.s, &ConeScale::slack);
-      move_into_cones(layout, current.z, &ConeScale::multiplier);
-      look_at_iterate();
-    }
-
-
-
-    /// Not more than 1 if the iterate is a solution.
-    double
-    InteriorPoint::distance_from_solution() const
-    {
-      return std::max(current.relative_gap / tolerance,
-                      std::max(current.primal_error, current.dual_error) /
-                        Tolerance::equations);
-    }
-
-
-
-    bool
-    InteriorPoint::converged() const
-    {
-      return distance_from_solution() <= 1.;
-    }
-
-
-
-    void
-    InteriorPoint::look_at_iterate()
-    {
-      residual = evaluate(program, layout, system, current);
-      if (current.n_iterations == 0 || distance_from_solution() < best_distance)
-        {
-          best          = current;
-          best_distance = distance_from_solution();
-        }
-      if (interior.x.size() == 0 &&
-          current.primal_error <= Tolerance::equations)
-        interior = current;
-    }
-
-
-
-    bool
-    InteriorPoint::scale()
-    {
-      scalings.clear();
-      for (unsigned int c = 0; c < n_cones; ++c)
-        {
-          const ConstView s = layout.cone(std::as_const(current.s), c),
-                          z = layout.cone(std::as_const(current.z), c);
-          if (!(SecondOrderCone::determinant(s) > 0 &&
-                SecondOrderCone::determinant(z) > 0))
-            return false;
-          scalings.emplace_back(s, z);
-          const View lambda = layout.cone(scaled, c);
-          std::copy_n(z.begin(), lambda.size(), lambda.begin());
-          scalings[c].multiply(lambda);
-        }
-      return system.factorize(scalings);
-    }
-
-
-
-    /// @return false if rounding errors do not allow another one.
-    bool
-    InteriorPoint::step()
-    {
-      if (!scale())
-        return false;
-
-      // The predictor tells how much smaller the gap can become in one step,
-      Vector<double> complementarity = square(layout, scaled);
-      find_direction(complementarity, 1., Tolerance::residual_of_predictor);
-      const double centering =
-        std::pow(1. - std::min(1., largest_step(layout, scaled, direction)), 3);
-
-      // the corrector adds terms of second order, and goes to the central path.
-      Vector<double> &scaled_s = direction.scaled_s;
-      for (unsigned int c = 0; c < n_cones; ++c)
-        {
-          const View v = layout.cone(scaled_s, c);
-          SecondOrderCone::multiply(
-            v, v, layout.cone(std::as_const(direction.scaled_z), c));
-        }
-      subtract_centre(scaled_s, centering * (current.s * current.z));
-      complementarity += scaled_s;
-      find_direction(complementarity, 1. - centering, Tolerance::residual);
-      advance(correct_centrality(complementarity, centering));
-      return true;
-    }
-
-
-
-    /// Longer steps save factorisations.
-    /// @return the largest step.
-    double
-    InteriorPoint::correct_centrality(Vector<double> &complementarity,
-                                      const double    centering)
-    {
-      double length = largest_step(layout, scaled, direction);
-      if (current.relative_gap < Tolerance::smallest_corrected_gap)
-        return length;
-      Vector<double> targets = shares;
-      targets *= centering * (current.s * current.z);
-      for (unsigned int k = 0; k < max_corrections && length < long_step; ++k)
-        {
-          StepDirection last = std::move(direction);
-          complementarity -=
-            centrality_correction(layout, scaled, last, length, targets);
-          find_direction(complementarity, 1. - centering, Tolerance::residual);
-          const double gain = largest_step(layout, scaled, direction) - length;
-          if (gain < 0)
-            direction = std::move(last);
-          else
-            length += gain;
-          if (gain < smallest_gain)
-            break;
-        }
-      return length;
-    }
-
-
-
-    /// As far as the cones allow.
-    void
-    InteriorPoint::advance(const double longest)
-    {
-      const double     length = std::min(1., largest_part * longest);
-      const KktVector &change = direction.change;
-      current.x.add(length, change.x);
-      current.y.add(length, change.y);
-      current.z.add(length, change.z);
-      current.load_factor += length * change.load_factor;
-      for (unsigned int c = 0; c < n_cones; ++c)
-        scalings[c].multiply(layout.cone(direction.scaled_s, c));
-      current.s.add(length, direction.scaled_s);
-    }
-
-
-
-    // An @p iterate on which the rounding errors of its equations are not small
-    // when compared with its slacks goes to the central path, where they are
-    // largest, without making the gap smaller.
-    void
-    InteriorPoint::center(const ConicSolution &iterate)
-    {
-      current  = iterate;
-      residual = evaluate(program, layout, system, current);
-      for (unsigned int k = 0;
-           k < max_centerings && current.primal_error > Tolerance::interior &&
-           scale();
-           ++k)
-        {
-          Vector<double> complementarity = square(layout, scaled);
-          subtract_centre(complementarity, current.s * current.z);
-          find_direction(complementarity, 1., Tolerance::residual);
-          advance(largest_step(layout, scaled, direction));
-          residual = evaluate(program, layout, system, current);
-        }
-    }
-
-
-
-    /// Subtracts what lambda o lambda is on the central path with this @p gap:
-    /// a multiple of the unit of each cone.
-    void
-    InteriorPoint::subtract_centre(Vector<double> &values,
-                                   const double    gap) const
-    {
-      for (unsigned int c = 0; c < n_cones; ++c)
-        layout.cone(values, c)[0] -= gap * shares[c];
-    }
-
-
-
-    /// With a @p part of the residuals.
-    void
-    InteriorPoint::find_direction(const Vector<double> &complementarity,
-                                  const double          part,
-                                  const double          relative_residual)
-    {
-      KktVector right_hand_side = residual;
-      right_hand_side.x *= part;
-      right_hand_side.y *= part;
-      right_hand_side.z *= part;
-      right_hand_side.load_factor *= part;
-      direction = ElastoPlastic::find_direction(system,
-                                                layout,
-                                                scalings,
-                                                scaled,
-                                                complementarity,
-                                                std::move(right_hand_side),
-                                                relative_residual);
-    }
   } // namespace
 
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/tensors.h"
 #include "bounds/body/hencky_material.h"
@@ -132,9 +131,7 @@ namespace ElastoPlastic
       double
       radial_displacement(const Barycentric<dim> &point) const
       {
-        return value<dim>(displacement,
-                          simplex,
-                          point_of_part<dim>(k, point))[0];
+        return displacement.value(simplex, point_of_part<dim>(k, point))[0];
       }
 
       using Strains = std::array<SymmetricTensor<2, dim>, dim + 1>;
@@ -164,7 +161,7 @@ namespace ElastoPlastic
                      const unsigned int         t)
     {
       constexpr unsigned int n_parts = JohnsonMercier<dim>::n_parts;
-      const auto             strain  = strains(body.mesh, displacement, t);
+      const auto             strain  = displacement.strains(body.mesh, t);
       const RateNorm         norm(body.materials[t]);
       double                 result = 0;
       for (unsigned int k = 0; k < n_parts; ++k)
@@ -187,7 +184,7 @@ namespace ElastoPlastic
                   const unsigned int         f)
     {
       const auto              corners = body.corners_of_face(f);
-      const auto              v = values_on_face(body.mesh, displacement, f);
+      const auto              v = displacement.values_on_face(body.mesh, f);
       std::array<double, dim> weighted;
       for (unsigned int i = 0; i < dim; ++i)
         weighted[i] = body.weight(corners[i]) * pressure[i];
@@ -204,30 +201,6 @@ namespace ElastoPlastic
       return body.angle() * area(corners) * sum;
     }
   } // namespace
-
-
-
-  double
-  ErrorBound::of_body() const
-  {
-    return std::accumulate(of_simplices.begin(), of_simplices.end(), 0.);
-  }
-
-
-
-  double
-  ErrorBound::of_contact() const
-  {
-    return std::accumulate(of_faces.begin(), of_faces.end(), 0.);
-  }
-
-
-
-  double
-  ErrorBound::total() const
-  {
-    return of_body() + of_contact();
-  }
 
 
 

@@ -72,22 +72,6 @@ namespace ElastoPlastic
 
 
 
-  double
-  FaceGap<2>::position(const unsigned int i) const
-  {
-    return begin + (end - begin) * i / n_intervals;
-  }
-
-
-
-  bool
-  FaceGap<2>::is_empty() const
-  {
-    return values.empty();
-  }
-
-
-
   std::vector<SmallSimplex<2>>
   FaceGap<2>::small_simplices() const
   {

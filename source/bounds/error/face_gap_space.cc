@@ -41,15 +41,6 @@ namespace ElastoPlastic
 
 
 
-  std::size_t
-  FaceGap<3>::index(const LatticePoint &point)
-  {
-    return (n_intervals + 2 * margin + 1) * (margin + point.i) + margin +
-           point.j;
-  }
-
-
-
   template <typename Action>
   void
   FaceGap<3>::for_small_triangles(const Action &action)
@@ -136,14 +127,5 @@ namespace ElastoPlastic
       result.push_back(triangle);
     });
     return result;
-  }
-
-
-
-  double
-  FaceGap<3>::lower_at_corner(const unsigned int corner) const
-  {
-    return lower[index(
-      {corner == 1 ? n_intervals : 0, corner == 2 ? n_intervals : 0})];
   }
 } // namespace ElastoPlastic

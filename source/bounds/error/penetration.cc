@@ -119,7 +119,7 @@ namespace ElastoPlastic
     std::vector<double> lowering(body.mesh.n_edges);
     for (const auto &[f, gap] : gaps)
       {
-        const auto   v         = values_on_face(body.mesh, displacement, f);
+        const auto   v         = displacement.values_on_face(body.mesh, f);
         const double necessary = necessary_lowering(gap, v, depth);
         for (const unsigned int edge : v.edges)
           keep_largest(lowering[edge], necessary);

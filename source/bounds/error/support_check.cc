@@ -54,7 +54,7 @@ namespace ElastoPlastic
         for (const auto &component : body.conditions[f].components)
           if (component.type == ConditionType::displacement)
             {
-              const auto v = values_on_face(body.mesh, displacement, f);
+              const auto v = displacement.values_on_face(body.mesh, f);
               look_over_face<dim>(body.corners_of_face(f),
                                   [&](const FacePoint<dim> &point) {
                                     result.add(v.value(point.position) *

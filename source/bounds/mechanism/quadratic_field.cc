@@ -48,11 +48,42 @@ namespace ElastoPlastic
     public:
       /// Collective. @p dof_handler must live as long as this object.
       GatheredSolution(const DoFHandler<dim> &dof_handler,
-                       const VectorType      &displacement);
+                       const VectorType      &displacement)
+        : fe(dof_handler.get_fe())
+      {
+        const VectorType values = ghosted_copy(displacement, dof_handler);
+        std::map<CellId, std::vector<double>> own;
+        Vector<double>                        of_cell(fe.n_dofs_per_cell());
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              cell->get_dof_values(values, of_cell);
+              own[cell->id()].assign(of_cell.begin(), of_cell.end());
+            }
+        for (const auto &of_rank :
+             Utilities::MPI::gather(communicator_of(dof_handler), own))
+          of_cells.insert(of_rank.begin(), of_rank.end());
+      }
 
       /// At a point of the unit cell of a cell.
+      // The components have the same shape functions.
       Tensor<1, dim>
-      value(const CellId &cell, const Point<dim> &unit_point) const;
+      value(const CellId &cell, const Point<dim> &unit_point) const
+      {
+        const std::vector<double> &values = of_cells.at(cell);
+        const FiniteElement<dim>  &scalar = fe.base_element(0);
+        std::vector<double>        shapes(scalar.n_dofs_per_cell());
+        for (unsigned int i = 0; i < shapes.size(); ++i)
+          shapes[i] = scalar.shape_value(i, unit_point);
+
+        Tensor<1, dim> result;
+        for (unsigned int i = 0; i < values.size(); ++i)
+          {
+            const auto [component, index] = fe.system_to_component_index(i);
+            result[component] += values[i] * shapes[index];
+          }
+        return result;
+      }
 
     private:
       const FiniteElement<dim>             &fe;
@@ -61,44 +92,21 @@ namespace ElastoPlastic
 
 
 
+    /// The gradients of the quadratic shape functions at a @p corner of a
+    /// simplex: of those that belong to its corners, then of those that belong
+    /// to the middles of its edges. Of the latter, only those of the edges that
+    /// begin there have a gradient.
     template <int dim>
-    GatheredSolution<dim>::GatheredSolution(const DoFHandler<dim> &dof_handler,
-                                            const VectorType      &displacement)
-      : fe(dof_handler.get_fe())
+    std::array<Tensor<1, dim>, dim + 1 + edges_per_simplex<dim>>
+    shape_gradients(const Corners<dim> &corners, const unsigned int corner)
     {
-      const VectorType values = ghosted_copy(displacement, dof_handler);
-      std::map<CellId, std::vector<double>> own;
-      Vector<double>                        of_cell(fe.n_dofs_per_cell());
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            cell->get_dof_values(values, of_cell);
-            own[cell->id()].assign(of_cell.begin(), of_cell.end());
-          }
-      for (const auto &of_rank :
-           Utilities::MPI::gather(communicator_of(dof_handler), own))
-        of_cells.insert(of_rank.begin(), of_rank.end());
-    }
-
-
-
-    // The components have the same shape functions.
-    template <int dim>
-    Tensor<1, dim>
-    GatheredSolution<dim>::value(const CellId     &cell,
-                                 const Point<dim> &unit_point) const
-    {
-      const std::vector<double> &values = of_cells.at(cell);
-      const FiniteElement<dim>  &scalar = fe.base_element(0);
-      std::vector<double>        shapes(scalar.n_dofs_per_cell());
-      for (unsigned int i = 0; i < shapes.size(); ++i)
-        shapes[i] = scalar.shape_value(i, unit_point);
-
-      Tensor<1, dim> result;
-      for (unsigned int i = 0; i < values.size(); ++i)
+      const auto linear = gradients(corners);
+      std::array<Tensor<1, dim>, dim + 1 + edges_per_simplex<dim>> result;
+      for (unsigned int i = 0; i <= dim; ++i)
         {
-          const auto [component, index] = fe.system_to_component_index(i);
-          result[component] += values[i] * shapes[index];
+          result[i] = (i == corner ? 3. : -1.) * linear[i];
+          if (i != corner)
+            result[dim + 1 + edge_between<dim>(i, corner)] = 4. * linear[i];
         }
       return result;
     }
@@ -106,30 +114,10 @@ namespace ElastoPlastic
 
 
 
-  // At a corner, of the functions of edges only those of the edges that begin
-  // there have a gradient.
-  template <int dim>
-  std::array<Tensor<1, dim>, dim + 1 + edges_per_simplex<dim>>
-  shape_gradients(const Corners<dim> &corners, const unsigned int corner)
-  {
-    const auto linear = gradients(corners);
-    std::array<Tensor<1, dim>, dim + 1 + edges_per_simplex<dim>> result;
-    for (unsigned int i = 0; i <= dim; ++i)
-      {
-        result[i] = (i == corner ? 3. : -1.) * linear[i];
-        if (i != corner)
-          result[dim + 1 + edge_between<dim>(i, corner)] = 4. * linear[i];
-      }
-    return result;
-  }
-
-
-
   template <int dim>
   std::array<SymmetricTensor<2, dim>, dim + 1>
-  strains(const SplitMesh<dim>      &mesh,
-          const QuadraticField<dim> &field,
-          const unsigned int         t)
+  QuadraticField<dim>::strains(const SplitMesh<dim> &mesh,
+                               const unsigned int    t) const
   {
     const auto &simplex = mesh.simplices[t];
     const auto  corners = mesh.corners(simplex);
@@ -140,10 +128,10 @@ namespace ElastoPlastic
         Tensor<2, dim> gradient;
         for (unsigned int i = 0; i <= dim; ++i)
           gradient +=
-            outer_product(field.at_vertices[simplex.vertices[i]], shapes[i]);
+            outer_product(at_vertices[simplex.vertices[i]], shapes[i]);
         for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
-          gradient += outer_product(field.at_edges[simplex.edges[e]],
-                                    shapes[dim + 1 + e]);
+          gradient +=
+            outer_product(at_edges[simplex.edges[e]], shapes[dim + 1 + e]);
         result[corner] = symmetrize(gradient);
       }
     return result;
@@ -153,32 +141,30 @@ namespace ElastoPlastic
 
   template <int dim>
   Tensor<1, dim>
-  value(const QuadraticField<dim>              &field,
-        const typename SplitMesh<dim>::Simplex &simplex,
-        const Barycentric<dim>                 &position)
+  QuadraticField<dim>::value(const Simplex          &simplex,
+                             const Barycentric<dim> &position) const
   {
-    std::array<Tensor<1, dim>, dim + 1>                at_corners;
-    std::array<Tensor<1, dim>, edges_per_simplex<dim>> at_edges;
+    std::array<Tensor<1, dim>, dim + 1>                of_corners;
+    std::array<Tensor<1, dim>, edges_per_simplex<dim>> of_edges;
     for (unsigned int i = 0; i <= dim; ++i)
-      at_corners[i] = field.at_vertices[simplex.vertices[i]];
+      of_corners[i] = at_vertices[simplex.vertices[i]];
     for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
-      at_edges[e] = field.at_edges[simplex.edges[e]];
-    return quadratic<dim>(at_corners, at_edges, position);
+      of_edges[e] = at_edges[simplex.edges[e]];
+    return quadratic<dim>(of_corners, of_edges, position);
   }
 
 
 
   template <int dim>
   std::array<Tensor<1, dim>, dim + 2>
-  values_at_vertices(const QuadraticField<dim>              &field,
-                     const typename SplitMesh<dim>::Simplex &simplex)
+  QuadraticField<dim>::values_at_vertices(const Simplex &simplex) const
   {
     std::array<Tensor<1, dim>, dim + 2> result;
     Barycentric<dim>                    centre;
     centre.fill(1. / (dim + 1.));
     for (unsigned int i = 0; i <= dim; ++i)
-      result[i] = field.at_vertices[simplex.vertices[i]];
-    result[dim + 1] = value<dim>(field, simplex, centre);
+      result[i] = at_vertices[simplex.vertices[i]];
+    result[dim + 1] = value(simplex, centre);
     return result;
   }
 
@@ -195,15 +181,14 @@ namespace ElastoPlastic
 
   template <int dim>
   FaceValues<dim>
-  values_on_face(const SplitMesh<dim>      &mesh,
-                 const QuadraticField<dim> &field,
-                 const unsigned int         f)
+  QuadraticField<dim>::values_on_face(const SplitMesh<dim> &mesh,
+                                      const unsigned int    face) const
   {
-    const auto     &vertices = mesh.faces[f].vertices;
-    const auto     &simplex  = mesh.simplices[mesh.faces[f].neighbors[0]];
+    const auto     &vertices = mesh.faces[face].vertices;
+    const auto     &simplex  = mesh.simplices[mesh.faces[face].neighbors[0]];
     FaceValues<dim> values;
     for (unsigned int i = 0; i < dim; ++i)
-      values.at_corners[i] = field.at_vertices[vertices[i]];
+      values.at_corners[i] = at_vertices[vertices[i]];
     for (unsigned int e = 0; e < edges_per_simplex<dim - 1>; ++e)
       {
         const auto [a, b] = ends_of_edge<dim - 1>(e);
@@ -211,7 +196,7 @@ namespace ElastoPlastic
           simplex
             .edges[edge_between<dim>(simplex.place_of_vertex(vertices[a]),
                                      simplex.place_of_vertex(vertices[b]))];
-        values.at_edges[e] = field.at_edges[values.edges[e]];
+        values.at_edges[e] = at_edges[values.edges[e]];
       }
     return values;
   }
@@ -220,9 +205,10 @@ namespace ElastoPlastic
 
   template <int dim>
   QuadraticField<dim>
-  interpolate_displacement(const SplitMesh<dim>  &mesh,
-                           const DoFHandler<dim> &dof_handler,
-                           const VectorType      &displacement)
+  QuadraticField<dim>::interpolate_displacement(
+    const SplitMesh<dim>  &mesh,
+    const DoFHandler<dim> &dof_handler,
+    const VectorType      &displacement)
   {
     const GatheredSolution<dim> solution(dof_handler, displacement);
     QuadraticField<dim>         field;
@@ -247,42 +233,8 @@ namespace ElastoPlastic
 
 
 
-  template std::array<Tensor<1, 2>, 6>
-  shape_gradients<2>(const Corners<2> &, const unsigned int);
-  template std::array<SymmetricTensor<2, 2>, 3>
-  strains(const SplitMesh<2> &, const QuadraticField<2> &, const unsigned int);
-  template std::array<SymmetricTensor<2, 3>, 4>
-  strains(const SplitMesh<3> &, const QuadraticField<3> &, const unsigned int);
-  template Tensor<1, 2>
-  value<2>(const QuadraticField<2> &,
-           const SplitMesh<2>::Simplex &,
-           const Barycentric<2> &);
-  template Tensor<1, 3>
-  value<3>(const QuadraticField<3> &,
-           const SplitMesh<3>::Simplex &,
-           const Barycentric<3> &);
-  template std::array<Tensor<1, 2>, 4>
-  values_at_vertices<2>(const QuadraticField<2> &,
-                        const SplitMesh<2>::Simplex &);
-  template std::array<Tensor<1, 3>, 5>
-  values_at_vertices<3>(const QuadraticField<3> &,
-                        const SplitMesh<3>::Simplex &);
   template struct FaceValues<2>;
   template struct FaceValues<3>;
-  template FaceValues<2>
-  values_on_face(const SplitMesh<2> &,
-                 const QuadraticField<2> &,
-                 const unsigned int);
-  template FaceValues<3>
-  values_on_face(const SplitMesh<3> &,
-                 const QuadraticField<3> &,
-                 const unsigned int);
-  template QuadraticField<2>
-  interpolate_displacement(const SplitMesh<2> &,
-                           const DoFHandler<2> &,
-                           const VectorType &);
-  template QuadraticField<3>
-  interpolate_displacement(const SplitMesh<3> &,
-                           const DoFHandler<3> &,
-                           const VectorType &);
+  template struct QuadraticField<2>;
+  template struct QuadraticField<3>;
 } // namespace ElastoPlastic

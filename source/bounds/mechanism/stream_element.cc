@@ -23,30 +23,6 @@ namespace ElastoPlastic
 
 
 
-  unsigned int
-  StreamElement::n_functions() const
-  {
-    return n_cubics + (has_flux ? 3 : 0);
-  }
-
-
-
-  unsigned int
-  StreamElement::n_rate_components() const
-  {
-    return body.is_axisymmetric() ? 3 : 2;
-  }
-
-
-
-  unsigned int
-  StreamElement::side_degree() const
-  {
-    return body.is_axisymmetric() ? 4 : 2;
-  }
-
-
-
   Tensor<1, 2>
   StreamElement::velocity_of(const Jet &jet, const double r) const
   {

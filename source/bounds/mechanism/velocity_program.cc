@@ -1,9 +1,14 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <cmath>
+#include <numeric>
 #include <string>
 
-#include "bounds/body/evaluated_bounds.h"
+#include "base/exceptions.h"
+#include "base/text.h"
+#include "bounds/conic/interior_point.h"
+#include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/velocity_check.h"
 #include "bounds/mechanism/velocity_program.h"
 
@@ -22,6 +27,56 @@ namespace ElastoPlastic
     find_mechanism(const SplitBody<3> &body, const double tolerance)
     {
       return find_flux(body, tolerance);
+    }
+
+
+
+    /// Scales the velocities of a @p field, which is up to a factor, so that
+    /// the indenter moves down by 1, or if it is other loads that grow, the
+    /// largest velocity is 1; and replaces the bound that has been minimised by
+    /// that which follows from the velocities alone.
+    /// @throws ConvergenceError if they are no admissible mechanism.
+    template <int dim>
+    void
+    evaluate_mechanism(const SplitBody<dim> &body, VelocityField<dim> &field)
+    {
+      // (Without friction, velocities are those of a stream function, or no
+      // volume counts; with it, rates are inside a cone as far as they have
+      // been computed.)
+      const double largest_error = body.has_friction() ?
+                                     Tolerance::admissibility_with_friction :
+                                     Tolerance::admissibility;
+
+      const bool   loads_grow = body.load_factor_unit > 0;
+      const double minimum    = field.bound;
+      const double size = loads_grow ? largest_velocity(body, field.velocity) :
+                                       lowest_depth(body, field.velocity);
+      if (!(size > 0. && std::isfinite(size)))
+        throw ConvergenceError(
+          "No mechanism of collapse has been found, because of rounding "
+          "errors.");
+      scale(field, 1. / size);
+
+      field.error = check_velocity(body, field.velocity).largest();
+      if (!(field.error <= largest_error))
+        throw ConvergenceError(
+          "The mechanism of collapse violates its conditions by " +
+          to_text(field.error) +
+          " of its velocity, because of rounding errors.");
+
+      const LoadPower power = power_of_loads(body, field.velocity);
+      if (loads_grow && !(power.growing > 0))
+        throw ConvergenceError(
+          "The loads that grow have no power in the mechanism of collapse, "
+          "because of rounding errors.");
+      field.dissipation = plastic_work(body, field.velocity);
+      field.bound       = std::accumulate(field.dissipation.begin(),
+                                    field.dissipation.end(),
+                                    -power.constant) /
+                    (loads_grow ? power.growing : 1.);
+      if (!(field.bound - minimum <=
+            Tolerance::loss_of_minimum * std::abs(minimum)))
+        field.is_optimal = false;
     }
   } // namespace
 

@@ -123,22 +123,8 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  Tensor<1, dim>
-  outward_normal(const Corners<dim> &corners, const unsigned int k)
-  {
-    const Tensor<1, dim> gradient = gradients(corners)[opposite_corner<dim>(k)];
-    return -gradient / gradient.norm();
-  }
-
-
-
   template Point<2>
   centre_of(const Corners<2> &);
   template Point<3>
   centre_of(const Corners<3> &);
-  template Tensor<1, 2>
-  outward_normal(const Corners<2> &, const unsigned int);
-  template Tensor<1, 3>
-  outward_normal(const Corners<3> &, const unsigned int);
 } // namespace ElastoPlastic

@@ -137,67 +137,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  unsigned int
-  SplitMesh<dim>::Simplex::place_of_vertex(const unsigned int vertex) const
-  {
-    return std::find(vertices.begin(), vertices.end(), vertex) -
-           vertices.begin();
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  SplitMesh<dim>::Simplex::place_of_face(const unsigned int face) const
-  {
-    return std::find(faces.begin(), faces.end(), face) - faces.begin();
-  }
-
-
-
-  template <int dim>
-  bool
-  SplitMesh<dim>::Face::is_inside() const
-  {
-    return boundary_id == numbers::internal_face_boundary_id;
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  SplitMesh<dim>::Face::n_neighbors() const
-  {
-    return is_inside() ? 2 : 1;
-  }
-
-
-
-  template <int dim>
-  Corners<dim>
-  SplitMesh<dim>::corners(const Simplex &simplex) const
-  {
-    Corners<dim> result;
-    for (unsigned int i = 0; i <= dim; ++i)
-      result[i] = vertices[simplex.vertices[i]];
-    return result;
-  }
-
-
-
-  template <int dim>
-  FaceCorners<dim>
-  SplitMesh<dim>::corners(const Face &face) const
-  {
-    FaceCorners<dim> result;
-    for (unsigned int i = 0; i < dim; ++i)
-      result[i] = vertices[face.vertices[i]];
-    return result;
-  }
-
-
-
-  template <int dim>
   std::array<unsigned int, dim>
   SplitMesh<dim>::places_in_part(const unsigned int t,
                                  const unsigned int k) const

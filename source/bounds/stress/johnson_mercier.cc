@@ -137,22 +137,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  SymmetricTensor<2, dim>
-  JohnsonMercier<dim>::coefficient(const Vector<double> &values,
-                                   const unsigned int    part,
-                                   const unsigned int    i)
-  {
-    const unsigned int first =
-      values.size() / n_parts * part + n_components * i;
-    SymmetricTensor<2, dim> stress;
-    for (unsigned int c = 0; c < n_components; ++c)
-      stress.access_raw_entry(c) = values[first + c];
-    return stress;
-  }
-
-
-
-  template <int dim>
   unsigned int
   JohnsonMercier<dim>::number_on_face(
     const unsigned int                   degree,
@@ -164,18 +148,6 @@ namespace ElastoPlastic
     for (unsigned int j = 0; j < dim; ++j)
       exponents[places[j]] = on_face[j];
     return Bernstein<dim>::number_of(exponents);
-  }
-
-
-
-  template <int dim>
-  std::array<unsigned int, dim>
-  JohnsonMercier<dim>::places_of_face(const unsigned int k)
-  {
-    std::array<unsigned int, dim> places;
-    for (unsigned int j = 0; j < dim; ++j)
-      places[j] = place_in_part<dim>(k, corner_of_face<dim>(k, j));
-    return places;
   }
 
 
@@ -216,25 +188,6 @@ namespace ElastoPlastic
                                           const unsigned int  degree)
   {
     return transform<dim>(reference_bases<dim>(degree).equilibrated, corners);
-  }
-
-
-
-  template <int dim>
-  FullMatrix<double>
-  JohnsonMercier<dim>::traction_matrix(const Corners<dim> &corners,
-                                       const unsigned int  degree)
-  {
-    FullMatrix<double> tractions(n_tractions(degree), n_values(degree));
-    for (unsigned int k = 0; k < n_parts; ++k)
-      for (unsigned int i = 0; i < n_face_points(degree); ++i)
-        add_traction(tractions,
-                     traction_index(degree, k, i, 0),
-                     value_index(degree,
-                                 k,
-                                 number_on_face(degree, places_of_face(k), i)),
-                     outward_normal<dim>(corners, k));
-    return tractions;
   }
 
 

@@ -11,19 +11,6 @@ namespace ElastoPlastic
 {
   template <int dim>
   SymmetricTensor<2, 3>
-  StressField<dim>::coefficient(const unsigned int t,
-                                const unsigned int part,
-                                const unsigned int i) const
-  {
-    return stress_from<dim>(values[t].begin() +
-                            n_stress_components<dim> *
-                              (Bernstein<dim>::n_functions(degree) * part + i));
-  }
-
-
-
-  template <int dim>
-  SymmetricTensor<2, 3>
   StressField<dim>::at(const unsigned int      t,
                        const unsigned int      part,
                        const Barycentric<dim> &point) const

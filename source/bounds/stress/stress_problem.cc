@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "bounds/body/evaluated_bounds.h"
+#include "base/exceptions.h"
+#include "bounds/conic/interior_point.h"
 #include "bounds/conic/tolerances.h"
 #include "bounds/stress/stress_field.h"
 #include "bounds/stress/stress_program.h"
@@ -12,10 +13,6 @@ namespace ElastoPlastic
   {
     /// Of the stresses with the least energy: ErrorBound is for linear ones.
     constexpr unsigned int energy_degree = 1;
-
-    using LocalStresses::OutOfPlane;
-
-
 
     /// @p in_plane_strain says what is known of it in plane strain.
     template <int dim>
@@ -49,6 +46,36 @@ namespace ElastoPlastic
       program.add_energy();
       program.add_gap();
       return program;
+    }
+
+
+
+    /// The stresses with the largest force. @throws ConvergenceError or
+    /// EquilibriumError that says why there are none.
+    template <int dim>
+    StressField<dim>
+    solve_or_explain(StressProgram<dim> &program, const double tolerance)
+    {
+      try
+        {
+          return program.solve(tolerance);
+        }
+      catch (const UnboundedError &)
+        {
+          throw ConvergenceError(
+            "There is no limit load: the supports enclose the body, which "
+            "bears any load, or the indenter reaches a point that is held. Let "
+            "'Indenter/Reach' end before what is held.");
+        }
+      catch (const NoSolutionError &)
+        {
+          throw EquilibriumError(
+            "No stresses on this mesh bear the constant loads alone, those in "
+            "'Boundary conditions/Traction' and 'Body force'. Prescribe "
+            "smaller ones, begin with a finer mesh if the body should just "
+            "bear them, or look for the part of them that it bears with "
+            "'Limit load/Load = tractions'.");
+        }
     }
   } // namespace
 
@@ -92,8 +119,7 @@ namespace ElastoPlastic
                                degree);
     if (body.load_factor_unit == 0)
       program.add_force(-depth_unit);
-    StressField<dim> field =
-      explain_missing_limit([&]() { return program.solve(tolerance); });
+    StressField<dim> field = solve_or_explain(program, tolerance);
     for (auto &velocities : field.displacement)
       for (auto &velocity : velocities)
         velocity /= depth_unit;

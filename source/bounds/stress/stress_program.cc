@@ -25,7 +25,7 @@ namespace ElastoPlastic
   {
     if (body.is_axisymmetric())
       for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
-        bases.push_back(LocalStresses::equilibrated_basis(body, t, degree));
+        bases.push_back(local(t).equilibrated_basis());
     number_equations();
     for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
       add_block(t);
@@ -40,7 +40,7 @@ namespace ElastoPlastic
   {
     if (!hardens(body.materials[t]))
       return 0;
-    const auto weights = LocalStresses::weights(body, t, degree);
+    const auto weights = local(t).weights();
     return weights.size() - std::count(weights.begin(), weights.end(), 0.);
   }
 
@@ -51,17 +51,13 @@ namespace ElastoPlastic
   StressProgram<dim>::point_stresses(const unsigned int t) const
   {
     const FullMatrix<double> &basis =
-      bases.empty() ? LocalStresses::equilibrated_basis(body, t, degree) :
-                      bases[t];
+      bases.empty() ? local(t).equilibrated_basis() : bases[t];
     const unsigned int n_unknown =
       out_of_plane == OutOfPlane::unknown ? Element::n_points(degree) : 0;
-    return LocalStresses::point_stresses(body,
-                                         t,
-                                         degree,
-                                         basis,
-                                         out_of_plane,
-                                         basis.n() + n_unknown + n_growths(t) +
-                                           has_growing_pressure());
+    return local(t).point_stresses(basis,
+                                   out_of_plane,
+                                   basis.n() + n_unknown + n_growths(t) +
+                                     has_growing_pressure());
   }
 
 
@@ -79,7 +75,7 @@ namespace ElastoPlastic
       add_yield_conditions<dim>(block,
                                 stress_matrix<dim>(material),
                                 stresses,
-                                LocalStresses::weights(body, t, degree),
+                                local(t).weights(),
                                 material.yield_radius / body.stress_unit);
     if (hardens(material))
       for (unsigned int i = 0, n = n_growths(t); i < n; ++i)
@@ -92,15 +88,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  bool
-  StressProgram<dim>::has_growing_pressure() const
-  {
-    return body.has_friction() && body.live_body_force.norm() > 0.;
-  }
-
-
-
   // The pressure of body forces is not in the stresses.
   template <int dim>
   void
@@ -109,13 +96,12 @@ namespace ElastoPlastic
   {
     ConicBlock  &block    = program.blocks[t];
     const double slope    = body.friction_slopes[t];
-    const auto   weights  = LocalStresses::weights(body, t, degree);
-    const auto   constant = LocalStresses::pressures(body, t, degree, 0.);
+    const auto   weights  = local(t).weights();
+    const auto   constant = local(t).pressures(0.);
     add_friction(block, stresses, weights, constant, slope);
     if (!has_growing_pressure())
       return;
-    auto growing =
-      LocalStresses::pressures(body, t, degree, body.load_factor_unit);
+    auto growing = local(t).pressures(body.load_factor_unit);
     std::transform(growing.begin(),
                    growing.end(),
                    constant.begin(),
@@ -190,10 +176,8 @@ namespace ElastoPlastic
             hoop(Element::n_points(degree - 1)), weighted(n_points);
           for (unsigned int i = 0; i < of_element.size(); ++i)
             of_element[i] = stress[n_stress_components<2> * (i / 3) + i % 3];
-          LocalStresses::circumferential_matrix(body, t, degree)
-            .vmult(hoop, of_element);
-          LocalStresses::weighting_matrix(body, t, degree)
-            .vmult(weighted, hoop);
+          local(t).circumferential_matrix().vmult(hoop, of_element);
+          local(t).weighting_matrix().vmult(weighted, hoop);
           hoop /= body.length_unit;
           weighted *= body.weight_unit() / body.length_unit;
           field.circumferential.emplace_back(hoop.begin(), hoop.end());
@@ -230,7 +214,7 @@ namespace ElastoPlastic
       {
         ConicBlock               block(values.size());
         const FullMatrix<double> identity{IdentityMatrix(values.size())};
-        const auto weights = LocalStresses::weights(body, t, degree);
+        const auto               weights = local(t).weights();
         add_yield_conditions<dim>(block,
                                   stress_matrix<dim>(body.materials[t]),
                                   identity,
@@ -281,7 +265,7 @@ namespace ElastoPlastic
   {
     constexpr unsigned int   n_corners = dim + 1;
     const auto               corners   = body.corners_of(t);
-    const FullMatrix<double> shapes    = LocalStresses::basis(body, t, degree);
+    const FullMatrix<double> shapes    = local(t).basis();
     const unsigned int       n         = Element::n_divergences(degree);
     FullMatrix<double>       divergence(n, shapes.n());
     Element::divergence_matrix(corners, degree).mmult(divergence, shapes);

@@ -52,7 +52,7 @@ namespace ElastoPlastic
       }
     if constexpr (dim == 2)
       {
-        const auto w = LocalStresses::weights(body, t, /* degree = */ 1);
+        const auto w = local(t).weights_at_corners();
         mass.reinit(Bernstein<2>::n_functions(degree),
                     Bernstein<2>::n_functions(degree));
         for (const auto &[position, weight] :
@@ -106,7 +106,7 @@ namespace ElastoPlastic
   StressProgram<dim>::add_hardening_energy(const unsigned int t)
   {
     const unsigned int        n_functions = Bernstein<dim>::n_functions(degree);
-    const auto                weights = LocalStresses::weights(body, t, degree);
+    const auto                weights     = local(t).weights();
     std::vector<unsigned int> points;
     for (unsigned int p = 0; p < weights.size(); ++p)
       if (weights[p] > 0)
@@ -171,7 +171,7 @@ namespace ElastoPlastic
           add_hardening_energy(t);
         add_work_of_supports(t, stresses);
         const double part = body.relative_volume(t) *
-                            LocalStresses::weight_of_centre(body, t) /
+                            local(t).weight_of_centre() /
                             Element::n_points(degree);
         std::fill(block.cone_scales.begin(),
                   block.cone_scales.end(),

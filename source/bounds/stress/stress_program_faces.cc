@@ -53,15 +53,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  unsigned int
-  StressProgram<dim>::index(const PointOfFace &point) const
-  {
-    return Element::n_face_points(degree) * point.face + point.point;
-  }
-
-
-
-  template <int dim>
   bool
   StressProgram<dim>::is_on_axis(const PointOfFace &point) const
   {
@@ -69,15 +60,6 @@ namespace ElastoPlastic
       point_on_face<dim>(body.corners_of_face(point.face),
                          Bernstein<dim - 1>::points(degree)[point.point])
         .x);
-  }
-
-
-
-  template <int dim>
-  double
-  StressProgram<dim>::share_of_face(const unsigned int face) const
-  {
-    return body.relative_area(face) / Element::n_face_points(degree);
   }
 
 
@@ -235,45 +217,6 @@ namespace ElastoPlastic
               row[0] = -1.;
               block.add_inequality(row);
             }
-  }
-
-
-
-  template <int dim>
-  ConicBlock &
-  StressProgram<dim>::contact_block(const unsigned int i)
-  {
-    return program.blocks[body.mesh.simplices.size() + i];
-  }
-
-
-
-  template <int dim>
-  double
-  StressProgram<dim>::contact_unit(const unsigned int face) const
-  {
-    return dim == 2 ? 1. : share_of_face(face);
-  }
-
-
-
-  template <int dim>
-  double
-  StressProgram<dim>::vertical_part(const unsigned int i) const
-  {
-    return body.conditions[contact_points[i].face].contact().direction[dim - 1];
-  }
-
-
-
-  template <int dim>
-  void
-  StressProgram<dim>::add_contact_cost(const unsigned int i,
-                                       const double       distance)
-  {
-    contact_block(i).linear_cost[0] += contact_unit(contact_points[i].face) *
-                                       vertical_part(i) * distance /
-                                       (body.strain_unit * body.length_unit);
   }
 
 
