@@ -39,10 +39,7 @@ namespace ElastoPlastic
     /// Hands in the states before the mesh changes. @p states must live until
     /// then.
     void
-    prepare(const CellStates &states)
-    {
-      transfer.prepare_for_coarsening_and_refinement(states);
-    }
+    prepare(const CellStates &states);
 
     /// The states on the mesh that execute_coarsening_and_refinement() has
     /// made.

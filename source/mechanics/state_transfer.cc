@@ -50,6 +50,15 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  void
+  StateTransfer<dim>::prepare(const CellStates &states)
+  {
+    transfer.prepare_for_coarsening_and_refinement(states);
+  }
+
+
+
+  template <int dim>
   CellStates
   StateTransfer<dim>::take()
   {
