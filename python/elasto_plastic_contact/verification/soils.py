@@ -288,7 +288,7 @@ def square_footings(runner):
 
 
 def soil_fine(runner):
-    """Footings on weightless ground and beside a surcharge within 1 %, on heavy ground and a vertical cut on fine meshes; a square one (many minutes)."""
+    """Footings on weightless ground and beside a surcharge within 1 %, on heavy ground and a vertical cut on fine meshes (many minutes)."""
     for degrees in (10, 20, 30):
         for surface in N_GAMMA:
             verify_bounds(runner, f"{degrees} degrees, {surface}", n_c(degrees), 0.01, FOOTING,
@@ -301,7 +301,16 @@ def soil_fine(runner):
         verify_range(runner, f"heavy ground, {surface}", *heavy(surface), difference, "limit_load/footing_weight.prm",
                      f"Indenter/Surface={surface}")
     verify_range(runner, "vertical cut", *VERTICAL_CUT, 0.02, "limit_load/vertical_cut_friction.prm")
+
+
+def soil_space_fine(runner):
+    """Square and circular footings in space, a quarter of each, against circular ones in revolution (some minutes)."""
     # (a square footing holds a circle of radius 1, and one of radius sqrt(2) holds it)
     circle = runner.tables(CIRCULAR)["limit_load"][-1]
-    verify_range(runner, "a quarter of a square footing", circle["lower_bound"] / 4, circle["upper_bound"] / 2, 0.12, SQUARE,
+    verify_range(runner, "square footing", circle["lower_bound"] / 4, circle["upper_bound"] / 2, 0.12, SQUARE,
                  "Refinement/Number of cycles=4")
+    weak = "Material/Friction angle=10"
+    circle = runner.tables(CIRCULAR, "Indenter/Surface=smooth", weak)["limit_load"][-1]
+    verify_range(runner, "circular footing", circle["lower_bound"] / 4, circle["upper_bound"] / 4, 0.45,
+                 "limit_load/circular_punch_3d.prm", "Material/Yield criterion=Drucker-Prager", "Material/Cohesion=1", weak,
+                 "Boundary conditions/Fixed=bottom, right, back", "Boundary conditions/Free=", "Refinement/Number of cycles=2")
