@@ -84,10 +84,11 @@ namespace
     for (const auto &triangle : body.mesh.simplices)
       {
         const auto corners = body.mesh.corners(triangle);
-        result.push_back(interpolate_cubic([&](const Barycentric<2> &point) {
-          return velocity(ElastoPlastic::interpolate(point, corners),
-                          body.mesh.cells[triangle.cell].material_id);
-        }));
+        result.push_back(
+          interpolate_velocity<2>([&](const Barycentric<2> &point) {
+            return velocity(ElastoPlastic::interpolate(point, corners),
+                            body.mesh.cells[triangle.cell].material_id);
+          }));
       }
     return result;
   }

@@ -160,7 +160,7 @@ namespace ElastoPlastic
 
 
 
-  // A patch has the points of a polynomial of the degree of the velocity, in
+  // A patch has the points of a polynomial of the degree of the slip, in
   // their order on a side. On the axis, nothing slides.
   template <int dim>
   void
@@ -170,7 +170,7 @@ namespace ElastoPlastic
   {
     const double threshold =
       Tolerance::smallest_slip * largest_velocity(body, velocity);
-    const auto &points = Bernstein<dim - 1>::points(trace_degree<dim>);
+    const auto           &points = Bernstein<dim - 1>::points(slip_degree<dim>);
     Patches<dim - 1, dim> patches({{"slip", 3}});
     for (const auto &view : views_of_faces(body))
       {
@@ -178,7 +178,7 @@ namespace ElastoPlastic
           continue;
         DataOutBase::Patch<dim - 1, dim> patch;
         patch.reference_cell = ReferenceCells::get_simplex<dim - 1>();
-        patch.n_subdivisions = trace_degree<dim>;
+        patch.n_subdivisions = slip_degree<dim>;
         for (unsigned int i = 0; i < dim; ++i)
           patch.vertices[i] = view.corners[i];
         patch.data.reinit(3, points.size());

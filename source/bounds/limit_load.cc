@@ -95,8 +95,8 @@ namespace ElastoPlastic
 
     /// Computes the gaps from stress and velocity. Also of stresses on another
     /// mesh, the power in a simplex or on a face is not more than the work of
-    /// velocities that change no volume: that follows from the yield condition
-    /// alone.
+    /// velocities that change no volume, or that the flow rule of soil admits:
+    /// that follows from the yield condition alone.
     template <int dim>
     void
     find_gaps(LimitLoad<dim> &bounds)

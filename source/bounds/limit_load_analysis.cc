@@ -98,20 +98,6 @@ namespace ElastoPlastic
 
 
 
-    void
-    add_friction(SplitBody<2> &body, const Parameters &parameters)
-    {
-      const MaterialParameters &material = parameters.material;
-      set_friction(body,
-                   material.criteria.friction_slopes(material.n_materials()));
-    }
-
-    void
-    add_friction(SplitBody<3> &, const Parameters &)
-    {}
-
-
-
     /// What the bounds are those of: a force of the indenter, or, if the other
     /// loads grow, a factor of these.
     std::string
@@ -230,19 +216,21 @@ namespace ElastoPlastic
     rethrow_collectively(communicator, [&]() {
       if (!first_rank)
         return;
-      const Loads<dim> mesh_loads = loads(mesh);
-      body                        = make_split_body<dim>(std::move(mesh),
+      const Loads<dim> mesh_loads        = loads(mesh);
+      body                               = make_split_body<dim>(std::move(mesh),
                                   model.boundary_conditions,
                                   model.materials,
                                   {[this](const Point<dim> &x) {
                                      return gap_function.value(x);
                                    },
-                                                          parameters.indenter.surface,
-                                                          contact_geometry(model, parameters),
-                                                          gap_function.footprint()},
+                                                                 parameters.indenter.surface,
+                                                                 contact_geometry(model, parameters),
+                                                                 gap_function.footprint()},
                                   mesh_loads,
                                   model.strain_model.kinematics);
-      add_friction(body, parameters);
+      const MaterialParameters &material = parameters.material;
+      set_friction(body,
+                   material.criteria.friction_slopes(material.n_materials()));
       check_loads(body, parameters);
       if (model.indenter.shape)
         check_reach_of_indenter(body);

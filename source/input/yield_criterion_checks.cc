@@ -56,23 +56,20 @@ namespace ElastoPlastic
              "'" + name +
                "' is for limit loads. Set 'Analysis = limit load', or choose "
                "'von Mises'.");
-    const auto needs = [&](const YieldCriterion criterion,
-                           const Kinematics     kinematics,
-                           const std::string   &reason) {
-      if (material.criteria.has(criterion) &&
-          (dimension == 3 || discretization.kinematics != kinematics))
-        refuse(material, reason);
-    };
-    needs(YieldCriterion::mohr_coulomb,
-          Kinematics::cartesian,
-          "'Mohr-Coulomb' is for plane strain. Set 'Dimension = 2' and "
-          "'Kinematics = plane strain', or choose 'von Mises', or in a body of "
-          "revolution 'Drucker-Prager'.");
-    needs(YieldCriterion::drucker_prager,
-          Kinematics::axisymmetric,
-          "'Drucker-Prager' is for bodies of revolution. Set 'Dimension = 2' "
-          "and 'Kinematics = axisymmetric', or choose 'von Mises', or in plane "
-          "strain 'Mohr-Coulomb', which bears the same there.");
+    const Kinematics kinematics = discretization.kinematics;
+    if (material.criteria.has(YieldCriterion::mohr_coulomb) &&
+        (dimension == 3 || kinematics != Kinematics::cartesian))
+      refuse(material,
+             "'Mohr-Coulomb' is for plane strain. Set 'Dimension = 2' and "
+             "'Kinematics = plane strain', or choose 'von Mises', or in space "
+             "or in a body of revolution 'Drucker-Prager'.");
+    if (material.criteria.has(YieldCriterion::drucker_prager) &&
+        dimension == 2 && kinematics != Kinematics::axisymmetric)
+      refuse(material,
+             "'Drucker-Prager' is for bodies of revolution and for bodies in "
+             "space. Set 'Kinematics = axisymmetric' or 'Dimension = 3', or "
+             "choose 'von Mises', or in plane strain 'Mohr-Coulomb', which "
+             "bears the same there.");
     if (contact.geometry == ContactGeometry::normal)
       throw InputError("Contact/Geometry",
                        contact.geometry,

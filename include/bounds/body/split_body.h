@@ -72,9 +72,8 @@ namespace ElastoPlastic
     Tensor<1, dim> body_force;
     Tensor<1, dim> live_body_force;
 
-    /// By triangles, in plane strain and in a body of revolution: how the
-    /// strength grows with the pressure, see bounds/conic/yield_conditions.h;
-    /// none if no strength does.
+    /// By simplices, not in plane stress: how the strength grows with the
+    /// pressure, see bounds/conic/yield_conditions.h; none if no strength does.
     std::vector<double> friction_slopes;
 
     /// A typical stress: the smallest yield stress, or a modulus of elasticity;
@@ -257,8 +256,9 @@ namespace ElastoPlastic
 
   /// Lets the strength of a body depend on the pressure: @p slopes by material
   /// id, or one for all; nothing changes if all are zero.
+  template <int dim>
   void
-  set_friction(SplitBody<2> &body, const std::vector<double> &slopes);
+  set_friction(SplitBody<dim> &body, const std::vector<double> &slopes);
 
 
 

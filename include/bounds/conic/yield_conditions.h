@@ -57,13 +57,14 @@ namespace ElastoPlastic
 
 
 
-  /// Lets the yield conditions of two-dimensional stresses, with which the
-  /// cones of a @p block begin, depend on the pressure.
+  /// Lets the yield conditions with which the cones of a @p block begin depend
+  /// on the pressure.
   /// @param point_stresses what add_yield_conditions() was given
   /// @param weights the same
   /// @param pressures what the stresses lack, by cones: a pressure that has
   ///   been taken out of them
   /// @param slope f
+  template <int dim>
   void
   add_friction(ConicBlock                &block,
                const FullMatrix<double>  &point_stresses,
@@ -73,6 +74,7 @@ namespace ElastoPlastic
 
   /// The same for a pressure that is in proportion to an @p unknown of the
   /// block: its @p pressures where that is one.
+  template <int dim>
   void
   add_growing_pressure(ConicBlock                &block,
                        const unsigned int         unknown,

@@ -11,24 +11,26 @@
 
 namespace ElastoPlastic
 {
-  /// One of the functions that velocities are combined of, on a triangle.
+  /// One of the functions that velocities are combined of, on a simplex.
+  template <int dim>
   struct VelocityFunction
   {
-    unsigned int       number; ///< among those of the whole body
-    SimplexVelocity<2> velocity;
+    unsigned int         number; ///< among those of the whole body
+    SimplexVelocity<dim> velocity;
   };
 
   /// A basis of continuous velocities that may change the volume. They are zero
-  /// in the directions in which the body is held, and along a rough indenter
-  /// where it reaches.
+  /// where SplitBody::support_of() asks for it: across closed faces, and along
+  /// those that resist a slip, also of a rough indenter where it reaches.
   ///
-  /// In the plane, they are quadratic on each triangle, and the strain rate is
-  /// linear. In a body of revolution, v_r = (r / L) w with a quadratic w and
-  /// the length unit L, and v_z is cubic. So the rates e_rr = (w + r d_r w) /
-  /// L, e_tt = w / L, e_zz = d_z v_z and 2 e_rz = r d_z w / L + d_r v_z are
-  /// quadratic polynomials, and those without a change of volume, v_r = -r d_z
-  /// chi and v_z = 2 chi + r d_r chi with a cubic chi, are among them: so
-  /// they are not lost as the angle of friction tends to zero.
+  /// In the plane and in space, they are quadratic on each simplex, and the
+  /// strain rate is linear. In a body of revolution, v_r = (r / L) w with a
+  /// quadratic w and the length unit L, and v_z is cubic. So the rates e_rr =
+  /// (w + r d_r w) / L, e_tt = w / L, e_zz = d_z v_z and 2 e_rz = r d_z w / L +
+  /// d_r v_z are quadratic polynomials, and those without a change of volume,
+  /// v_r = -r d_z chi and v_z = 2 chi + r d_r chi with a cubic chi, are among
+  /// them: so they are not lost as the angle of friction tends to zero.
+  template <int dim>
   class ContinuousVelocities
   {
   public:
@@ -38,13 +40,13 @@ namespace ElastoPlastic
     virtual unsigned int
     n_functions() const = 0;
 
-    /// Those that do not vanish on a @p triangle.
-    virtual std::vector<VelocityFunction>
-    functions_of(const unsigned int triangle) const = 0;
+    /// Those that do not vanish on a @p simplex.
+    virtual std::vector<VelocityFunction<dim>>
+    functions_of(const unsigned int simplex) const = 0;
 
-    /// Of the strain rate as a polynomial on a triangle.
+    /// Of the strain rate as a polynomial on a simplex.
     const unsigned int rate_degree;
-    /// Of the vertical velocity as a polynomial on a side.
+    /// Of the vertical velocity as a polynomial on a face.
     const unsigned int trace_degree;
 
   protected:
@@ -58,8 +60,9 @@ namespace ElastoPlastic
 
 
   /// Those of a @p body, which must live as long as the result.
-  std::unique_ptr<ContinuousVelocities>
-  make_continuous_velocities(const SplitBody<2> &body);
+  template <int dim>
+  std::unique_ptr<ContinuousVelocities<dim>>
+  make_continuous_velocities(const SplitBody<dim> &body);
 } // namespace ElastoPlastic
 
 #endif

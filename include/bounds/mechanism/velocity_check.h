@@ -62,26 +62,28 @@ namespace ElastoPlastic
   // SplitBody::friction_slopes. With the rate of volume theta, the rate of
   // shear g, which is sqrt(2) |dev e|, in plane strain |(e_11 - e_22, 2 e_12)|,
   // and the slope f, the plastic work is finite where theta >= f g, and then R
-  // theta / (sqrt(2) f), which in plane strain is c cot(phi) theta. Both
-  // functions look at the coefficients of the strain rate in Bernstein's basis,
-  // and use nothing but the velocities.
+  // theta / (sqrt(2) f), which is c cot(phi) theta. Both functions look at the
+  // coefficients of the strain rate in Bernstein's basis, and use nothing but
+  // the velocities.
 
-  /// By how much the rate of volume violates that in a triangle, at most, times
-  /// the size of the triangle: what it lacks to f g, or its absolute value
+  /// By how much the rate of volume violates that in a simplex, at most, times
+  /// the size of the simplex: what it lacks to f g, or its absolute value
   /// without friction. Or, in a body of revolution, by how much v_r is not r
   /// times a quadratic polynomial, so that the rates would be none.
+  template <int dim>
   double
-  missing_dilatation(const SplitBody<2>       &body,
-                     const SimplexVelocity<2> &velocity,
-                     const unsigned int        triangle);
+  missing_dilatation(const SplitBody<dim>       &body,
+                     const SimplexVelocity<dim> &velocity,
+                     const unsigned int          simplex);
 
-  /// An upper bound of the plastic work in a triangle: exact with friction,
+  /// An upper bound of the plastic work in a simplex: exact with friction,
   /// where rates that lack a little dilatation count as if they did not; else
   /// that of int R g / sqrt(2) dx by the coefficients.
+  template <int dim>
   double
-  work_of_soil(const SplitBody<2>       &body,
-               const SimplexVelocity<2> &velocity,
-               const unsigned int        triangle);
+  work_of_soil(const SplitBody<dim>       &body,
+               const SimplexVelocity<dim> &velocity,
+               const unsigned int          simplex);
 } // namespace ElastoPlastic
 
 #endif

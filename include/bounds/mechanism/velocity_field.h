@@ -17,11 +17,14 @@ namespace ElastoPlastic
   using namespace dealii;
 
   /// The degree of the velocity as a polynomial on a simplex, and on faces that
-  /// of the weighted one.
+  /// of the weighted one, and of what slides along them: in space, velocities
+  /// that do are linear.
   template <int dim>
-  constexpr unsigned int velocity_degree = dim == 2 ? 3 : 1;
+  constexpr unsigned int velocity_degree = dim == 2 ? 3 : 2;
   template <int dim>
-  constexpr unsigned int trace_degree = dim == 2 ? 4 : 1;
+  constexpr unsigned int trace_degree = dim == 2 ? 4 : 2;
+  template <int dim>
+  constexpr unsigned int slip_degree = dim == 2 ? 4 : 1;
 
 
 
@@ -90,19 +93,32 @@ namespace ElastoPlastic
 
 
 
-  /// The cubic velocity with the values value(point) at the Bernstein points.
-  template <typename Value>
-  SimplexVelocity<2>
-  interpolate_cubic(const Value &value)
+  /// The velocity with the values value(point) at the Bernstein points.
+  template <int dim, typename Value>
+  SimplexVelocity<dim>
+  interpolate_velocity(const Value &value)
   {
-    SimplexVelocity<2> result;
-    for (unsigned int p = 0; p < n_cubics; ++p)
+    constexpr unsigned int degree = velocity_degree<dim>;
+    const auto            &points = Bernstein<dim>::points(degree);
+    SimplexVelocity<dim>   result;
+    for (unsigned int p = 0; p < points.size(); ++p)
       {
-        const Tensor<1, 2> at_point = value(Bernstein<2>::points(3)[p]);
-        for (unsigned int i = 0; i < n_cubics; ++i)
+        const Tensor<1, dim> at_point = value(points[p]);
+        for (unsigned int i = 0; i < points.size(); ++i)
           result.coefficients[i] +=
-            Bernstein<2>::coefficients(3)(i, p) * at_point;
+            Bernstein<dim>::coefficients(degree)(i, p) * at_point;
       }
+    return result;
+  }
+
+  /// That which is linear on a tetrahedron and has these values at its corners.
+  inline SimplexVelocity<3>
+  linear_velocity(const std::array<Tensor<1, 3>, 4> &at_corners)
+  {
+    const auto        &points = Bernstein<3>::points(velocity_degree<3>);
+    SimplexVelocity<3> result;
+    for (unsigned int i = 0; i < points.size(); ++i)
+      result.coefficients[i] = interpolate(points[i], at_corners);
     return result;
   }
 

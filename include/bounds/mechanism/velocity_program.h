@@ -11,7 +11,7 @@ namespace ElastoPlastic
 {
   /// The mechanism that takes least plastic work among velocities that are zero
   /// at the supports and go down by 1 or more everywhere under the indenter
-  /// (find_stream(), find_motion_of_sheet(), in space find_flux()). By the
+  /// (find_stream(), in space find_flux(), or find_motion_of_sheet()). By the
   /// kinematic theorem, its work int sqrt(2/3) sigma_0 |e(v)| dx is an upper
   /// bound of the limit load @cite hill_1950. The bound follows from the
   /// velocities alone, by velocity_check.h.
@@ -24,9 +24,10 @@ namespace ElastoPlastic
 
 
 
-  /// The mechanism in space that takes least plastic work among velocities that
-  /// are linear on each tetrahedron and change no volume. Their normal
-  /// components are continuous (the element of Brezzi, Douglas and Marini
+  /// The mechanism in space, without friction, that takes least plastic work
+  /// among velocities that are linear on each tetrahedron and change no volume.
+  /// Their normal components are continuous (the element of Brezzi, Douglas and
+  /// Marini
   /// @cite nedelec_1986); neighbours may slide along each other, which takes
   /// the work k |[v_t]| per area. So they may along fixed faces and along a
   /// rough indenter.
@@ -54,18 +55,19 @@ namespace ElastoPlastic
 
 
 
-  /// The mechanism in plane stress, or in plane strain or of a body of
-  /// revolution with friction, that takes least plastic work among all
-  /// ContinuousVelocities. The strain rate is a polynomial on a triangle: so
-  /// the work is at most that of its coefficients in Bernstein's basis, because
-  /// it is a convex function; and with friction, the rate is in the dual cone
-  /// of the yield condition everywhere because its coefficients are.
+  /// The mechanism in plane stress, or with friction in any other body, that
+  /// takes least plastic work among all ContinuousVelocities. The strain rate
+  /// is a polynomial on a simplex: so the work is at most that of its
+  /// coefficients in Bernstein's basis, because it is a convex function; and
+  /// with friction, the rate is in the dual cone of the yield condition
+  /// everywhere because its coefficients are.
   ///
   /// Velocities are up to a factor. The force is what has been minimised; work
   /// and errors are not yet computed.
   /// @throws ConvergenceError, UnboundedError if there is no mechanism.
-  VelocityField<2>
-  find_motion_of_sheet(const SplitBody<2> &body, const double tolerance);
+  template <int dim>
+  VelocityField<dim>
+  find_motion_of_sheet(const SplitBody<dim> &body, const double tolerance);
 } // namespace ElastoPlastic
 
 #endif

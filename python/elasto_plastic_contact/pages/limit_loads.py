@@ -145,6 +145,13 @@ def circular_footings(runs):
 
 
 @table(400)
+def square_footings(runs):
+    """Square footings on weightless ground in space, the third meshes."""
+    return Content([last_mesh(runs, "footing_square", 3, f"Material/Friction angle={degrees}", f"Indenter/Surface={surface}")
+                    for degrees, surface in ((10, "rough"), (20, "smooth"), (20, "rough"), (30, "rough"))])
+
+
+@table(400)
 def layers_of_ground(runs):
     """A footing on two layers, the last meshes."""
     return Content([last_mesh(runs, "footing_layers", 6, f"Geometry/Material id={layers}")

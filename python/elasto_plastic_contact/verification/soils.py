@@ -11,6 +11,7 @@ LAYERS = "limit_load/footing_layers.prm"
 N_GAMMA = {"smooth": 7.653, "rough": 14.754}
 HEAVY_COHESION, SURCHARGE_COHESION = 0.0001, 0.001  # of footing_weight.prm and footing_surcharge.prm
 CIRCULAR = "limit_load/footing_circular.prm"
+SQUARE = "limit_load/footing_square.prm"
 # H gamma / c at 30 degrees: the upper bound of a log spiral through the toe (Chen 1975), and what a better mechanism is
 # better by without friction (3.7776 against 3.83).
 VERTICAL_CUT = (0.98 * 6.69, 6.69)
@@ -141,8 +142,8 @@ def cone(degrees):
 
 def box(lower, upper, repetitions):
     """Entries of another geometry."""
-    return [f"Geometry/{entry}={x}, {y}" for entry, (x, y) in (("Lower corner", lower), ("Upper corner", upper),
-                                                               ("Repetitions", repetitions))]
+    return [f"Geometry/{entry}={', '.join(map(str, values))}"
+            for entry, values in (("Lower corner", lower), ("Upper corner", upper), ("Repetitions", repetitions))]
 
 
 def soil_revolution(runner):
@@ -203,6 +204,89 @@ def circular_footings(runner):
                   alone["upper_bound"] < heavy["lower_bound"] <= heavy["upper_bound"])
 
 
+def soil_space(runner):
+    """Drucker's and Prager's material in space: exact limit loads of a cube, a slab in plane strain, square footings."""
+    # (the second mesh is solved to a hundredth of what the bounds of the first differ by)
+    cube = (*box((0, 0, -1), (1, 1, 0), (1, 1, 1)), "Refinement/Number of cycles=2", "Indenter/Surface=smooth",
+            "Boundary conditions/Fixed=", "Boundary conditions/Roller=left, front, bottom")
+    pressed = ("Boundary conditions/Contact=", "Indenter/Type=none", "Limit load/Load=tractions")
+    for degrees in (10, 30):
+        angle, (alpha, k) = f"Material/Friction angle={degrees}", cone(degrees)
+        for q in (0, 0.5):
+            compression = (k + q * (1 / math.sqrt(3) + 2 * alpha)) / (1 / math.sqrt(3) - alpha)
+            extension = (k + q * (1 / math.sqrt(3) + alpha)) / (1 / math.sqrt(3) - 2 * alpha)
+            for name, limit, entries in (
+                ("compression", compression, [f"Boundary conditions/Traction=right: {-q}; 0; 0 | back: 0; {-q}; 0"]),
+                ("extension", extension, [f"Boundary conditions/Traction=right: -t; 0; 0 | back: 0; -t; 0 | top: 0; 0; {-q}",
+                                          *pressed])):
+                row = runner.tables(SQUARE, *cube, angle, *entries)["limit_load"][-1]
+                for bound in ("lower_bound", "upper_bound"):
+                    runner.compare(f"{name} of a cube, {degrees} degrees, pressure {q}, {bound}", row[bound], limit, 1e-5)
+    soil_slab(runner)
+    square_footings(runner)
+
+
+def soil_slab(runner):
+    """A slab between two rollers, one cell thick, against Prandtl's value and Mohr's and Coulomb's material in the plane."""
+    case = (*box((0, 0, -2), (4, 1, 0), (4, 1, 2)), "Refinement/Number of cycles=2", "Refinement/Refinement fraction=0.3",
+            "Material/Friction angle=10", "Boundary conditions/Roller=left, front, back")
+    strip = ("Indenter/Type=strip punch", "Indenter/Half width=1", "Indenter/Surface=smooth",
+             "Boundary conditions/Fixed=bottom, right")
+    verify_bounds(runner, "slab under a strip footing", n_c(10), 0.2, SQUARE, *case, *strip)
+    # (under its own weight, which grows)
+    heavy = ("Indenter/Type=none", "Limit load/Load=tractions", "Boundary conditions/Contact=",
+             "Boundary conditions/Fixed=bottom", "Boundary conditions/Free=right, top")
+    space = runner.tables(SQUARE, *case, *heavy, *box((0, 0, -2), (1, 1, 0), (2, 1, 4)), "Body force=0; 0; -t")["limit_load"][-1]
+    plane = runner.tables(FOOTING, *heavy, *box((0, -2), (1, 0), (2, 4)), "Body force=0; -t", "Material/Friction angle=10",
+                          "Boundary conditions/Roller=left", "Refinement/Number of cycles=4")["limit_load"][-1]
+    runner.verify(f"slab under its weight: {space['lower_bound']:.6g} < {plane['upper_bound']:.6g}, "
+                  f"{plane['lower_bound']:.6g} < {space['upper_bound']:.6g}",
+                  space["lower_bound"] < plane["upper_bound"] and plane["lower_bound"] < space["upper_bound"])
+    runner.compare("slab under its weight: difference of the bounds", space["relative_difference"], 0, 0.11, absolute=True)
+
+
+def square_footings(runner):
+    """Square footings: against metals, each other, mirror images, a surcharge, layers; with weight, in other units, on other ranks."""
+    one, small = "Refinement/Number of cycles=1", box((0, 0, -2), (2, 2, 0), (2, 2, 2))
+
+    def footing(*entries):
+        rows = runner.tables(SQUARE, *small, one, *entries)["limit_load"]
+        runner.compare("largest error of the velocity", rows[-1]["velocity_error"], 0, 1e-9, absolute=True)
+        return rows[-1]
+
+    none, metal, weak, alone = (footing(*entries) for entries in (
+        ("Material/Friction angle=0",), ("Material/Yield criterion=von Mises", f"Material/Yield stress={math.sqrt(3)}"),
+        ("Material/Friction angle=10",), ()))
+    smooth, beside, heavy, units = (footing(*entries) for entries in (
+        ("Indenter/Surface=smooth",),
+        ("Geometry/Boundary parts=surcharge: top; max(x, y) > 1", "Boundary conditions/Traction=surcharge: 0; 0; -2"),
+        ("Body force=0; 0; -3",), ("Body force=0; 0; -3000", "Material/Cohesion=1000")))
+    layers, same = (footing("Geometry/Material id=if(z > -1, 0, 1)", f"Material/Friction angle={angles}")
+                    for angles in ("10, 20", "20, 20"))
+    with runner.on_ranks(2 if runner.ranks == 1 else 1):
+        other = footing()
+    mirrored = footing(*box((-2, 0, -2), (0, 2, 0), (2, 2, 2)), "Boundary conditions/Fixed=bottom, left, back",
+                       "Boundary conditions/Roller=right, front")
+    along, across = (footing(*box((0, 0, -1), (x + 1, y + 1, 0), (x + 1, y + 1, 1)), f"Indenter/Half width={x}, {y}")
+                     for x, y in ((1, 2), (2, 1)))
+    tangent = math.tan(math.radians(20))
+    # (what the first mesh is solved to)
+    for bound, accuracy in (("lower_bound", 1e-3), ("upper_bound", 1e-6)):
+        for name, row, reference, allowed in (
+            ("no friction", none[bound], metal[bound], 1e-7),
+            # (see circular_footings())
+            ("surcharge", beside[bound], alone[bound] * (1 + 2 * tangent) + 2, accuracy),
+            ("other units", units[bound], 1000 * heavy[bound], 1e-9),
+            ("another number of ranks", other[bound], alone[bound], 1e-9),
+            ("two layers of the same ground", same[bound], alone[bound], 1e-9),
+            ("mirror image", mirrored[bound], alone[bound], 1e-9),
+            ("turned by 90 degrees", across[bound], along[bound], 1e-9)):
+            runner.compare(f"{name}, {bound}", row, reference, allowed)
+        for name, less, more in (("10 degrees on 20", weak, layers), ("10 degrees on 20", layers, alone),
+                                 ("smooth and rough", smooth, alone), ("without and with weight", alone, heavy)):
+            runner.verify(f"{name}, {bound}: {less[bound]:.6g} < {more[bound]:.6g}", less[bound] < more[bound])
+
+
 def soil_fine(runner):
     """Footings on weightless ground and beside a surcharge within 1 %, on heavy ground and a vertical cut on fine meshes (many minutes)."""
     for degrees in (10, 20, 30):
@@ -217,3 +301,16 @@ def soil_fine(runner):
         verify_range(runner, f"heavy ground, {surface}", *heavy(surface), difference, "limit_load/footing_weight.prm",
                      f"Indenter/Surface={surface}")
     verify_range(runner, "vertical cut", *VERTICAL_CUT, 0.02, "limit_load/vertical_cut_friction.prm")
+
+
+def soil_space_fine(runner):
+    """Square and circular footings in space, a quarter of each, against circular ones in revolution (some minutes)."""
+    # (a square footing holds a circle of radius 1, and one of radius sqrt(2) holds it)
+    circle = runner.tables(CIRCULAR)["limit_load"][-1]
+    verify_range(runner, "square footing", circle["lower_bound"] / 4, circle["upper_bound"] / 2, 0.12, SQUARE,
+                 "Refinement/Number of cycles=4")
+    weak = "Material/Friction angle=10"
+    circle = runner.tables(CIRCULAR, "Indenter/Surface=smooth", weak)["limit_load"][-1]
+    verify_range(runner, "circular footing", circle["lower_bound"] / 4, circle["upper_bound"] / 4, 0.45,
+                 "limit_load/circular_punch_3d.prm", "Material/Yield criterion=Drucker-Prager", "Material/Cohesion=1", weak,
+                 "Boundary conditions/Fixed=bottom, right, back", "Boundary conditions/Free=", "Refinement/Number of cycles=2")

@@ -42,7 +42,7 @@ from .hardness_and_rate import creep_hardness, creep_punch, creep_runs, creep_si
 from .ratchetting import ratchetting_drift
 from .rate_dependence import creep_accurate_steps, creep_contact, creep_cylinder, creep_sphere, rates_uniaxial
 from .rounding import contrast, direct_contact, moved_body, nearly_incompressible
-from .soils import soil_fine, soil_footing, soil_layers, soil_revolution, soil_surcharge, soil_weight
+from .soils import soil_fine, soil_footing, soil_layers, soil_revolution, soil_space, soil_space_fine, soil_surcharge, soil_weight
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .units import prescribed_from_nothing, units
 from .yield_criteria import (criteria_and_von_mises, hill_indentation, hill_plane_strain, hill_tension, hosford_cylinder,
@@ -302,7 +302,7 @@ ALL = {
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space, sectors, pyramid_sectors,
                      sphere_indentation, cone_indentation, continuous_stiffness, contact_edge, contact_mesh, contact_pressure, imprint,
                      imprint_ranks, probes, mean_strain_of_rings, strip_punch, strip_punch_locks,
-                     limit_load, limit_load_revolution, limit_load_space, limit_load_factors, soil_footing, soil_surcharge, soil_layers, soil_weight, soil_revolution, soil_fine, body_force, blas_kernels,
+                     limit_load, limit_load_revolution, limit_load_space, limit_load_factors, soil_footing, soil_surcharge, soil_layers, soil_weight, soil_revolution, soil_space, soil_fine, soil_space_fine, body_force, blas_kernels,
                      safe_load, error_bound, error_bound_ranks,
                      error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, equilibrium_hertz, equilibrium_limit, limit_load_runs, zero_stress,
                      zero_force, far_indenter, units, prescribed_from_nothing, contrast, direct_contact, moved_body,

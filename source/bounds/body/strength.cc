@@ -15,17 +15,18 @@ namespace ElastoPlastic
   namespace
   {
     /// The largest load that does not grow, as a stress.
+    template <int dim>
     double
-    largest_constant_load(const SplitBody<2> &body)
+    largest_constant_load(const SplitBody<dim> &body)
     {
       double largest = body.body_force.norm() * body.length_unit;
       for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
         for (const auto &component : body.conditions[f].components)
           if (component.type == ConditionType::traction)
-            for (unsigned int i = 0; i < 2; ++i)
+            for (unsigned int i = 0; i < dim; ++i)
               keep_largest(largest,
                            std::abs(component.value(
-                             corner_point<2>(body.corners_of_face(f), i))));
+                             corner_point<dim>(body.corners_of_face(f), i))));
       return largest;
     }
   } // namespace
@@ -60,8 +61,9 @@ namespace ElastoPlastic
     const double without_pressure = materials[simplex].yield_radius;
     if (!has_friction())
       return without_pressure;
-    const double mean = is_axisymmetric() ? trace(stress) / 3. :
-                                            (stress[0][0] + stress[1][1]) / 2.;
+    const double mean = dim == 3 || is_axisymmetric() ?
+                          trace(stress) / 3. :
+                          (stress[0][0] + stress[1][1]) / 2.;
     return without_pressure - std::sqrt(2.) * friction_slopes[simplex] * mean;
   }
 
@@ -82,18 +84,18 @@ namespace ElastoPlastic
 
   // A strength that comes from the pressure of constant loads may be much
   // larger than the cohesion.
+  template <int dim>
   void
-  set_friction(SplitBody<2> &body, const std::vector<double> &slopes)
+  set_friction(SplitBody<dim> &body, const std::vector<double> &slopes)
   {
     const double largest_slope =
       *std::max_element(slopes.begin(), slopes.end());
     if (largest_slope == 0.)
       return;
-    for (const auto &triangle : body.mesh.simplices)
+    for (const auto &simplex : body.mesh.simplices)
       body.friction_slopes.push_back(
-        slopes.size() == 1 ?
-          slopes.front() :
-          slopes[body.mesh.cells[triangle.cell].material_id]);
+        slopes.size() == 1 ? slopes.front() :
+                             slopes[body.mesh.cells[simplex.cell].material_id]);
     const double factor =
       std::max(1.,
                largest_slope * largest_constant_load(body) / body.stress_unit);
@@ -122,4 +124,8 @@ namespace ElastoPlastic
   SplitBody<2>::shear_strength(const unsigned int) const;
   template double
   SplitBody<3>::shear_strength(const unsigned int) const;
+  template void
+  set_friction(SplitBody<2> &, const std::vector<double> &);
+  template void
+  set_friction(SplitBody<3> &, const std::vector<double> &);
 } // namespace ElastoPlastic

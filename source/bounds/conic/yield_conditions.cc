@@ -91,6 +91,47 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  void
+  add_friction(ConicBlock                &block,
+               const FullMatrix<double>  &point_stresses,
+               const std::vector<double> &weights,
+               const std::vector<double> &pressures,
+               const double               slope)
+  {
+    constexpr unsigned int n_components = n_stress_components<dim>;
+
+    const double factor = std::sqrt(2.) * slope;
+    unsigned int cone   = 0;
+    for (unsigned int p = 0; p < weights.size(); ++p)
+      if (weights[p] > 0)
+        {
+          const unsigned int row = n_components * cone;
+          block.cone_offset[row] += factor * pressures[cone++];
+          for (const unsigned int c : {0u, 1u, across<dim>})
+            for (unsigned int j = 0; j < point_stresses.n(); ++j)
+              block.cone_matrix(row, j) +=
+                factor / (3. * weights[p]) *
+                point_stresses(n_components * p + c, j);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  add_growing_pressure(ConicBlock                &block,
+                       const unsigned int         unknown,
+                       const std::vector<double> &pressures,
+                       const double               slope)
+  {
+    for (unsigned int p = 0; p < pressures.size(); ++p)
+      block.cone_matrix(n_stress_components<dim> * p, unknown) -=
+        std::sqrt(2.) * slope * pressures[p];
+  }
+
+
+
   template SymmetricTensor<2, 3>
   stress_from<2>(const double *);
   template SymmetricTensor<2, 3>
@@ -111,43 +152,26 @@ namespace ElastoPlastic
                           const FullMatrix<double> &,
                           const std::vector<double> &,
                           const double);
-
-
-
-  void
-  add_friction(ConicBlock                &block,
-               const FullMatrix<double>  &point_stresses,
-               const std::vector<double> &weights,
-               const std::vector<double> &pressures,
-               const double               slope)
-  {
-    constexpr unsigned int n_components = n_stress_components<2>;
-
-    const double factor = std::sqrt(2.) * slope;
-    unsigned int cone   = 0;
-    for (unsigned int p = 0; p < weights.size(); ++p)
-      if (weights[p] > 0)
-        {
-          const unsigned int row = n_components * cone;
-          block.cone_offset[row] += factor * pressures[cone++];
-          for (const unsigned int c : {0u, 1u, across<2>})
-            for (unsigned int j = 0; j < point_stresses.n(); ++j)
-              block.cone_matrix(row, j) +=
-                factor / (3. * weights[p]) *
-                point_stresses(n_components * p + c, j);
-        }
-  }
-
-
-
-  void
-  add_growing_pressure(ConicBlock                &block,
-                       const unsigned int         unknown,
-                       const std::vector<double> &pressures,
-                       const double               slope)
-  {
-    for (unsigned int p = 0; p < pressures.size(); ++p)
-      block.cone_matrix(n_stress_components<2> * p, unknown) -=
-        std::sqrt(2.) * slope * pressures[p];
-  }
+  template void
+  add_friction<2>(ConicBlock &,
+                  const FullMatrix<double> &,
+                  const std::vector<double> &,
+                  const std::vector<double> &,
+                  const double);
+  template void
+  add_friction<3>(ConicBlock &,
+                  const FullMatrix<double> &,
+                  const std::vector<double> &,
+                  const std::vector<double> &,
+                  const double);
+  template void
+  add_growing_pressure<2>(ConicBlock &,
+                          const unsigned int,
+                          const std::vector<double> &,
+                          const double);
+  template void
+  add_growing_pressure<3>(ConicBlock &,
+                          const unsigned int,
+                          const std::vector<double> &,
+                          const double);
 } // namespace ElastoPlastic

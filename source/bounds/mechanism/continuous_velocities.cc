@@ -15,62 +15,81 @@ namespace ElastoPlastic
 
 
 
-    /// The components of the velocity at a node, in two directions at right
-    /// angles: the numbers of their functions, if they are not zero.
-    struct Node
-    {
-      std::array<Tensor<1, 2>, 2> directions = {
-        {Tensor<1, 2>({1., 0.}), Tensor<1, 2>({0., 1.})}};
-      std::array<bool, 2>         fixed   = {};
-      std::array<unsigned int, 2> numbers = {{invalid, invalid}};
-
-      /// No velocity in this direction.
-      void
-      fix(const Tensor<1, 2> &direction)
-      {
-        for (unsigned int c = 0; c < 2; ++c)
-          if (std::abs(std::abs(directions[c] * direction) - 1.) <
-              Tolerance::small_angle)
-            {
-              fixed[c] = true;
-              return;
-            }
-        if (fixed[0] || fixed[1])
-          fixed = {{true, true}};
-        else
-          {
-            directions = {{direction, cross_product_2d(direction)}};
-            fixed      = {{true, false}};
-          }
-      }
-    };
-
-
-
-    /// Runs @p action(side, direction) where the velocities of a side are zero
+    /// Runs @p action(face, direction) where the velocities of a face are zero
     /// in a direction.
-    template <typename Action>
+    template <int dim, typename Action>
     void
-    for_each_support(const SplitBody<2> &body, const Action &action)
+    for_each_support(const SplitBody<dim> &body, const Action &action)
     {
-      for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
+      for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
         {
-          for (const auto &component : body.conditions[s].components)
-            if (component.type == ConditionType::displacement)
-              action(s, component.direction);
-          if (body.conditions[s].is_reached &&
-              body.indenter_surface == SurfaceFinish::rough)
-            action(s, Point<2>::unit_vector(0));
+          const FaceSupport<dim> support = body.support_of(f);
+          const auto             corners = body.corners_of_face(f);
+          if (support.is_closed)
+            action(f, normal(corners));
+          if (support.resists_slip)
+            for (const auto &tangent : tangents(corners))
+              action(f, tangent);
         }
     }
 
 
 
-    /// Their nodes are the vertices and the middles of the sides.
-    class PlaneVelocities : public ContinuousVelocities
+    /// A node at which the velocity may be zero in some directions.
+    template <int dim>
+    class Node
     {
     public:
-      explicit PlaneVelocities(const SplitBody<2> &body);
+      /// No velocity in this direction.
+      void
+      fix(const Tensor<1, dim> &direction)
+      {
+        if (fixed.size() < dim)
+          if (const auto rest = part_across(fixed, direction);
+              rest.norm() > Tolerance::small_angle)
+            fixed.push_back(rest / rest.norm());
+      }
+
+      /// Those at right angles to the directions of fix(), and to each other:
+      /// of the axes, what has most that is new, one after the other.
+      std::vector<Tensor<1, dim>>
+      free_directions() const
+      {
+        std::vector<Tensor<1, dim>> all = fixed;
+        while (all.size() < dim)
+          {
+            Tensor<1, dim> most;
+            for (unsigned int c = 0; c < dim; ++c)
+              if (const auto rest =
+                    part_across(all, Point<dim>::unit_vector(c));
+                  rest.norm() > most.norm())
+                most = rest;
+            all.push_back(most / most.norm());
+          }
+        return {all.begin() + fixed.size(), all.end()};
+      }
+
+    private:
+      static Tensor<1, dim>
+      part_across(const std::vector<Tensor<1, dim>> &directions,
+                  Tensor<1, dim>                     vector)
+      {
+        for (const auto &direction : directions)
+          vector -= (vector * direction) * direction;
+        return vector;
+      }
+
+      std::vector<Tensor<1, dim>> fixed; ///< at right angles to each other
+    };
+
+
+
+    /// Their nodes are the vertices and the middles of the edges.
+    template <int dim>
+    class QuadraticVelocities : public ContinuousVelocities<dim>
+    {
+    public:
+      explicit QuadraticVelocities(const SplitBody<dim> &body);
 
       unsigned int
       n_functions() const override
@@ -78,59 +97,87 @@ namespace ElastoPlastic
         return n;
       }
 
-      std::vector<VelocityFunction>
-      functions_of(const unsigned int triangle) const override;
+      std::vector<VelocityFunction<dim>>
+      functions_of(const unsigned int simplex) const override;
 
     private:
-      const SplitMesh<2> &mesh;
-      std::vector<Node>   nodes;
-      unsigned int        n = 0;
+      /// The velocities at a node, whose numbers follow one another.
+      struct FreeNode
+      {
+        std::vector<Tensor<1, dim>> directions;
+        unsigned int                first_number;
+      };
+
+      const SplitMesh<dim> &mesh;
+      std::vector<FreeNode> nodes;
+      unsigned int          n = 0;
     };
 
 
 
-    PlaneVelocities::PlaneVelocities(const SplitBody<2> &body)
-      : ContinuousVelocities(/* rate_degree = */ 1, /* trace_degree = */ 2)
-      , mesh(body.mesh)
-      , nodes(mesh.vertices.size() + mesh.faces.size())
+    /// The edges of a face at the boundary.
+    template <int dim>
+    std::vector<unsigned int>
+    edges_of_face(const SplitMesh<dim> &mesh, const unsigned int f)
     {
-      for_each_support(body,
-                       [this](const unsigned int  s,
-                              const Tensor<1, 2> &direction) {
-                         for (const unsigned int v : mesh.faces[s].vertices)
-                           nodes[v].fix(direction);
-                         nodes[mesh.vertices.size() + s].fix(direction);
-                       });
-      for (Node &node : nodes)
-        for (unsigned int c = 0; c < 2; ++c)
-          if (!node.fixed[c])
-            node.numbers[c] = n++;
+      const auto        &simplex = mesh.simplices[mesh.faces[f].neighbors[0]];
+      const unsigned int k       = simplex.place_of_face(f);
+      std::vector<unsigned int> edges;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = i + 1; j < dim; ++j)
+          edges.push_back(
+            simplex.edges[edge_between<dim>(corner_of_face<dim>(k, i),
+                                            corner_of_face<dim>(k, j))]);
+      return edges;
     }
 
 
 
-    std::vector<VelocityFunction>
-    PlaneVelocities::functions_of(const unsigned int t) const
+    template <int dim>
+    QuadraticVelocities<dim>::QuadraticVelocities(const SplitBody<dim> &body)
+      : ContinuousVelocities<dim>(/* rate_degree = */ 1, /* trace_degree = */ 2)
+      , mesh(body.mesh)
     {
-      std::vector<VelocityFunction> result;
-      const auto add = [&](const Node &node, const auto &shape) {
-        for (unsigned int c = 0; c < 2; ++c)
-          if (!node.fixed[c])
-            result.push_back(
-              {node.numbers[c],
-               interpolate_cubic([&](const Barycentric<2> &point) {
-                 return shape(point) * node.directions[c];
-               })});
+      std::vector<Node<dim>> all(mesh.vertices.size() + mesh.n_edges);
+      for_each_support(body,
+                       [&](const unsigned int    f,
+                           const Tensor<1, dim> &direction) {
+                         for (const unsigned int v : mesh.faces[f].vertices)
+                           all[v].fix(direction);
+                         for (const unsigned int e : edges_of_face(mesh, f))
+                           all[mesh.vertices.size() + e].fix(direction);
+                       });
+      for (const Node<dim> &node : all)
+        {
+          nodes.push_back({node.free_directions(), n});
+          n += nodes.back().directions.size();
+        }
+    }
+
+
+
+    template <int dim>
+    std::vector<VelocityFunction<dim>>
+    QuadraticVelocities<dim>::functions_of(const unsigned int t) const
+    {
+      std::vector<VelocityFunction<dim>> result;
+      const auto add = [&](const FreeNode &node, const auto &shape) {
+        for (unsigned int c = 0; c < node.directions.size(); ++c)
+          result.push_back(
+            {node.first_number + c,
+             interpolate_velocity<dim>([&](const Barycentric<dim> &point) {
+               return shape(point) * node.directions[c];
+             })});
       };
-      const auto &triangle = mesh.simplices[t];
-      for (unsigned int i = 0; i < 3; ++i)
-        add(nodes[triangle.vertices[i]], [i](const Barycentric<2> &point) {
+      const auto &simplex = mesh.simplices[t];
+      for (unsigned int i = 0; i <= dim; ++i)
+        add(nodes[simplex.vertices[i]], [i](const Barycentric<dim> &point) {
           return point[i] * (2. * point[i] - 1.);
         });
-      for (unsigned int i = 0; i < 3; ++i)
-        add(nodes[mesh.vertices.size() + triangle.faces[i]],
-            [i](const Barycentric<2> &point) {
-              return 4. * point[i] * point[(i + 1) % 3];
+      for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
+        add(nodes[mesh.vertices.size() + simplex.edges[e]],
+            [ends = ends_of_edge<dim>(e)](const Barycentric<dim> &point) {
+              return 4. * point[ends[0]] * point[ends[1]];
             });
       return result;
     }
@@ -140,7 +187,7 @@ namespace ElastoPlastic
     /// By the coefficients of w and of v_z in Bernstein's basis, which are
     /// continuous if neighbours have those of their side in common. What is
     /// held in an oblique direction is held in both.
-    class RevolutionVelocities : public ContinuousVelocities
+    class RevolutionVelocities : public ContinuousVelocities<2>
     {
     public:
       explicit RevolutionVelocities(const SplitBody<2> &body);
@@ -151,7 +198,7 @@ namespace ElastoPlastic
         return n;
       }
 
-      std::vector<VelocityFunction>
+      std::vector<VelocityFunction<2>>
       functions_of(const unsigned int triangle) const override;
 
     private:
@@ -174,21 +221,19 @@ namespace ElastoPlastic
 
     // No velocity crosses the axis, whatever w is.
     RevolutionVelocities::RevolutionVelocities(const SplitBody<2> &body)
-      : ContinuousVelocities(/* rate_degree = */ 2, /* trace_degree = */ 3)
+      : ContinuousVelocities<2>(/* rate_degree = */ 2, /* trace_degree = */ 3)
       , body(body)
       , mesh(body.mesh)
     {
       std::array<std::vector<bool>, 2> held;
       held.fill(std::vector<bool>(mesh.faces.size(), false));
-      for_each_support(
-        body, [&](const unsigned int s, const Tensor<1, 2> &direction) {
-          const auto corners = body.corners_of_face(s);
-          if (body.is_on_axis(corners[0]) && body.is_on_axis(corners[1]))
-            return;
-          for (unsigned int c = 0; c < 2; ++c)
-            if (std::abs(direction[c]) > Tolerance::small_angle)
-              held[c][s] = true;
-        });
+      for_each_support(body,
+                       [&](const unsigned int  s,
+                           const Tensor<1, 2> &direction) {
+                         for (unsigned int c = 0; c < 2; ++c)
+                           if (std::abs(direction[c]) > Tolerance::small_angle)
+                             held[c][s] = true;
+                       });
       radial = number(/* degree = */ 2, held[0]);
       axial  = number(/* degree = */ 3, held[1]);
     }
@@ -248,17 +293,17 @@ namespace ElastoPlastic
 
 
 
-    std::vector<VelocityFunction>
+    std::vector<VelocityFunction<2>>
     RevolutionVelocities::functions_of(const unsigned int t) const
     {
-      std::vector<VelocityFunction> result;
-      const auto                    corners = body.corners_of(t);
+      std::vector<VelocityFunction<2>> result;
+      const auto                       corners = body.corners_of(t);
       for (unsigned int i = 0; i < n_quadratics; ++i)
         if (const unsigned int number =
               radial[place(t, Bernstein<2>::exponents(2)[i])];
             number != invalid)
           result.push_back(
-            {number, interpolate_cubic([&](const Barycentric<2> &point) {
+            {number, interpolate_velocity<2>([&](const Barycentric<2> &point) {
                return Tensor<1, 2>(
                  {interpolate(point, corners)[0] / body.length_unit *
                     Bernstein<2>::functions(2, point)[i],
@@ -278,11 +323,20 @@ namespace ElastoPlastic
 
 
 
-  std::unique_ptr<ContinuousVelocities>
-  make_continuous_velocities(const SplitBody<2> &body)
+  template <int dim>
+  std::unique_ptr<ContinuousVelocities<dim>>
+  make_continuous_velocities(const SplitBody<dim> &body)
   {
-    if (body.is_axisymmetric())
-      return std::make_unique<RevolutionVelocities>(body);
-    return std::make_unique<PlaneVelocities>(body);
+    if constexpr (dim == 2)
+      if (body.is_axisymmetric())
+        return std::make_unique<RevolutionVelocities>(body);
+    return std::make_unique<QuadraticVelocities<dim>>(body);
   }
+
+
+
+  template std::unique_ptr<ContinuousVelocities<2>>
+  make_continuous_velocities(const SplitBody<2> &);
+  template std::unique_ptr<ContinuousVelocities<3>>
+  make_continuous_velocities(const SplitBody<3> &);
 } // namespace ElastoPlastic

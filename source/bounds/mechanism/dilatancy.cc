@@ -11,33 +11,68 @@ namespace ElastoPlastic
 {
   namespace
   {
-    using Rates = std::array<SymmetricTensor<2, 3>, n_quadratics>;
+    /// Of the strain rate as a polynomial; in a body of revolution, where that
+    /// of v_r is r times another one.
+    template <int dim>
+    constexpr unsigned int rate_degree = velocity_degree<dim> - 1;
 
-    /// The coefficients of the strain rate, a quadratic polynomial.
-    Rates
-    coefficients_of_rate(const SplitBody<2>       &body,
-                         const SimplexVelocity<2> &velocity,
-                         const unsigned int        t)
+    template <int dim>
+    constexpr unsigned int
+      n_rates = Bernstein<dim>::n_functions(rate_degree<dim>);
+
+    template <int dim>
+    using Rates = std::array<SymmetricTensor<2, 3>, n_rates<dim>>;
+
+    /// The coefficients of the strain rate.
+    template <int dim>
+    Rates<dim>
+    coefficients_of_rate(const SplitBody<dim>       &body,
+                         const SimplexVelocity<dim> &velocity,
+                         const unsigned int          t)
     {
-      Rates coefficients;
-      for (unsigned int p = 0; p < n_quadratics; ++p)
+      constexpr unsigned int degree = rate_degree<dim>;
+      Rates<dim>             coefficients;
+      for (unsigned int p = 0; p < n_rates<dim>; ++p)
         {
-          const auto at_point =
-            strain_rate_at(body, velocity, t, Bernstein<2>::points(2)[p]);
-          for (unsigned int i = 0; i < n_quadratics; ++i)
-            coefficients[i] += Bernstein<2>::coefficients(2)(i, p) * at_point;
+          const auto at_point = strain_rate_at(
+            body, velocity, t, Bernstein<dim>::points(degree)[p]);
+          for (unsigned int i = 0; i < n_rates<dim>; ++i)
+            coefficients[i] +=
+              Bernstein<dim>::coefficients(degree)(i, p) * at_point;
         }
       return coefficients;
     }
 
 
 
+    template <int dim>
     double
-    rate_of_shear(const SplitBody<2> &body, const SymmetricTensor<2, 3> &rate)
+    rate_of_shear(const SplitBody<dim> &body, const SymmetricTensor<2, 3> &rate)
     {
-      return body.is_axisymmetric() ?
+      return dim == 3 || body.is_axisymmetric() ?
                std::sqrt(2.) * deviator(rate).norm() :
                std::hypot(rate[0][0] - rate[1][1], 2. * rate[0][1]);
+    }
+
+
+
+    /// The integrals of the functions times the weight of the body, over a
+    /// triangle of area 1; in space they are all the same.
+    std::array<double, n_rates<2>>
+    moments(const SplitBody<2> &body, const Corners<2> &corners)
+    {
+      std::array<double, 3> weights;
+      for (unsigned int i = 0; i < 3; ++i)
+        weights[i] = body.weight(corners[i]);
+      return quadratic_moments(weights);
+    }
+
+    std::array<double, n_rates<3>>
+    moments(const SplitBody<3> &, const Corners<3> &)
+    {
+      std::array<double, n_rates<3>> result;
+      result.fill(1. / n_rates<3>);
+      return result;
     }
 
 
@@ -48,7 +83,7 @@ namespace ElastoPlastic
     departure_from_quadratic(const SplitBody<2>       &body,
                              const SimplexVelocity<2> &velocity,
                              const unsigned int        t,
-                             const Rates              &rates)
+                             const Rates<2>           &rates)
     {
       double largest = 0.;
       for (const auto &point : Bernstein<2>::points(velocity_degree<2>))
@@ -68,47 +103,67 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
   double
-  missing_dilatation(const SplitBody<2>       &body,
-                     const SimplexVelocity<2> &velocity,
-                     const unsigned int        t)
+  missing_dilatation(const SplitBody<dim>       &body,
+                     const SimplexVelocity<dim> &velocity,
+                     const unsigned int          t)
   {
-    const double slope   = body.friction_slopes[t];
-    const Rates  rates   = coefficients_of_rate(body, velocity, t);
-    double       missing = 0.;
+    const double     slope   = body.friction_slopes[t];
+    const Rates<dim> rates   = coefficients_of_rate(body, velocity, t);
+    double           missing = 0.;
     for (const auto &rate : rates)
       keep_largest(missing,
                    slope > 0. ?
                      slope * rate_of_shear(body, rate) - trace(rate) :
                      std::abs(trace(rate)));
-    missing *= std::sqrt(volume(body.corners_of(t)));
-    if (body.is_axisymmetric())
-      keep_largest(missing, departure_from_quadratic(body, velocity, t, rates));
+    missing *= std::pow(volume(body.corners_of(t)), 1. / dim);
+    if constexpr (dim == 2)
+      if (body.is_axisymmetric())
+        keep_largest(missing,
+                     departure_from_quadratic(body, velocity, t, rates));
     return missing;
   }
 
 
 
+  template <int dim>
   double
-  work_of_soil(const SplitBody<2>       &body,
-               const SimplexVelocity<2> &velocity,
-               const unsigned int        t)
+  work_of_soil(const SplitBody<dim>       &body,
+               const SimplexVelocity<dim> &velocity,
+               const unsigned int          t)
   {
-    const double          slope   = body.friction_slopes[t];
-    const auto            corners = body.corners_of(t);
-    const Rates           rates   = coefficients_of_rate(body, velocity, t);
-    std::array<double, 3> weights;
-    for (unsigned int i = 0; i < 3; ++i)
-      weights[i] = body.weight(corners[i]);
-    const auto moments = quadratic_moments(weights);
-    double     sum     = 0.;
-    for (unsigned int i = 0; i < n_quadratics; ++i)
+    const double     slope   = body.friction_slopes[t];
+    const auto       corners = body.corners_of(t);
+    const Rates<dim> rates   = coefficients_of_rate(body, velocity, t);
+    const auto       weights = moments(body, corners);
+    double           sum     = 0.;
+    for (unsigned int i = 0; i < rates.size(); ++i)
       {
         const double shear = rate_of_shear(body, rates[i]);
-        sum += moments[i] *
+        sum += weights[i] *
                (slope > 0. ? std::max(shear, trace(rates[i]) / slope) : shear);
       }
     return body.angle() * std::sqrt(0.5) * body.materials[t].yield_radius *
            volume(corners) * sum;
   }
+
+
+
+  template double
+  missing_dilatation(const SplitBody<2> &,
+                     const SimplexVelocity<2> &,
+                     const unsigned int);
+  template double
+  missing_dilatation(const SplitBody<3> &,
+                     const SimplexVelocity<3> &,
+                     const unsigned int);
+  template double
+  work_of_soil(const SplitBody<2> &,
+               const SimplexVelocity<2> &,
+               const unsigned int);
+  template double
+  work_of_soil(const SplitBody<3> &,
+               const SimplexVelocity<3> &,
+               const unsigned int);
 } // namespace ElastoPlastic

@@ -216,11 +216,12 @@ namespace ElastoPlastic
         unknowns.remove_divergence(fluxes);
         for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
           {
-            const FluxElement element(body, t);
-            auto             &velocity = field.velocity.emplace_back();
+            const FluxElement           element(body, t);
+            std::array<Tensor<1, 3>, 4> at_corners;
             unknowns.for_each(t, [&](const auto k, const auto v, const auto i) {
-              velocity.coefficients[v] += fluxes[i] * element.velocity(k, v);
+              at_corners[v] += fluxes[i] * element.velocity(k, v);
             });
+            field.velocity.push_back(linear_velocity(at_corners));
           }
         return field;
       }

@@ -93,14 +93,12 @@ namespace ElastoPlastic
 
 
 
-    /// Of a triangle, without its sides.
+    /// Of a triangle without friction, without its sides.
     double
     work_inside(const SplitBody<2>       &body,
                 const SimplexVelocity<2> &velocity,
                 const unsigned int        t)
     {
-      if (body.has_friction())
-        return work_of_soil(body, velocity, t);
       static const std::vector<Part> parts = parts_of_triangle();
 
       const RateNorm norm(body.materials[t]);
@@ -113,14 +111,15 @@ namespace ElastoPlastic
 
 
 
-    /// The strain rate is constant.
+    /// In space without friction, the strain rate is constant.
     double
     work_inside(const SplitBody<3>       &body,
                 const SimplexVelocity<3> &velocity,
                 const unsigned int        t)
     {
       return volume(body.corners_of(t)) * body.materials[t].yield_radius *
-             RateNorm(body.materials[t])(strain_rate_at(body, velocity, t, {}));
+             RateNorm(body.materials[t])(
+               strain_rate_at(body, velocity, t, {{1., 0., 0., 0.}}));
     }
 
 
@@ -162,9 +161,9 @@ namespace ElastoPlastic
                  const std::vector<SimplexVelocity<dim>> &velocity)
     {
       static const auto parts  = parts_of_face<dim>();
-      const auto       &points = Bernstein<dim - 1>::points(trace_degree<dim>);
+      const auto       &points = Bernstein<dim - 1>::points(slip_degree<dim>);
       const auto       &coefficients =
-        Bernstein<dim - 1>::coefficients(trace_degree<dim>);
+        Bernstein<dim - 1>::coefficients(slip_degree<dim>);
 
       const SlipNorm<dim> norm(body, view.number);
       double              sum = 0;
@@ -196,7 +195,8 @@ namespace ElastoPlastic
   {
     std::vector<double> work;
     for (unsigned int t = 0; t < velocity.size(); ++t)
-      work.push_back(work_inside(body, velocity[t], t));
+      work.push_back(body.has_friction() ? work_of_soil(body, velocity[t], t) :
+                                           work_inside(body, velocity[t], t));
     if (!body.can_slide())
       return work;
     for (const auto &view : views_of_faces(body))

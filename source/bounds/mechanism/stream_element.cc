@@ -254,7 +254,7 @@ namespace ElastoPlastic
   StreamElement::velocity(const Vector<double> &coefficients) const
   {
     SimplexVelocity<2> result =
-      interpolate_cubic([&](const Barycentric<2> &point) {
+      interpolate_velocity<2>([&](const Barycentric<2> &point) {
         const auto   jets = cubics(gradients, point);
         Tensor<1, 2> value;
         for (unsigned int i = 0; i < n_cubics; ++i)

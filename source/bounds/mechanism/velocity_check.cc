@@ -83,25 +83,17 @@ namespace ElastoPlastic
 
 
 
+    template <int dim>
     void
-    check_volume(VelocityErrors           &errors,
-                 const SplitBody<2>       &body,
-                 const SimplexVelocity<2> &velocity,
-                 const unsigned int        t)
+    check_volume(VelocityErrors             &errors,
+                 const SplitBody<dim>       &body,
+                 const SimplexVelocity<dim> &velocity,
+                 const unsigned int          t)
     {
       if (body.has_friction())
         keep_largest(errors.divergence, missing_dilatation(body, velocity, t));
       else if (body.kinematics != Kinematics::plane_stress)
         check_divergence(errors, body, velocity, t);
-    }
-
-    void
-    check_volume(VelocityErrors           &errors,
-                 const SplitBody<3>       &body,
-                 const SimplexVelocity<3> &velocity,
-                 const unsigned int        t)
-    {
-      check_divergence(errors, body, velocity, t);
     }
 
 

@@ -26,7 +26,8 @@ namespace ElastoPlastic
     VelocityField<3>
     find_mechanism(const SplitBody<3> &body, const double tolerance)
     {
-      return find_flux(body, tolerance);
+      return body.can_slide() ? find_flux(body, tolerance) :
+                                find_motion_of_sheet(body, tolerance);
     }
 
 

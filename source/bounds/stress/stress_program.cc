@@ -62,7 +62,7 @@ namespace ElastoPlastic
 
 
 
-  // |dev tau| <= R + zeta, or with friction R - sqrt(2) sin(phi) p; with Hill's
+  // |dev tau| <= R + zeta, or with friction R - sqrt(2) f p; with Hill's
   // criterion, the matrix of another norm.
   template <int dim>
   void
@@ -98,7 +98,7 @@ namespace ElastoPlastic
     const double slope    = body.friction_slopes[t];
     const auto   weights  = local(t).weights();
     const auto   constant = local(t).pressures(0.);
-    add_friction(block, stresses, weights, constant, slope);
+    add_friction<dim>(block, stresses, weights, constant, slope);
     if (!has_growing_pressure())
       return;
     auto growing = local(t).pressures(body.load_factor_unit);
@@ -108,7 +108,7 @@ namespace ElastoPlastic
                    growing.begin(),
                    std::minus<>());
     const unsigned int unknown = stresses.n() - 1;
-    add_growing_pressure(block, unknown, growing, slope);
+    add_growing_pressure<dim>(block, unknown, growing, slope);
     Vector<double> row(stresses.n());
     row[unknown] = 1.;
     block.add_to_equation(program.right_hand_side.size() -
@@ -221,11 +221,11 @@ namespace ElastoPlastic
                                   weights,
                                   /* radius = */ 1.);
         if (body.has_friction())
-          add_friction(block,
-                       identity,
-                       weights,
-                       std::vector<double>(weights.size(), 0.),
-                       body.friction_slopes[t]);
+          add_friction<dim>(block,
+                            identity,
+                            weights,
+                            std::vector<double>(weights.size(), 0.),
+                            body.friction_slopes[t]);
         LocalAlgebra::add_transposed_product(all.begin(), block.cone_matrix, z);
       }
 

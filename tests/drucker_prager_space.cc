@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Bounds of limit loads in space of material that obeys Drucker and Prager's
+// yield condition: exact ones of a cube in triaxial compression and extension,
+// on a distorted mesh with hanging nodes, also where it stands at an angle to
+// the axes, and those of a cube and of a footing with weight. Velocities are
+// strictly inside of their cones, and the gaps of the tetrahedra add up to the
+// difference of the bounds.
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/patterns.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "bounds/limit_load.h"
+#include "bounds/mechanism/velocity_check.h"
+#include "bounds/stress/stress_check.h"
+#include "box_names.h"
+#include "material/yield_criterion_parameters.h"
+#include "verdict.h"
+
+using namespace ElastoPlastic;
+
+namespace
+{
+  using Mesh = parallel::distributed::Triangulation<3>;
+  using Gap  = std::function<double(const Point<3> &)>;
+
+  const Gap everywhere = [](const Point<3> &) {
+    return 0.;
+  };
+  const Gap nowhere = [](const Point<3> &) {
+    return std::numeric_limits<double>::infinity();
+  };
+  const Gap footing = [](const Point<3> &x) {
+    return std::max(x[0], x[1]) <= 1. ? 0. :
+                                        std::numeric_limits<double>::infinity();
+  };
+
+
+
+  /// With the cohesion 1.
+  SoilStrength
+  strength(const double degrees)
+  {
+    SoilParameters parameters;
+    parameters.cohesions       = {1.};
+    parameters.friction_angles = {degrees};
+    return parameters.drucker_prager(0);
+  }
+
+
+
+  /// Materials with these angles of friction, by material id. Tractions grow
+  /// where there is no indenter.
+  SplitBody<3>
+  make_body(const Mesh                        &triangulation,
+            const BoundaryConditionParameters &parameters,
+            const IndenterOnBody<3>           &indenter,
+            const std::vector<double>         &angles,
+            const std::string                 &force = "0; 0; 0")
+  {
+    std::vector<Material<double>> materials;
+    std::vector<double>           slopes;
+    for (const double degrees : angles)
+      {
+        const auto [radius, slope] = strength(degrees);
+        Material<double> &material = materials.emplace_back();
+        material.bulk_modulus      = 800.;
+        material.shear_modulus     = 400.;
+        material.yield_radius      = radius;
+        material.isotropic_modulus = 0.;
+        slopes.push_back(slope);
+      }
+    const BoundaryConditions<3> conditions(parameters, names_of_box);
+    const BodyForce<3>          body_force(force);
+    SplitMesh<3>                mesh  = make_split_mesh(triangulation);
+    const Loads<3>              loads = parameters.contact.empty() ?
+                                          growing_loads(mesh, conditions, body_force) :
+                                          Loads<3>(/* time = */ 0., body_force);
+    auto body = make_split_body<3>(
+      std::move(mesh), conditions, materials, indenter, loads);
+    set_friction(body, slopes);
+    return body;
+  }
+
+
+
+  LimitLoad<3>
+  checked_bounds(const SplitBody<3> &body)
+  {
+    const auto bounds = bound_limit_load(body, /* degree = */ 1);
+    verify("admissible stress",
+           check_stress(body, bounds.stress).largest(),
+           1e-9);
+    verify("admissible velocity", bounds.velocity.error, 1e-12);
+    const double power =
+      body.load_factor_unit > 0 ?
+        power_of_loads(body, bounds.velocity.velocity).growing :
+        1.;
+    verify("gaps",
+           std::all_of(bounds.gaps.begin(),
+                       bounds.gaps.end(),
+                       [](const double gap) { return gap > -1e-6; }));
+    verify("sum of the gaps",
+           std::abs(
+             std::accumulate(bounds.gaps.begin(), bounds.gaps.end(), 0.) /
+               power -
+             (bounds.upper_bound - bounds.lower_bound)),
+           1e-4 * bounds.upper_bound);
+    return bounds;
+  }
+
+
+
+  void
+  verify_exact(const LimitLoad<3> &bounds, const double exact)
+  {
+    verify("lower bound",
+           bounds.lower_bound <= exact * (1. + 1e-9) &&
+             bounds.lower_bound >= exact * (1. - 2e-5));
+    verify("upper bound",
+           bounds.upper_bound >= exact * (1. - 1e-9) &&
+             bounds.upper_bound <= exact * (1. + 2e-5));
+  }
+
+
+
+  /// The pressure that a cube bears between plates beside the pressure @p q on
+  /// its sides: the stress has the deviator sqrt(2/3) (p - q), and the mean
+  /// -(p + 2 q) / 3.
+  double
+  in_compression(const double degrees, const double q)
+  {
+    const auto [radius, slope] = strength(degrees);
+    const double a = std::sqrt(2. / 3.), b = std::sqrt(2.) * slope / 3.;
+    return (radius + q * (a + 2. * b)) / (a - b);
+  }
+
+  /// The pressure that its sides bear beside the pressure @p q on its ends:
+  /// sqrt(2/3) (p - q) and -(2 p + q) / 3.
+  double
+  in_extension(const double degrees, const double q)
+  {
+    const auto [radius, slope] = strength(degrees);
+    const double a = std::sqrt(2. / 3.), b = std::sqrt(2.) * slope / 3.;
+    return (radius + q * (a + b)) / (a - 2. * b);
+  }
+
+
+
+  void
+  test_cube(const Mesh &cube, const double degrees)
+  {
+    output() << "Compression, angle of friction " << degrees << std::endl;
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"left", "front", "bottom"};
+    parameters.free    = {"right", "back"};
+    parameters.contact = {"top"};
+    verify_exact(checked_bounds(
+                   make_body(cube, parameters, {everywhere}, {degrees})),
+                 in_compression(degrees, 0.));
+
+    output() << "with a pressure on the sides" << std::endl;
+    parameters.free     = {};
+    parameters.traction = "right: -0.7; 0; 0 | back: 0; -0.7; 0";
+    verify_exact(checked_bounds(
+                   make_body(cube, parameters, {everywhere}, {degrees})),
+                 in_compression(degrees, 0.7));
+
+    output() << "Extension" << std::endl;
+    parameters.contact  = {};
+    parameters.free     = {"top"};
+    parameters.traction = "right: -t; 0; 0 | back: 0; -t; 0";
+    verify_exact(checked_bounds(
+                   make_body(cube, parameters, {nowhere}, {degrees})),
+                 in_extension(degrees, 0.));
+
+    output() << "with a pressure on the top" << std::endl;
+    parameters.free = {};
+    parameters.traction += " | top: 0; 0; -0.7";
+    verify_exact(checked_bounds(
+                   make_body(cube, parameters, {nowhere}, {degrees})),
+                 in_extension(degrees, 0.7));
+  }
+
+
+
+  /// Rollers are at an angle to the axes.
+  void
+  test_turned_cube(Mesh &cube)
+  {
+    output() << "Turned by 25 degrees" << std::endl;
+    GridTools::rotate(Tensor<1, 3>({0., 0., 1.}),
+                      25. / 180. * numbers::PI,
+                      cube);
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"left", "front", "bottom"};
+    parameters.free    = {"right", "back"};
+    parameters.contact = {"top"};
+    verify_exact(checked_bounds(
+                   make_body(cube, parameters, {everywhere}, {30.})),
+                 in_compression(30., 0.));
+  }
+
+
+
+  /// The gaps know the pressure of a weight, also of one that grows.
+  void
+  test_weight(const Mesh &cube)
+  {
+    output() << "Under a weight that grows" << std::endl;
+    BoundaryConditionParameters parameters;
+    parameters.roller = {"left", "front", "bottom"};
+    parameters.free   = {"right", "back", "top"};
+    checked_bounds(make_body(cube, parameters, {nowhere}, {10.}, "0; 0; -t"));
+  }
+
+
+
+  /// One material may have no friction.
+  void
+  test_footing(Mesh &block, const std::vector<double> &angles)
+  {
+    output() << "Rough footing on heavy ground, angles of friction "
+             << Patterns::Tools::to_string(angles) << std::endl;
+    for (const auto &cell : block.active_cell_iterators())
+      cell->set_material_id(cell->center()[2] > -1. ? 0 : angles.size() - 1);
+    BoundaryConditionParameters parameters;
+    parameters.roller  = {"left", "front"};
+    parameters.fixed   = {"bottom", "right", "back"};
+    parameters.contact = {"top"};
+    checked_bounds(make_body(
+      block, parameters, {footing, SurfaceFinish::rough}, angles, "0; 0; -2"));
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  Mesh cube(MPI_COMM_WORLD);
+  GridGenerator::subdivided_hyper_rectangle(
+    cube, {2, 2, 2}, Point<3>(0, 0, -1), Point<3>(1, 1, 0), true);
+  GridTools::distort_random(0.2, cube, /* keep_boundary = */ true);
+  for (const auto &cell : cube.active_cell_iterators())
+    if (cell->is_locally_owned() &&
+        cell->center().distance(Point<3>(1, 1, 0)) < 0.6)
+      cell->set_refine_flag();
+  cube.execute_coarsening_and_refinement();
+  for (const double degrees : {10., 30.})
+    test_cube(cube, degrees);
+  test_weight(cube);
+  test_turned_cube(cube);
+
+  Mesh block(MPI_COMM_WORLD);
+  GridGenerator::subdivided_hyper_rectangle(
+    block, {2, 2, 2}, Point<3>(0, 0, -2), Point<3>(2, 2, 0), true);
+  test_footing(block, {20.});
+  test_footing(block, {0., 20.});
+}
