@@ -288,7 +288,7 @@ def square_footings(runner):
 
 
 def soil_fine(runner):
-    """Footings on weightless ground and beside a surcharge within 1 %, on heavy ground and a vertical cut on fine meshes (many minutes)."""
+    """Footings on weightless ground and beside a surcharge within a hundredth, on heavy ground and a vertical cut on fine meshes (many minutes)."""
     for degrees in (10, 20, 30):
         for surface in N_GAMMA:
             verify_bounds(runner, f"{degrees} degrees, {surface}", n_c(degrees), 0.01, FOOTING,
