@@ -11,7 +11,7 @@ namespace ElastoPlastic
 {
   /// The mechanism that takes least plastic work among velocities that are zero
   /// at the supports and go down by 1 or more everywhere under the indenter
-  /// (find_stream(), in space find_flux(), or find_motion_of_sheet()). By the
+  /// (find_stream(), in space find_flux(), or find_continuous_motion()). By the
   /// kinematic theorem, its work int sqrt(2/3) sigma_0 |e(v)| dx is an upper
   /// bound of the limit load @cite hill_1950. The bound follows from the
   /// velocities alone, by velocity_check.h.
@@ -67,7 +67,7 @@ namespace ElastoPlastic
   /// @throws ConvergenceError, UnboundedError if there is no mechanism.
   template <int dim>
   VelocityField<dim>
-  find_motion_of_sheet(const SplitBody<dim> &body, const double tolerance);
+  find_continuous_motion(const SplitBody<dim> &body, const double tolerance);
 } // namespace ElastoPlastic
 
 #endif

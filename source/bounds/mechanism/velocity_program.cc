@@ -20,14 +20,14 @@ namespace ElastoPlastic
     find_mechanism(const SplitBody<2> &body, const double tolerance)
     {
       return body.can_slide() ? find_stream(body, tolerance) :
-                                find_motion_of_sheet(body, tolerance);
+                                find_continuous_motion(body, tolerance);
     }
 
     VelocityField<3>
     find_mechanism(const SplitBody<3> &body, const double tolerance)
     {
       return body.can_slide() ? find_flux(body, tolerance) :
-                                find_motion_of_sheet(body, tolerance);
+                                find_continuous_motion(body, tolerance);
     }
 
 

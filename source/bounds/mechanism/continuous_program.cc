@@ -372,7 +372,7 @@ namespace ElastoPlastic
 
   template <int dim>
   VelocityField<dim>
-  find_motion_of_sheet(const SplitBody<dim> &body, const double tolerance)
+  find_continuous_motion(const SplitBody<dim> &body, const double tolerance)
   {
     return ContinuousProgram<dim>(body).solve(tolerance);
   }
@@ -380,7 +380,7 @@ namespace ElastoPlastic
 
 
   template VelocityField<2>
-  find_motion_of_sheet(const SplitBody<2> &, const double);
+  find_continuous_motion(const SplitBody<2> &, const double);
   template VelocityField<3>
-  find_motion_of_sheet(const SplitBody<3> &, const double);
+  find_continuous_motion(const SplitBody<3> &, const double);
 } // namespace ElastoPlastic
