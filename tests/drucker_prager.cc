@@ -15,15 +15,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
-#include "bounds/limit_load.h"
-#include "bounds/mechanism/velocity_check.h"
-#include "bounds/stress/stress_check.h"
-#include "material/yield_criterion_parameters.h"
-#include "verdict.h"
+#include "soil_bounds.h"
 
 using namespace ElastoPlastic;
+using SoilBounds::strength;
 
 namespace
 {
@@ -33,18 +29,6 @@ namespace
                                                            {"right", 1},
                                                            {"bottom", 2},
                                                            {"top", 3}};
-
-  /// With the cohesion 1.
-  SoilStrength
-  strength(const double degrees)
-  {
-    SoilParameters parameters;
-    parameters.cohesions       = {1.};
-    parameters.friction_angles = {degrees};
-    return parameters.drucker_prager(0);
-  }
-
-
 
   /// Where the indenter can touch the top: up to this radius.
   IndenterOnBody<2>
@@ -90,33 +74,6 @@ namespace
 
 
 
-  LimitLoad<2>
-  checked_bounds(const SplitBody<2> &body)
-  {
-    const auto bounds = bound_limit_load(body, /* degree = */ 2);
-    verify("admissible stress",
-           check_stress(body, bounds.stress).largest(),
-           1e-9);
-    verify("admissible velocity", bounds.velocity.error, 1e-12);
-    const double power =
-      body.load_factor_unit > 0 ?
-        power_of_loads(body, bounds.velocity.velocity).growing :
-        1.;
-    verify("gaps",
-           std::all_of(bounds.gaps.begin(),
-                       bounds.gaps.end(),
-                       [](const double gap) { return gap > -1e-6; }));
-    verify("sum of the gaps",
-           std::abs(
-             std::accumulate(bounds.gaps.begin(), bounds.gaps.end(), 0.) /
-               power -
-             (bounds.upper_bound - bounds.lower_bound)),
-           1e-5 * bounds.upper_bound);
-    return bounds;
-  }
-
-
-
   /// Uniform stress and rate: |dev s| = sqrt(2/3) p, tr s = -p.
   void
   test_cylinder(const double degrees)
@@ -132,8 +89,12 @@ namespace
     const auto [radius, slope] = strength(degrees);
     const double limit =
       numbers::PI * radius / (std::sqrt(2. / 3.) - std::sqrt(2.) * slope / 3.);
-    const auto bounds = checked_bounds(make_body(
-      triangulation, parameters, plate(1., SurfaceFinish::smooth), degrees));
+    const auto bounds =
+      SoilBounds::checked_bounds(make_body(triangulation,
+                                           parameters,
+                                           plate(1., SurfaceFinish::smooth),
+                                           degrees),
+                                 /* degree = */ 2);
     verify("lower bound",
            bounds.lower_bound <= limit * (1. + 1e-9) &&
              bounds.lower_bound >= limit * (1. - 2e-6));
@@ -161,8 +122,12 @@ namespace
     const double phi = degrees * numbers::PI / 180., sine = std::sin(phi);
     const double limit =
       (std::pow(2., 2. * sine / (1. + sine)) - 1.) / std::tan(phi);
-    const auto bounds = checked_bounds(make_body(
-      triangulation, parameters, plate(-1., SurfaceFinish::smooth), degrees));
+    const auto bounds =
+      SoilBounds::checked_bounds(make_body(triangulation,
+                                           parameters,
+                                           plate(-1., SurfaceFinish::smooth),
+                                           degrees),
+                                 /* degree = */ 2);
     verify("lower bound",
            bounds.lower_bound <= limit && bounds.lower_bound >= 0.999 * limit);
     verify("upper bound",
@@ -203,8 +168,9 @@ namespace
     parameters.roller  = {"left"};
     parameters.fixed   = {"bottom", "right"};
     parameters.contact = {"top"};
-    const auto result  = checked_bounds(
-      make_body(triangulation, parameters, plate(1., surface), degrees, force));
+    const auto result  = SoilBounds::checked_bounds(
+      make_body(triangulation, parameters, plate(1., surface), degrees, force),
+      /* degree = */ 2);
     return result;
   }
 } // namespace

@@ -17,16 +17,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
-#include "bounds/limit_load.h"
-#include "bounds/mechanism/velocity_check.h"
-#include "bounds/stress/stress_check.h"
 #include "box_names.h"
-#include "material/yield_criterion_parameters.h"
-#include "verdict.h"
+#include "soil_bounds.h"
 
 using namespace ElastoPlastic;
+using SoilBounds::strength;
 
 namespace
 {
@@ -43,18 +39,6 @@ namespace
     return std::max(x[0], x[1]) <= 1. ? 0. :
                                         std::numeric_limits<double>::infinity();
   };
-
-
-
-  /// With the cohesion 1.
-  SoilStrength
-  strength(const double degrees)
-  {
-    SoilParameters parameters;
-    parameters.cohesions       = {1.};
-    parameters.friction_angles = {degrees};
-    return parameters.drucker_prager(0);
-  }
 
 
 
@@ -89,33 +73,6 @@ namespace
       std::move(mesh), conditions, materials, indenter, loads);
     set_friction(body, slopes);
     return body;
-  }
-
-
-
-  LimitLoad<3>
-  checked_bounds(const SplitBody<3> &body)
-  {
-    const auto bounds = bound_limit_load(body, /* degree = */ 1);
-    verify("admissible stress",
-           check_stress(body, bounds.stress).largest(),
-           1e-9);
-    verify("admissible velocity", bounds.velocity.error, 1e-12);
-    const double power =
-      body.load_factor_unit > 0 ?
-        power_of_loads(body, bounds.velocity.velocity).growing :
-        1.;
-    verify("gaps",
-           std::all_of(bounds.gaps.begin(),
-                       bounds.gaps.end(),
-                       [](const double gap) { return gap > -1e-6; }));
-    verify("sum of the gaps",
-           std::abs(
-             std::accumulate(bounds.gaps.begin(), bounds.gaps.end(), 0.) /
-               power -
-             (bounds.upper_bound - bounds.lower_bound)),
-           1e-4 * bounds.upper_bound);
-    return bounds;
   }
 
 
@@ -164,30 +121,34 @@ namespace
     parameters.roller  = {"left", "front", "bottom"};
     parameters.free    = {"right", "back"};
     parameters.contact = {"top"};
-    verify_exact(checked_bounds(
-                   make_body(cube, parameters, {everywhere}, {degrees})),
+    verify_exact(SoilBounds::checked_bounds(
+                   make_body(cube, parameters, {everywhere}, {degrees}),
+                   /* degree = */ 1),
                  in_compression(degrees, 0.));
 
     output() << "with a pressure on the sides" << std::endl;
     parameters.free     = {};
     parameters.traction = "right: -0.7; 0; 0 | back: 0; -0.7; 0";
-    verify_exact(checked_bounds(
-                   make_body(cube, parameters, {everywhere}, {degrees})),
+    verify_exact(SoilBounds::checked_bounds(
+                   make_body(cube, parameters, {everywhere}, {degrees}),
+                   /* degree = */ 1),
                  in_compression(degrees, 0.7));
 
     output() << "Extension" << std::endl;
     parameters.contact  = {};
     parameters.free     = {"top"};
     parameters.traction = "right: -t; 0; 0 | back: 0; -t; 0";
-    verify_exact(checked_bounds(
-                   make_body(cube, parameters, {nowhere}, {degrees})),
+    verify_exact(SoilBounds::checked_bounds(
+                   make_body(cube, parameters, {nowhere}, {degrees}),
+                   /* degree = */ 1),
                  in_extension(degrees, 0.));
 
     output() << "with a pressure on the top" << std::endl;
     parameters.free = {};
     parameters.traction += " | top: 0; 0; -0.7";
-    verify_exact(checked_bounds(
-                   make_body(cube, parameters, {nowhere}, {degrees})),
+    verify_exact(SoilBounds::checked_bounds(
+                   make_body(cube, parameters, {nowhere}, {degrees}),
+                   /* degree = */ 1),
                  in_extension(degrees, 0.7));
   }
 
@@ -205,8 +166,9 @@ namespace
     parameters.roller  = {"left", "front", "bottom"};
     parameters.free    = {"right", "back"};
     parameters.contact = {"top"};
-    verify_exact(checked_bounds(
-                   make_body(cube, parameters, {everywhere}, {30.})),
+    verify_exact(SoilBounds::checked_bounds(
+                   make_body(cube, parameters, {everywhere}, {30.}),
+                   /* degree = */ 1),
                  in_compression(30., 0.));
   }
 
@@ -220,7 +182,9 @@ namespace
     BoundaryConditionParameters parameters;
     parameters.roller = {"left", "front", "bottom"};
     parameters.free   = {"right", "back", "top"};
-    checked_bounds(make_body(cube, parameters, {nowhere}, {10.}, "0; 0; -t"));
+    SoilBounds::checked_bounds(
+      make_body(cube, parameters, {nowhere}, {10.}, "0; 0; -t"),
+      /* degree = */ 1);
   }
 
 
@@ -237,8 +201,12 @@ namespace
     parameters.roller  = {"left", "front"};
     parameters.fixed   = {"bottom", "right", "back"};
     parameters.contact = {"top"};
-    checked_bounds(make_body(
-      block, parameters, {footing, SurfaceFinish::rough}, angles, "0; 0; -2"));
+    SoilBounds::checked_bounds(make_body(block,
+                                         parameters,
+                                         {footing, SurfaceFinish::rough},
+                                         angles,
+                                         "0; 0; -2"),
+                               /* degree = */ 1);
   }
 } // namespace
 
