@@ -290,6 +290,14 @@ class Problems(unittest.TestCase):
         numpy.testing.assert_allclose(share.y, 0.9)
         self.refuse_data("quantity: there is no \"colour\"", quantity="colour", value=3)
         self.refuse_data("value' is None, but must be a number, or a list", quantity="hardness")
+        self.refuse_data("fit' is for unloading slope and unloading slope over depth, not for 'hardness'", quantity="hardness",
+                         value=3, fit=[0.5, 0.95])
+        for shares in (0.5, [0.5], [0.95, 0.5], [0, 0.5], [0.5, "x"]):
+            self.refuse_data("fit' is .*, but must be two shares of the largest force, the lower one first, such as",
+                             quantity="unloading slope", value=3, fit=shares)
+        self.refuse_data("fit' is for unloading slopes with a name", quantity={"table": "history", "column": "force",
+                                                                               "take": "last"}, value=3,
+                         fit=[0.5, 0.95])
         self.refuse_data("unit' is 'mm', but must be one of Pa", quantity="hardness", value=3, unit="mm")
         self.refuse_data("'plastic work share' has none", quantity="plastic work share", value=0.9, unit="%")
         self.refuse_data("is for quantities with a name", quantity={"table": "history", "column": "force"}, value=3,

@@ -8,7 +8,8 @@ import unittest
 import numpy
 
 from elasto_plastic_contact import UserError
-from elasto_plastic_contact.fitting.predictions import QUANTITIES, Curve, column_at, curve_at, hold_at, imprint_at
+from elasto_plastic_contact.fitting.predictions import (FITTED_SLOPES, QUANTITIES, Curve, column_at, curve_at, hold_at,
+                                                          imprint_at)
 
 
 def run_of(depth, force, **tables):
@@ -67,6 +68,16 @@ class Predictions(unittest.TestCase):
                             ("largest depth", 2.), ("residual depth", 1.5),
                             ("plastic work share", 1. - (400. * 0.5 / 2.4) / (100. * 8. / 3.))):
             self.assertLess(abs(values[name] / value - 1.), 5e-3, name)
+
+    def test_fitted_slopes(self):
+        """The unloading is a power law throughout, so that any shares give its slope."""
+        for shares in ([0.5, 0.95], [0.2, 1.]):
+            slope = FITTED_SLOPES["unloading slope"](self.RUN, shares)
+            self.assertAlmostEqual(slope / (400. * 1.4 / 0.5), 1., delta=1e-6)
+            self.assertAlmostEqual(FITTED_SLOPES["unloading slope over depth"](self.RUN, shares), 0.5 * slope)
+        few = run_of([1., 2., 1.7, 1.5], [1., 4., 2., 0.])
+        self.refuse("fewer than three points between 50 and 95 % of the largest force, which 'fit' takes",
+                    FITTED_SLOPES["unloading slope"], few, [0.5, 0.95])
 
     def test_imprint(self):
         profile = numpy.array([(1, 0., 0., 0., -9.), (2, 0., 0., 0., -0.5), (2, 1., 0., 0.1, -0.2),

@@ -3,6 +3,7 @@
 """The studies of the page on fits: their problems can be read, their numbers fit into its table, and their standard
 errors are those of a linear problem."""
 
+import dataclasses
 import pathlib
 import tempfile
 import types
@@ -18,8 +19,8 @@ from elasto_plastic_contact.schema import check_path
 from elasto_plastic_contact.verification.curve_and_imprint import (DEPTH, LOADING, NOISE, PAIR, PLACES, STEP, UNLOADING,
                                                                    coordinates_of, entries, residuals, standard_errors)
 from elasto_plastic_contact.verification.curve_and_imprint_fit import FITS, problem_of_fit
-from elasto_plastic_contact.verification.published_metals import (CONE, CONE_WITH_SLOPE, METALS, PYRAMID,
-                                                                    problem_of, tensile_entries)
+from elasto_plastic_contact.verification.published_metals import (CONE, CONE_WITH_SLOPE, METALS, PYRAMID, SLOPE,
+                                                                    problem_of, published_functions, tensile_entries)
 
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "doc/recipes/fit.md"
 
@@ -42,6 +43,30 @@ class Studies(unittest.TestCase):
             strain = law["Material/Power law reference strain"]
             self.assertLess(abs(yield_stress * (1. + 0.033 / strain) ** exponent / stress - 1.), 0.02)
             self.assertAlmostEqual(law["Material/Young's modulus"] / 0.91, 1e3 * modulus)
+
+    def test_slopes_of_a_power_law(self):
+        """The problem asks for them, and finds them in a run, where it finds initial ones otherwise."""
+        tip = dataclasses.replace(PYRAMID, slope_fit=(0.2, 0.95))
+        metal = METALS["Al 7075-T651"]
+        data = problem_of(metal, tip, coarse=True)["experiments"]["berkovich"]["data"]
+        self.assertEqual([item.get("fit") for item in data], [None, None, [0.2, 0.95]])
+        read_problem(problem_of(metal, tip, coarse=True))
+        unload = numpy.linspace(2., 1.5, 21)[1:]
+        history = numpy.array([(h, h * h) for h in numpy.linspace(0.1, 2., 20)]
+                              + [(h, 4. * ((h - 1.5) / 0.5) ** 1.4) for h in unload],
+                              [(name, float) for name in ("depth", "force")])
+        run = types.SimpleNamespace(history=history, number=lambda path: 0., modelled_part=1.)
+        self.assertAlmostEqual(tip.find(SLOPE, run), 4. * 1.4 / 0.5 / 2., delta=1e-5)
+        self.assertNotAlmostEqual(PYRAMID.find(SLOPE, run), 4. * 1.4 / 0.5 / 2., delta=1e-5)
+
+    def test_published_functions(self):
+        """Of a cone, against what the page says of this program's: within 1 per cent."""
+        rows = [line.split("|")[4].strip() for line in PAGE.read_text(encoding="utf-8").splitlines()
+                if line.startswith("|") and ("$C$ in GPa" in line or "$dF/dh / h_m$" in line)]
+        for metal, (curvature, slope) in zip(METALS.values(), (rows[:2], rows[2:4])):
+            found = published_functions(metal)
+            self.assertLess(abs(found["loading curvature"] / float(curvature) - 1.), 0.01)
+            self.assertLess(abs(found[SLOPE] / float(slope) - 1.), 0.01)
 
     def test_table_of_metals(self):
         """One row of the page for each number."""

@@ -106,6 +106,19 @@ class Kinds(unittest.TestCase):
             rows = {name: value for name, value, _ in case_of(kind, friction=told).sections.get("Contact", [])}
             self.assertEqual(rows.get("Friction coefficient"), found)
 
+    def test_deep_corner(self):
+        """What is said of the corner of a cube that goes deep into a soft body, by depth or by force."""
+        def said(**changes):
+            return case_of("cube-corner", **changes).chosen.get("difficult", "")
+
+        self.assertRegex(said(material="aluminium"), "^10 radii of the tip.*may take several times as long as estimated, or end "
+                                                     "before. Choose a --depth of 0.075 µm at most, a larger")
+        self.assertIn("radii of the tip", said(material="aluminium", depth=None, force="1 mN"))
+        self.assertIn("radii of the tip", said(material="polycarbonate"))
+        for changes in ({}, {"material": "aluminium", "depth": "75 nm"}, {"material": "tungsten"},
+                        {"material": "aluminium", "depth": None, "force": "1 uN"}):
+            self.assertEqual(said(**changes), "")
+
     def test_solver(self):
         """The default one: multigrid takes half of the time of a factorisation."""
         for kind in EXAMPLES:

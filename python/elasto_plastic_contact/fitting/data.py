@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy
 
-from .predictions import QUANTITIES, column_at, curve_at, hold_at, imprint_at
+from .predictions import FITTED_SLOPES, QUANTITIES, column_at, curve_at, hold_at, imprint_at
 from .problem import Block
 from .values import number, texts
 from ..errors import UserError
@@ -23,7 +23,7 @@ from ..tables import read_table
 COMMON = ("noise", "weight", "independent points")
 KINDS = {"curve": ("columns", "units", "indents", "cycle", "zero point", "segments", "compare", "above", "points"),
          "imprint": ("columns", "unit", "points"), "table": ("columns", "computed", "points"),
-         "quantity": ("value", "unit")}
+         "quantity": ("value", "unit", "fit")}
 
 # What is compared of a curve unless told: depth and force; a hold is depth over time.
 CURVES = ("load", "unload")
@@ -233,6 +233,8 @@ def read_quantity(data, place, _, units):
         name, scale = f"{found.table}: {found.column}", 1.
         if "unit" in data:
             raise UserError(f"'{place}/unit' is for quantities with a name; give the value in units of the case")
+        if "fit" in data:
+            raise UserError(f"'{place}/fit' is for unloading slopes with a name: leave it out")
 
         def find(run):
             value = look_up(found, run.directory, f"{place}/quantity")
@@ -240,15 +242,29 @@ def read_quantity(data, place, _, units):
                 raise UserError(f"'{place}': the run has no such row of {found.table}.csv")
             return value
     else:
-        name = choice(quantity, f"{place}/quantity", list(QUANTITIES))
-        find, powers = QUANTITIES[name]
-        scale = scale_of(data, place, powers, units)
+        name, find = named_quantity(data, place)
+        scale = scale_of(data, place, QUANTITIES[name][1], units)
     values = numpy.array(numbers_of(data, place)) * scale
     data = with_noise_of_case(data, place, scale)
     if len(values) > 1 and not {"noise", "weight"} & set(data):
         data = data | {"noise": {"absolute": values.std(ddof=1) / len(values) ** 0.5}}
     return [block_of(data, place, name, "quantity", numpy.empty(0), numpy.atleast_1d(values.mean()),
                      lambda run, _: numpy.atleast_1d(find(run)), ("", name))]
+
+
+def named_quantity(data, place):
+    """The name, and how to find the number in a run."""
+    name = choice(data["quantity"], f"{place}/quantity", list(QUANTITIES))
+    if "fit" not in data:
+        return name, QUANTITIES[name][0]
+    shares = data["fit"]
+    if name not in FITTED_SLOPES:
+        raise UserError(f"'{place}/fit' is for {' and '.join(FITTED_SLOPES)}, not for '{name}': leave it out")
+    if (not isinstance(shares, list) or len(shares) != 2 or any(not isinstance(share, (int, float)) for share in shares)
+            or not 0. < shares[0] < shares[1] <= 1.):
+        raise UserError(f"'{place}/fit' is {shares}, but must be two shares of the largest force, the lower one first, "
+                        "such as [0.5, 0.95]")
+    return name, lambda run: FITTED_SLOPES[name](run, shares)
 
 
 def numbers_of(data, place):

@@ -4,14 +4,14 @@
 
 import numpy
 
-from .data import LOWEST, deviations
-from .predictions import QUANTITIES, Curve, curve_at, imprint_at
+from .data import LOWEST, deviations, named_quantity
+from .predictions import Curve, curve_at, imprint_at
 from .problem import Block
 from .values import number, texts
 from ..errors import UserError
 from ..study.plan import check_keys, choice
 
-KINDS = {"curve": ("segments", "compare", "points"), "imprint": ("points",), "quantity": ()}
+KINDS = {"curve": ("segments", "compare", "points"), "imprint": ("points",), "quantity": ("fit",)}
 
 N_POINTS = 40
 
@@ -34,8 +34,7 @@ def read_candidate_data(data, place):
         return lambda run: [curve_block(run, data, place, segment, compared, n_points) for segment in segments]
     if kind == "imprint":
         return lambda run: [imprint_block(run, data, place, n_points)]
-    name = choice(data["quantity"], f"{place}/quantity", list(QUANTITIES))
-    find = QUANTITIES[name][0]
+    _, find = named_quantity(data, place)
     return lambda run: [block_of(data, place, "quantity", run, lambda other: numpy.atleast_1d(find(other)))]
 
 

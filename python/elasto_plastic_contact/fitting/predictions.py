@@ -10,7 +10,7 @@ from scipy.interpolate import PchipInterpolator
 
 from ..errors import UserError
 from ..measured.evaluation import of_loading
-from ..oliver_pharr import points_of
+from ..oliver_pharr import fit_unloading, points_of
 
 # The initial slope of an unloading is that of a parabola through its points above this share of the largest force.
 SLOPE_SHARE = 0.7
@@ -133,6 +133,17 @@ def unloading_slope(run):
     return numpy.linalg.lstsq(terms / way.max(), fall / way.max(), rcond=None)[0][0]
 
 
+def unloading_slope_between(run, shares):
+    """dF/dh at the largest depth as laboratories evaluate it: of Oliver and Pharr's power law through the points between
+    these shares of the largest force. It is steeper than the initial slope, by some per cent."""
+    found = fit_unloading(Curve(run).segment("unload"), shares)
+    if found is None:
+        low, high = (100. * share for share in shares)
+        raise UserError(f"the unloading of the run has fewer than three points between {low:g} and {high:g} % of the "
+                        "largest force, which 'fit' takes: more 'Loading/Number of steps'")
+    return found[0]
+
+
 def plastic_work_share(run):
     """W_p / W_t: the part of the work of the loading that the unloading does not give back."""
     curve = Curve(run)
@@ -165,4 +176,10 @@ QUANTITIES = {
     "largest force": (lambda run: Curve(run).segment("load")[:, 1].max(), (1, 0)),
     "largest depth": (largest_depth, (0, 1)),
     "residual depth": (lambda run: Curve(run).segment("unload")[-1, 0], (0, 1)),
+}
+
+# Of the numbers with a slope, how to find them with that of a power law.
+FITTED_SLOPES = {
+    "unloading slope": unloading_slope_between,
+    "unloading slope over depth": lambda run, shares: unloading_slope_between(run, shares) / largest_depth(run),
 }

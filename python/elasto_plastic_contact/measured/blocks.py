@@ -2,87 +2,37 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Blocks of numbers in a text or on a sheet, with the headings and units above them."""
 
-import csv
-import math
 import re
 from dataclasses import dataclass, field
 
 from ..errors import UserError
+from .formats import find_format
 from .headings import rank
-from .texts import is_number, to_number
 from .units import KINDS, is_unit
 
-# What may separate columns, what is preferred first; the fewest rows of a curve; about how many lines are looked at to find
-# the separator.
-SEPARATORS = ("\t", ";", ",", " ")
+# The fewest rows of a curve.
 FEWEST_ROWS = 5
-SAMPLE = 2000
+
+# What begins as a number and goes on with nothing but digits and signs.
+LIKE_A_NUMBER = re.compile(r"[-+]?[\d.,][\d.,'’ eE+-]*")
 
 
 @dataclass
 class Block:
-    """Rows of numbers. first_line: the line of the first of them. title: the text above its headings."""
+    """Rows of numbers. first_line: the line of the first of them. title: the text above its headings. clocks: the
+    numbers of the columns that hold times of the day."""
     first_line: int
     rows: list = field(default_factory=list)
     headings: list = None
     heading_line: int = None
     units: list = None
     title: str = ""
+    clocks: tuple = ()
     after_blank: bool = False
 
     @property
     def width(self):
         return len(self.rows[0])
-
-
-@dataclass(frozen=True)
-class Format:
-    separator: str
-    decimal_comma: bool
-
-    def cells(self, line):
-        if self.separator == " ":
-            return line.split()
-        if '"' in line:
-            return next(csv.reader([line], delimiter=self.separator), [])
-        return line.split(self.separator)
-
-    def headings(self, line):
-        """Headings may hold blanks between blanks, as in 'Depth (nm)  Load (mN)'."""
-        if self.separator != " ":
-            return self.cells(line)
-        parts = re.split(r"\s{2,}|\t", line.strip())
-        return parts if len(parts) > 1 else re.findall(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?", line)
-
-
-def numbers(cells, decimal_comma):
-    """The numbers of a row; None if it is none: two numbers at least, and no other text but in the first cell, where
-    instruments mark their segments."""
-    values, n_numbers = [], 0
-    for column, cell in enumerate(cells):
-        try:
-            values.append(to_number(cell, decimal_comma))
-            n_numbers += not math.isnan(values[-1])
-        except ValueError:
-            if column > 0:
-                return None
-            values.append(math.nan)
-    return values if n_numbers >= 2 else None
-
-
-def find_format(lines):
-    """That by which most lines are rows of numbers; None if there are too few."""
-    lines = lines[::max(len(lines) // SAMPLE, 1)]
-    best, most = None, FEWEST_ROWS - 1
-    for separator in SEPARATORS:
-        for decimal_comma in (False, True):
-            if separator == "," and decimal_comma:
-                continue
-            form = Format(separator, decimal_comma)
-            n_rows = sum(numbers(form.cells(line), decimal_comma) is not None for line in lines)
-            if n_rows > most:
-                best, most = form, n_rows
-    return best
 
 
 def text_blocks(lines, path):
@@ -93,37 +43,53 @@ def text_blocks(lines, path):
     if sum(not line.strip() for line in lines) > len(lines) / 3:  # (as after a wrong conversion of ends of lines)
         lines = [line if line.strip() else None for line in lines]
     rows = ((number, form.cells(line), form.headings(line)) for number, line in enumerate(lines, 1) if line is not None)
-    return blocks(rows, form.decimal_comma, path)
+    return blocks(rows, form.reading, path)
 
 
-def blocks(rows, decimal_comma, path):
-    """rows: the number, the cells, and the cells as headings, of each line."""
+def blocks(rows, reading, path):
+    """rows: the number, the cells, and the cells as headings, of each line; reading: how numbers are written. Raises
+    UserError."""
     found, current, above = [], None, []
     for number, cells, headings in rows:
-        values = numbers(cells, decimal_comma)
+        values = reading.row(cells)
         if values is None:
             above.append((number, cells, headings))
             continue
         if current is None or above or len(values) != current.width:
+            check_numbers(above, len(values), reading, path)
             if current is not None:
-                check_gap(above, current, (number, values), decimal_comma, path)
-            current = Block(number)
+                check_gap(above, current, (number, values), reading, path)
+            current = Block(number, [values], clocks=reading.clocks(cells))
             set_headings(current, above, found[-1] if found else None)
             found.append(current)
             above = []
-        current.rows.append(values)
+        else:
+            current.rows.append(values)
+    if current is not None:
+        check_numbers(above, current.width, reading, path)
     return [block for block in found if len(block.rows) >= FEWEST_ROWS]
 
 
-def check_gap(above, current, following, decimal_comma, path):
+def check_numbers(above, width, reading, path):
+    """Refuses lines of numbers that are written in another way than the rows beside them."""
+    for number, cells, _ in above:
+        texts = [cell.strip() for cell in cells if cell.strip()]
+        if len(cells) == width and len(texts) > 1 and all(LIKE_A_NUMBER.fullmatch(text) for text in texts):
+            wrong = next((text for text in texts if not reading.is_number(text)), texts[0])
+            raise UserError(f"'{path}' has a text in place of a number in line {number}: '{wrong}', where other lines "
+                            f"have decimal {'commas' if reading.decimal_comma else 'points'}. Write all numbers alike "
+                            "and without thousands separators, or remove that line")
+
+
+def check_gap(above, current, following, reading, path):
     """Refuses a single line with a text between rows of as many numbers, and rows of more or fewer without a heading."""
     if len(current.rows) < FEWEST_ROWS:
         return
     next_line, width = following[0], len(following[1])
     if len(above) == 1 and width == current.width:
         number, cells, _ = above[0]
-        wrong = [cell for cell in cells if not is_number(cell, decimal_comma)]
-        if any(is_number(cell, decimal_comma) for cell in cells) and wrong and wrong[0].strip():
+        wrong = [cell for cell in cells if not reading.is_number(cell)]
+        if any(reading.is_number(cell) for cell in cells) and wrong and wrong[0].strip():
             raise UserError(f"'{path}' has a text in place of a number in line {number}: '{wrong[0].strip()}'. Mend or "
                             "remove that line")
     if not above and width != current.width:
@@ -132,18 +98,24 @@ def check_gap(above, current, following, decimal_comma, path):
 
 
 def set_headings(block, above, previous):
-    """From the lines above it; without any, those of the block before."""
+    """From the lines above it; without any that names something, those of the block before."""
     lines = [line for line in above if any(cell.strip() for cell in line[1])]
     block.after_blank = bool(above) and not lines
-    if not lines:
-        if previous is not None:
-            block.headings, block.heading_line, block.units = previous.headings, previous.heading_line, previous.units
-        return
+    if lines:
+        set_own_headings(block, lines)
+    if block.headings is None and previous is not None and (not lines or block.width == previous.width):
+        block.headings, block.heading_line, block.units = previous.headings, previous.heading_line, previous.units
+
+
+def set_own_headings(block, lines):
+    """From lines that are not empty."""
     rest = lines
     for i in range(len(lines) - 1, max(len(lines) - 5, -1), -1):
         number, cells, headings = lines[i]
         if names_something(headings):
             block.headings, block.heading_line, rest = strip_tail(headings), number, lines[:i]
+            if block.units is None and rest and is_unit_row(rest[-1][1]):
+                block.units = rest[-1][1]
             break
         if block.units is None and is_unit_row(cells):
             block.units, rest = cells, lines[:i]

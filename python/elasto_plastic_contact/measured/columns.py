@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Curves of blocks of numbers: which columns are depth, force, time and stiffness, and which blocks belong together."""
 
+import itertools
+import re
 from dataclasses import replace
 
 import numpy
@@ -9,11 +11,22 @@ import numpy
 from ..errors import UserError
 from .blocks import FEWEST_ROWS
 from .curve import MeasuredCurve, Notes
-from .headings import columns_of, key, unit_of
+from .headings import columns_of, indent_column, key, unit_of
 from .units import KINDS, split_name
 
 # The time begins again if it falls below that share of the largest one so far.
 RESTART = 0.1
+
+DAY = 86400.
+
+# A depth that falls from one row to the next by more than that share of the largest one is that of another indent.
+FALL = 0.5
+
+# The titles of parts of an indent and comments between its rows, and how far a part may begin from the end of the one
+# before, relative to the largest depth and force.
+PART = re.compile(r"^[#%]|\b(un)?load(ing)?\b|\b(hold|dwell)(ing)?\b|\bsegment\b|\b(be|ent)last(en|ung)\b|\bhalte",
+                  re.IGNORECASE)
+CLOSE = 0.1
 
 HOW_TO_SAY = "Say which columns they are, by their numbers or names: --columns depth=1,force=2,time=3"
 
@@ -85,30 +98,51 @@ def curve_of_block(block, layout, name):
     headings = (block.headings or []) + [""] * block.width
     units = [*(block.units or []), *[""] * block.width]
     arrays = {quantity: table[:, column] for quantity, column in layout.items()}
-    return MeasuredCurve(name, **arrays, columns={quantity: headings[column] or str(column + 1)
-                                                  for quantity, column in layout.items()},
-                         units={quantity: unit_of(headings[column], units[column], quantity)
-                                for quantity, column in layout.items()})
+    curve = MeasuredCurve(name, **arrays, columns={quantity: headings[column] or str(column + 1)
+                                                   for quantity, column in layout.items()},
+                          units={quantity: unit_of(headings[column], units[column], quantity)
+                                 for quantity, column in layout.items()})
+    return with_clock(curve) if layout.get("time") in block.clocks else curve
+
+
+def with_clock(curve):
+    """Of times of the day: seconds since the first one, also across midnight."""
+    known = numpy.isfinite(curve.time)
+    time = curve.time.copy()
+    time[known] = numpy.unwrap(time[known], period=DAY)
+    return replace(curve, time=time - time[known][0], units=curve.units | {"time": "s"}).with_remark(
+        f"the time is that of the day in the column '{curve.columns['time']}'")
 
 
 def curves_of_blocks(blocks, path, chosen, notes=Notes()):
     """All curves of the blocks that have depth and force. Raises UserError if none has."""
     found = []
-    for block in blocks:
+    for block in (part for block in blocks for part in by_indent(block)):
         layout = layouts(block, chosen, path)
         if layout is None:
             continue
         for columns in layout:
             curve = curve_of_block(block, columns, block.title)
-            if block.after_blank and found and continues(found[-1], curve):
+            if found and (block.after_blank and goes_on(found[-1], curve) or is_next_part(found[-1], curve)):
                 found[-1] = joined(found[-1], curve)
             else:
                 found.append(curve)
     if not found:
         raise UserError(why_no_curve(blocks, path))
-    found = [part for curve in found for part in split_where_time_restarts(curve)]
+    found = [part for curve in found for part in split_where_it_restarts(curve)]
     named = [replace(curve, name=own_name(curve.name, i, found), notes=notes) for i, curve in enumerate(found)]
     return [tidied(curve, path) for curve in named]
+
+
+def by_indent(block):
+    """The Blocks of the indents that a column of it numbers."""
+    column = indent_column(block.headings or [])
+    numbers = [] if column is None or column >= block.width else [row[column] for row in block.rows]
+    groups = [list(rows) for _, rows in itertools.groupby(block.rows, key=lambda row: row[column])] if numbers else []
+    if len(groups) < 2 or min(map(len, groups)) < FEWEST_ROWS or not numpy.isfinite(numbers).all():
+        return [block]
+    return [replace(block, rows=rows, after_blank=False, title=f"{block.headings[column]} {rows[0][column]:g}")
+            for rows in groups]
 
 
 def why_no_curve(blocks, path):
@@ -121,24 +155,47 @@ def why_no_curve(blocks, path):
             f"{', '.join(filter(None, block.headings))}. {HOW_TO_SAY}")
 
 
-def continues(before, after):
+def goes_on(before, after):
     """Whether the time goes on, so that empty lines between rows do not begin another indent."""
     return before.time is not None and after.time is not None and after.time[0] >= before.time[-1]
 
 
-def split_where_time_restarts(curve):
+def is_next_part(before, after):
+    """Whether a block with a title such as 'Unloading', or a comment, goes on where the one before it ends."""
+    if not PART.search(after.name) or before.quantities() != after.quantities():
+        return False
+    ends = [(getattr(before, quantity), getattr(after, quantity)) for quantity in ("depth", "force")]
+    return (before.time is None or goes_on(before, after)) and all(
+        abs(second[0] - first[-1]) <= CLOSE * numpy.nanmax(numpy.abs(first)) for first, second in ends)
+
+
+def split_where_it_restarts(curve):
     """Of indents one below the other, without anything between them."""
-    if curve.time is None:
+    what, begins = ("depth", falls(curve.depth)) if curve.time is None else ("time", restarts(curve.time))
+    parts = split_at(curve, begins)
+    return parts if len(parts) == 1 else [part.with_remark(f"another indent begins where the {what} begins again")
+                                          for part in parts]
+
+
+def restarts(time):
+    """The points at which a time begins again."""
+    latest = numpy.fmax.accumulate(time)
+    begins = numpy.flatnonzero(time[1:] - time[0] < RESTART * (latest[:-1] - time[0])) + 1
+    return [begin for begin in begins if time[begin] < time[begin - 1]]
+
+
+def falls(depth):
+    """The points at which a depth has fallen at once."""
+    return numpy.flatnonzero(numpy.diff(numpy.abs(depth)) < -FALL * numpy.nanmax(numpy.abs(depth), initial=0.)) + 1
+
+
+def split_at(curve, begins):
+    """The parts of a curve; one, if some would be too short."""
+    parts = [slice(int(begin), int(end)) for begin, end in zip([0, *begins], [*begins, len(curve.depth)])]
+    if min(part.stop - part.start for part in parts) < FEWEST_ROWS:
         return [curve]
-    latest = numpy.fmax.accumulate(curve.time)
-    begins = numpy.flatnonzero(curve.time[1:] - curve.time[0] < RESTART * (latest[:-1] - curve.time[0])) + 1
-    begins = [int(begin) for begin in begins if curve.time[begin] < curve.time[begin - 1]]
-    parts = [slice(begin, end) for begin, end in zip([0, *begins], [*begins, len(curve.time)])]
-    if len(parts) == 1 or min(part.stop - part.start for part in parts) < FEWEST_ROWS:
-        return [curve]
-    split = [replace(curve, **{quantity: getattr(curve, quantity)[part] for quantity in curve.quantities()})
-             for part in parts]
-    return [part.with_remark("another indent begins where the time begins again") for part in split]
+    return [replace(curve, **{quantity: getattr(curve, quantity)[part] for quantity in curve.quantities()})
+            for part in parts]
 
 
 def joined(before, after):
@@ -157,12 +214,16 @@ def tidied(curve, path):
     body. Raises UserError."""
     if curve.stiffness is not None and not (curve.stiffness > 0.).any():
         curve = replace(curve, stiffness=None)
+    if curve.time is not None and not numpy.isfinite(curve.time).any():
+        curve = replace(curve, time=None).with_remark(f"the column '{curve.columns['time']}' holds no numbers, so that "
+                                                      "there are no rates")
     complete = numpy.isfinite(curve.depth) & numpy.isfinite(curve.force)
     if curve.time is not None:
         complete &= numpy.isfinite(curve.time)
     if complete.sum() < 3:
-        raise UserError(f"'{path}' has {complete.sum()} complete rows of depth and force in the indent '{curve.name}': "
-                        "that is no curve. Are these the right columns? Choose by --columns")
+        raise UserError(f"'{path}' has {complete.sum()} complete rows of depth and force in the indent '{curve.name}', "
+                        f"of the columns '{curve.columns['depth']}' and '{curve.columns['force']}': that is no curve. "
+                        "Are these the right columns, and numbers alone in them? Choose by --columns")
     if not complete.all():
         curve = replace(curve, **{quantity: getattr(curve, quantity)[complete] for quantity in curve.quantities()})
         curve = curve.with_remark(f"{(~complete).sum()} rows without a depth, force or time are left out")

@@ -3,24 +3,35 @@
 """What the headings of columns mean."""
 
 import re
+import unicodedata
 
 from .units import FACTORS, KINDS, split_name, tidy
 
 # The names of each quantity without blanks and signs, those of a line before those of the lines below.
 NAMES = {
     "depth": (("displacementintosurface", "displacementintosample", "indentationdepth", "penetrationdepth", "depth",
-               "pd", "h", "eindringtiefe"),
+               "correcteddepth", "indentdepth", "pd", "h", "eindringtiefe", "profondeurdepenetration"),
               ("penetration", "displacement", "disp", "indentdisp", "normaldisp", "zdisp", "indenterdisplacement",
-               "weg"),
-              ("rawdisplacement",)),
-    "force": (("loadonsample", "forceonsurface", "forceonsample"),
-              ("load", "force", "f", "p", "fn", "normalforce", "normalload", "indentload", "appliedload",
-               "appliedforce", "kraft", "prüfkraft", "pruefkraft"),
+               "correcteddisplacement", "tipdisplacement", "indentationdisplacement", "weg", "tiefe", "profondeur"),
+              ("rawdisplacement", "rawdepth")),
+    "force": (("loadonsample", "forceonsurface", "forceonsample", "correctedload", "correctedforce"),
+              ("load", "force", "f", "p", "fn", "normalforce", "normalload", "indentload", "indentationload",
+               "indentationforce", "testforce", "testload", "appliedload", "appliedforce", "kraft", "prüfkraft",
+               "pruefkraft", "normalkraft", "standardkraft", "forcenormale", "charge"),
               ("rawload", "rawforce")),
-    "time": (("timeonsample", "timeincontact", "testtime"), ("time", "t", "zeit"), ()),
+    "time": (("timeonsample", "timeincontact", "testtime"),
+             ("time", "t", "zeit", "elapsedtime", "prüfzeit", "pruefzeit", "temps"),
+             ("timestamp", "datetime", "clock", "uhrzeit", "heure")),
     "stiffness": (("harmoniccontactstiffness", "contactstiffness", "dynamicstiffness", "storagestiff", "stiffness"),
                   (), ()),
 }
+
+# A letter for a quantity behind its name, as in 'Load P'.
+SYMBOL = re.compile(r"(?<=\w)\s*[\s,]\W*(?:Δ|δ)?[hdPpFLt]\s*$")
+
+# Columns that number the indents of a table.
+INDENTS = {"test", "testno", "testnumber", "indent", "indentno", "indentnumber", "indentation", "indentationno",
+           "indentationnumber", "messung", "eindruck"}
 
 # Columns of results, one row an indent.
 RESULTS = {"loading_curvature": ("c", "loadingcurvature"),
@@ -31,7 +42,9 @@ RESULTS = {"loading_curvature": ("c", "loadingcurvature"),
 
 
 def key(name):
-    return re.sub(r"[^a-z0-9äöüß]", "", name.lower())
+    """In small letters, without accents, blanks and signs."""
+    letters = (letter if letter in "äöüß" else unicodedata.normalize("NFKD", letter)[0] for letter in name.lower())
+    return re.sub(r"[^a-z0-9äöüß]", "", "".join(letters))
 
 
 def name_and_unit(heading, kind):
@@ -42,8 +55,9 @@ def name_and_unit(heading, kind):
 
 def rank(heading, quantity):
     """How well a heading names a quantity: 0 best; None if it does not."""
-    name = key(name_and_unit(heading, KINDS[quantity])[0])
-    return next((rank for rank, names in enumerate(NAMES[quantity]) if name in names), None)
+    name = name_and_unit(heading, KINDS[quantity])[0]
+    known = {key(name), key(SYMBOL.sub("", name))}
+    return next((rank for rank, names in enumerate(NAMES[quantity]) if not known.isdisjoint(names)), None)
 
 
 def columns_of(headings, quantity):
@@ -57,6 +71,12 @@ def unit_of(heading, unit, quantity):
     """Of a column with this heading and this cell in the row of units (or ''); empty if unknown."""
     below = tidy(unit.strip().strip("()[]"))
     return below if below in FACTORS[KINDS[quantity]] else name_and_unit(heading, KINDS[quantity])[1]
+
+
+def indent_column(headings):
+    """The number of the column that numbers the indents; None if there is not one."""
+    found = [column for column, heading in enumerate(headings) if key(heading) in INDENTS]
+    return found[0] if len(found) == 1 else None
 
 
 def result_columns(headings):

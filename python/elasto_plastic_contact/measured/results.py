@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy
 
 from ..errors import UserError
-from .blocks import FEWEST_ROWS, blocks, find_format
+from .blocks import FEWEST_ROWS, blocks
+from .formats import find_format
 from .headings import columns_of, result_columns
 from .units import factor, split_name
 
@@ -52,7 +53,7 @@ def knows(lines):
 def read(path, lines, _):
     form = find_format([line for line in lines if line.strip()])
     rows = ((number, form.cells(line), form.headings(line)) for number, line in enumerate(lines, 1) if line.strip())
-    found = blocks(rows, form.decimal_comma, path)
+    found = blocks(rows, form.reading, path)
     if not found:
         raise UserError(f"'{path}' names results of indents, and has less than {FEWEST_ROWS} rows of numbers below")
     block = max(found, key=lambda block: len(block.rows))

@@ -7,6 +7,7 @@ import io
 from ..errors import UserError
 from .blocks import blocks
 from .columns import curves_of_blocks
+from .formats import find_reading
 from .headings import columns_of
 
 FORMAT = ".xls and .xlsx"
@@ -57,9 +58,9 @@ def read(path, data, chosen):
     for name, rows in sheets(path, data):
         if "Tagged" in name:  # (NanoSuite repeats some rows of a test there)
             continue
-        texts = ([text_of(cell) for cell in row] for row in rows)
-        on_sheet = blocks(((number, cells, cells) for number, cells in enumerate(texts, 1)), False, f"{path}, sheet "
-                                                                                                    f"{name}")
+        texts = [[text_of(cell) for cell in row] for row in rows]
+        on_sheet = blocks(((number, cells, cells) for number, cells in enumerate(texts, 1)), find_reading(texts)[0],
+                          f"{path}, sheet {name}")
         tried += on_sheet
         if chosen or any(columns_of(block.headings or [], "depth") and columns_of(block.headings or [], "force")
                          for block in on_sheet):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Texts of instruments: their encodings, and the numbers in them."""
+"""Texts of instruments: their encodings, and the numbers and times in them."""
 
 import math
 import pathlib
@@ -12,7 +12,12 @@ from ..errors import UserError
 NO_NUMBERS = {"nan", "-nan", "nan(ind)", "-nan(ind)", "inf", "-inf", "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind",
               "1.#inf", "-1.#inf", "*****", "---", "------", "n/a", "#n/a", "null", ""}
 
-NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
+NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eEdD][-+]?\d+)?")
+
+# Blanks that do not break a line, and apostrophes, between groups of three digits.
+GROUPED = re.compile(r"(?<=\d)[\u00a0\u2009\u202f'’](?=\d{3}(?!\d))")
+
+CLOCK = re.compile(r"(?:\S*\d\S*[ T])?(\d{1,2}):(\d\d):(\d\d(?:[.,]\d+)?)")
 
 # Larger ones stand for invalid values.
 LARGEST = 1e99
@@ -56,10 +61,17 @@ def to_number(text, decimal_comma):
         if "." in text:
             raise ValueError(text)
         text = text.replace(",", ".")
+    text = GROUPED.sub("", text.replace("\u2212", "-"))
     if not NUMBER.fullmatch(text):
         raise ValueError(text)
-    value = float(text)
+    value = float(text.replace("D", "e").replace("d", "e"))
     return value if abs(value) < LARGEST else math.nan
+
+
+def seconds_of_clock(text):
+    """Seconds since midnight of '14:23:11.250', with a date before it or without; None if it is no such time."""
+    found = CLOCK.fullmatch(text.strip().strip('"').strip())
+    return 3600. * int(found[1]) + 60. * int(found[2]) + float(found[3].replace(",", ".")) if found else None
 
 
 def is_number(text, decimal_comma):

@@ -25,16 +25,18 @@ FACTORS = {
     "stress": {"Pa": 1e-9, "kPa": 1e-6, "MPa": 1e-3, "N/mm²": 1e-3, "GPa": 1., "N/m²": 1e-9},
 }
 
-# Other ways to write a unit: with another mu, in words, without µ.
-SPELLINGS = {"um": "µm", "uN": "µN", "us": "µs", "A": "Å", "micron": "µm", "microns": "µm", "sec": "s", "secs": "s",
-             "second": "s", "seconds": "s", "S": "s", "Sec": "s", "minutes": "min", "hours": "h", "Newton": "N",
-             "nanometer": "nm"}
+# Other ways to write a unit: with another mu, without µ, and words, in small letters and without the s of a plural.
+SPELLINGS = {"um": "µm", "uN": "µN", "us": "µs", "A": "Å", "S": "s"}
+WORDS = {"micron": "µm", "angstrom": "Å", "sec": "s", "msec": "ms", "second": "s", "sekunde": "s", "millisecond": "ms",
+         "minute": "min", "hour": "h", "newton": "N", "millinewton": "mN", "micronewton": "µN", "nanonewton": "nN"} | {
+    f"{prefix}{metre}": f"{letter}m" for metre in ("meter", "metre")
+    for prefix, letter in (("nano", "n"), ("micro", "µ"), ("mikro", "µ"), ("milli", "m"), ("", ""))}
 
 
 def tidy(text):
     """A unit as the tables above write it."""
     text = text.strip().replace("μ", "µ").replace("^2", "²").replace(" ", "")
-    return "/".join(SPELLINGS.get(part, part) for part in text.split("/"))
+    return "/".join(SPELLINGS.get(part) or WORDS.get(part.lower().removesuffix("s"), part) for part in text.split("/"))
 
 
 def factor(kind, unit):

@@ -9,10 +9,16 @@ from dataclasses import dataclass
 from ..pyramids import PYRAMIDS as STANDARD
 from ..pyramids import area_factor
 from .case import Case
-from .contact import STICK, Tip, expected_radius
+from .contact import STICK, STRAIN_OF_SLOPE, Tip, depth_at, expected_radius
 from .revolution import set_friction, set_materials, units_of
 from .rules import BODY_OVER_CONTACT, FINENESS, describe_steps, rounded, set_elements, set_output
 from .units import text_of
+
+
+# Under the corner of a cube, a run becomes difficult from that depth over the radius of the tip on, unless the ratio of the
+# plane strain modulus to the stress at the representative strain is below the second number: it is 16 in fused silica, which
+# is easy, and 46 in polycarbonate, where a run hardly comes to seven radii (doc/lookup/new_cases.md).
+DEEP_CORNER, ELASTIC_CORNER = 1.5, 25.
 
 
 @dataclass(frozen=True)
@@ -65,7 +71,22 @@ def indentation(kind, given):
                      "whole.",
                      "Hardness and modulus: indentation.csv."]
     case.kind_of_time = "finite strains, space"
+    if kind == "cube-corner":
+        warn_of_deep_corner(case, tip, given, radius)
     return case
+
+
+def warn_of_deep_corner(case, tip, given, radius):
+    """radius: of the contact, in µm."""
+    material = given.material
+    depth = given.depth or depth_at(tip, material, radius)
+    if (material.is_elastic or depth <= DEEP_CORNER * given.tip_radius
+            or material.plane_strain_modulus <= ELASTIC_CORNER * material.stress(STRAIN_OF_SLOPE * tip.slope)):
+        return
+    safe = f"{text_of(case.units.length(DEEP_CORNER * given.tip_radius))} {case.units.length_unit}"
+    case.chosen["difficult"] = (f"{depth / given.tip_radius:.2g} radii of the tip, beside a corner that is so sharp, in a "
+                                "body that yields so easily: the run may take several times as long as estimated, or end "
+                                f"before. Choose a --depth of {safe} at most, a larger --tip-radius, or 'berkovich'")
 
 
 def set_sector(case, angle, radius, fineness):

@@ -2,19 +2,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fits of published measurements on two aluminium alloys under Berkovich's pyramid, against tension tests [lu_2020].
 
-usage: scripts/command.py published_metals [--with-slope | --pyramid] [--coarse] [--at-once 2]
+usage: scripts/command.py published_metals [--with-slope | --pyramid] [--slope-fit 0.5 0.95] [--coarse] [--at-once 2]
                                            [--output-directory DIRECTORY] [--program PROGRAM]
 
 Prints, for each metal, what a cone of 70.3 degrees gives on the material of the tension test, beside what was measured,
 and then the fit of yield stress and E* to loading curvature and plastic work share, with an exponent of 0.1. With
 --with-slope the initial slope of the unloading is fitted, too, and the exponent is looked for. With --pyramid, the
-pyramid itself is pressed in, and yield stress and E* are fitted to all three quantities. A command that has been stopped
-goes on where it was.
+pyramid itself is pressed in, and yield stress and E* are fitted to all three quantities. With --slope-fit, slopes are those
+of a power law between these shares of the largest force, as laboratories evaluate them, in place of initial ones. Beside
+the slopes it prints those of the published functions of a cone [dao_2001]. A command that has been stopped goes on where it
+was.
 """
 
 import argparse
 import dataclasses
 import functools
+import math
 import pathlib
 from dataclasses import dataclass
 
@@ -22,7 +25,7 @@ from .runner import add_program
 from ..arguments import number
 from ..fitting.command import fit
 from ..fitting.flow_stress import flow_stress
-from ..fitting.predictions import QUANTITIES
+from ..fitting.predictions import FITTED_SLOPES, QUANTITIES
 from ..fitting.runs import Runs, expect
 from ..program import find_program, ready_case
 from ..study.command import open_folder
@@ -40,6 +43,14 @@ class Tip:
     coarse: dict
     quantities: tuple
     looks_for_exponent: bool = False
+    slope_fit: tuple = ()
+
+    def slope_options(self, name):
+        return {"fit": list(self.slope_fit)} if self.slope_fit and name == SLOPE else {}
+
+    def find(self, name, run):
+        """A quantity of a run, in its units."""
+        return FITTED_SLOPES[name](run, self.slope_fit) if self.slope_options(name) else QUANTITIES[name][0](run)
 
 
 CURVATURE, WORK_SHARE, SLOPE = "loading curvature", "plastic work share", "unloading slope over depth"
@@ -84,7 +95,19 @@ UNITS = {CURVATURE: "GPa", SLOPE: "GPa"}
 
 
 def folder_of(name, tip=CONE):
-    return name.lower().replace(" ", "_") + tip.name
+    return name.lower().replace(" ", "_") + tip.name + ("_power_law" if tip.slope_fit else "")
+
+
+def published_functions(metal):
+    """Loading curvature and slope over depth in GPa of the material of the tension test, by the functions that the
+    computations of [dao_2001] under a cone of 70.3 degrees have been fitted to."""
+    modulus, _, stress, n = metal.tensile
+    x = math.log(1e3 * modulus / stress)
+    curvature = 1e-3 * stress * (-1.131 * x ** 3 + 13.635 * x ** 2 - 30.594 * x + 29.267)
+    terms = ((-1.40557, 0.77526, 0.1583, -0.06831), (17.93006, -9.22091, -2.37733, 0.86295),
+             (-79.99715, 40.55620, 9.00157, -2.54543), (122.65069, -63.88418, -9.58936, 6.20045))
+    slope = modulus * sum(sum(c * n ** (3 - j) for j, c in enumerate(row)) * x ** (3 - i) for i, row in enumerate(terms))
+    return {CURVATURE: curvature, SLOPE: slope}
 
 
 def swift_entries(young, yield_stress, exponent):
@@ -103,7 +126,7 @@ def problem_of(metal, tip, coarse):
     """As a file of a fit, in mm, N and MPa."""
     known = metal.quantities()
     data = [{"quantity": name, "value": known[name][0], "noise": {"absolute": known[name][1]}}
-            | ({"unit": UNITS[name]} if name in UNITS else {}) for name in tip.quantities]
+            | ({"unit": UNITS[name]} if name in UNITS else {}) | tip.slope_options(name) for name in tip.quantities]
     experiment = {"case": tip.case, "set": tip.entries | (tip.coarse if coarse else {}),
                   "units": {"length": "mm", "force": "N"}, "data": data}
     parameters = {"sigma_Y": {"start": 300, "lower": 50, "upper": 1500},
@@ -123,7 +146,7 @@ def from_tension(folder, program, tip, coarse, at_once):
                 common=tip.entries | {"Output/Fields": "never"} | (tip.coarse if coarse else {}))
     with open_folder(folder, "metals"), Runs(folder, program, at_once) as runs:
         results = runs.results([(case, tensile_entries(metal)) for metal in METALS.values()])
-    return [{name: QUANTITIES[name][0](expect(result, "a run")) / (1e3 if name in UNITS else 1.)
+    return [{name: tip.find(name, expect(result, "a run")) / (1e3 if name in UNITS else 1.)
              for name in METALS[metal].quantities()} for metal, result in zip(METALS, results)]
 
 
@@ -146,6 +169,8 @@ def main(arguments):
                       help="fit the slope of the unloading and the exponent, too")
     tips.add_argument("--pyramid", dest="tip", action="store_const", const=PYRAMID,
                       help="with the pyramid itself, fit the slope of the unloading, too")
+    parser.add_argument("--slope-fit", type=number(above=0, most=1), nargs=2, metavar=("LOW", "HIGH"), default=(),
+                        help="shares of the largest force between which unloadings are fitted (default: initial slopes)")
     parser.add_argument("--coarse", action="store_true", help="on a coarse mesh only")
     parser.add_argument("--at-once", type=number(int, least=1), default=2, help="runs at a time (default: %(default)s)")
     parser.add_argument("--output-directory", type=pathlib.Path, default="output/published_metals",
@@ -153,13 +178,17 @@ def main(arguments):
     add_program(parser)
     chosen = parser.parse_args(arguments)
     program, folder = find_program(chosen.program), chosen.output_directory
-    computed_of = from_tension(folder / f"tension{chosen.tip.name}", program, chosen.tip, chosen.coarse, chosen.at_once)
+    tip = dataclasses.replace(chosen.tip, slope_fit=tuple(chosen.slope_fit))
+    computed_of = from_tension(folder / f"tension{tip.name}", program, tip, chosen.coarse, chosen.at_once)
     for (name, metal), computed in zip(METALS.items(), computed_of):
         for quantity, (mean, deviation) in metal.quantities().items():
             print(f"{name}, {quantity}: measured {mean:g} +- {deviation:g}, from the tension test "
                   f"{computed[quantity]:.4g} ({100. * (computed[quantity] / mean - 1.):+.1f} %)")
+        for quantity, value in published_functions(metal).items():
+            print(f"{name}, {quantity}: by the published functions {value:.4g} "
+                  f"({100. * (value / metal.quantities()[quantity][0] - 1.):+.1f} %)")
     for name, metal in METALS.items():
-        _, modulus, stress = fitted(name, folder, program, chosen.tip, chosen.coarse, chosen.at_once)
+        _, modulus, stress = fitted(name, folder, program, tip, chosen.coarse, chosen.at_once)
         print(f"{name}, fit: E* {modulus:.1f} GPa ({100. * (modulus / metal.tensile[0] - 1.):+.1f} % of the tension "
               f"test), stress at {STRAIN:g}: {stress:.0f} MPa ({100. * (stress / metal.tensile[2] - 1.):+.1f} %)")
     return 0

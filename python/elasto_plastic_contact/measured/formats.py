@@ -1,0 +1,146 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a text separates its columns and writes its numbers, found from what makes most of its lines rows of numbers."""
+
+import csv
+import math
+import re
+from collections import Counter
+from dataclasses import dataclass, replace
+
+from .texts import seconds_of_clock, to_number
+
+# What may separate columns, what is preferred first; about how many lines are looked at to find the separator.
+SEPARATORS = ("\t", ";", ",", " ")
+SAMPLE = 2000
+
+# The fewest lines by which a format is known.
+FEWEST_LINES = 5
+
+# What a word in a column of words begins with.
+WORD = re.compile(r"[^\W\d_]")
+
+# A number whose thousands are separated, by each mark.
+THOUSANDS = {",": re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?"),
+             ".": re.compile(r"[-+]?[1-9]\d{0,2}(\.\d{3})+(,\d*)?")}
+
+# A reading is not looked for any further once it takes in that share of the lines.
+MOST_LINES = 0.9
+
+
+@dataclass(frozen=True)
+class Reading:
+    """How numbers are written. separates_thousands: with points if decimals have commas, and the other way round;
+    words: the numbers of the columns that hold words, such as the names of segments."""
+    decimal_comma: bool = False
+    separates_thousands: bool = False
+    words: frozenset = frozenset()
+
+    def number(self, cell):
+        """NaN of what stands for no number. Raises ValueError."""
+        if self.separates_thousands:
+            mark = "." if self.decimal_comma else ","
+            if THOUSANDS[mark].fullmatch(cell.strip().strip('"').strip()):
+                cell = cell.replace(mark, "")
+        return to_number(cell, self.decimal_comma)
+
+    def is_number(self, cell):
+        """Whether it is one, not what stands for none."""
+        try:
+            return not math.isnan(self.number(cell))
+        except ValueError:
+            return False
+
+    def row(self, cells):
+        """Its numbers, seconds of times of the day, and NaN of words; None if it is no row: two numbers at least, and
+        no other text but in the first cell, where instruments mark their segments, and in columns of words."""
+        values, n_numbers = [], 0
+        for column, cell in enumerate(cells):
+            try:
+                values.append(self.number(cell))
+                n_numbers += not math.isnan(values[-1])
+            except ValueError:
+                seconds = seconds_of_clock(cell)
+                if seconds is None and column > 0 and column not in self.words:
+                    return None
+                values.append(math.nan if seconds is None else seconds)
+        return values if n_numbers >= 2 else None
+
+    def clocks(self, cells):
+        """The numbers of the columns with times of the day."""
+        return tuple(column for column, cell in enumerate(cells) if seconds_of_clock(cell) is not None)
+
+    def with_words(self, rows):
+        """Also reads rows with columns that hold words, and never a number."""
+        rows = [cells for cells in rows if sum(map(self.is_number, cells)) >= 2]
+        width, _ = Counter(map(len, rows)).most_common(1)[0] if rows else (0, 0)
+        columns = zip(*(cells for cells in rows if len(cells) == width))
+        return replace(self, words=frozenset(number for number, cells in enumerate(columns)
+                                             if any(WORD.match(cell.strip(' "')) for cell in cells)
+                                             and not any(map(self.is_number, cells))))
+
+
+POINT, COMMA = Reading(), Reading(decimal_comma=True)
+POINT_WITH_THOUSANDS, COMMA_WITH_THOUSANDS = (replace(reading, separates_thousands=True) for reading in (POINT, COMMA))
+
+
+@dataclass(frozen=True)
+class Format:
+    separator: str
+    reading: Reading = Reading()
+
+    def cells(self, line):
+        if self.separator == " ":
+            return line.split()
+        if '"' in line:
+            return next(csv.reader([line], delimiter=self.separator), [])
+        return line.split(self.separator)
+
+    def headings(self, line):
+        """Headings may hold blanks between blanks, as in 'Depth (nm)  Load (mN)', and begin with the sign of a
+        comment."""
+        if self.separator != " ":
+            return self.cells(line)
+        line = line.strip().lstrip("#% ")
+        parts = re.split(r"\s{2,}|\t", line)
+        return parts if len(parts) > 1 else re.findall(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?", line)
+
+
+def find_reading(rows):
+    """The Reading by which most rows of cells are rows of numbers, the first one if some are alike, and their number."""
+    plain = POINT, COMMA, POINT_WITH_THOUSANDS, COMMA_WITH_THOUSANDS
+    best, most = POINT, 0
+    for candidates in (plain[:2], plain[2:], (reading.with_words(rows) for reading in plain)):
+        for reading in candidates:
+            n_rows = sum(reading.row(cells) is not None for cells in rows)
+            if n_rows > most:
+                best, most = reading, n_rows
+        if most >= MOST_LINES * len(rows):
+            break
+    if best.decimal_comma and commas_separate_thousands(rows):
+        best = replace(best, decimal_comma=False, separates_thousands=True)
+    return best, most
+
+
+def commas_separate_thousands(rows):
+    """Whether numbers without decimals are meant, as in the column 998, 999, 1,000: all commas are such, and some
+    numbers beside them have none."""
+    numbers = [[cell.strip(' "') for cell in cells] for cells in rows if COMMA.row(cells) is not None]
+    with_comma = [cell for cells in numbers for cell in cells if "," in cell]
+    if not with_comma or not all(THOUSANDS[","].fullmatch(cell) for cell in with_comma):
+        return False
+    return any(len({"," in cell for cell in column if cell}) > 1 for column in zip(*numbers))
+
+
+def find_format(lines):
+    """That by which most lines are rows of numbers, without columns of words if two are alike; None if there are too
+    few."""
+    lines = lines[::max(len(lines) // SAMPLE, 1)]
+    best, best_rank = None, (FEWEST_LINES - 1, True)
+    for separator in SEPARATORS:
+        form = Format(separator)
+        reading, n_rows = find_reading([form.cells(line) for line in lines])
+        found = n_rows, not reading.words
+        if found > best_rank:
+            best, best_rank = Format(separator, reading), found
+    return best
