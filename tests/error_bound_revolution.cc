@@ -22,6 +22,8 @@
 #include "section_body.h"
 #include "verdict.h"
 
+using namespace SectionBody;
+
 namespace
 {
   const double depth = 0.02;

@@ -211,6 +211,23 @@ namespace
     verify("its strain", strain_error, 1e-12);
     verify("its value at the centre", center_error, 1e-13);
   }
+
+
+
+  void
+  test_under_indenters(const SplitMesh<3> &mesh)
+  {
+    test_gaps();
+    test_penetration(mesh, "Paraboloid on the block", paraboloid, 0.01);
+    test_penetration(
+      mesh,
+      "Part of a sphere on the block",
+      [](const Point<3> &x) {
+        const double r = std::hypot(x[0], x[1]);
+        return r < 0.6 ? 2. - std::sqrt(4. - r * r) : infinity;
+      },
+      0.07);
+  }
 } // namespace
 
 
@@ -224,16 +241,6 @@ main(int argc, char *argv[])
   make_block(block);
   const SplitMesh<3> mesh = make_split_mesh(block);
   test_interpolation(block, mesh);
-  if (mesh.simplices.empty())
-    return 0; // not the first rank
-  test_gaps();
-  test_penetration(mesh, "Paraboloid on the block", paraboloid, 0.01);
-  test_penetration(
-    mesh,
-    "Part of a sphere on the block",
-    [](const Point<3> &x) {
-      const double r = std::hypot(x[0], x[1]);
-      return r < 0.6 ? 2. - std::sqrt(4. - r * r) : infinity;
-    },
-    0.07);
+  if (!mesh.simplices.empty()) // on the first rank
+    test_under_indenters(mesh);
 }

@@ -21,6 +21,7 @@
 #include "verdict.h"
 
 using namespace ElastoPlastic;
+using namespace SectionBody;
 
 namespace
 {

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "material/material_lists.h"
 #include "sample_material.h"
 #include "verdict.h"
 

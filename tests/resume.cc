@@ -169,7 +169,7 @@ end
   /// (Estimated errors are computed in single precision.)
   void
   check_same_results(const Entries &entries,
-                     const Entries &first_part = ::first_part)
+                     const Entries &entries_of_first_part = first_part)
   {
     for (const std::string &entry : entries)
       output() << entry << std::endl;
@@ -180,7 +180,7 @@ end
     output() << "  mesh changes: " << straight["mesh_changes"].size()
              << std::endl;
     verify("  its first part",
-           run("--overwrite", both(entries, first_part)).first == 0);
+           run("--overwrite", both(entries, entries_of_first_part)).first == 0);
     verify("  the resumed run", run("--resume", entries).first == 0);
     for (const std::string &table : tables)
       verify("  " + table,

@@ -8,6 +8,7 @@
 #include "verdict.h"
 
 using namespace ElastoPlastic;
+using namespace SupportedBodies;
 
 namespace
 {

@@ -12,6 +12,7 @@
 #include "verdict.h"
 
 using namespace ElastoPlastic;
+using namespace SectionBody;
 
 namespace
 {

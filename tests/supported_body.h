@@ -19,8 +19,10 @@
 #include "sample_mesh.h"
 #include "sample_model.h"
 
-namespace ElastoPlastic
+namespace SupportedBodies
 {
+  using namespace ElastoPlastic;
+
   using Vector = LinearAlgebra::distributed::Vector<double>;
 
   template <int dim>
@@ -215,6 +217,6 @@ namespace ElastoPlastic
     Supports<dim>       supports;
     Vector              u;
   };
-} // namespace ElastoPlastic
+} // namespace SupportedBodies
 
 #endif

@@ -9,6 +9,7 @@
 #include "verdict.h"
 
 using namespace ElastoPlastic;
+using namespace SupportedBodies;
 
 namespace
 {
