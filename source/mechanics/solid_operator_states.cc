@@ -12,11 +12,17 @@ namespace ElastoPlastic
   void
   SolidOperator<dim>::commit(const VectorType &u)
   {
+    const bool time_has_passed = step_duration() > 0.;
     kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {
+      const unsigned int batch = strains[0].batch;
       for (unsigned int q = 0; q < n_points; ++q)
-        history.set_state(strains[0].batch,
-                          q,
-                          response(strains[0], q).plasticity().state());
+        {
+          const auto state = response(strains[0], q).plasticity().state();
+          if (time_has_passed)
+            history.end_step(batch, q, state);
+          else
+            history.set_state(batch, q, state);
+        }
     });
     begin_step(0.);
   }
