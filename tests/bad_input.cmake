@@ -134,6 +134,10 @@ add_message_test(element_inside_out 0 "Warning: In step [0-9]+ .t = 0.[0-9]+, de
 # Adaptive load steps
 add_entry_test(adaptive_single_step "entry 'Loading/Step control' is 'adaptive', but a single step is Johnson's stationary problem" "Loading/Step control=adaptive")
 
+# Two-step integration
+add_entry_test(bdf2_recovery "entry 'Loading/Integration' is 'BDF2', but back stresses that recover .'Material/Recovery rates'. follow their law exactly in backward Euler steps only" Loading/Integration=BDF2 "Loading/Number of steps=4"
+  "Material/Law=nonlinear hardening" "Material/Back stress moduli=2000" "Material/Recovery rates=10")
+
 # Friction and motion to the side
 add_entry_test(friction_negative "entry 'Contact/Friction coefficient' is '-0.1', but it must be a number, at least 0, or 'stick'" "Contact/Friction coefficient=-0.1")
 add_entry_test(friction_word "entry 'Contact/Friction coefficient' is 'rough', but it must be a number, at least 0, or 'stick'" "Contact/Friction coefficient=rough")

@@ -81,6 +81,7 @@ main(int argc, char *argv[])
   compare("Loading/Depth", none);
   compare("Loading/Number of steps", limit_load);
   compare("Loading/Step control", history);
+  compare("Loading/Integration", history);
   compare("Kinematics", {{"Dimension", "2"}});
   compare("Geometry/Upper corner", {{"Geometry/Type", "sector"}});
   compare("Geometry/Core radius", {{"Geometry/Type", "sector"}});

@@ -3,10 +3,10 @@
 
 // A run that is resumed with a longer history gives the tables of one that has
 // had it from the beginning: with steps that adapt, with meshes that follow the
-// contact, where the control changes, and after a first step whose next mesh
-// would have been too large. So does a run that has failed and goes on with
-// more cuts. Tables that are not what the interrupted run has left are refused,
-// and so are histories that have not begun alike.
+// contact, with two-step integration, where the control changes, and after a
+// first step whose next mesh would have been too large. So does a run that has
+// failed and goes on with more cuts. Tables that are not what the interrupted
+// run has left are refused, and so are histories that have not begun alike.
 
 #include <cmath>
 #include <filesystem>
@@ -311,6 +311,7 @@ end
     report("another control",
            {"Loading/History=1: depth 0.03 | 2: depth 0.02 | 3: depth 0.04"});
     report("more steps", {"Loading/Number of steps=9"});
+    report("another integration", {"Loading/Integration=BDF2"});
     report("shorter", first_part);
     report("another time",
            {"Loading/History=1: depth 0.03 | 2.5: force 10 | 3: depth 0.04"});
@@ -332,6 +333,8 @@ main(int argc, char *argv[])
      "Loading/Number of steps=4"});
   check_same_results({"Refinement/Steps between adaptations=2",
                       "Loading/Step control=adaptive"});
+  check_same_results(
+    {"Refinement/Steps between adaptations=2", "Loading/Integration=BDF2"});
   check_same_results({"Refinement/Steps between adaptations=4"});
   check_same_results({"Refinement/Steps between adaptations=2"});
   check_refusals("Refinement/Steps between adaptations=2");

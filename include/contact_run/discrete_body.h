@@ -57,6 +57,14 @@ namespace ElastoPlastic
     void
     reinit(const double time, const Load &load);
 
+    /// Lets the material remember what go_on() needs. To be called before
+    /// reinit().
+    void
+    keep_increments()
+    {
+      solid_body.keep_increments();
+    }
+
     /// Obeys the flags of the triangulation, and takes the displacement and the
     /// states of the material to the new mesh, with what of @p last the next
     /// step is guessed from. Otherwise like reinit().
@@ -67,6 +75,12 @@ namespace ElastoPlastic
     /// to this @p load of the indenter.
     void
     begin_step(const double begin, const double end, const Load &load);
+
+    /// The load step that has begun goes on after @p last for this @p duration,
+    /// in the same direction: the material is integrated by two-step backward
+    /// differentiation. After keep_increments() only.
+    void
+    go_on(const LastStep &last, const double duration);
 
     /// Goes on from @p last for this @p duration at the rates of that step: the
     /// guess that find_equilibrium() begins with.

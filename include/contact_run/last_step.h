@@ -27,7 +27,9 @@ namespace ElastoPlastic
     /// How far the surface has slipped along the indenter.
     VectorType slip;
     double     depth_rate = 0, force_rate = 0;
-    double     duration = 0;
+    /// How much plastic work and dissipation the step has added.
+    double plastic_work_increment = 0, dissipation_increment = 0;
+    double duration = 0;
     /// Its error, measured in what accurate steps allow.
     double    step_error = 1;
     MeanForce mean_force;
@@ -67,12 +69,15 @@ namespace ElastoPlastic
       return work;
     }
 
-    /// Adds to @p next what has been summed up until now.
+    /// Adds to @p next what has been summed up until now. What material points
+    /// have done is counted from states that have been extrapolated by this
+    /// part, @p weight, of their last increments: so are its sums.
     void
-    add_to(SolveResult &next) const
+    add_to(SolveResult &next, const double weight) const
     {
-      next.plastic_work += result.plastic_work;
-      next.dissipation += result.dissipation;
+      next.plastic_work +=
+        result.plastic_work + weight * plastic_work_increment;
+      next.dissipation += result.dissipation + weight * dissipation_increment;
       next.external_work += result.external_work;
       next.frictional_dissipation += result.frictional_dissipation;
     }
@@ -107,10 +112,14 @@ namespace ElastoPlastic
       return part * std::min(difference / std::max(largest, 1e-300), 1e6);
     }
 
-    /// Notes how fast @p next, with @p new_displacement, has been reached.
+    /// Notes how fast @p next, with @p new_displacement, has been reached, and
+    /// what its step has added to what add_to() has summed up.
     void
     find_rates(const SolveResult &next, const VectorType &new_displacement)
     {
+      plastic_work_increment = next.plastic_work - result.plastic_work;
+      dissipation_increment  = next.dissipation - result.dissipation;
+
       duration      = next.time - result.time;
       depth_rate    = (next.depth - result.depth) / duration;
       force_rate    = (next.force - result.force) / duration;
@@ -129,9 +138,10 @@ namespace ElastoPlastic
     void
     serialize(Archive &archive, const unsigned int /* version */)
     {
-      archive &result &depth_rate &force_rate &duration &step_error &mean_force
-        &largest_forces &largest_contact_area &largest_depth &largest_force
-          &largest_displacement;
+      archive &result &depth_rate &force_rate &plastic_work_increment
+        &dissipation_increment &duration &step_error &mean_force &largest_forces
+          &largest_contact_area &largest_depth &largest_force
+            &largest_displacement;
     }
   };
 } // namespace ElastoPlastic

@@ -117,6 +117,9 @@ namespace ElastoPlastic
     check_friction_and_path() const;
 
     void
+    check_integration() const;
+
+    void
     check_yield_criterion() const;
   };
 } // namespace ElastoPlastic

@@ -29,6 +29,20 @@ namespace ElastoPlastic
 
 
 
+  /// How the law of the material is integrated over the load steps.
+  enum class Integration
+  {
+    backward_euler, ///< of first order in the length of the steps
+    bdf2            ///< two-step backward differentiation, of second order
+  };
+
+  template <>
+  inline const EnumNames<Integration> enum_names<Integration> = {
+    {"backward Euler", Integration::backward_euler},
+    {"BDF2", Integration::bdf2}};
+
+
+
   /// What drives the indenter at one moment: a depth or a force.
   struct Load
   {
@@ -50,6 +64,7 @@ namespace ElastoPlastic
     StepControl  step_control   = StepControl::fixed;
     double       step_tolerance = 0.002;
     double       final_time     = 1;
+    Integration  integration    = Integration::backward_euler;
     unsigned int max_cuts       = 6;
 
     void

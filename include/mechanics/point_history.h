@@ -15,6 +15,10 @@ namespace ElastoPlastic
 {
   /// What the material points of all cell batches remember, in the layout of
   /// the batches. Those of which all points are virgin take no memory.
+  ///
+  /// Points that keep increments also remember by how much the last load step
+  /// has changed them. Then a step may begin with states that go on by a part
+  /// of that (extrapolate()).
   class PointHistory
   {
   public:
@@ -23,7 +27,37 @@ namespace ElastoPlastic
     explicit PointHistory(const unsigned int n_back_stresses)
       : n_back_stresses(n_back_stresses)
       , n_state_values(MaterialState<Number>::n_values(n_back_stresses))
+      , n_point_values(n_state_values)
     {}
+
+    /// From the next reinit() on.
+    void
+    keep_increments()
+    {
+      n_point_values = 2 * n_state_values;
+    }
+
+    bool
+    keeps_increments() const
+    {
+      return n_point_values > n_state_values;
+    }
+
+    /// Lets state() be the last states and @p weight times their increments.
+    /// Other than 0 only where these are kept.
+    void
+    extrapolate(const double weight)
+    {
+      Assert(weight == 0. || keeps_increments(), ExcInternalError());
+      extrapolation = weight;
+    }
+
+    /// The weight.
+    double
+    extrapolation_weight() const
+    {
+      return extrapolation;
+    }
 
     /// All points become virgin.
     void
@@ -44,8 +78,19 @@ namespace ElastoPlastic
     state(const unsigned int batch, const unsigned int point) const
     {
       MaterialState<Number> result(n_back_stresses);
-      if (!batches[batch].empty())
-        result.unpack(&batches[batch][n_state_values * point]);
+      if (batches[batch].empty())
+        return result;
+      const Number *values = &batches[batch][n_point_values * point];
+      if (extrapolation == 0.)
+        {
+          result.unpack(values);
+          return result;
+        }
+      StateValues extrapolated;
+      for (unsigned int i = 0; i < n_state_values; ++i)
+        extrapolated[i] =
+          values[i] + Number(extrapolation) * values[n_state_values + i];
+      result.unpack(extrapolated.data());
       return result;
     }
 
@@ -57,14 +102,36 @@ namespace ElastoPlastic
       if (batches[batch].empty() && state.is_virgin())
         return;
       make_room(batch);
-      state.pack(&batches[batch][n_state_values * point]);
+      state.pack(&batches[batch][n_point_values * point]);
     }
 
-    /// The states at the points of one cell, one after the other.
+    /// Sets the state at the end of a load step. The increment, if it is kept,
+    /// is that from the last state.
+    void
+    end_step(const unsigned int           batch,
+             const unsigned int           point,
+             const MaterialState<Number> &state)
+    {
+      StateValues before;
+      before.fill(Number(0.));
+      if (!batches[batch].empty())
+        std::copy_n(&batches[batch][n_point_values * point],
+                    n_state_values,
+                    before.begin());
+      set_state(batch, point, state);
+      if (!keeps_increments() || batches[batch].empty())
+        return;
+      Number *values = &batches[batch][n_point_values * point];
+      for (unsigned int i = 0; i < n_state_values; ++i)
+        values[n_state_values + i] = values[i] - before[i];
+    }
+
+    /// What is kept of the points of one cell, one after the other: its state,
+    /// and then the increment if that is kept.
     std::vector<double>
     cell_values(const unsigned int batch, const unsigned int lane) const
     {
-      std::vector<double> values(n_points_per_cell * n_state_values, 0.);
+      std::vector<double> values(n_points_per_cell * n_point_values, 0.);
       if (!batches[batch].empty())
         for (unsigned int i = 0; i < values.size(); ++i)
           values[i] = batches[batch][i][lane];
@@ -87,15 +154,20 @@ namespace ElastoPlastic
     }
 
   private:
+    using StateValues =
+      std::array<Number, MaterialState<Number>::n_values(max_back_stresses)>;
+
     void
     make_room(const unsigned int batch)
     {
       if (batches[batch].empty())
-        batches[batch].resize(n_points_per_cell * n_state_values, Number(0.));
+        batches[batch].resize(n_points_per_cell * n_point_values, Number(0.));
     }
 
     const unsigned int n_back_stresses;
     const unsigned int n_state_values;
+    unsigned int       n_point_values;
+    double             extrapolation = 0.;
 
     unsigned int                       n_points_per_cell = 0;
     std::vector<AlignedVector<Number>> batches;

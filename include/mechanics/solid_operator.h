@@ -115,6 +115,11 @@ namespace ElastoPlastic
       return materials.are_rate_dependent();
     }
 
+    /// Lets the points also remember by how much each load step changes them,
+    /// for go_on(). To be called before reinit().
+    void
+    keep_increments();
+
     /// Prepares everything that depends on the mesh; all points are virgin,
     /// and bear no stress.
     /// @p dof_handler and @p constraints must outlive this object or the next
@@ -145,10 +150,20 @@ namespace ElastoPlastic
     /// between steps, no time passes: what flows at a finite rate only does not
     /// flow.
     void
-    begin_step(const double duration)
-    {
-      materials.set_step_duration(duration);
-    }
+    begin_step(const double duration);
+
+    /// Begins a load step of this @p duration that goes on after one of the
+    /// duration @p last, with the two-step backward differentiation formula
+    /// (doc/theory, "Load histories"): a backward Euler step from states
+    /// that have been extrapolated, which takes a part of the time. All that is
+    /// said of the step under way is said of that one.
+    void
+    go_on(const double duration, const double last);
+
+    /// By what part of the last step's increments the states have been
+    /// extrapolated with which the step under way begins.
+    double
+    extrapolation_weight() const;
 
     double
     step_duration() const

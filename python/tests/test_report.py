@@ -107,6 +107,7 @@ class Reports(unittest.TestCase):
         original = facts.run.parameters
         text = text_with()
         for words in ("an axisymmetric body with finite, logarithmic strains", "bilinear quadrilaterals",
+                      "integrated by the implicit Euler method: radial return",
                       "[hughes_1980]",
                       "yield stress σ_0 (", "without friction", "in 24 load steps of equal length",
                       "geometric multigrid without a matrix", "[munch_heister_2022]",
@@ -124,6 +125,7 @@ class Reports(unittest.TestCase):
             self.assertIn(words, text)
         for words in ("hughes_1980", "munch_heister_2022", "logarithmic", "H α", "Q ("):
             self.assertNotIn(words, text)
+        self.assertIn("two-step backward differentiation (BDF2)", text_with(Loading__Integration="BDF2"))
         text = text_with(Material__Yield_criterion="Hill", Material__Hill_ratios="1 | 1.1 | 1 | 1 | 1 | 1",
                          Material__Axes="30")
         for words in ("Hill's orthotropic yield condition", "[hill_1948]",

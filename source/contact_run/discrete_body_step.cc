@@ -23,6 +23,15 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  DiscreteBody<dim>::go_on(const LastStep &last, const double duration)
+  {
+    solid_body.go_on(duration, last.duration);
+  }
+
+
+
+  template <int dim>
+  void
   DiscreteBody<dim>::extrapolate(const LastStep &last, const double duration)
   {
     u.add(duration, last.displacement_rate);

@@ -21,6 +21,8 @@ namespace ElastoPlastic
   void
   LoadStep<dim>::make_body()
   {
+    if (parameters.loading.integration == Integration::bdf2)
+      body.keep_increments();
     body.reinit(time_steps.next_time(), load());
     take_initial_forces();
   }
@@ -45,6 +47,9 @@ namespace ElastoPlastic
   {
     under_way = true;
     body.begin_step(time_steps.time(), time_steps.next_time(), load());
+    if (parameters.loading.integration == Integration::bdf2 && !is_first() &&
+        !load_program.is_segment_end(time_steps.time()))
+      body.go_on(last_step, time_steps.next_time() - time_steps.time());
     if (continues_last())
       body.extrapolate(last_step, time_steps.next_time() - time_steps.time());
   }
@@ -73,7 +78,7 @@ namespace ElastoPlastic
   {
     result.external_work =
       last_step.work_to(body.displacement(), body.forces_of_stresses());
-    last_step.add_to(result);
+    last_step.add_to(result, body.solid().extrapolation_weight());
     last_step.step_error = error_of(result);
     last_step.find_rates(result, body.displacement());
     last_step.mean_force.add(result);
@@ -186,7 +191,7 @@ namespace ElastoPlastic
     result.plastic_work           = 0;
     result.dissipation            = 0;
     result.frictional_dissipation = 0;
-    last_step.add_to(result);
+    last_step.add_to(result, 0.);
     last_step.result = result;
     load_program.reached(result.time, result.depth, result.force);
     body.commit(last_step);

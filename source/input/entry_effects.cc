@@ -248,7 +248,7 @@ namespace ElastoPlastic
       add(effects, "Loading", {"Number of steps"}, no_limit_load);
       add(effects,
           "Loading",
-          {"Step control", "Maximum number of cuts"},
+          {"Step control", "Integration", "Maximum number of cuts"},
           all({no_limit_load, with_several_steps()}));
       add(effects,
           "Loading",

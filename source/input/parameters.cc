@@ -4,6 +4,7 @@
 #include <boost/serialization/map.hpp>
 #include <boost/serialization/string.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -195,6 +196,7 @@ namespace ElastoPlastic
     check_friction_and_path();
     loading.check();
     material.check();
+    check_integration();
     check_yield_criterion();
     indenter.check(dimension);
     refinement.check();
@@ -245,6 +247,23 @@ namespace ElastoPlastic
         "because the small strains of a moving surface are not those of its "
         "shape. Set 'Strain = logarithmic', or choose 'vertical', 'normal' or "
         "'automatic'.");
+  }
+
+
+
+  // The exact solution of their law in a step is that of a backward Euler step.
+  void
+  Parameters::check_integration() const
+  {
+    if (loading.integration != Integration::bdf2)
+      return;
+    const auto materials = material.materials();
+    if (std::any_of(materials.begin(), materials.end(), has_recovery))
+      throw InputError("Loading/Integration",
+                       loading.integration,
+                       "back stresses that recover ('Material/Recovery rates') "
+                       "follow their law exactly in backward Euler steps only. "
+                       "Choose 'backward Euler'.");
   }
 
 

@@ -89,6 +89,14 @@ namespace ElastoPlastic
       "one of the displacement, relative to the largest until then. Greater "
       "than 0. No unit.",
       Patterns::Double());
+    prm.add_parameter(
+      "Integration",
+      integration,
+      "How the flow of the material is integrated over the load steps. backward "
+      "Euler: of first order in their length. BDF2: two-step backward "
+      "differentiation, of second order, so that a fraction of the steps is "
+      "as accurate; the first step of each row of a 'History' is a backward "
+      "Euler step. Not with 'Material/Recovery rates'.");
     prm.add_parameter("Final time",
                       final_time,
                       "The time t at the end of the last step. Greater than 0. "

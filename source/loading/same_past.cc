@@ -106,6 +106,11 @@ namespace ElastoPlastic
                   const LoadingParameters &now,
                   const double             time)
   {
+    if (before.integration != now.integration)
+      refuse(time,
+             "'Loading/Integration' is '" +
+               Patterns::Tools::to_string(now.integration) + "' instead of '" +
+               Patterns::Tools::to_string(before.integration) + "'");
     const LoadProgram         old_program(before), program(now);
     const std::vector<double> old_ends = ends_of_steps(old_program, before);
     const std::vector<double> ends     = ends_of_steps(program, now);

@@ -10,13 +10,58 @@ namespace ElastoPlastic
 {
   template <int dim>
   void
+  SolidOperator<dim>::keep_increments()
+  {
+    history.keep_increments();
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::begin_step(const double duration)
+  {
+    history.extrapolate(0.);
+    materials.set_step_duration(duration);
+  }
+
+
+
+  template <int dim>
+  void
+  SolidOperator<dim>::go_on(const double duration, const double last)
+  {
+    const double ratio = duration / last;
+    history.extrapolate(ratio * ratio / (1. + 2. * ratio));
+    materials.set_step_duration(duration * (1. + ratio) / (1. + 2. * ratio));
+  }
+
+
+
+  template <int dim>
+  double
+  SolidOperator<dim>::extrapolation_weight() const
+  {
+    return history.extrapolation_weight();
+  }
+
+
+
+  template <int dim>
+  void
   SolidOperator<dim>::commit(const VectorType &u)
   {
+    const bool time_has_passed = step_duration() > 0.;
     kernel->for_each_batch({&u}, [&](const std::vector<Strains> &strains) {
+      const unsigned int batch = strains[0].batch;
       for (unsigned int q = 0; q < n_points; ++q)
-        history.set_state(strains[0].batch,
-                          q,
-                          response(strains[0], q).plasticity().state());
+        {
+          const auto state = response(strains[0], q).plasticity().state();
+          if (time_has_passed)
+            history.end_step(batch, q, state);
+          else
+            history.set_state(batch, q, state);
+        }
     });
     begin_step(0.);
   }

@@ -3,8 +3,8 @@
 """Tables of the advice on steps and meshes; see command."""
 
 from ..verification.contact_edge import CASE as CONE, deviation_from_polynomial, deviation_from_similarity
-from ..verification.finite_strain import CONE as DEEP_CONE
-from ..verification.load_steps import ADAPTIVE, force_at
+from ..verification.finite_strain import CONE as DEEP_CONE, SPHERE as DEEP_SPHERE
+from ..verification.load_steps import ADAPTIVE, TWO_STEPS, force_at
 from .finite_strain import curvature_in_gpa
 from .recipe import Content, count, percent, signed_percent, table
 
@@ -24,6 +24,22 @@ def adaptive_steps(runs):
                      signed_percent(curvature_in_gpa(steps) / curvature_in_gpa(reference) - 1)])
         numbers = {"adaptive": count(len(steps))}
     return Content(rows, numbers)
+
+
+@table(110)
+def two_step_integration(runs):
+    """The force at the largest depth in so many steps, against 400 with two-step integration."""
+    cells = {25: [], 50: [], 100: [], 400: []}
+    for case, depth in ((DEEP_CONE, 0.02), (DEEP_SPHERE, 0.1)):
+        histories = {(n, method): runs.history(case, f"Loading/History=1: depth {depth}", STEPS.format(n), *method)
+                     for n in cells for method in ((), (TWO_STEPS,))}
+        reference = histories[400, (TWO_STEPS,)][-1]["force"]
+        for (n, method), steps in histories.items():
+            cells[n].append("" if (n, method) == (400, (TWO_STEPS,)) else
+                            signed_percent(steps[-1]["force"] / reference - 1, 2))
+            if case == DEEP_CONE:
+                cells[n].append(count(sum(step["newton_iterations"] for step in steps)))
+    return Content([[None, *row] for row in cells.values()])
 
 
 def of_cone(steps):

@@ -9,6 +9,7 @@ from .finite_strain import COARSE, CONE
 
 LOADING = "Loading/History=1: depth {}"
 ADAPTIVE = "Loading/Step control=adaptive"
+TWO_STEPS = "Loading/Integration=BDF2"
 
 
 def adaptive_steps(runner):
@@ -36,6 +37,25 @@ def loading_curve(runner):
                   n_adaptive < 0.7 * n_fixed)
     differences = [abs(step["force"] - force_at(step["depth"], fixed)) / fixed[-1]["force"] for step in adaptive]
     runner.compare("largest difference of the forces over the largest force", max(differences), 0, 0.02, absolute=True)
+
+
+def two_step_integration(runner):
+    """Steps of second order under a cone with finite strains: force, plastic work and energy balance."""
+    def last(n_steps, *method):
+        return runner.history(CONE, "Geometry/Local refinements=4", LOADING.format(0.02),
+                              f"Loading/Number of steps={n_steps}", *method)[-1]
+
+    exact, euler = last(120, TWO_STEPS), last(40)
+    coarse, fine = last(24, TWO_STEPS), last(40, TWO_STEPS)
+    for column in ("force", "plastic_work"):
+        errors = [abs(row[column] / exact[column] - 1) for row in (fine, euler)]
+        runner.verify(f"{column} in 40 steps: error {100 * errors[0]:.3f} %, backward Euler {100 * errors[1]:.3f} %, "
+                      "at least four times as much", errors[0] < errors[1] / 4)
+    missing = [abs(row["external_work"] - row["elastic_energy"] - row["plastic_work"]) / row["external_work"]
+               for row in (coarse, fine)]
+    order = math.log(missing[0] / missing[1]) / math.log(40 / 24)
+    runner.verify(f"of the work, {100 * missing[0]:.2f} % are missing in 24, {100 * missing[1]:.2f} % in 40 steps: "
+                  f"order {order:.2f}, at least 1.6", order > 1.6)
 
 
 def force_at(depth, steps):
