@@ -86,11 +86,7 @@ namespace ElastoPlastic
           result.unpack(values);
           return result;
         }
-      StateValues extrapolated;
-      for (unsigned int i = 0; i < n_state_values; ++i)
-        extrapolated[i] =
-          values[i] + Number(extrapolation) * values[n_state_values + i];
-      result.unpack(extrapolated.data());
+      result.unpack(extrapolated(values).data());
       return result;
     }
 
@@ -106,24 +102,32 @@ namespace ElastoPlastic
     }
 
     /// Sets the state at the end of a load step. The increment, if it is kept,
-    /// is that from the last state.
+    /// is that from the last state, or zero if the state is that with which the
+    /// step has begun: then nothing has flowed.
     void
     end_step(const unsigned int           batch,
              const unsigned int           point,
              const MaterialState<Number> &state)
     {
-      StateValues before;
-      before.fill(Number(0.));
-      if (!batches[batch].empty())
-        std::copy_n(&batches[batch][n_point_values * point],
-                    n_state_values,
-                    before.begin());
-      set_state(batch, point, state);
-      if (!keeps_increments() || batches[batch].empty())
+      if (!keeps_increments())
+        return set_state(batch, point, state);
+      if (batches[batch].empty() && state.is_virgin())
         return;
-      Number *values = &batches[batch][n_point_values * point];
-      for (unsigned int i = 0; i < n_state_values; ++i)
-        values[n_state_values + i] = values[i] - before[i];
+      make_room(batch);
+      Number           *values = &batches[batch][n_point_values * point];
+      const StateValues begun  = extrapolated(values);
+      StateValues       before;
+      std::copy_n(values, n_state_values, before.begin());
+      state.pack(values);
+      for (unsigned int lane = 0; lane < Number::size(); ++lane)
+        {
+          bool has_flowed = false;
+          for (unsigned int i = 0; i < n_state_values; ++i)
+            has_flowed = has_flowed || values[i][lane] != begun[i][lane];
+          for (unsigned int i = 0; i < n_state_values; ++i)
+            values[n_state_values + i][lane] =
+              has_flowed ? values[i][lane] - before[i][lane] : 0.;
+        }
     }
 
     /// What is kept of the points of one cell, one after the other: its state,
@@ -149,6 +153,8 @@ namespace ElastoPlastic
           }))
         return;
       make_room(batch);
+      AssertThrow(values.size() == batches[batch].size(),
+                  ExcDimensionMismatch(values.size(), batches[batch].size()));
       for (unsigned int i = 0; i < values.size(); ++i)
         batches[batch][i][lane] = values[i];
     }
@@ -156,6 +162,17 @@ namespace ElastoPlastic
   private:
     using StateValues =
       std::array<Number, MaterialState<Number>::n_values(max_back_stresses)>;
+
+    /// The values of a state that goes on from @p values, those of a point.
+    StateValues
+    extrapolated(const Number *const values) const
+    {
+      StateValues result;
+      for (unsigned int i = 0; i < n_state_values; ++i)
+        result[i] =
+          values[i] + Number(extrapolation) * values[n_state_values + i];
+      return result;
+    }
 
     void
     make_room(const unsigned int batch)

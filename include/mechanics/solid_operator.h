@@ -120,6 +120,9 @@ namespace ElastoPlastic
     void
     keep_increments();
 
+    bool
+    keeps_increments() const;
+
     /// Prepares everything that depends on the mesh; all points are virgin,
     /// and bear no stress.
     /// @p dof_handler and @p constraints must outlive this object or the next

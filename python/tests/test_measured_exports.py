@@ -42,6 +42,11 @@ class Exports(FilesOfInstruments):
         three_decimals = "".join(f"{h:.3f}\t{F:.3f}\n".replace(".", ",") for h, F in zip(self.depth, self.force))
         curve, = read_curve(self.write("Depth (nm)\tLoad (mN)\n" + three_decimals))
         numpy.testing.assert_allclose(curve.depth, 1e-3 * self.depth, atol=1e-6)
+        with_zeros = "".join("\t".join(f"{value:.3f}".replace(".", ",") if value >= 1. else "0" for value in row) + "\n"
+                             for row in zip(self.depth, self.force))
+        curve, = read_curve(self.write("Depth (nm)\tLoad (mN)\n" + with_zeros))
+        self.assertAlmostEqual(curve.depth.max(), 0.306, delta=1e-5)
+        self.assertAlmostEqual(curve.force.max(), 10., delta=1e-3)
 
     def test_other_numbers(self):
         self.check(read_curve(self.write(HEAD + rows_of((self.time, -self.depth, self.force)).replace("-", "\u2212"))))

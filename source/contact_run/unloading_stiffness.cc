@@ -112,6 +112,8 @@ namespace ElastoPlastic
                                            body.model.strain_model,
                                            without_yielding(
                                              body.model.materials));
+    if (body.solid().keeps_increments())
+      elastic_solid->keep_increments();
     elastic_solid->reinit(body.dof_handler(), body.supports().constraints());
     tangent_solver =
       make_tangent_solver(linear_solver,

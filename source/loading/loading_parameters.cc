@@ -96,7 +96,8 @@ namespace ElastoPlastic
       "Euler: of first order in their length. BDF2: two-step backward "
       "differentiation, of second order, so that a fraction of the steps is "
       "as accurate; the first step of each row of a 'History' is a backward "
-      "Euler step. Not with 'Material/Recovery rates'.");
+      "Euler step. Let loads that are expressions of t turn where a row ends. "
+      "Not with 'Material/Recovery rates'.");
     prm.add_parameter("Final time",
                       final_time,
                       "The time t at the end of the last step. Greater than 0. "

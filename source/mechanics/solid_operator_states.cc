@@ -18,6 +18,15 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  bool
+  SolidOperator<dim>::keeps_increments() const
+  {
+    return history.keeps_increments();
+  }
+
+
+
+  template <int dim>
   void
   SolidOperator<dim>::begin_step(const double duration)
   {
@@ -99,6 +108,7 @@ namespace ElastoPlastic
   SolidOperator<dim>::set_states(
     const std::function<std::vector<double>(const CellIterator &)> &state_of)
   {
+    Assert(extrapolation_weight() == 0., ExcInternalError());
     for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
       {
         for (unsigned int lane = 0; lane < kernel->n_cells(batch); ++lane)

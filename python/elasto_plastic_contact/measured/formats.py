@@ -123,13 +123,23 @@ def find_reading(rows):
 
 
 def commas_separate_thousands(rows):
-    """Whether numbers without decimals are meant, as in the column 998, 999, 1,000: all commas are such, and some
-    numbers beside them have none."""
+    """Whether numbers without decimals are meant, as in the column 998, 999, 1,000: all commas may be such, and the
+    columns in which some numbers have none vary less then (with decimals, this one falls from 999 to 1)."""
     numbers = [[cell.strip(' "') for cell in cells] for cells in rows if COMMA.row(cells) is not None]
     with_comma = [cell for cells in numbers for cell in cells if "," in cell]
-    if not with_comma or not all(THOUSANDS[","].fullmatch(cell) for cell in with_comma):
+    if not all(THOUSANDS[","].fullmatch(cell) for cell in with_comma):
         return False
-    return any(len({"," in cell for cell in column if cell}) > 1 for column in zip(*numbers))
+    mixed = [column for column in zip(*numbers) if len({"," in cell for cell in column if cell}) > 1]
+    with_decimals, with_thousands = (sum(variation([reading.number(cell) for cell in column if reading.is_number(cell)])
+                                         for column in mixed) for reading in (COMMA, POINT_WITH_THOUSANDS))
+    return with_thousands < with_decimals
+
+
+def variation(values):
+    """The length of the way from value to value over the distance between the smallest and the largest one, 1 if they
+    only grow; 0 if they are all the same."""
+    span = max(values, default=0) - min(values, default=0)
+    return sum(abs(b - a) for a, b in zip(values, values[1:])) / span if span > 0 else 0
 
 
 def find_format(lines):

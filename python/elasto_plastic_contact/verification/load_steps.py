@@ -45,8 +45,9 @@ def two_step_integration(runner):
         return runner.history(CONE, "Geometry/Local refinements=4", LOADING.format(0.02),
                               f"Loading/Number of steps={n_steps}", *method)[-1]
 
-    exact, euler = last(120, TWO_STEPS), last(40)
-    coarse, fine = last(24, TWO_STEPS), last(40, TWO_STEPS)
+    stiffness = "Evaluation/Continuous stiffness=true"
+    exact, euler = last(120, TWO_STEPS), last(40, stiffness)
+    coarse, fine = last(24, TWO_STEPS), last(40, TWO_STEPS, stiffness)
     for column in ("force", "plastic_work"):
         errors = [abs(row[column] / exact[column] - 1) for row in (fine, euler)]
         runner.verify(f"{column} in 40 steps: error {100 * errors[0]:.3f} %, backward Euler {100 * errors[1]:.3f} %, "
@@ -56,6 +57,7 @@ def two_step_integration(runner):
     order = math.log(missing[0] / missing[1]) / math.log(40 / 24)
     runner.verify(f"of the work, {100 * missing[0]:.2f} % are missing in 24, {100 * missing[1]:.2f} % in 40 steps: "
                   f"order {order:.2f}, at least 1.6", order > 1.6)
+    runner.compare("contact stiffness", fine["contact_stiffness"], euler["contact_stiffness"], 0.01)
 
 
 def force_at(depth, steps):
