@@ -168,10 +168,9 @@ namespace
     parameters.roller  = {"left"};
     parameters.fixed   = {"bottom", "right"};
     parameters.contact = {"top"};
-    const auto result  = SoilBounds::checked_bounds(
+    return SoilBounds::checked_bounds(
       make_body(triangulation, parameters, plate(1., surface), degrees, force),
       /* degree = */ 2);
-    return result;
   }
 } // namespace
 

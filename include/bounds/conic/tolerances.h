@@ -150,10 +150,6 @@ namespace ElastoPlastic::Tolerance
   /// rounding errors, else there is no bound.
   constexpr double admissibility = 1e-8;
 
-  /// The same of velocities with friction, whose rates are inside a cone only
-  /// as far as they have been computed (part_with_friction).
-  constexpr double admissibility_with_friction = 1e-6;
-
   /// Of the bound that velocities give by themselves and that which has been
   /// minimised, relative to it: above, the minimum has been lost to rounding
   /// errors, which the result says.

@@ -131,16 +131,20 @@ namespace ElastoPlastic
     bool
     keep_materials(const Displacements &displacements, const SplitBody<3> &body)
     {
-      std::map<unsigned int, const Material<double> *> materials;
+      const auto slope = [&](const unsigned int t) {
+        return body.has_friction() ? body.friction_slopes[t] : 0.;
+      };
+      std::map<unsigned int, unsigned int> first_simplices;
       for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         for (const unsigned int v : body.mesh.simplices[t].vertices)
           if (displacements.count(v) > 0)
             {
-              const Material<double> &here = body.materials[t];
-              const Material<double> &there =
-                *materials.emplace(v, &here).first->second;
+              const unsigned int other =
+                first_simplices.emplace(v, t).first->second;
+              const Material<double> &here  = body.materials[t],
+                                     &there = body.materials[other];
               if (there.yield_radius != here.yield_radius ||
-                  there.criteria != here.criteria)
+                  there.criteria != here.criteria || slope(other) != slope(t))
                 return false;
             }
       return true;

@@ -41,13 +41,6 @@ namespace ElastoPlastic
     void
     evaluate_mechanism(const SplitBody<dim> &body, VelocityField<dim> &field)
     {
-      // (Without friction, velocities are those of a stream function, or no
-      // volume counts; with it, rates are inside a cone as far as they have
-      // been computed.)
-      const double largest_error = body.has_friction() ?
-                                     Tolerance::admissibility_with_friction :
-                                     Tolerance::admissibility;
-
       const bool   loads_grow = body.load_factor_unit > 0;
       const double minimum    = field.bound;
       const double size = loads_grow ? largest_velocity(body, field.velocity) :
@@ -59,7 +52,7 @@ namespace ElastoPlastic
       scale(field, 1. / size);
 
       field.error = check_velocity(body, field.velocity).largest();
-      if (!(field.error <= largest_error))
+      if (!(field.error <= Tolerance::admissibility))
         throw ConvergenceError(
           "The mechanism of collapse violates its conditions by " +
           to_text(field.error) +
@@ -103,9 +96,10 @@ namespace ElastoPlastic
               "No velocity moves the whole indenter down: it reaches a point "
               "that is held, or the supports enclose the body. Let "
               "'Indenter/Reach' end before what is held.") +
-          (dim == 2 ? " (Mechanisms that change the volume of a hole are not "
-                      "looked for.)" :
-                      ""));
+          (dim == 2 && body.can_slide() ?
+             " (Mechanisms that change the volume of a hole are not "
+             "looked for.)" :
+             ""));
       }
   }
 
