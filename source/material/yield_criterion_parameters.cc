@@ -119,8 +119,8 @@ namespace ElastoPlastic
       "whatever the yield stress; flow along the normal of this condition "
       "dilates it. That is for limit loads in plane strain, with 'Law = "
       "perfectly plastic'. 'Drucker-Prager': a cone for bodies of revolution "
-      "and in space, sqrt(J_2) + alpha I_1 <= k with the second invariant J_2 of the "
-      "deviator and the sum I_1 of the principal stresses. Of the cones with "
+      "and in space, sqrt(J_2) + alpha I_1 <= k with the second invariant J_2 "
+      "of the deviator and the sum I_1 of the principal stresses. Of the cones with "
       "this name it is the first, that of Drucker and Prager (1952), which "
       "bears in plane strain what 'Mohr-Coulomb' does: alpha = tan(phi) / "
       "sqrt(9 + 12 tan^2(phi)), k = 3 c / sqrt(9 + 12 tan^2(phi)).",
