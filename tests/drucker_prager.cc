@@ -192,7 +192,10 @@ main(int argc, char *argv[])
   verify("almost the stresses without friction",
          hardly.lower_bound > without.lower_bound &&
            hardly.lower_bound < 1.005 * without.lower_bound);
-  verify("not less than these bear", hardly.upper_bound > without.lower_bound);
+  // (Velocities that lose those without a change of volume as the angle tends
+  // to zero would be far too stiff.)
+  verify("mechanisms not far from those without friction",
+         hardly.upper_bound < 1.25 * without.upper_bound);
   const auto weak   = test_footing(triangulation, 10., smooth);
   const auto strong = test_footing(triangulation, 30., smooth);
   for (const auto &bounds : {weak, strong})
