@@ -8,12 +8,14 @@
 #include <deal.II/distributed/tria.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numeric>
 #include <utility>
 
+#include "base/tensors.h"
 #include "bounds/body/hencky_material.h"
 #include "bounds/error/error_bound.h"
 #include "bounds/error/support_check.h"
@@ -186,9 +188,12 @@ namespace
                field.at_vertices[body.mesh.faces[s].vertices[1]]);
 
     const Material<double> &material = body.materials.front();
-    const auto              strain   = field.strains(body.mesh, 0)[0];
-    const auto [elastic, plastic] =
-      HenckyMaterial::split_strain(material, strain, body.kinematics);
+    auto strain = in_space<2>(field.strains(body.mesh, 0)[0], 0.);
+    if (!body.initial_strains.empty())
+      strain += body.initial_strains[0][0];
+    const auto [elastic, plastic] = HenckyMaterial::split_strain(
+      material,
+      HenckyMaterial::strain_of_section(material, strain, body.kinematics));
     const SymmetricTensor<2, 3> stress =
       material.bulk_modulus * trace(elastic) * unit_symmetric_tensor<3>() +
       2. * material.shear_modulus * deviator(elastic);
@@ -223,6 +228,23 @@ namespace
       values *= 0.9;
     verify("gap",
            bound_error(body, field, 0., stresses).total() > 1e-4 * energy);
+  }
+
+
+
+  /// With an initial stress, whose strain this is.
+  SplitBody<2>
+  stressed(SplitBody<2> body)
+  {
+    SymmetricTensor<2, 3> strain;
+    strain[0][0] = 0.002;
+    strain[1][1] = -0.001;
+    strain[2][2] = 0.0015;
+    strain[0][1] = -0.0007;
+    std::array<SymmetricTensor<2, 3>, 3> at_corners;
+    at_corners.fill(strain);
+    body.initial_strains.assign(body.mesh.simplices.size(), at_corners);
+    return body;
   }
 
 
@@ -361,10 +383,14 @@ main(int argc, char *argv[])
         hardening > 0 ? "Hardening" : "Perfectly plastic";
       for (const auto kinematics :
            {Kinematics::cartesian, Kinematics::plane_stress})
-        test_conjugate(make_body(mesh, free_to_move(), law, kinematics),
-                       name + (kinematics == Kinematics::plane_stress ?
-                                 ", plane stress" :
-                                 ", plane strain"));
+        {
+          const std::string title =
+            name + (kinematics == Kinematics::plane_stress ? ", plane stress" :
+                                                             ", plane strain");
+          const auto body = make_body(mesh, free_to_move(), law, kinematics);
+          test_conjugate(body, title);
+          test_conjugate(stressed(body), title + ", initial stress");
+        }
       test_conjugate(make_body(mesh, free_to_move(), rolled(law)),
                      name + ", Hill's criterion");
     }

@@ -83,6 +83,7 @@ namespace ElastoPlastic
                              time,
                              model.strain_model.kinematics);
       check_loads(body);
+      set_initial_stress(body, model.initial_stress);
       return body;
     }
 

@@ -349,15 +349,12 @@ namespace ElastoPlastic
                             " in plane stress" :
                             "") +
                          ". Leave it empty.");
-    if (initial_stress.is_present())
+    if (initial_stress.is_present() && analysis == Analysis::limit_load)
       throw InputError(
-        entry + (analysis == Analysis::limit_load ?
-                   " finds what does not depend on an initial stress: the "
-                   "limit load of a perfectly plastic body is the same with "
-                   "any. Leave the entries of 'Initial stress' empty." :
-                   " bounds the error in bodies without stress at the "
-                   "beginning. Leave the entries of 'Initial stress' empty, or "
-                   "set 'Analysis = contact'."));
+        entry +
+        " finds what does not depend on an initial stress: the limit "
+        "load of a perfectly plastic body is the same with any. Leave "
+        "the entries of 'Initial stress' empty.");
     if (analysis == Analysis::contact_with_error_bound &&
         !loading.is_single_step())
       throw InputError("Analysis",

@@ -57,6 +57,11 @@ namespace ElastoPlastic::HenckyMaterial
   compliance(const Material<double>      &material,
              const SymmetricTensor<2, 3> &stress);
 
+  /// eps : C eps
+  double
+  elastic_product(const Material<double>      &material,
+                  const SymmetricTensor<2, 3> &strain);
+
   /// An elastic and a plastic part.
   struct Strain
   {
@@ -69,12 +74,13 @@ namespace ElastoPlastic::HenckyMaterial
   split_strain(const Material<double>      &material,
                const SymmetricTensor<2, 3> &strain);
 
-  /// The same for a strain in the plane. Out of plane, it is zero, or that of a
-  /// sheet.
-  Strain
-  split_strain(const Material<double>      &material,
-               const SymmetricTensor<2, 2> &in_plane_strain,
-               const Kinematics             kinematics);
+  /// The strain of a section: in a sheet, with the component out of plane that
+  /// leaves no stress there, whatever that of @p strain is; otherwise @p
+  /// strain.
+  SymmetricTensor<2, 3>
+  strain_of_section(const Material<double>      &material,
+                    const SymmetricTensor<2, 3> &strain,
+                    const Kinematics             kinematics);
 
   /// At least W(eps) + W*(tau) - tau : eps, but for the term R |e_p|, for any
   /// plastic strain e_p and any zeta of the stress. Its two parts, with

@@ -22,6 +22,7 @@
 #include "indenter/indenter_parameters.h"
 #include "loads/boundary_conditions.h"
 #include "material/material.h"
+#include "mechanics/initial_stress.h"
 
 namespace ElastoPlastic
 {
@@ -75,6 +76,10 @@ namespace ElastoPlastic
     /// By simplices, not in plane stress: how the strength grows with the
     /// pressure, see bounds/conic/yield_conditions.h; none if no strength does.
     std::vector<double> friction_slopes;
+
+    /// By simplices, at their corners: the elastic strain of the initial
+    /// stress, linear between them; none if there is no such stress.
+    std::vector<std::array<SymmetricTensor<2, 3>, dim + 1>> initial_strains;
 
     /// A typical stress: the smallest yield stress, or a modulus of elasticity;
     /// with friction, the strength that comes from constant loads if that is
@@ -259,6 +264,12 @@ namespace ElastoPlastic
   template <int dim>
   void
   set_friction(SplitBody<dim> &body, const std::vector<double> &slopes);
+
+  /// Lets the body bear a stress before it is loaded (doc/theory, "Initial
+  /// stress"). @throws InputError if it is not linear on each simplex.
+  template <int dim>
+  void
+  set_initial_stress(SplitBody<dim> &body, const InitialStress<dim> &stress);
 
 
 

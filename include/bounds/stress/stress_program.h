@@ -49,10 +49,10 @@ namespace ElastoPlastic
                   const unsigned int    degree);
 
     /// Add the energy int W*(tau) dx, with
-    ///   W* = 1/2 tau : C^-1 tau + zeta^2 / (2 h),
-    /// C being the elasticity and h = 2/3 (H + H_k), less the work
-    /// of the prescribed displacements. In a body of revolution, it is computed
-    /// by quadrature_over() and a little too large.
+    ///   W* = 1/2 (tau - sigma_0) : C^-1 (tau - sigma_0) + zeta^2 / (2 h),
+    /// C being the elasticity, sigma_0 the initial stress and h = 2/3 (H +
+    /// H_k), less the work of the prescribed displacements. In a body of
+    /// revolution, it is computed by quadrature_over() and a little too large.
     void
     add_energy();
 
@@ -124,6 +124,15 @@ namespace ElastoPlastic
     /// Adds int zeta^2 / (2 h) to the cost of a simplex.
     void
     add_hardening_energy(const unsigned int simplex);
+
+    /// int e_0 B dx as strain_moments(), in the units of the body,
+    /// with the elastic strain e_0 of the initial stress.
+    Vector<double>
+    moments_of_initial_strain(const unsigned int simplex) const;
+
+    /// int e_0 : C e_0 / 2 dx of the whole body.
+    double
+    energy_of_initial_stress() const;
 
     /// Subtracts that of the prescribed displacements.
     void

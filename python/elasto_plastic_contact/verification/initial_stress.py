@@ -178,6 +178,59 @@ def initial_stress_cone(runner):
         runner.compare(f"{stress} MPa: hardness with the true area", hardness[stress], hardness[0], 0.02)
 
 
+ONE_MESH = ("Refinement/Number of cycles=1", "Loading/Control=force")
+BLOCK = ("error_bound/parabola.prm", *ONE_MESH, "Geometry/Lower corner=0, -1", "Geometry/Repetitions=4, 4",
+         "Boundary conditions/Fixed=", "Boundary conditions/Roller=left, bottom", "Boundary conditions/Free=",
+         "Indenter/Radius=3", "Loading/Force=0.8")
+CYLINDER = ("error_bound/sphere.prm", *ONE_MESH, "Geometry/Initial refinements=2", "Boundary conditions/Fixed=",
+            "Boundary conditions/Roller=left, bottom", "Boundary conditions/Free=")
+CUBE = ("error_bound/paraboloid_3d.prm", *ONE_MESH, "Boundary conditions/Fixed=",
+        "Boundary conditions/Roller=left, front, bottom", "Boundary conditions/Free=back", "Loading/Force=300")
+
+# Bodies on a smooth base: a case, Young's modulus, a stress s on the right side, the components that it makes there with
+# no strain across the section, and by how much the top sinks then.
+NU = 0.3
+STRESSED = {
+    "plane strain": (BLOCK, 0.2, {"xx": 1, "zz": NU}, NU * (1 + NU) / 1.3),
+    "sheet": ((*BLOCK, "Kinematics=plane stress"), 0.2, {"xx": 1}, NU / 1.3),
+    "revolution": (CYLINDER, 500, {"xx": 1, "zz": 1}, 2 * NU * 12.8 / 200000),
+    "space": (CUBE, 800, {"xx": 1}, NU / 200000)}
+
+
+def initial_stress_error_bound(runner):
+    """Error bounds of bodies under an initial stress: those of the body that is pulled, or that of a free elastic one (exact)."""
+    for name, (body, size, components, sinking) in STRESSED.items():
+        normal = "; 0" if name != "space" else "; 0; 0"
+        pulled = f"Boundary conditions/Traction=right: {size}{normal}"
+        stressed = [f"Initial stress/Stress {component}={size * part}" for component, part in components.items()]
+        laws = ("linear elastic", "perfectly plastic") if name == "space" else (
+            "linear elastic", "perfectly plastic", "isotropic hardening")
+        for law in laws:
+            entries = (*body, f"Material/Law={law}", pulled)
+            with_both, one = (runner.tables(*entries, *more)["error_bound"][-1] for more in (stressed, ()))
+            compare_bounds(runner, f"{name}, {law}", with_both, one, sinking * size)
+        height = "y" if name != "space" else "z"
+        bending = [f"Initial stress/Stress {component}={size * part}*({height}+0.3)" for component, part in components.items()]
+        elastic = (*body, "Material/Law=linear elastic")
+        bent, free = (runner.tables(*elastic, *more)["error_bound"][-1] for more in (
+            (*bending, f"Boundary conditions/Traction=right: {size}*({height}+0.3){normal}"), (
+                f"Boundary conditions/Traction=right: 0{normal}",)))
+        compare_bounds(runner, f"{name}, a stress that bends", bent, free, 0)
+        for column in ("energy", "complementary_energy"):
+            runner.compare(f"{name}, a stress that bends: {column}", bent[column], free[column], 1e-6)
+
+
+def compare_bounds(runner, title, row, other, sinking):
+    """Of a body whose top has sunk before the other's."""
+    for column in ("bound", "bound_of_body", "bound_of_contact", "equilibrium_max_pressure"):
+        runner.compare(f"{title}: {column}", row[column], other[column], 1e-5)
+    for column in ("depth", "equilibrium_depth"):
+        runner.compare(f"{title}: {column}", row[column], other[column] - sinking, 1e-6)
+    runner.verify(f"{title}: depth {row['depth']} between {row['depth_lower_bound']} and {row['depth_upper_bound']}",
+                  row["depth_lower_bound"] < row["depth"] < row["depth_upper_bound"])
+    runner.compare(f"{title}: stress_error", row["stress_error"], 0, 1e-9, absolute=True)
+
+
 def initial_stress_runs(runner):
     """A cone on a body under a stress that the program completes, on meshes that follow: 1 and 2 ranks, resumed."""
     entries = {"Strain": "small", "Geometry/Local refinements": "4", "Geometry/Local radius": "1",

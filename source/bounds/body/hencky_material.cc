@@ -61,6 +61,16 @@ namespace ElastoPlastic
 
 
 
+  double
+  HenckyMaterial::elastic_product(const Material<double>      &material,
+                                  const SymmetricTensor<2, 3> &strain)
+  {
+    return material.bulk_modulus * trace(strain) * trace(strain) +
+           2. * material.shear_modulus * (deviator(strain) * deviator(strain));
+  }
+
+
+
   HenckyMaterial::Strain
   HenckyMaterial::split_strain(const Material<double>      &material,
                                const SymmetricTensor<2, 3> &strain)
@@ -75,16 +85,16 @@ namespace ElastoPlastic
 
 
 
-  HenckyMaterial::Strain
-  HenckyMaterial::split_strain(const Material<double>      &material,
-                               const SymmetricTensor<2, 2> &in_plane_strain,
-                               const Kinematics             kinematics)
+  SymmetricTensor<2, 3>
+  HenckyMaterial::strain_of_section(const Material<double>      &material,
+                                    const SymmetricTensor<2, 3> &strain,
+                                    const Kinematics             kinematics)
   {
-    SymmetricTensor<2, 3> strain = in_space<2>(in_plane_strain, 0.);
+    SymmetricTensor<2, 3> result = strain;
     if (kinematics == Kinematics::plane_stress)
-      strain[2][2] = out_of_plane_strain(
+      result[2][2] = out_of_plane_strain(
         material, strain, MaterialState<double>(material.back_stresses.size()));
-    return split_strain(material, strain);
+    return result;
   }
 
 
@@ -99,8 +109,7 @@ namespace ElastoPlastic
   {
     const auto   d = strain - plastic_strain - compliance(material, stress);
     const double h = hardening(material);
-    double       result = 0.5 * material.bulk_modulus * trace(d) * trace(d) +
-                    material.shear_modulus * (deviator(d) * deviator(d));
+    double       result = 0.5 * elastic_product(material, d);
     if (yields(material))
       result -= stress * plastic_strain;
     if (h > 0)

@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/patterns.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "base/exceptions.h"
 #include "base/largest_error.h"
+#include "bounds/body/hencky_material.h"
 #include "bounds/body/split_body.h"
 
 // What the materials of a SplitBody bear.
@@ -106,6 +110,50 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  void
+  set_initial_stress(SplitBody<dim> &body, const InitialStress<dim> &stress)
+  {
+    if (!stress.is_present())
+      return;
+    double     largest = 0, largest_distance = 0; // from what is linear
+    Point<dim> worst_point;
+    for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
+      {
+        const auto                                 corners = body.corners_of(t);
+        const auto                                 centre  = centre_of(corners);
+        std::array<SymmetricTensor<2, 3>, dim + 1> at_corners;
+        for (unsigned int i = 0; i <= dim; ++i)
+          {
+            at_corners[i] = stress.value(from_inside(corners[i], centre));
+            keep_largest(largest, at_corners[i].norm());
+          }
+        for (const auto &[position, weight] : simplex_quadrature<dim>())
+          {
+            const Point<dim> x = interpolate(position, corners);
+            const double     distance =
+              (stress.value(x) - interpolate(position, at_corners)).norm();
+            if (distance > largest_distance)
+              worst_point = x;
+            keep_largest(largest_distance, distance);
+          }
+        auto &strains = body.initial_strains.emplace_back();
+        for (unsigned int i = 0; i <= dim; ++i)
+          strains[i] =
+            HenckyMaterial::compliance(body.materials[t], at_corners[i]);
+      }
+    if (!(largest_distance <= Tolerance::expression * largest))
+      throw InputError(
+        "The 'Initial stress' is not linear on the cells of the mesh, near the "
+        "point (" +
+        Patterns::Tools::to_string(worst_point) +
+        "). An error bound is for stresses at the beginning that are linear "
+        "functions of the position, or such with kinks at vertices of the "
+        "mesh. Give such, or choose 'Analysis = contact'.");
+  }
+
+
+
   template bool
   SplitBody<2>::has_friction() const;
   template bool
@@ -128,4 +176,8 @@ namespace ElastoPlastic
   set_friction(SplitBody<2> &, const std::vector<double> &);
   template void
   set_friction(SplitBody<3> &, const std::vector<double> &);
+  template void
+  set_initial_stress(SplitBody<2> &, const InitialStress<2> &);
+  template void
+  set_initial_stress(SplitBody<3> &, const InitialStress<3> &);
 } // namespace ElastoPlastic

@@ -52,8 +52,16 @@ namespace ElastoPlastic
         , displacement(displacement)
         , simplex(body.mesh.simplices[t])
         , k(k)
-        , strain(on_part<dim>(strains, k))
       {
+        const auto strains_of_part = on_part<dim>(strains, k);
+        for (unsigned int i = 0; i <= dim; ++i)
+          strain[i] = in_space<dim>(strains_of_part[i], 0.);
+        if (!body.initial_strains.empty())
+          {
+            const auto initial = on_part<dim>(body.initial_strains[t], k);
+            for (unsigned int i = 0; i <= dim; ++i)
+              strain[i] += initial[i];
+          }
         const auto corners =
           JohnsonMercier<dim>::part_of(body.corners_of(t), k);
         for (unsigned int i = 0; i <= dim; ++i)
@@ -97,35 +105,26 @@ namespace ElastoPlastic
           zeta[i] = std::max(0.,
                              stress_norm(material, stress[i]) -
                                r[i] * material.yield_radius);
-        if (body.is_axisymmetric())
-          {
-            Barycentric<dim> corner = {};
-            corner[i]               = 1.;
-            if (r[i] > 0)
-              plastic_strain[i] =
-                r[i] * split_strain(material, strain_at(corner) / r[i]).plastic;
-          }
-        else if constexpr (dim == 3)
-          plastic_strain[i] = split_strain(material, strain[i]).plastic;
-        else
-          {
-            const auto [elastic, plastic] =
-              split_strain(material, strain[i], body.kinematics);
-            plastic_strain[i] = plastic;
-            out_of_plane[i]   = elastic[2][2] + plastic[2][2];
-          }
+        strain[i]               = HenckyMaterial::strain_of_section(material,
+                                                      strain[i],
+                                                      body.kinematics);
+        Barycentric<dim> corner = {};
+        corner[i]               = 1.;
+        if (r[i] > 0)
+          plastic_strain[i] =
+            r[i] * split_strain(material, strain_at(corner) / r[i]).plastic;
       }
 
-      /// The weighted strain, whose circumferential component is the radial
-      /// displacement.
+      /// The weighted strain. Around the axis, the displacement makes a strain
+      /// that is the radial displacement when weighted.
       SymmetricTensor<2, 3>
       strain_at(const Barycentric<dim> &point) const
       {
-        const double weight = interpolate(point, r);
-        return in_space<dim>(weight * interpolate(point, strain),
-                             body.is_axisymmetric() ?
-                               radial_displacement(point) :
-                               weight * interpolate(point, out_of_plane));
+        SymmetricTensor<2, 3> result =
+          interpolate(point, r) * interpolate(point, strain);
+        if (body.is_axisymmetric())
+          result[2][2] += radial_displacement(point);
+        return result;
       }
 
       double
@@ -134,7 +133,6 @@ namespace ElastoPlastic
         return displacement.value(simplex, point_of_part<dim>(k, point))[0];
       }
 
-      using Strains = std::array<SymmetricTensor<2, dim>, dim + 1>;
       using Tensors = std::array<SymmetricTensor<2, 3>, dim + 1>;
 
       const SplitBody<dim>                   &body;
@@ -143,12 +141,12 @@ namespace ElastoPlastic
       const QuadraticField<dim>              &displacement;
       const typename SplitMesh<dim>::Simplex &simplex;
       const unsigned int                      k;
-      const Strains                           strain; ///< not weighted
-      Tensors                                 stress;
-      std::array<double, dim + 1>             r            = {};
-      std::array<double, dim + 1>             out_of_plane = {};
-      std::array<double, dim + 1>             zeta         = {};
-      Tensors                                 plastic_strain;
+      Tensors strain; ///< not weighted, without what the displacement makes
+                      ///< around the axis
+      Tensors                     stress;
+      std::array<double, dim + 1> r    = {};
+      std::array<double, dim + 1> zeta = {};
+      Tensors                     plastic_strain;
     };
 
 

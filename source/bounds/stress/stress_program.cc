@@ -151,6 +151,8 @@ namespace ElastoPlastic
         -body.strain_unit * length * solution.y[solution.y.size() - 1];
     field.load_factor = body.load_factor_unit * solution.load_factor;
     field.cost = solution.cost * body.force_unit() * body.strain_unit * length;
+    if (has_energy)
+      field.cost += energy_of_initial_stress();
     field.n_iterations = solution.n_iterations;
     field.is_optimal   = solution.is_optimal;
     return field;
@@ -209,6 +211,8 @@ namespace ElastoPlastic
         const auto strains = strain_moments(t, column);
         for (unsigned int i = 0; i < values.size(); ++i)
           all[i] = strains(i, 0);
+        if (!body.initial_strains.empty())
+          all -= moments_of_initial_strain(t);
       }
     if (yields(body.materials[t]))
       {

@@ -100,6 +100,62 @@ namespace ElastoPlastic
 
 
 
+  // The stresses are weighted, this strain is not.
+  template <int dim>
+  Vector<double>
+  StressProgram<dim>::moments_of_initial_strain(const unsigned int t) const
+  {
+    AssertDimension(degree, 1);
+    constexpr unsigned int n_components = n_stress_components<dim>;
+    constexpr unsigned int n_functions  = dim + 1;
+    FullMatrix<double>     mass         = Bernstein<dim>::mass_matrix(degree);
+    mass *= body.relative_volume(t) / (Element::n_parts * body.strain_unit);
+    Vector<double> moments(n_components * n_functions * Element::n_parts);
+    for (unsigned int k = 0; k < Element::n_parts; ++k)
+      {
+        const auto strains = on_part<dim>(body.initial_strains[t], k);
+        for (unsigned int p = 0; p < n_functions; ++p)
+          {
+            SymmetricTensor<2, 3> moment;
+            for (unsigned int q = 0; q < n_functions; ++q)
+              moment += mass(p, q) * strains[q];
+            for (unsigned int e = 0; e < n_components; ++e)
+              {
+                std::array<double, n_components> unit = {};
+                unit[e]                               = 1.;
+                moments[n_components * (n_functions * k + p) + e] =
+                  moment * stress_from<dim>(unit.data());
+              }
+          }
+      }
+    return moments;
+  }
+
+
+
+  template <int dim>
+  double
+  StressProgram<dim>::energy_of_initial_stress() const
+  {
+    double energy = 0;
+    for (unsigned int t = 0; t < body.initial_strains.size(); ++t)
+      {
+        const double volume =
+          body.angle() * ElastoPlastic::volume(body.corners_of(t));
+        std::array<double, dim + 1> weights;
+        for (unsigned int i = 0; i <= dim; ++i)
+          weights[i] = body.weight(body.corners_of(t)[i]);
+        for (const auto &[position, weight] : simplex_quadrature<dim>())
+          energy += 0.5 * volume * weight * interpolate(position, weights) *
+                    HenckyMaterial::elastic_product(
+                      body.materials[t],
+                      interpolate(position, body.initial_strains[t]));
+      }
+    return energy;
+  }
+
+
+
   // zeta is weighted like the stresses.
   template <int dim>
   void
@@ -169,6 +225,12 @@ namespace ElastoPlastic
         stresses.Tmmult(block.quadratic_cost, strain_moments(t, stresses));
         if (hardens(body.materials[t]))
           add_hardening_energy(t);
+        if (!body.initial_strains.empty())
+          {
+            Vector<double> moments = moments_of_initial_strain(t);
+            moments *= -1.;
+            stresses.Tvmult_add(block.linear_cost, moments);
+          }
         add_work_of_supports(t, stresses);
         const double part = body.relative_volume(t) *
                             local(t).weight_of_centre() /
