@@ -4,9 +4,12 @@
 #ifndef material_material_h
 #define material_material_h
 
+#include <deal.II/base/point.h>
+
 #include <boost/container/static_vector.hpp>
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <variant>
@@ -109,6 +112,11 @@ namespace ElastoPlastic
     std::array<std::shared_ptr<const GeneralCriterion>, n_lanes<Number>>
       criteria;
 
+    /// Where the criterion depends on the position, what it is at a point, in
+    /// two dimensions with z = 0; then @p criteria is an example. Batches have
+    /// none, but a material for each point (BatchMaterials).
+    std::function<GeneralCriterion(const Point<3> &)> criterion_at;
+
     /// Of each lane.
     std::array<RateLaw, n_lanes<Number>> rate_laws;
 
@@ -148,6 +156,14 @@ namespace ElastoPlastic
   has_general_criterion(const Material<Number> &material)
   {
     return material.criteria[0] != nullptr;
+  }
+
+
+
+  inline bool
+  has_varying_criterion(const Material<double> &material)
+  {
+    return static_cast<bool>(material.criterion_at);
   }
 
 

@@ -146,6 +146,17 @@ namespace ElastoPlastic
     std::shared_ptr<const GeneralCriterion>
     criterion(const unsigned int id) const;
 
+    /// Whether a material obeys Hill's criterion with axes that depend on the
+    /// position. Then criterion() has those of the body.
+    bool
+    has_varying_axes(const unsigned int id) const;
+
+    /// The criterion of such a material, see Material::criterion_at.
+    /// @throws InputError for what is no expression.
+    template <int dim>
+    std::function<GeneralCriterion(const Point<3> &)>
+    criterion_along_axes(const unsigned int id) const;
+
     /// @throws InputError if the third axis of the body is none of a material
     /// that obeys Hill's criterion: then two dimensions are not enough.
     void

@@ -13,7 +13,8 @@
 namespace ElastoPlastic
 {
   /// The materials of all cell batches: of each cell the one that belongs to
-  /// its material id, or the only one.
+  /// its material id, or the only one. Where a criterion depends on the
+  /// position, the points of a cell have materials of their own.
   class BatchMaterials
   {
   public:
@@ -24,17 +25,29 @@ namespace ElastoPlastic
     {}
 
 
-    /// Finds the materials of the cells of @p kernel. Collective.
-    /// @throws InputError if a cell's material id has no material.
+    /// Finds the materials of the cells of @p kernel, which have @p n_points
+    /// quadrature points. Collective.
+    /// @throws InputError if a cell's material id has no material, or an
+    /// expression of the position no value.
     template <int dim>
     void
     reinit(const CellKernel<dim, PointTangents<dim>> &kernel,
+           const unsigned int                         n_points,
            const MPI_Comm                             communicator);
 
+    /// At a quadrature point.
+    const Material<Number> &
+    at(const unsigned int batch, const unsigned int point) const
+    {
+      return n_per_batch == 1 ? (*this)[batch] :
+                                of_batches[n_per_batch * batch + point];
+    }
+
+    /// All of it but the criterion is the same in a cell.
     const Material<Number> &
     operator[](const unsigned int batch) const
     {
-      return of_batches[materials.size() == 1 ? 0 : batch];
+      return of_batches[n_per_batch * batch];
     }
 
     /// Sets how long the load step under way takes, for all materials.
@@ -82,8 +95,20 @@ namespace ElastoPlastic
 
   private:
     std::vector<Material<double>> materials;
-    /// One for each cell batch, or only one if there is only one material.
+    /// @throws InputError
+    template <typename Cell>
+    const Material<double> &
+    of_cell(const Cell &cell) const;
+
+    /// Sets the criteria at the quadrature points.
+    template <int dim>
+    void
+    set_criteria_at_points(const CellKernel<dim, PointTangents<dim>> &kernel);
+
+    /// By cell batches and, where a criterion varies, by points.
     std::vector<Material<Number>> of_batches;
+    /// 0 if there is only one for all.
+    unsigned int n_per_batch = 0;
   };
 } // namespace ElastoPlastic
 

@@ -31,6 +31,14 @@ namespace ElastoPlastic
                "'Analysis = " + Patterns::Tools::to_string(analysis) +
                  "' has no bounds for the criterion of Hosford. Choose another "
                  "one, or 'Analysis = contact'.");
+      for (unsigned int id = 0; id < material.n_materials(); ++id)
+        if (material.criteria.has_varying_axes(id))
+          throw InputError("Material/Axes",
+                           material.criteria.axes,
+                           "'Analysis = " +
+                             Patterns::Tools::to_string(analysis) +
+                             "' knows axes that are the same everywhere. Write "
+                             "numbers, or choose 'Analysis = contact'.");
       if (material.criteria.has_soil())
         refuse(
           material,

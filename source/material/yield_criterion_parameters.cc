@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/exceptions.h"
+#include "base/expression.h"
 #include "base/text.h"
 #include "material/material_lists.h"
 #include "material/yield_criterion_parameters.h"
@@ -80,21 +81,57 @@ namespace ElastoPlastic
 
 
 
-    /// The axes as columns.
+    /// The axes as columns, of one angle or three.
+    Tensor<2, 3>
+    turned_by(const std::vector<double> &angles)
+    {
+      if (angles.size() == 1)
+        return rotation(2, angles[0]);
+      return rotation(2, angles[0]) * rotation(0, angles[1]) *
+             rotation(2, angles[2]);
+    }
+
+
+
     Tensor<2, 3>
     read_axes(const std::string &text)
     {
       const auto angles = parts_of(axes_path, text);
-      if (angles.size() == 1)
-        return rotation(2, angles[0]);
-      if (angles.size() == 3)
-        return rotation(2, angles[0]) * rotation(0, angles[1]) *
-               rotation(2, angles[2]);
-      throw InputError(axes_path,
-                       text,
-                       "it must be one angle, about the third axis, or "
-                       "Bunge's three Euler angles, such as '30 | 90 | 0'. "
-                       "Unit: degrees.");
+      if (angles.size() != 1 && angles.size() != 3)
+        throw InputError(axes_path,
+                         text,
+                         "it must be one angle, about the third axis, or "
+                         "Bunge's three Euler angles, such as '30 | 90 | 0'. "
+                         "Unit: degrees.");
+      return turned_by(angles);
+    }
+
+
+
+    /// Whether an angle is an expression instead of a number.
+    bool
+    vary(const std::string &text)
+    {
+      const auto parts = split(axes_path, text, '|');
+      return !std::all_of(parts.begin(),
+                          parts.end(),
+                          [](const std::string &part) {
+                            return as_number(part).has_value();
+                          });
+    }
+
+
+
+    template <int dim>
+    std::vector<Expression<dim>>
+    read_expressions(const std::string &text)
+    {
+      std::vector<Expression<dim>> expressions;
+      for (const std::string &part : split(axes_path, text, '|'))
+        expressions.emplace_back(axes_path,
+                                 part,
+                                 ExpressionVariables::position);
+      return expressions;
     }
   } // namespace
 
@@ -147,7 +184,9 @@ namespace ElastoPlastic
       "first to the second. Three: Bunge's Euler angles phi_1 | Phi | phi_2, "
       "turns about the third, the new first and the new third axis. In two "
       "dimensions the third axis of the body is out of plane, of a body of "
-      "revolution circumferential. Unit: degrees.",
+      "revolution circumferential. An angle may be an expression of the "
+      "position without commas, such as '180/pi*atan(y/x)' for axes along and "
+      "around a ring; not for bounds of limit loads and errors. Unit: degrees.",
       Patterns::List(Patterns::Anything(), 1));
     soil.add_parameters(prm);
   }
@@ -167,7 +206,10 @@ namespace ElastoPlastic
     for (const std::string &text : hill_ratios)
       read_ratios(text);
     for (const std::string &text : axes)
-      read_axes(text);
+      if (vary(text))
+        read_expressions<3>(text);
+      else
+        read_axes(text);
     if (are_general() &&
         std::any_of(materials.begin(), materials.end(), has_recovery))
       throw InputError("Material/Yield criterion",
@@ -273,13 +315,50 @@ namespace ElastoPlastic
         case YieldCriterion::hill:
           return std::make_shared<GeneralCriterion>(
             HillCriterion(read_ratios(of_material(hill_ratios, id)),
-                          read_axes(of_material(axes, id))));
+                          has_varying_axes(id) ?
+                            rotation(2, 0.) :
+                            read_axes(of_material(axes, id))));
         case YieldCriterion::mohr_coulomb:
         case YieldCriterion::drucker_prager:
           return nullptr;
       }
     AssertThrow(false, ExcInternalError());
     return nullptr;
+  }
+
+
+
+  bool
+  YieldCriterionParameters::has_varying_axes(const unsigned int id) const
+  {
+    return of_material(criteria, id) == YieldCriterion::hill &&
+           vary(of_material(axes, id));
+  }
+
+
+
+  template <int dim>
+  std::function<GeneralCriterion(const Point<3> &)>
+  YieldCriterionParameters::criterion_along_axes(const unsigned int id) const
+  {
+    const std::string text   = of_material(axes, id);
+    const auto        angles = read_expressions<dim>(text);
+    if (angles.size() != 1 && !(angles.size() == 3 && dim == 3))
+      throw InputError(axes_path,
+                       text,
+                       "angles that are expressions of the position must be "
+                       "one, about the third axis, or in space three, such as "
+                       "'30*x | 0 | 0'.");
+    const HillRatios ratios = read_ratios(of_material(hill_ratios, id));
+    return [ratios, angles](const Point<3> &point) {
+      Point<dim> place;
+      for (unsigned int d = 0; d < dim; ++d)
+        place[d] = point[d];
+      std::vector<double> degrees;
+      for (const auto &angle : angles)
+        degrees.push_back(angle.value(place));
+      return HillCriterion(ratios, turned_by(degrees));
+    };
   }
 
 
@@ -295,6 +374,7 @@ namespace ElastoPlastic
                                           });
     for (unsigned int id = 0; id < longest->second; ++id)
       if (of_material(criteria, id) == YieldCriterion::hill &&
+          !has_varying_axes(id) &&
           !HillCriterion(read_ratios(of_material(hill_ratios, id)),
                          read_axes(of_material(axes, id)))
              .has_third_axis())
@@ -304,4 +384,11 @@ namespace ElastoPlastic
                          "must be the third of the body. Give one angle, or "
                          "set 'Dimension = 3'.");
   }
+
+
+
+  template std::function<GeneralCriterion(const Point<3> &)>
+  YieldCriterionParameters::criterion_along_axes<2>(const unsigned int) const;
+  template std::function<GeneralCriterion(const Point<3> &)>
+  YieldCriterionParameters::criterion_along_axes<3>(const unsigned int) const;
 } // namespace ElastoPlastic

@@ -63,7 +63,7 @@ namespace ElastoPlastic
                              const AffineConstraints<double> &constraints)
   {
     kernel->reinit(dof_handler, constraints);
-    materials.reinit(*kernel, communicator_of(dof_handler));
+    materials.reinit(*kernel, n_points, communicator_of(dof_handler));
 
     tangents.reinit(kernel->n_batches());
     for (unsigned int batch = 0; batch < kernel->n_batches(); ++batch)
@@ -97,7 +97,7 @@ namespace ElastoPlastic
                                const unsigned int point) const
   {
     return PointResponse<Number>(is_sheet,
-                                 materials[strains.batch],
+                                 materials.at(strains.batch, point),
                                  strain_at(strains, point),
                                  volumetric_strain_at(strains, point),
                                  history.state(strains.batch, point));

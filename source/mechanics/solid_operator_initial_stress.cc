@@ -3,10 +3,6 @@
 
 // The stress that the body bears before it is deformed.
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_nothing.h>
-#include <deal.II/fe/fe_values.h>
-
 #include <cmath>
 #include <sstream>
 #include <variant>
@@ -14,6 +10,7 @@
 #include "base/exceptions.h"
 #include "base/tensors.h"
 #include "base/text.h"
+#include "mechanics/quadrature_points.h"
 #include "mechanics/solid_operator.h"
 
 namespace ElastoPlastic
@@ -110,32 +107,6 @@ namespace ElastoPlastic
       double     equivalent = 0., yield_stress = 0.;
       Point<dim> place;
     };
-
-
-
-    /// Calls @p use with batch, lane, quadrature point and its place, for all
-    /// of them on this process.
-    template <int dim, typename Use>
-    void
-    for_each_point(const SolidKernel<dim> &kernel,
-                   const unsigned int      n_points,
-                   const Use              &use)
-    {
-      const unsigned int n_points_per_line =
-        std::lround(std::pow(n_points, 1. / dim));
-      const FE_Nothing<dim> fe;
-      FEValues<dim>         values(fe,
-                           QGauss<dim>(n_points_per_line),
-                           update_quadrature_points);
-      for (unsigned int batch = 0; batch < kernel.n_batches(); ++batch)
-        for (unsigned int lane = 0; lane < kernel.n_cells(batch); ++lane)
-          {
-            values.reinit(typename Triangulation<dim>::active_cell_iterator(
-              kernel.cell(batch, lane)));
-            for (unsigned int q = 0; q < n_points; ++q)
-              use(batch, lane, q, values.quadrature_point(q));
-          }
-    }
   } // namespace
 
 
@@ -149,22 +120,22 @@ namespace ElastoPlastic
     initial_strains.reinit(kernel->n_batches(), n_points);
     const auto set = [&]() {
       Excess<dim> excess;
-      for_each_point<dim>(*kernel,
-                          n_points,
-                          [&](const unsigned int batch,
-                              const unsigned int lane,
-                              const unsigned int q,
-                              const Point<dim>  &point) {
-                            const Material<double> material =
-                              lane_of(materials[batch], lane);
-                            const auto at_point = stress.value(point);
-                            excess.look_at(point, at_point, material);
-                            const auto strain =
-                              elastic_strain(material, at_point);
-                            for (unsigned int i = 0; i < 6; ++i)
-                              initial_strains.at(batch, q).access_raw_entry(
-                                i)[lane] = strain.access_raw_entry(i);
-                          });
+      for_each_quadrature_point<dim>(
+        *kernel,
+        n_points,
+        [&](const unsigned int batch,
+            const unsigned int lane,
+            const unsigned int q,
+            const Point<dim>  &point) {
+          const Material<double> material =
+            lane_of(materials.at(batch, q), lane);
+          const auto at_point = stress.value(point);
+          excess.look_at(point, at_point, material);
+          const auto strain = elastic_strain(material, at_point);
+          for (unsigned int i = 0; i < 6; ++i)
+            initial_strains.at(batch, q).access_raw_entry(i)[lane] =
+              strain.access_raw_entry(i);
+        });
       excess.check("");
     };
     rethrow_collectively(layout.get_mpi_communicator(), set);
@@ -203,14 +174,15 @@ namespace ElastoPlastic
 
     const auto check = [&]() {
       Excess<dim> excess;
-      for_each_point<dim>(
+      for_each_quadrature_point<dim>(
         *kernel,
         n_points,
         [&](const unsigned int batch,
             const unsigned int lane,
             const unsigned int q,
             const Point<dim>  &point) {
-          const Material<double> material = lane_of(materials[batch], lane);
+          const Material<double> material =
+            lane_of(materials.at(batch, q), lane);
           excess.look_at(point,
                          elastic_stress(material,
                                         lane_of(initial_strains.at(batch, q),

@@ -34,6 +34,7 @@ namespace ElastoPlastic
                          [](const Material<double> &material) {
                            return is_perfect(material) &&
                                   std::isfinite(material.yield_radius) &&
+                                  !has_varying_criterion(material) &&
                                   (!has_general_criterion(material) ||
                                    std::holds_alternative<HillCriterion>(
                                      *material.criteria[0]));

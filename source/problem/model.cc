@@ -159,13 +159,18 @@ namespace ElastoPlastic
     StrainModel         strain_model = parameters.discretization.strain_model();
     strain_model.has_general_criteria =
       parameters.material.criteria.are_general();
+    std::vector<Material<double>> materials = parameters.material.materials();
+    for (unsigned int id = 0; id < materials.size(); ++id)
+      if (const auto &criteria = parameters.material.criteria;
+          criteria.has_varying_axes(id))
+        materials[id].criterion_at = criteria.criterion_along_axes<dim>(id);
     return {{BoundaryConditions<dim>(parameters.boundary_conditions,
                                      geometry.boundary_names()),
              BodyForce<dim>(parameters.body_force.components),
              strain_model},
             geometry,
             parameters.discretization.degree,
-            parameters.material.materials(),
+            materials,
             make_indenter<dim>(parameters.indenter),
             contact_of(parameters),
             LoadProgram(parameters.loading),

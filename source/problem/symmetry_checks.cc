@@ -73,20 +73,30 @@ namespace ElastoPlastic
 
 
 
-    /// The normals of the faces of this process on rollers in vertical planes
+    /// A point of a plane of symmetry.
+    struct SymmetryPoint
+    {
+      Point<3>     place;
+      Tensor<1, 3> normal;
+    };
+
+    /// The middles of the faces of this process on rollers in vertical planes
     /// through the indenter's first position.
     template <int dim>
-    std::vector<Tensor<1, 3>>
-    normals_of_symmetry(const Model<dim>         &model,
-                        const Triangulation<dim> &triangulation)
+    std::vector<SymmetryPoint>
+    points_of_symmetry(const Model<dim>         &model,
+                       const Triangulation<dim> &triangulation)
     {
       constexpr double rounding = 1e-8;
 
       const auto rollers =
         model.boundary_conditions.ids(BoundaryConditionType::roller);
-      const FE_Nothing<dim> fe;
-      FEFaceValues<dim> values(fe, QMidpoint<dim - 1>(), update_normal_vectors);
-      std::vector<Tensor<1, 3>> result;
+      const FE_Nothing<dim>      fe;
+      FEFaceValues<dim>          values(fe,
+                               QMidpoint<dim - 1>(),
+                               update_normal_vectors |
+                                 update_quadrature_points);
+      std::vector<SymmetryPoint> result;
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int f : cell->face_indices())
@@ -106,10 +116,12 @@ namespace ElastoPlastic
                         return std::abs(distance) < rounding * face->diameter();
                       }))
                   continue;
-                Tensor<1, 3> in_space;
+                SymmetryPoint &point = result.emplace_back();
                 for (unsigned int d = 0; d < dim; ++d)
-                  in_space[d] = normal[d];
-                result.push_back(in_space);
+                  {
+                    point.place[d]  = values.quadrature_point(0)[d];
+                    point.normal[d] = normal[d];
+                  }
               }
       return result;
     }
@@ -127,18 +139,18 @@ namespace ElastoPlastic
     if (!model.strain_model.has_general_criteria ||
         model.strain_model.kinematics == Kinematics::axisymmetric)
       return;
-    const auto normals = normals_of_symmetry(model, triangulation);
-    const bool is_unlike =
-      std::any_of(model.materials.begin(),
-                  model.materials.end(),
-                  [&](const auto &material) {
-                    return std::any_of(normals.begin(),
-                                       normals.end(),
-                                       [&](const Tensor<1, 3> &normal) {
-                                         return !is_symmetric_about_plane(
-                                           *material.criteria[0], normal);
-                                       });
-                  });
+    bool is_unlike = false;
+    rethrow_collectively(communicator_of(triangulation), [&]() {
+      for (const auto &[place, normal] :
+           points_of_symmetry(model, triangulation))
+        for (const Material<double> &material : model.materials)
+          is_unlike =
+            is_unlike ||
+            !is_symmetric_about_plane(has_varying_criterion(material) ?
+                                        material.criterion_at(place) :
+                                        *material.criteria[0],
+                                      normal);
+    });
     if (Utilities::MPI::logical_or(is_unlike, communicator_of(triangulation)))
       throw InputError(
         "The rollers through 'Indenter/Position' make a plane of symmetry of "

@@ -46,7 +46,7 @@ from .soils import soil_fine, soil_footing, soil_layers, soil_revolution, soil_s
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
 from .units import prescribed_from_nothing, units
 from .yield_criteria import (criteria_and_von_mises, hill_indentation, hill_plane_strain, hill_tension, hosford_cylinder,
-                             turned_axes)
+                             turned_axes, turning_axes)
 from .zero_load import far_indenter, zero_force, zero_stress
 from ..arguments import number
 from ..pages.command import main as tables_of_pages
@@ -295,7 +295,7 @@ ALL = {
                      uniaxial_history, nonlinear_history, recovery_in_tension, ratchetting_drift, chaboche_contact,
                      rates_uniaxial, creep_cylinder, creep_sphere, creep_contact, creep_accurate_steps, creep_hardness, creep_punch,
                      creep_similarity, creep_runs, hold_before_path,
-                     hill_tension, hill_plane_strain, turned_axes, hosford_cylinder, criteria_and_von_mises, hill_indentation,
+                     hill_tension, hill_plane_strain, turned_axes, turning_axes, hosford_cylinder, criteria_and_von_mises, hill_indentation,
                      hill_strip_punch, hill_and_von_mises, hill_bodies, hill_layers, hill_error_bound,
                      force_control, hertz, hertz_axisymmetric, hertz_cylinder,
                      first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,

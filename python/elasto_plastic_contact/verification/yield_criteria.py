@@ -78,6 +78,35 @@ def turned_axes(runner):
     runner.compare("its other component", after["top_x"], -before["top_y"], 1e-8)
 
 
+def turning_axes(runner):
+    """Axes of Hill's criterion by expressions: layers with axes of their own; a ring with axes along and around it (revolution)."""
+    layers = ("cylinder_2d.prm", *PERFECT, "Loading/Number of steps=3", "Refinement/Number of cycles=2",
+              "Nonlinear solver/Tolerance=1e-11", "Geometry/Material id=if(y > -0.5, 0, 1)")
+    ratios = (0.9, 1.1, 1.0, 0.95, 1.0, 1.0)
+    one, two = hill(ratios, "y > -0.5 ? 90 : 0"), hill(ratios, "90, 0")
+    forces = [runner.history(*layers, *criterion)[-1]["force"] for criterion in (one, two, hill(ratios, "90"))]
+    runner.compare("force of a cylinder on two layers", forces[0], forces[1], 1e-10)
+    runner.verify(f"the layer below counts: {forces[2]}", abs(forces[2] / forces[1] - 1) > 1e-4)
+
+    a, b, pressure = 100.0, 200.0, 150.0
+    strong_hoop = {"r": 1.0, "hoop": 1.3, "axial": 1.0}
+    load = f"inner: {pressure}*t*x/sqrt(x^2+y^2); {pressure}*t*y/sqrt(x^2+y^2)"
+    ring = ("verification/thick_sphere_axisymmetric.prm", "Kinematics=plane strain", "Loading/Final time=1",
+            "Loading/Number of steps=10", f"Boundary conditions/Traction={load}", f"Output/Probe points=outer: {b}, 0")
+    revolution = ("creep/thick_cylinder.prm", "Material/Law=perfectly plastic", "Material/Yield stress=240",
+                  "Material/Young's modulus=210000", "Material/Rate law=none", "Loading/Final time=1",
+                  "Loading/Number of steps=10", "Discretization/Polynomial degree=2",
+                  f"Boundary conditions/Traction=left: {pressure}*t; 0", f"Output/Probe points=outer: {b}, 5")
+    r, hoop, axial = strong_hoop.values()
+    widening, exact, elsewhere = (
+        runner.tables(*body, *hill(of_body, axes))["probes"][-1]["outer_displacement_x"] for body, of_body, axes in (
+            (ring, (r, hoop, axial, 1.0, 1.0, 1.0), "180/pi*atan(y/x)"),
+            (revolution, (r, axial, hoop, 1.0, 1.0, 1.0), "0"),
+            (ring, (r, hoop, axial, 1.0, 1.0, 1.0), "0")))
+    runner.compare("a ring with axes along and around it widens", widening, exact, 1e-4)
+    runner.verify(f"other than with axes of the body: {elsewhere}", abs(elsewhere / exact - 1) > 0.01)
+
+
 def hosford_cylinder(runner):
     """A thick cylinder under pressure, plane strain: almost Tresca with a large exponent (exact)."""
     a, b, c, exponent = 100.0, 200.0, 150.0, 100
