@@ -123,14 +123,13 @@ namespace ElastoPlastic
 
 
     template <int dim>
-    std::vector<Expression<dim>>
+    std::vector<std::shared_ptr<const Expression<dim>>>
     read_expressions(const std::string &text)
     {
-      std::vector<Expression<dim>> expressions;
+      std::vector<std::shared_ptr<const Expression<dim>>> expressions;
       for (const std::string &part : split(axes_path, text, '|'))
-        expressions.emplace_back(axes_path,
-                                 part,
-                                 ExpressionVariables::position);
+        expressions.push_back(std::make_shared<const Expression<dim>>(
+          axes_path, part, ExpressionVariables::position));
       return expressions;
     }
   } // namespace
@@ -356,7 +355,7 @@ namespace ElastoPlastic
         place[d] = point[d];
       std::vector<double> degrees;
       for (const auto &angle : angles)
-        degrees.push_back(angle.value(place));
+        degrees.push_back(angle->value(place));
       return HillCriterion(ratios, turned_by(degrees));
     };
   }

@@ -35,13 +35,13 @@ namespace ElastoPlastic
     const std::string program_name = "ElastoPlasticContact ";
 
     /// To be raised with each change of what a checkpoint consists of.
-    constexpr unsigned int format = 2;
+    constexpr unsigned int format_number = 2;
 
     /// The first line of the index. What a checkpoint means is only known to
     /// the version that has written it.
     const std::string signature = program_name +
                                   ELASTO_PLASTIC_CONTACT_VERSION + ", format " +
-                                  std::to_string(format);
+                                  std::to_string(format_number);
 
     /// What the paths of entries begin with that may change when a run is
     /// resumed. (Of "Loading", what belongs to the past is compared by
