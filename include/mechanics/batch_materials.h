@@ -39,8 +39,8 @@ namespace ElastoPlastic
     const Material<Number> &
     at(const unsigned int batch, const unsigned int point) const
     {
-      return n_per_batch == 1 ? (*this)[batch] :
-                                of_batches[n_per_batch * batch + point];
+      return n_per_batch > 1 ? of_batches[n_per_batch * batch + point] :
+                               (*this)[batch];
     }
 
     /// All of it but the criterion is the same in a cell.
