@@ -178,12 +178,12 @@ def initial_stress_cone(runner):
         runner.compare(f"{stress} MPa: hardness with the true area", hardness[stress], hardness[0], 0.02)
 
 
-ONE_MESH = ("Refinement/Number of cycles=1", "Loading/Control=force")
+ONE_MESH = ("Refinement/Number of cycles=1", "Loading/Control=force", "Nonlinear solver/Tolerance=1e-12")
 BLOCK = ("error_bound/parabola.prm", *ONE_MESH, "Geometry/Lower corner=0, -1", "Geometry/Repetitions=4, 4",
          "Boundary conditions/Fixed=", "Boundary conditions/Roller=left, bottom", "Boundary conditions/Free=",
-         "Indenter/Radius=3", "Loading/Force=0.8")
+         "Indenter/Radius=0.3", "Loading/Force=1")
 CYLINDER = ("error_bound/sphere.prm", *ONE_MESH, "Geometry/Initial refinements=2", "Boundary conditions/Fixed=",
-            "Boundary conditions/Roller=left, bottom", "Boundary conditions/Free=")
+            "Boundary conditions/Roller=left, bottom", "Boundary conditions/Free=", "Material/Yield stress=1500")
 CUBE = ("error_bound/paraboloid_3d.prm", *ONE_MESH, "Boundary conditions/Fixed=",
         "Boundary conditions/Roller=left, front, bottom", "Boundary conditions/Free=back", "Loading/Force=300")
 
@@ -193,7 +193,7 @@ NU = 0.3
 STRESSED = {
     "plane strain": (BLOCK, 0.2, {"xx": 1, "zz": NU}, NU * (1 + NU) / 1.3),
     "sheet": ((*BLOCK, "Kinematics=plane stress"), 0.2, {"xx": 1}, NU / 1.3),
-    "revolution": (CYLINDER, 500, {"xx": 1, "zz": 1}, 2 * NU * 12.8 / 200000),
+    "revolution": (CYLINDER, 100, {"xx": 1, "zz": 1}, 2 * NU * 12.8 / 200000),
     "space": (CUBE, 800, {"xx": 1}, NU / 200000)}
 
 
@@ -203,12 +203,12 @@ def initial_stress_error_bound(runner):
         normal = "; 0" if name != "space" else "; 0; 0"
         pulled = f"Boundary conditions/Traction=right: {size}{normal}"
         stressed = [f"Initial stress/Stress {component}={size * part}" for component, part in components.items()]
-        laws = ("linear elastic", "perfectly plastic") if name == "space" else (
-            "linear elastic", "perfectly plastic", "isotropic hardening")
-        for law in laws:
+        for law in ("perfectly plastic", {"plane strain": "isotropic hardening"}.get(name, "linear elastic")):
             entries = (*body, f"Material/Law={law}", pulled)
             with_both, one = (runner.tables(*entries, *more)["error_bound"][-1] for more in (stressed, ()))
             compare_bounds(runner, f"{name}, {law}", with_both, one, sinking * size)
+        if name == "revolution":  # where stresses that bend are no linear ones when multiplied by r
+            continue
         height = "y" if name != "space" else "z"
         bending = [f"Initial stress/Stress {component}={size * part}*({height}+0.3)" for component, part in components.items()]
         elastic = (*body, "Material/Law=linear elastic")
@@ -222,7 +222,7 @@ def initial_stress_error_bound(runner):
 
 def compare_bounds(runner, title, row, other, sinking):
     """Of a body whose top has sunk before the other's."""
-    for column in ("bound", "bound_of_body", "bound_of_contact", "equilibrium_max_pressure"):
+    for column in ("bound", "bound_of_body", "equilibrium_max_pressure"):
         runner.compare(f"{title}: {column}", row[column], other[column], 1e-5)
     for column in ("depth", "equilibrium_depth"):
         runner.compare(f"{title}: {column}", row[column], other[column] - sinking, 1e-6)
