@@ -106,12 +106,18 @@ namespace ElastoPlastic
     }
 
     bool
-    has_friction() const;
+    has_friction() const
+    {
+      return !friction_slopes.empty();
+    }
 
     /// Whether velocities may slide along faces: not where such a slip is no
     /// pure shear, in plane stress and with friction.
     bool
-    can_slide() const;
+    can_slide() const
+    {
+      return kinematics != Kinematics::plane_stress && !has_friction();
+    }
 
     /// Of a body of revolution, with rounding errors.
     bool
