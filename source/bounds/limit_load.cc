@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <numeric>
-
 #include "bounds/body/split_body.h"
 #include "bounds/limit_load.h"
 #include "bounds/mechanism/face_view.h"
@@ -77,12 +75,10 @@ namespace ElastoPlastic
       double sum = 0;
       integrate_on_face<dim>(
         view.corners, [&](const FacePoint<dim> &point, const double weight) {
-          const auto functions =
-            Bernstein<dim - 1>::functions(bounds.stress.degree, point.position);
-          const Tensor<1, dim> traction = std::inner_product(functions.begin(),
-                                                             functions.end(),
-                                                             tractions.begin(),
-                                                             Tensor<1, dim>());
+          const Tensor<1, dim> traction =
+            Bernstein<dim - 1>::value(bounds.stress.degree,
+                                      tractions.begin(),
+                                      point.position);
           sum -= weight * view.area *
                  (view.along(traction) *
                   view.jump(bounds.velocity.velocity, point.position)) /

@@ -99,11 +99,11 @@ namespace ElastoPlastic
                                r[i] * material.yield_radius);
         if (body.is_axisymmetric())
           {
-            Barycentric<dim> corner = {};
-            corner[i]               = 1.;
             if (r[i] > 0)
               plastic_strain[i] =
-                r[i] * split_strain(material, strain_at(corner) / r[i]).plastic;
+                r[i] * split_strain(material,
+                                    strain_at(corner_position<dim>(i)) / r[i])
+                         .plastic;
           }
         else if constexpr (dim == 3)
           plastic_strain[i] = split_strain(material, strain[i]).plastic;

@@ -221,7 +221,10 @@ namespace ElastoPlastic
             unknowns.for_each(t, [&](const auto k, const auto v, const auto i) {
               at_corners[v] += fluxes[i] * element.velocity(k, v);
             });
-            field.velocity.push_back(linear_velocity(at_corners));
+            field.velocity.push_back(
+              interpolate_velocity<3>([&](const Barycentric<3> &point) {
+                return interpolate(point, at_corners);
+              }));
           }
         return field;
       }

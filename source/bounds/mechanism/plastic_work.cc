@@ -57,37 +57,25 @@ namespace ElastoPlastic
           radii[i]              = corner[0];
           weights[i]            = body.weight(corner);
         }
-      std::array<SymmetricTensor<2, 2>, n_quadratics> rates;
-      for (unsigned int p = 0; p < n_quadratics; ++p)
-        rates[p] =
-          polynomial_rate<2>(corners,
-                             velocity,
-                             interpolate(Bernstein<2>::points(2)[p], part));
+      const bool          has_flux = velocity.flux.norm() > 0;
+      const auto          of_flux  = weighted_flux_rate(velocity);
+      const auto          ends = std::minmax({radii[0], radii[1], radii[2]});
+      const InverseSquare inverse_square(ends.first, ends.second);
+      const auto          rates =
+        Bernstein<2>::interpolate(2, [&](const Barycentric<2> &point) {
+          auto rate =
+            polynomial_rate<2>(corners, velocity, interpolate(point, part));
+          if (has_flux)
+            rate += inverse_square(interpolate(point, radii)) * of_flux;
+          return rate;
+        });
       double sum = 0;
-      if (velocity.flux.norm() > 0)
-        {
-          const auto [r_min, r_max] =
-            std::minmax({radii[0], radii[1], radii[2]});
-          const InverseSquare inverse_square(r_min, r_max);
-          const auto          rate = weighted_flux_rate(velocity);
-          for (unsigned int p = 0; p < n_quadratics; ++p)
-            {
-              const auto &[a, b, c] = Bernstein<2>::points(2)[p];
-              rates[p] +=
-                inverse_square(a * radii[0] + b * radii[1] + c * radii[2]) *
-                rate;
-            }
-          sum += (weights[0] + weights[1] + weights[2]) / 3. *
-                 inverse_square.error() * norm(rate_in_space(body, rate));
-        }
+      if (has_flux)
+        sum += (weights[0] + weights[1] + weights[2]) / 3. *
+               inverse_square.error() * norm(rate_in_space(body, of_flux));
       const auto moments = quadratic_moments(weights);
       for (unsigned int p = 0; p < n_quadratics; ++p)
-        {
-          SymmetricTensor<2, 2> coefficient;
-          for (unsigned int q = 0; q < n_quadratics; ++q)
-            coefficient += Bernstein<2>::coefficients(2)(p, q) * rates[q];
-          sum += moments[p] * norm(rate_in_space(body, coefficient));
-        }
+        sum += moments[p] * norm(rate_in_space(body, rates[p]));
       return volume(corners) / (n_side_parts * n_side_parts) * sum;
     }
 
@@ -160,29 +148,19 @@ namespace ElastoPlastic
                  const FaceView<dim>                     &view,
                  const std::vector<SimplexVelocity<dim>> &velocity)
     {
-      static const auto parts  = parts_of_face<dim>();
-      const auto       &points = Bernstein<dim - 1>::points(slip_degree<dim>);
-      const auto       &coefficients =
-        Bernstein<dim - 1>::coefficients(slip_degree<dim>);
+      using Polynomial        = Bernstein<dim - 1>;
+      static const auto parts = parts_of_face<dim>();
 
       const SlipNorm<dim> norm(body, view.number);
       double              sum = 0;
       for (const auto &part : parts)
-        {
-          std::vector<Tensor<1, dim>> slips;
-          for (const auto &point : points)
-            slips.push_back(
-              view.along(view.jump(velocity, interpolate(point, part))));
-          for (unsigned int i = 0; i < slips.size(); ++i)
-            {
-              Tensor<1, dim> coefficient;
-              for (unsigned int p = 0; p < slips.size(); ++p)
-                coefficient += coefficients(i, p) * slips[p];
-              sum += norm(coefficient);
-            }
-        }
+        for (const auto &slip :
+             Polynomial::interpolate(slip_degree<dim>, [&](const auto &point) {
+               return view.along(view.jump(velocity, interpolate(point, part)));
+             }))
+          sum += norm(slip);
       return body.angle() * body.shear_strength(view.number) * view.area /
-             (parts.size() * points.size()) * sum;
+             (parts.size() * Polynomial::n_functions(slip_degree<dim>)) * sum;
     }
   } // namespace
 

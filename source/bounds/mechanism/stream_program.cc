@@ -240,11 +240,10 @@ namespace ElastoPlastic
           {
             const StreamElement element(body, t, unknowns.has_flux(t));
             const auto          equations = unknowns.on_triangle(t);
-            Vector<double>      coefficients(element.n_functions());
-            for (unsigned int f = 0; f < coefficients.size(); ++f)
+            auto               &velocity  = field.velocity.emplace_back();
+            for (unsigned int f = 0; f < element.functions.size(); ++f)
               if (equations[f] != numbers::invalid_unsigned_int)
-                coefficients[f] = -solution.y[equations[f]];
-            field.velocity.push_back(element.velocity(coefficients));
+                velocity.add(-solution.y[equations[f]], element.functions[f]);
           }
         return field;
       }
@@ -340,14 +339,15 @@ namespace ElastoPlastic
             integrate_on_face<2>(
               view.corners,
               [&](const FacePoint<2> &point, const double weight) {
-                const auto velocities =
-                  element.weighted_velocities(view.point(point.position));
-                for (unsigned int f = 0; f < velocities.size(); ++f)
+                for (unsigned int f = 0; f < element.functions.size(); ++f)
                   if (equations[f] != numbers::invalid_unsigned_int)
                     {
                       const double velocity =
                         weight * view.area / work_unit *
-                        (velocities[f] *
+                        (weighted_velocity(body,
+                                           element.functions[f],
+                                           t,
+                                           view.point(point.position)) *
                          view.condition.components[c].direction);
                       program.right_hand_side[equations[f]] +=
                         velocity * body.load(s, c, point);
