@@ -132,33 +132,21 @@ namespace ElastoPlastic
 
 
 
+  // Within the body, both neighbours bear the same pressure.
   template <int dim>
-  double
-  SplitBody<dim>::load(const unsigned int    face,
-                       const unsigned int    component,
-                       const FacePoint<dim> &point) const
+  TwoLoads
+  SplitBody<dim>::loads(const unsigned int    face,
+                        const unsigned int    component,
+                        const FacePoint<dim> &point) const
   {
-    return mesh.faces[face].is_inside() ?
-             0. :
-             conditions[face].components[component].value(point) +
-               pressed_part(face, component) *
-                 pressure_of_body_force(point.x, 0.);
-  }
-
-
-
-  template <int dim>
-  double
-  SplitBody<dim>::live_load(const unsigned int    face,
-                            const unsigned int    component,
-                            const FacePoint<dim> &point) const
-  {
-    return mesh.faces[face].is_inside() ?
-             0. :
-             conditions[face].components[component].live_load(point) +
-               pressed_part(face, component) *
-                 (pressure_of_body_force(point.x, 1.) -
-                  pressure_of_body_force(point.x, 0.));
+    if (mesh.faces[face].is_inside())
+      return {};
+    const auto  &given   = conditions[face].components[component];
+    const double along   = outward_normal(face) * given.direction;
+    const double at_zero = pressure_of_body_force(point.x, 0.);
+    return {given.value(point) + along * at_zero,
+            given.live_load(point) +
+              along * (pressure_of_body_force(point.x, 1.) - at_zero)};
   }
 
 

@@ -14,11 +14,9 @@ namespace ElastoPlastic
     append_row(FullMatrix<double> &matrix, const Vector<double> &row)
     {
       FullMatrix<double> longer(matrix.m() + 1, row.size());
-      for (unsigned int i = 0; i < matrix.m(); ++i)
-        for (unsigned int j = 0; j < row.size(); ++j)
-          longer(i, j) = matrix(i, j);
-      for (unsigned int j = 0; j < row.size(); ++j)
-        longer(matrix.m(), j) = row[j];
+      if (!matrix.empty())
+        longer.fill(matrix);
+      std::copy(row.begin(), row.end(), &longer(matrix.m(), 0));
       matrix = longer;
     }
 
@@ -41,14 +39,6 @@ namespace ElastoPlastic
       return {std::min(first, end), end};
     }
   } // namespace
-
-
-
-  ConicBlock::ConicBlock(const unsigned int n)
-    : linear_cost(n)
-    , cone_matrix(0, n)
-    , coupling(0, n)
-  {}
 
 
 

@@ -205,19 +205,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  std::vector<double>
-  ErrorBound::indicators(const SplitMesh<dim> &mesh) const
-  {
-    std::vector<double> result = of_simplices;
-    for (unsigned int t = 0; t < result.size(); ++t)
-      for (const unsigned int face : mesh.simplices[t].faces)
-        result[t] += of_faces[face];
-    return result;
-  }
-
-
-
-  template <int dim>
   ErrorBound
   bound_error(const SplitBody<dim>      &body,
               const QuadraticField<dim> &displacement,
@@ -241,10 +228,6 @@ namespace ElastoPlastic
 
 
 
-  template std::vector<double>
-  ErrorBound::indicators(const SplitMesh<2> &) const;
-  template std::vector<double>
-  ErrorBound::indicators(const SplitMesh<3> &) const;
   template ErrorBound
   bound_error(const SplitBody<2> &,
               const QuadraticField<2> &,

@@ -137,17 +137,10 @@ namespace ElastoPlastic
 
 
 
-    /// One of the loads of a SplitBody, load() or live_load().
-    using LoadOnSide = double (SplitBody<2>::*)(const unsigned int,
-                                                const unsigned int,
-                                                const FacePoint<2> &) const;
-
-
-
     void
     require_polynomials(const SplitBody<2> &body,
                         const unsigned int  degree,
-                        const LoadOnSide    load_on_side)
+                        double TwoLoads::*const load)
     {
       double       largest = 0, largest_distance = 0;
       unsigned int worst_side = 0;
@@ -156,10 +149,10 @@ namespace ElastoPlastic
           if (body.conditions[s].components[c].type == ConditionType::traction)
             {
               const auto weighted_load = [&](const FacePoint<2> &point) {
-                const double load =
-                  body.weight(point.x) * (body.*load_on_side)(s, c, point);
-                keep_largest(largest, std::abs(load));
-                return load;
+                const double weighted =
+                  body.weight(point.x) * (body.loads(s, c, point).*load);
+                keep_largest(largest, std::abs(weighted));
+                return weighted;
               };
               const double distance =
                 distance_to_polynomial(body.corners_of_face(s),
@@ -209,8 +202,8 @@ namespace ElastoPlastic
   require_polynomial_tractions(const SplitBody<2> &body,
                                const unsigned int  degree)
   {
-    require_polynomials(body, degree, &SplitBody<2>::load);
-    require_polynomials(body, degree, &SplitBody<2>::live_load);
+    require_polynomials(body, degree, &TwoLoads::constant);
+    require_polynomials(body, degree, &TwoLoads::growing);
   }
 
 

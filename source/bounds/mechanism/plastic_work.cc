@@ -16,26 +16,34 @@ namespace ElastoPlastic
     /// Sides of a triangle are divided into so many parts.
     constexpr unsigned int n_side_parts = 4;
 
-    /// The corners of a part of a triangle.
-    using Part = std::array<Barycentric<2>, 3>;
+    /// The corners of a part of a side or triangle.
+    template <int dim>
+    using Part = std::array<Barycentric<dim>, dim + 1>;
 
-
-
-    std::vector<Part>
-    parts_of_triangle()
+    /// Those of a side, or of a triangle, whose sides are divided into @p n.
+    template <int dim>
+    std::vector<Part<dim>>
+    divide(const unsigned int n)
     {
-      const auto at = [](const unsigned int i, const unsigned int j) {
-        const double step = 1. / n_side_parts;
-        return Barycentric<2>{{1. - (i + j) * step, i * step, j * step}};
+      const auto at = [n](const unsigned int i, const unsigned int j) {
+        Barycentric<dim> point = {};
+        point[0]               = 1. - (i + j) / double(n);
+        point[1]               = i / double(n);
+        point[dim] += dim == 1 ? 0. : j / double(n);
+        return point;
       };
-      std::vector<Part> parts;
-      for (unsigned int i = 0; i < n_side_parts; ++i)
-        for (unsigned int j = 0; i + j < n_side_parts; ++j)
-          {
-            parts.push_back({{at(i, j), at(i + 1, j), at(i, j + 1)}});
-            if (i + j + 1 < n_side_parts)
-              parts.push_back({{at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}});
-          }
+      std::vector<Part<dim>> parts;
+      for (unsigned int i = 0; i < n; ++i)
+        if constexpr (dim == 1)
+          parts.push_back({{at(i, 0), at(i + 1, 0)}});
+        else
+          for (unsigned int j = 0; i + j < n; ++j)
+            {
+              parts.push_back({{at(i, j), at(i + 1, j), at(i, j + 1)}});
+              if (i + j + 1 < n)
+                parts.push_back(
+                  {{at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}});
+            }
       return parts;
     }
 
@@ -48,7 +56,7 @@ namespace ElastoPlastic
                      const RateNorm           &norm,
                      const Corners<2>         &corners,
                      const SimplexVelocity<2> &velocity,
-                     const Part               &part)
+                     const Part<2>            &part)
     {
       std::array<double, 3> weights, radii;
       for (unsigned int i = 0; i < 3; ++i)
@@ -87,12 +95,12 @@ namespace ElastoPlastic
                 const SimplexVelocity<2> &velocity,
                 const unsigned int        t)
     {
-      static const std::vector<Part> parts = parts_of_triangle();
+      static const auto parts = divide<2>(n_side_parts);
 
       const RateNorm norm(body.materials[t]);
       const auto     corners = body.corners_of(t);
       double         sum     = 0;
-      for (const Part &part : parts)
+      for (const auto &part : parts)
         sum += integral_of_rate(body, norm, corners, velocity, part);
       return body.angle() * body.materials[t].yield_radius * sum;
     }
@@ -112,34 +120,6 @@ namespace ElastoPlastic
 
 
 
-    /// The parts into which a face is divided, by their corners.
-    template <int dim>
-    std::vector<std::array<Barycentric<dim - 1>, dim>>
-    parts_of_face();
-
-    template <>
-    std::vector<std::array<Barycentric<1>, 2>>
-    parts_of_face<2>()
-    {
-      std::vector<std::array<Barycentric<1>, 2>> parts;
-      for (unsigned int i = 0; i < n_side_parts; ++i)
-        {
-          const double begin = i / static_cast<double>(n_side_parts),
-                       end   = (i + 1.) / n_side_parts;
-          parts.push_back({{{{1. - begin, begin}}, {{1. - end, end}}}});
-        }
-      return parts;
-    }
-
-    template <>
-    std::vector<std::array<Barycentric<2>, 3>>
-    parts_of_face<3>()
-    {
-      return {{{{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}}}};
-    }
-
-
-
     /// Of the slip, whose norm is convex: its mean is at most that of its
     /// coefficients.
     template <int dim>
@@ -149,7 +129,7 @@ namespace ElastoPlastic
                  const std::vector<SimplexVelocity<dim>> &velocity)
     {
       using Polynomial        = Bernstein<dim - 1>;
-      static const auto parts = parts_of_face<dim>();
+      static const auto parts = divide<dim - 1>(dim == 2 ? n_side_parts : 1);
 
       const SlipNorm<dim> norm(body, view.number);
       double              sum = 0;

@@ -170,14 +170,6 @@ namespace ElastoPlastic
 
 
 
-  double
-  VelocityErrors::largest() const
-  {
-    return std::max({divergence, separation, penetration});
-  }
-
-
-
   template <int dim>
   VelocityErrors
   check_velocity(const SplitBody<dim> &body, const Velocities<dim> &velocity)
