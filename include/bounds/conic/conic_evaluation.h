@@ -22,17 +22,6 @@ namespace ElastoPlastic
   KktSystem::Scalings
   expected_scalings(const ConicLayout &layout);
 
-  /// Adds the same multiple of its expected size, a ConeScale's @p size, to all
-  /// cones, so that @p values are inside.
-  void
-  move_into_cones(const ConicLayout &layout,
-                  Vector<double>    &values,
-                  const double ConeScale::*size);
-
-  /// v o v in all cones.
-  Vector<double>
-  square(const ConicLayout &layout, const Vector<double> &v);
-
   /// Removes what rounding errors, and an iteration that they have ended, have
   /// left of the equations of a @p solution: A x = b and G x + s = h with s in
   /// the cones, and the first equation. Linear systems with the

@@ -119,13 +119,6 @@ namespace ElastoPlastic
 
 
 
-  /// Gives a program without cones one that says nothing, 0 <= 1, because
-  /// deal.II's vectors may not be empty.
-  void
-  ensure_cone(ConicProgram &program);
-
-
-
   /// Where the unknowns and the cones of the blocks are when those of all
   /// blocks are stored one after the other.
   struct ConicLayout

@@ -19,22 +19,8 @@ namespace ElastoPlastic
 
 
 
-  /// Newton's direction for some residuals as @p right_hand_side and for
-  ///   lambda o (W dz + W^-1 ds) = -complementarity
-  /// @param scaled lambda = W z = W^-1 s
-  /// @param relative_residual see KktSystem::solve()
-  StepDirection
-  find_direction(const KktSystem           &system,
-                 const ConicLayout         &layout,
-                 const KktSystem::Scalings &scalings,
-                 const Vector<double>      &scaled,
-                 const Vector<double>      &complementarity,
-                 KktVector                  right_hand_side,
-                 const double               relative_residual);
-
-
-
   /// How far the cones allow to go.
+  /// @param scaled lambda = W z = W^-1 s
   double
   largest_step(const ConicLayout    &layout,
                const Vector<double> &scaled,

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/exceptions.h"
@@ -179,39 +178,6 @@ namespace ElastoPlastic
                               SecondOrderCone::ConstView(z.data(), size));
       }
     return scalings;
-  }
-
-
-
-  void
-  move_into_cones(const ConicLayout &layout,
-                  Vector<double>    &values,
-                  const double ConeScale::*size)
-  {
-    double outside = -std::numeric_limits<double>::max();
-    for (unsigned int c = 0; c < layout.cones.size(); ++c)
-      {
-        const auto v = layout.cone(std::as_const(values), c);
-        outside      = std::max(outside,
-                           (SecondOrderCone::norm_of_tail(v) - v[0]) /
-                             (layout.scales[c].*size));
-      }
-    if (outside >= 0)
-      for (unsigned int c = 0; c < layout.cones.size(); ++c)
-        layout.cone(values, c)[0] += (1. + outside) * (layout.scales[c].*size);
-  }
-
-
-
-  Vector<double>
-  square(const ConicLayout &layout, const Vector<double> &v)
-  {
-    Vector<double> result(v.size());
-    for (unsigned int c = 0; c < layout.cones.size(); ++c)
-      SecondOrderCone::multiply(layout.cone(result, c),
-                                layout.cone(v, c),
-                                layout.cone(v, c));
-    return result;
   }
 
 

@@ -63,19 +63,6 @@ namespace ElastoPlastic
 
 
 
-  void
-  ensure_cone(ConicProgram &program)
-  {
-    for (const ConicBlock &block : program.blocks)
-      if (!block.cone_sizes.empty())
-        return;
-    ConicBlock &block = program.blocks.front();
-    block.add_inequality(Vector<double>(block.linear_cost.size()));
-    block.cone_offset[0] = 1.;
-  }
-
-
-
   ConicLayout::ConicLayout(const ConicProgram &program)
     : unknowns(1, 0)
     , rows(1, 0)

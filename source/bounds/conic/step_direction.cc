@@ -49,41 +49,6 @@ namespace ElastoPlastic
 
 
 
-  // W^-1 ds = -(lambda \ complementarity) - W dz
-  StepDirection
-  find_direction(const KktSystem           &system,
-                 const ConicLayout         &layout,
-                 const KktSystem::Scalings &scalings,
-                 const Vector<double>      &scaled,
-                 const Vector<double>      &complementarity,
-                 KktVector                  right_hand_side,
-                 const double               relative_residual)
-  {
-    StepDirection direction;
-    direction.scaled_s = complementarity;
-    direction.scaled_s *= -1.;
-    Vector<double> slack = direction.scaled_s;
-    for (unsigned int c = 0; c < layout.cones.size(); ++c)
-      {
-        const auto quotient = layout.cone(direction.scaled_s, c);
-        SecondOrderCone::divide(quotient, quotient, layout.cone(scaled, c));
-        std::copy_n(quotient.begin(),
-                    quotient.size(),
-                    layout.cone(slack, c).begin());
-        scalings[c].multiply(layout.cone(slack, c));
-      }
-    right_hand_side.z -= slack;
-    system.solve(direction.change, right_hand_side, relative_residual);
-
-    direction.scaled_z = direction.change.z;
-    for (unsigned int c = 0; c < layout.cones.size(); ++c)
-      scalings[c].multiply(layout.cone(direction.scaled_z, c));
-    direction.scaled_s -= direction.scaled_z;
-    return direction;
-  }
-
-
-
   double
   largest_step(const ConicLayout    &layout,
                const Vector<double> &scaled,
