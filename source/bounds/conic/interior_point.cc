@@ -11,7 +11,6 @@
 #include "bounds/conic/conic_evaluation.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/kkt_system.h"
-#include "bounds/conic/step_direction.h"
 #include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
