@@ -93,9 +93,9 @@ namespace ElastoPlastic
     std::vector<ConicBlock> blocks;
     Vector<double>          right_hand_side; ///< b
     Vector<double>          live_load; ///< d; empty if there is no load factor
-    /// The last equations, to which many blocks contribute (the force balance
-    /// of an indenter). They are kept out of the sparse factorisation.
-    unsigned int n_dense_rows = 0;
+    /// Whether many blocks contribute to the last equation (the force balance
+    /// of an indenter). It is kept out of the sparse factorisation.
+    bool has_dense_row = false;
 
     /// Makes @p n equations that say zero, with a load factor if loads grow.
     void

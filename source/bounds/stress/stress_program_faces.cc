@@ -247,7 +247,7 @@ namespace ElastoPlastic
     const unsigned int row = program.right_hand_side.size();
     program.right_hand_side.grow_or_shrink(row + 1);
     program.right_hand_side[row] = force / body.force_unit();
-    program.n_dense_rows         = 1;
+    program.has_dense_row        = true;
     Vector<double> part(1);
     for (unsigned int i = 0; i < contact_points.size(); ++i)
       {
