@@ -66,10 +66,11 @@ namespace
           corners[0] +
           ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.;
         for (unsigned int d = 0; d < 2; ++d)
-          value_error = std::max(value_error,
-                                 std::abs(field.values_at_vertices(
-                                            mesh.simplices[t])[3][d] -
-                                          Bilinear().value(center, d)));
+          value_error =
+            std::max(value_error,
+                     std::abs(field.value(mesh.simplices[t],
+                                          {{1. / 3., 1. / 3., 1. / 3.}})[d] -
+                              Bilinear().value(center, d)));
         for (unsigned int i = 0; i < 3; ++i)
           {
             const Point<2>       &x = corners[i];

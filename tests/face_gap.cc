@@ -203,7 +203,8 @@ namespace
           0.25 * (corners[0] + corners[1] + corners[2] + corners[3]));
         center_error =
           std::max(center_error,
-                   std::abs(field.values_at_vertices(mesh.simplices[t])[4][1] -
+                   std::abs(field.value(mesh.simplices[t],
+                                        {{0.25, 0.25, 0.25, 0.25}})[1] -
                             Quadratic().value(center, 1)));
       }
     output() << "A finite element solution" << std::endl;

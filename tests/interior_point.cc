@@ -82,7 +82,7 @@ namespace
     program.right_hand_side.reinit(2);
     program.right_hand_side[0] = 2.;
     program.right_hand_side[1] = 3.;
-    program.n_dense_rows       = 1;
+    program.has_dense_row      = true;
 
     const ConicSolution solution = minimize(program, 1e-10);
     output() << "Quadratic cost" << std::endl;

@@ -107,7 +107,7 @@ namespace ElastoPlastic
     const Parameters       &parameters;
     const MPI_Comm          communicator;
     const GapFunction<dim> &gap_function;
-    EquilibriumOutput       output;
+    EquilibriumOutput<dim>  output;
 
     std::optional<CsvTable<ErrorBoundRow>> table;
     Vector<float>                          error_indicators;

@@ -120,10 +120,10 @@ namespace ElastoPlastic
     const MPI_Comm    communicator;
     const bool        first_rank;
 
-    Log               log;
-    EquilibriumOutput output;
-    SlipOutput        slip_output;
-    unsigned int      cycle = 0;
+    Log                    log;
+    EquilibriumOutput<dim> output;
+    SlipOutput<dim>        slip_output;
+    unsigned int           cycle = 0;
 
     parallel::distributed::Triangulation<dim> triangulation;
     const GapFunction<dim>                    gap_function;

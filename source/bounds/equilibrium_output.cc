@@ -14,12 +14,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// After the motions: stress, von Mises stress, yield ratio, error
-    /// indicator, material.
-    constexpr unsigned int n_other_components = 13;
-
-
-
     /// With the plastic work, if there is a mechanism, as the last field.
     template <int dim>
     Patches<dim>
@@ -49,8 +43,7 @@ namespace ElastoPlastic
     values_at(const EquilibriumFields<dim> &fields,
               const unsigned int            t,
               const unsigned int            part,
-              const unsigned int            corner,
-              const Tensor<1, dim>         &motion)
+              const unsigned int            corner)
     {
       const auto         &body = fields.body;
       std::vector<double> values;
@@ -58,7 +51,9 @@ namespace ElastoPlastic
         for (unsigned int d = 0; d < 3; ++d)
           values.push_back(d < dim ? vector[d] : 0.);
       };
-      add(motion);
+      add(
+        fields.motion(t,
+                      point_of_part<dim>(part, corner_position<dim>(corner))));
       if (dim == 2)
         add(on_part<dim>(fields.stress.displacement[t], part)[corner]);
       const auto stress = fields.stress.without_weight(body, t, part, corner);
@@ -86,21 +81,15 @@ namespace ElastoPlastic
     {
       const auto corners =
         JohnsonMercier<dim>::part_of(fields.body.corners_of(t), part);
-      std::array<Tensor<1, dim>, dim + 1> motions;
-      for (unsigned int i = 0; i <= dim; ++i)
-        motions[place_in_part<dim>(part, i)] = fields.motion[t][i];
-      motions[place_of_centre<dim>(part)] = fields.motion[t][dim + 1];
-
       DataOutBase::Patch<dim, dim> patch;
       patch.reference_cell = ReferenceCells::get_simplex<dim>();
       patch.n_subdivisions = 1;
-      patch.data.reinit((dim == 2 ? 6 : 3) + n_other_components +
-                          (fields.plastic_work.empty() ? 0 : 1),
-                        dim + 1);
       for (unsigned int i = 0; i <= dim; ++i)
         {
           patch.vertices[i] = corners[i];
-          const auto values = values_at(fields, t, part, i, motions[i]);
+          const auto values = values_at(fields, t, part, i);
+          if (i == 0)
+            patch.data.reinit(values.size(), dim + 1);
           for (unsigned int c = 0; c < values.size(); ++c)
             patch.data(c, i) = values[c];
         }
@@ -111,36 +100,9 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  EquilibriumFields<dim>
-  fields_of(const SplitBody<dim> &body, const LimitLoad<dim> &bounds)
-  {
-    std::vector<std::array<Tensor<1, dim>, dim + 2>> velocities;
-    std::vector<double> work = bounds.velocity.dissipation;
-    for (unsigned int t = 0; t < work.size(); ++t)
-      {
-        velocities.push_back(values_at_vertices(bounds.body_of_velocity,
-                                                bounds.velocity.velocity[t],
-                                                t));
-        work[t] /= bounds.body_of_velocity.volume(t);
-      }
-    return {body, bounds.stress, velocities, bounds.gaps, work};
-  }
-
-
-
-  EquilibriumOutput::EquilibriumOutput(const OutputParameters &parameters,
-                                       const std::string      &name,
-                                       const std::string      &name_of_motion)
-    : series(parameters, name)
-    , name_of_motion(name_of_motion)
-  {}
-
-
-
-  template <int dim>
   void
-  EquilibriumOutput::write(const EquilibriumFields<dim> &fields,
-                           const unsigned int            cycle)
+  EquilibriumOutput<dim>::write(const EquilibriumFields<dim> &fields,
+                                const unsigned int            cycle)
   {
     std::vector<std::string> motions = {name_of_motion};
     if (dim == 2)
@@ -154,19 +116,13 @@ namespace ElastoPlastic
 
 
 
-  SlipOutput::SlipOutput(const OutputParameters &parameters)
-    : series(parameters, "slip_lines")
-  {}
-
-
-
   // A patch has the points of a polynomial of the degree of the slip, in
   // their order on a side. On the axis, nothing slides.
   template <int dim>
   void
-  SlipOutput::write(const SplitBody<dim>                    &body,
-                    const std::vector<SimplexVelocity<dim>> &velocity,
-                    const unsigned int                       cycle)
+  SlipOutput<dim>::write(const SplitBody<dim>                    &body,
+                         const std::vector<SimplexVelocity<dim>> &velocity,
+                         const unsigned int                       cycle)
   {
     const double threshold =
       Tolerance::smallest_slip * largest_velocity(body, velocity);
@@ -202,20 +158,8 @@ namespace ElastoPlastic
 
 
 
-  template EquilibriumFields<2>
-  fields_of(const SplitBody<2> &, const LimitLoad<2> &);
-  template EquilibriumFields<3>
-  fields_of(const SplitBody<3> &, const LimitLoad<3> &);
-  template void
-  EquilibriumOutput::write(const EquilibriumFields<2> &, const unsigned int);
-  template void
-  EquilibriumOutput::write(const EquilibriumFields<3> &, const unsigned int);
-  template void
-  SlipOutput::write(const SplitBody<2> &,
-                    const std::vector<SimplexVelocity<2>> &,
-                    const unsigned int);
-  template void
-  SlipOutput::write(const SplitBody<3> &,
-                    const std::vector<SimplexVelocity<3>> &,
-                    const unsigned int);
+  template class EquilibriumOutput<2>;
+  template class EquilibriumOutput<3>;
+  template class SlipOutput<2>;
+  template class SlipOutput<3>;
 } // namespace ElastoPlastic

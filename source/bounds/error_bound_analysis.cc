@@ -48,21 +48,6 @@ namespace ElastoPlastic
 
 
 
-    /// That the loads are such as the equilibrium method can bear; in space,
-    /// make_split_body() looks at them.
-    void
-    check_loads(const SplitBody<2> &body)
-    {
-      require_quadratic_supports(body);
-      require_polynomial_tractions(body, degree_of_stresses);
-    }
-
-    void
-    check_loads(const SplitBody<3> &)
-    {}
-
-
-
     template <int dim>
     SplitBody<dim>
     make_body(SplitMesh<dim>          mesh,
@@ -82,24 +67,15 @@ namespace ElastoPlastic
                               gap_function.footprint()},
                              time,
                              model.strain_model.kinematics);
-      check_loads(body);
+      if constexpr (dim == 2) // (in space, make_split_body() looks at loads)
+        {
+          require_quadratic_supports(body);
+          require_polynomial_tractions(body, degree_of_stresses);
+        }
       set_initial_stress(body, model.initial_stress);
       return body;
     }
 
-
-
-    /// On each simplex.
-    template <int dim>
-    auto
-    all_values_at_vertices(const SplitMesh<dim>      &mesh,
-                           const QuadraticField<dim> &displacement)
-    {
-      std::vector<std::array<Tensor<1, dim>, dim + 2>> values;
-      for (const auto &simplex : mesh.simplices)
-        values.push_back(displacement.values_at_vertices(simplex));
-      return values;
-    }
   } // namespace
 
 
@@ -372,12 +348,15 @@ namespace ElastoPlastic
     rethrow_collectively(communicator, [&]() {
       if (body.mesh.simplices.empty())
         return;
-      output.write(EquilibriumFields<dim>{body,
-                                          stress,
-                                          all_values_at_vertices(body.mesh,
-                                                                 displacement),
-                                          errors},
-                   cycle);
+      output.write(
+        EquilibriumFields<dim>{
+          body,
+          stress,
+          [this](const unsigned int t, const Barycentric<dim> &point) {
+            return displacement.value(body.mesh.simplices[t], point);
+          },
+          errors},
+        cycle);
     });
   }
 

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <numeric>
-
 #include "bounds/body/split_body.h"
 #include "bounds/limit_load.h"
 #include "bounds/mechanism/face_view.h"
@@ -12,51 +10,37 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// What the weighted stresses lack of the pressure of body forces, at a
-    /// point of a part. Without friction, velocities change no volume, and it
-    /// does not count.
-    template <int dim>
-    double
-    pressure_at(const LimitLoad<dim>   &bounds,
-                const unsigned int      t,
-                const unsigned int      part,
-                const Barycentric<dim> &inside)
-    {
-      const auto &body = bounds.body_of_velocity;
-      if (!body.has_friction())
-        return 0.;
-      const Point<dim> x =
-        interpolate(inside,
-                    JohnsonMercier<dim>::part_of(body.corners_of(t), part));
-      return body.weight(x) *
-             body.pressure_of_body_force(x, bounds.stress.load_factor);
-    }
-
-
-
     /// The power of the stresses in a simplex. In the plane, stresses are
     /// quadratic on each part at most, and so are strain rates, but for a flux;
-    /// in space both are linear at most.
+    /// in space both are linear at most. What the weighted stresses lack of the
+    /// pressure of body forces counts only with friction: else velocities
+    /// change no volume.
     template <int dim>
     double
     power_inside(const LimitLoad<dim> &bounds, const unsigned int t)
     {
       constexpr unsigned int n_parts = JohnsonMercier<dim>::n_parts;
+      const auto            &body    = bounds.body_of_velocity;
 
       double sum = 0;
       for (unsigned int k = 0; k < n_parts; ++k)
         for (const auto &[inside, weight] : simplex_quadrature<dim>())
           {
-            const auto stress = bounds.stress.at(t, k, inside);
-            const auto rate   = strain_rate_at(bounds.body_of_velocity,
-                                             bounds.velocity.velocity[t],
-                                             t,
-                                             point_of_part<dim>(k, inside));
-            sum +=
-              weight / n_parts *
-              (stress * rate - pressure_at(bounds, t, k, inside) * trace(rate));
+            const auto point = point_of_part<dim>(k, inside);
+            const auto rate =
+              strain_rate_at(body, bounds.velocity.velocity[t], t, point);
+            double power = bounds.stress.at(t, k, inside) * rate;
+            if (body.has_friction())
+              {
+                const Point<dim> x = interpolate(point, body.corners_of(t));
+                power -=
+                  body.weight(x) *
+                  body.pressure_of_body_force(x, bounds.stress.load_factor) *
+                  trace(rate);
+              }
+            sum += weight / n_parts * power;
           }
-      return volume(bounds.body_of_velocity.corners_of(t)) * sum;
+      return volume(body.corners_of(t)) * sum;
     }
 
 
@@ -77,12 +61,10 @@ namespace ElastoPlastic
       double sum = 0;
       integrate_on_face<dim>(
         view.corners, [&](const FacePoint<dim> &point, const double weight) {
-          const auto functions =
-            Bernstein<dim - 1>::functions(bounds.stress.degree, point.position);
-          const Tensor<1, dim> traction = std::inner_product(functions.begin(),
-                                                             functions.end(),
-                                                             tractions.begin(),
-                                                             Tensor<1, dim>());
+          const Tensor<1, dim> traction =
+            Bernstein<dim - 1>::value(bounds.stress.degree,
+                                      tractions.begin(),
+                                      point.position);
           sum -= weight * view.area *
                  (view.along(traction) *
                   view.jump(bounds.velocity.velocity, point.position)) /

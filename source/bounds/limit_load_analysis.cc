@@ -38,11 +38,13 @@ namespace ElastoPlastic
 
     /// What is normal to the indenter, in a job that asks for its limit load,
     /// is normal to the sides that it fits.
+    /// In space it always presses downwards.
+    template <int dim>
     ContactGeometry
-    contact_geometry(const Model<2> &model, const Parameters &parameters)
+    contact_geometry(const Model<dim> &model, const Parameters &parameters)
     {
       const ContactGeometry geometry = model.contact.geometry;
-      if (geometry == ContactGeometry::vertical ||
+      if (dim == 3 || geometry == ContactGeometry::vertical ||
           model.strain_model.kinematics == Kinematics::plane_stress ||
           parameters.material.criteria.has_soil())
         return ContactGeometry::vertical;
@@ -51,36 +53,28 @@ namespace ElastoPlastic
                ContactGeometry::automatic;
     }
 
-    /// In space it always presses downwards.
-    ContactGeometry
-    contact_geometry(const Model<3> &, const Parameters &)
-    {
-      return ContactGeometry::vertical;
-    }
 
-
-
+    template <int dim>
     unsigned int
-    degree_of_stresses(const SplitBody<2> &body, const Parameters &parameters)
+    degree_of_stresses(const SplitBody<dim> &body, const Parameters &parameters)
     {
-      return parameters.limit_load.degree_of_stresses(body.is_axisymmetric());
-    }
-
-    unsigned int
-    degree_of_stresses(const SplitBody<3> &, const Parameters &)
-    {
-      return 1;
+      return dim == 3 ?
+               1 :
+               parameters.limit_load.degree_of_stresses(body.is_axisymmetric());
     }
 
 
 
     /// Times r, the pressure of a weight is quadratic: so must the stresses be
-    /// whose strength grows with it.
+    /// whose strength grows with it. In space, make_split_body() has looked at
+    /// the loads.
+    template <int dim>
     void
-    check_loads(const SplitBody<2> &body, const Parameters &parameters)
+    check_loads(const SplitBody<dim> &body, const Parameters &parameters)
     {
       const unsigned int degree = degree_of_stresses(body, parameters);
-      require_polynomial_tractions(body, degree);
+      if constexpr (dim == 2)
+        require_polynomial_tractions(body, degree);
       if (degree == 1 && body.is_axisymmetric() && body.has_friction() &&
           body.body_force.norm() + body.live_body_force.norm() > 0.)
         throw InputError("Limit load/Stresses",
@@ -91,19 +85,35 @@ namespace ElastoPlastic
                          "stresses. Choose them, or 'automatic'.");
     }
 
-    /// In space, make_split_body() looks at them.
-    void
-    check_loads(const SplitBody<3> &, const Parameters &)
-    {}
-
-
-
     /// What the bounds are those of: a force of the indenter, or, if the other
     /// loads grow, a factor of these.
     std::string
     name_of_bounded(const bool loads_grow)
     {
       return loads_grow ? "load factor of the limit load" : "limit load";
+    }
+
+
+
+    /// What limit_load.pvd shows of two @p bounds, which must live as long as
+    /// the result.
+    template <int dim>
+    EquilibriumFields<dim>
+    fields_of(const SplitBody<dim> &body, const LimitLoad<dim> &bounds)
+    {
+      std::vector<double> work = bounds.velocity.dissipation;
+      for (unsigned int t = 0; t < work.size(); ++t)
+        work[t] /= bounds.body_of_velocity.volume(t);
+      return {body,
+              bounds.stress,
+              [&bounds](const unsigned int t, const Barycentric<dim> &point) {
+                return velocity_at(bounds.body_of_velocity,
+                                   bounds.velocity.velocity[t],
+                                   t,
+                                   point);
+              },
+              bounds.gaps,
+              work};
     }
 
 

@@ -87,12 +87,14 @@ namespace ElastoPlastic
 
 
 
-  /// The power of tractions and body forces, of the whole body of revolution.
-  struct LoadPower
+  /// Loads, or the power of all in the whole body of revolution.
+  struct TwoLoads
   {
     double constant = 0; ///< of the loads that do not grow
     double growing  = 0; ///< of what a load factor of 1 adds
   };
+
+  using LoadPower = TwoLoads;
 
 
 

@@ -111,12 +111,18 @@ namespace ElastoPlastic
     }
 
     bool
-    has_friction() const;
+    has_friction() const
+    {
+      return !friction_slopes.empty();
+    }
 
     /// Whether velocities may slide along faces: not where such a slip is no
     /// pure shear, in plane stress and with friction.
     bool
-    can_slide() const;
+    can_slide() const
+    {
+      return kinematics != Kinematics::plane_stress && !has_friction();
+    }
 
     /// Of a body of revolution, with rounding errors.
     bool
@@ -180,14 +186,10 @@ namespace ElastoPlastic
     /// is taken out of all stresses: so they have no divergence. The load that
     /// then acts at a point of a face, and what a load factor adds to it, in
     /// the direction of a component of its condition.
-    double
-    load(const unsigned int    face,
-         const unsigned int    component,
-         const FacePoint<dim> &point) const;
-    double
-    live_load(const unsigned int    face,
-              const unsigned int    component,
-              const FacePoint<dim> &point) const;
+    TwoLoads
+    loads(const unsigned int    face,
+          const unsigned int    component,
+          const FacePoint<dim> &point) const;
 
     /// That pressure.
     double
@@ -216,16 +218,6 @@ namespace ElastoPlastic
     /// The yield stress in shear of the weaker of the simplices at a face.
     double
     shear_strength(const unsigned int face) const;
-
-  private:
-    /// What a pressure on a face at the boundary has in the direction of a
-    /// component; within the body, both neighbours bear the same one.
-    double
-    pressed_part(const unsigned int face, const unsigned int component) const
-    {
-      return outward_normal(face) *
-             conditions[face].components[component].direction;
-    }
   };
 
 

@@ -61,7 +61,12 @@ namespace ElastoPlastic
     std::vector<unsigned int> rows; ///< the k equations that A contributes to
 
     /// A block of @p n unknowns without cost, cones and couplings.
-    explicit ConicBlock(const unsigned int n);
+    explicit ConicBlock(const unsigned int n)
+      : linear_cost(n)
+      , cone_matrix(0, n)
+      , coupling(0, n)
+    {}
+
 
     /// Adds a row to A.
     void
@@ -88,17 +93,29 @@ namespace ElastoPlastic
     std::vector<ConicBlock> blocks;
     Vector<double>          right_hand_side; ///< b
     Vector<double>          live_load; ///< d; empty if there is no load factor
-    /// The last equations, to which many blocks contribute (the force balance
-    /// of an indenter). They are kept out of the sparse factorisation.
-    unsigned int n_dense_rows = 0;
+    /// Whether many blocks contribute to the last equation (the force balance
+    /// of an indenter). It is kept out of the sparse factorisation.
+    bool has_dense_row = false;
+
+    /// Makes @p n equations that say zero, with a load factor if loads grow.
+    void
+    set_equations(const unsigned int n, const bool has_load_factor)
+    {
+      right_hand_side.reinit(n);
+      live_load.reinit(has_load_factor ? n : 0);
+    }
+
+    /// Adds to b, and to d if there is a load factor.
+    void
+    add_load(const unsigned int equation,
+             const double       constant,
+             const double       growing)
+    {
+      right_hand_side[equation] += constant;
+      if (live_load.size() > 0)
+        live_load[equation] += growing;
+    }
   };
-
-
-
-  /// Gives a program without cones one that says nothing, 0 <= 1, because
-  /// deal.II's vectors may not be empty.
-  void
-  ensure_cone(ConicProgram &program);
 
 
 

@@ -69,9 +69,6 @@ namespace ElastoPlastic
     factorize_sum();
 
     void
-    factorize_dense_rows();
-
-    void
     solve_sparse_and_dense(Vector<double> &y) const;
 
     void
@@ -94,11 +91,11 @@ namespace ElastoPlastic
     SparseMatrix<double>            matrix;
     std::unique_ptr<SparseCholesky> sparse_factor;
 
-    /// The dense rows of the matrix, solved with the sparse part; and the
-    /// inverse of what is left of their own square.
-    std::vector<Vector<double>> dense_rows;
-    std::vector<Vector<double>> dense_solutions;
-    FullMatrix<double>          dense_inverse;
+    /// The dense row of the matrix, solved with the sparse part; and what is
+    /// left of its own square.
+    Vector<double> dense_row;
+    Vector<double> dense_solution;
+    double         dense_square;
 
     /// Solution for the right-hand side d.
     Vector<double> live_load_solution;

@@ -49,7 +49,10 @@ namespace ElastoPlastic
     struct Common : cholmod_common
     {
       Common();
-      ~Common();
+      ~Common()
+      {
+        cholmod_l_finish(this);
+      }
       Common(const Common &) = delete;
       Common &
       operator=(const Common &) = delete;
@@ -59,7 +62,10 @@ namespace ElastoPlastic
     {
       Common *common;
       void
-      operator()(cholmod_factor *factor) const;
+      operator()(cholmod_factor *factor) const
+      {
+        cholmod_l_free_factor(&factor, common);
+      }
     };
 
     mutable Common                                 common;

@@ -71,15 +71,6 @@ namespace ElastoPlastic
                const std::vector<double> &weights,
                const std::vector<double> &pressures,
                const double               slope);
-
-  /// The same for a pressure that is in proportion to an @p unknown of the
-  /// block: its @p pressures where that is one.
-  template <int dim>
-  void
-  add_growing_pressure(ConicBlock                &block,
-                       const unsigned int         unknown,
-                       const std::vector<double> &pressures,
-                       const double               slope);
 } // namespace ElastoPlastic
 
 #endif

@@ -44,7 +44,14 @@ namespace ElastoPlastic
     /// By simplices, the faces counting for the simplex they belong to.
     template <int dim>
     std::vector<double>
-    indicators(const SplitMesh<dim> &mesh) const;
+    indicators(const SplitMesh<dim> &mesh) const
+    {
+      std::vector<double> result = of_simplices;
+      for (unsigned int t = 0; t < result.size(); ++t)
+        for (const unsigned int face : mesh.simplices[t].faces)
+          result[t] += of_faces[face];
+      return result;
+    }
   };
 
 

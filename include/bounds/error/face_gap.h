@@ -56,13 +56,6 @@ namespace ElastoPlastic
     FaceGap(const std::function<double(const Point<2> &)> &gap,
             const FaceCorners<2>                          &corners);
 
-    /// Whether the indenter does not reach the side.
-    bool
-    is_empty() const
-    {
-      return values.empty();
-    }
-
     std::vector<SmallSimplex<2>>
     small_simplices() const;
 
@@ -104,13 +97,6 @@ namespace ElastoPlastic
     /// that nothing bounds the gap from below.
     FaceGap(const std::function<double(const Point<3> &)> &gap,
             const FaceCorners<3>                          &corners);
-
-    /// The lattice is also there if the indenter reaches nothing of it.
-    bool
-    is_empty() const
-    {
-      return false;
-    }
 
     /// All, n_intervals^2.
     std::vector<SmallSimplex<3>>

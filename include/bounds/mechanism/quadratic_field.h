@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bounds/mesh/split_mesh.h"
+#include "bounds/stress/bernstein.h"
 #include "mechanics/solid_operator.h"
 
 namespace ElastoPlastic
@@ -54,17 +55,23 @@ namespace ElastoPlastic
 
     /// The value at a point of a simplex.
     Tensor<1, dim>
-    value(const Simplex &simplex, const Barycentric<dim> &position) const;
-
-    /// The values at the corners and at the centre of gravity of a simplex.
-    std::array<Tensor<1, dim>, dim + 2>
-    values_at_vertices(const Simplex &simplex) const;
+    value(const Simplex &simplex, const Barycentric<dim> &position) const
+    {
+      return Bernstein<dim>::value(2,
+                                   coefficients_on(simplex).begin(),
+                                   position);
+    }
 
     FaceValues<dim>
     values_on_face(const SplitMesh<dim> &mesh, const unsigned int face) const;
 
     std::vector<Tensor<1, dim>> at_vertices;
     std::vector<Tensor<1, dim>> at_edges; ///< in the middle
+
+  private:
+    /// In Bernstein's basis.
+    std::vector<Tensor<1, dim>>
+    coefficients_on(const Simplex &simplex) const;
   };
 } // namespace ElastoPlastic
 

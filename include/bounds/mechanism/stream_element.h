@@ -6,7 +6,6 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-#include <array>
 #include <vector>
 
 #include "bounds/body/split_body.h"
@@ -26,8 +25,8 @@ namespace ElastoPlastic
   /// cannot carry a flow between the axis and an indenter that does not touch
   /// it (doc/theory, "Limit loads").
   ///
-  /// The local functions are the ten cubics() of psi or chi, and
-  /// the three linear ones of phi. Matrices have a column for each.
+  /// The local functions are the ten cubic ones of Bernstein's basis for psi or
+  /// chi, and the three linear ones for phi. Matrices have a column for each.
   class StreamElement
   {
   public:
@@ -36,11 +35,8 @@ namespace ElastoPlastic
                   const unsigned int  triangle,
                   const bool          has_flux);
 
-    unsigned int
-    n_functions() const
-    {
-      return n_cubics + (has_flux ? 3 : 0);
-    }
+    /// The velocities of the local functions.
+    const std::vector<SimplexVelocity<2>> functions;
 
     /// A strain rate is given by so many components, of Euclidean norm |e|, or
     /// with Hill's criterion |M^-T e|.
@@ -63,10 +59,6 @@ namespace ElastoPlastic
     WeightedRates
     rates() const;
 
-    /// The velocity of each local function, weighted like weighted_velocity().
-    std::vector<Tensor<1, 2>>
-    weighted_velocities(const Barycentric<2> &point) const;
-
     /// The coefficients of the velocity in a @p direction on side @p k,
     /// weighted, in Bernstein's basis of the side.
     FullMatrix<double>
@@ -84,45 +76,17 @@ namespace ElastoPlastic
     std::vector<double>
     weights_on_side(const unsigned int k) const;
 
-    /// What the local functions with these coefficients are.
-    SimplexVelocity<2>
-    velocity(const Vector<double> &coefficients) const;
-
   private:
-    /// Of the polynomials on sides.
-    unsigned int
-    side_degree() const
-    {
-      return body.is_axisymmetric() ? 4 : 2;
-    }
-
-    /// What turns values of functions (one per column) at equidistant points
-    /// of side @p k, given by @p values(point, t), into their coefficients.
-    template <typename Values>
-    FullMatrix<double>
-    coefficients_on_side(const unsigned int k,
-                         const unsigned int n_columns,
-                         const Values      &values) const;
-
-    Tensor<1, 2>
-    velocity_of(const Jet &jet, const double r) const;
-
-    SymmetricTensor<2, 2>
-    rate_of(const Jet &jet, const double r) const;
-
+    /// Those of a @p function of the points of the triangle.
+    template <typename Function>
     std::vector<double>
-    rate_components(const SymmetricTensor<2, 2> &rate) const;
+    coefficients_on_side(const unsigned int k, const Function &function) const;
 
-    void
-    add_flux_rates(WeightedRates &result) const;
-
-    const SplitBody<2>               &body;
-    const Corners<2>                  corners;
-    const std::array<Tensor<1, 2>, 3> gradients; ///< of linear functions
-    const bool                        has_flux;
-    /// What turns strain rates into the vectors whose norm is the work, see
-    /// yield_matrices.h.
-    const FullMatrix<double> rate_factor;
+    const SplitBody<2> &body;
+    const unsigned int  triangle;
+    const Corners<2>    corners;
+    const bool          has_flux;
+    const unsigned int  side_degree; ///< of the polynomials on sides
   };
 } // namespace ElastoPlastic
 

@@ -4,6 +4,8 @@
 #ifndef bounds_mechanism_velocity_check_h
 #define bounds_mechanism_velocity_check_h
 
+#include <algorithm>
+
 #include "bounds/mechanism/velocity_field.h"
 
 namespace ElastoPlastic
@@ -22,7 +24,10 @@ namespace ElastoPlastic
     double penetration = 0; ///< into the indenter
 
     double
-    largest() const;
+    largest() const
+    {
+      return std::max({divergence, separation, penetration});
+    }
   };
 
 

@@ -6,9 +6,11 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
+#include "base/tensors.h"
 #include "bounds/body/split_body.h"
 #include "bounds/stress/bernstein.h"
 
@@ -42,6 +44,23 @@ namespace ElastoPlastic
     /// either, is added. It is zero in triangles that touch the axis, and
     /// elsewhere.
     Tensor<1, 2> flux;
+
+    void
+    add(const double factor, const SimplexVelocity &other)
+    {
+      for (unsigned int i = 0; i < coefficients.size(); ++i)
+        coefficients[i] += factor * other.coefficients[i];
+      flux += factor * other.flux;
+    }
+
+    /// Without the flux, at a point.
+    Tensor<1, dim>
+    polynomial(const Barycentric<dim> &point) const
+    {
+      return Bernstein<dim>::value(velocity_degree<dim>,
+                                   coefficients.begin(),
+                                   point);
+    }
   };
 
 
@@ -98,27 +117,12 @@ namespace ElastoPlastic
   SimplexVelocity<dim>
   interpolate_velocity(const Value &value)
   {
-    constexpr unsigned int degree = velocity_degree<dim>;
-    const auto            &points = Bernstein<dim>::points(degree);
-    SimplexVelocity<dim>   result;
-    for (unsigned int p = 0; p < points.size(); ++p)
-      {
-        const Tensor<1, dim> at_point = value(points[p]);
-        for (unsigned int i = 0; i < points.size(); ++i)
-          result.coefficients[i] +=
-            Bernstein<dim>::coefficients(degree)(i, p) * at_point;
-      }
-    return result;
-  }
-
-  /// That which is linear on a tetrahedron and has these values at its corners.
-  inline SimplexVelocity<3>
-  linear_velocity(const std::array<Tensor<1, 3>, 4> &at_corners)
-  {
-    const auto        &points = Bernstein<3>::points(velocity_degree<3>);
-    SimplexVelocity<3> result;
-    for (unsigned int i = 0; i < points.size(); ++i)
-      result.coefficients[i] = interpolate(points[i], at_corners);
+    const auto coefficients =
+      Bernstein<dim>::interpolate(velocity_degree<dim>, value);
+    SimplexVelocity<dim> result;
+    std::copy(coefficients.begin(),
+              coefficients.end(),
+              result.coefficients.begin());
     return result;
   }
 
@@ -129,19 +133,15 @@ namespace ElastoPlastic
   weighted_velocity(const SplitBody<dim>       &body,
                     const SimplexVelocity<dim> &velocity,
                     const unsigned int          simplex,
-                    const Barycentric<dim>     &point);
-
-  /// The strain rate in the coordinates of the mesh of the polynomial part of a
-  /// velocity.
-  template <int dim>
-  SymmetricTensor<2, dim>
-  polynomial_rate(const Corners<dim>         &corners,
-                  const SimplexVelocity<dim> &velocity,
-                  const Barycentric<dim>     &point);
-
-  /// That of the other part, times r^2.
-  SymmetricTensor<2, 2>
-  weighted_flux_rate(const SimplexVelocity<2> &velocity);
+                    const Barycentric<dim>     &point)
+  {
+    Tensor<1, dim> result =
+      body.weight(interpolate(point, body.corners_of(simplex))) *
+      velocity.polynomial(point);
+    if constexpr (dim == 2)
+      result += velocity_of_stream(velocity.flux);
+    return result;
+  }
 
   /// The velocity at a point of a simplex.
   template <int dim>
@@ -149,36 +149,92 @@ namespace ElastoPlastic
   velocity_at(const SplitBody<dim>       &body,
               const SimplexVelocity<dim> &velocity,
               const unsigned int          simplex,
-              const Barycentric<dim>     &point);
+              const Barycentric<dim>     &point)
+  {
+    Tensor<1, dim> result = velocity.polynomial(point);
+    if constexpr (dim == 2)
+      if (velocity.flux.norm() > 0)
+        result += velocity_of_stream(velocity.flux) /
+                  interpolate(point, body.corners_of(simplex))[0];
+    return result;
+  }
 
-  /// The velocities at the corners and at the centre of gravity of a simplex.
-  template <int dim>
-  std::array<Tensor<1, dim>, dim + 2>
-  values_at_vertices(const SplitBody<dim>       &body,
-                     const SimplexVelocity<dim> &velocity,
-                     const unsigned int          simplex);
-
-  /// The largest of all these.
+  /// The largest of those at the corners and centres of gravity.
   template <int dim>
   double
   largest_velocity(const SplitBody<dim>                    &body,
-                   const std::vector<SimplexVelocity<dim>> &velocity);
+                   const std::vector<SimplexVelocity<dim>> &velocity)
+  {
+    double largest = 0;
+    for (unsigned int t = 0; t < velocity.size(); ++t)
+      for (unsigned int k = 0; k <= dim; ++k)
+        for (unsigned int i = 0; i <= dim; ++i)
+          largest =
+            std::max(largest,
+                     velocity_at(body,
+                                 velocity[t],
+                                 t,
+                                 point_of_part<dim>(k, corner_position<dim>(i)))
+                       .norm());
+    return largest;
+  }
+
+  /// The strain rate in the coordinates of the mesh of the polynomial part of a
+  /// velocity.
+  template <int dim>
+  SymmetricTensor<2, dim>
+  polynomial_rate(const Corners<dim>         &corners,
+                  const SimplexVelocity<dim> &velocity,
+                  const Barycentric<dim>     &point)
+  {
+    return Bernstein<dim>::symmetric_gradient(corners,
+                                              velocity_degree<dim>,
+                                              velocity.coefficients.begin(),
+                                              point);
+  }
+
+  /// That of the other part, times r^2.
+  inline SymmetricTensor<2, 2>
+  weighted_flux_rate(const SimplexVelocity<2> &velocity)
+  {
+    SymmetricTensor<2, 2> rate;
+    rate[0][0] = velocity.flux[1];
+    rate[0][1] = -0.5 * velocity.flux[0];
+    return rate;
+  }
+
+  /// The strain rate in space with these components in the plane.
+  template <int dim>
+  SymmetricTensor<2, 3>
+  rate_in_space(const SplitBody<dim> &body, const SymmetricTensor<2, dim> &rate)
+  {
+    return in_space<dim>(
+      rate, body.kinematics == Kinematics::cartesian ? 0. : -trace(rate));
+  }
 
   /// The strain rate at a point of a simplex; out of plane it is zero in plane
-  /// strain, v_r / r in a body of revolution with friction, or else keeps the
-  /// volume.
+  /// strain, v_r / r in a body of revolution with friction (on the axis, where
+  /// v_r vanishes, its limit d_r v_r), or else keeps the volume.
   template <int dim>
   SymmetricTensor<2, 3>
   strain_rate_at(const SplitBody<dim>       &body,
                  const SimplexVelocity<dim> &velocity,
                  const unsigned int          simplex,
-                 const Barycentric<dim>     &point);
-
-  /// The strain rate in space with these components in the plane.
-  template <int dim>
-  SymmetricTensor<2, 3>
-  rate_in_space(const SplitBody<dim>          &body,
-                const SymmetricTensor<2, dim> &rate);
+                 const Barycentric<dim>     &point)
+  {
+    const auto       corners = body.corners_of(simplex);
+    const Point<dim> x       = interpolate(point, corners);
+    auto             rate    = polynomial_rate<dim>(corners, velocity, point);
+    if (body.is_axisymmetric() && body.has_friction())
+      return in_space<dim>(rate,
+                           body.is_on_axis(x) ?
+                             rate[0][0] :
+                             velocity.polynomial(point)[0] / x[0]);
+    if constexpr (dim == 2)
+      if (velocity.flux.norm() > 0)
+        rate += weighted_flux_rate(velocity) / (x[0] * x[0]);
+    return rate_in_space(body, rate);
+  }
 } // namespace ElastoPlastic
 
 #endif

@@ -60,9 +60,7 @@ namespace ElastoPlastic
   FacePoint<dim>
   corner_point(const FaceCorners<dim> &corners, const unsigned int i)
   {
-    FacePoint<dim> corner = {{}, corners[i]};
-    corner.position[i]    = 1.;
-    return corner;
+    return {corner_position<dim - 1>(i), corners[i]};
   }
 
   /// The points for integrate_on_face(), and those between the corners for

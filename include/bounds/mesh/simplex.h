@@ -28,6 +28,16 @@ namespace ElastoPlastic
   template <int dim>
   using Barycentric = std::array<double, dim + 1>;
 
+  /// Corner @p i of a simplex.
+  template <int dim>
+  Barycentric<dim>
+  corner_position(const unsigned int i)
+  {
+    Barycentric<dim> position = {};
+    position[i]               = 1.;
+    return position;
+  }
+
 
 
   /// The corner of a simplex that is corner @p i of its face @p k: face k of a
@@ -135,9 +145,16 @@ namespace ElastoPlastic
     return point;
   }
 
-  template <int dim>
+  /// The centre of gravity of a simplex or a face with these @p corners.
+  template <int dim, std::size_t n>
   Point<dim>
-  centre_of(const Corners<dim> &corners);
+  centre_of(const std::array<Point<dim>, n> &corners)
+  {
+    Tensor<1, dim> sum = corners[0];
+    for (unsigned int i = 1; i < n; ++i)
+      sum += corners[i];
+    return Point<dim>(sum / double(n));
+  }
 
   /// The values at the corners of part @p k of a function that is linear on the
   /// simplex, and has these @p values at its corners.

@@ -4,10 +4,12 @@
 #ifndef bounds_stress_bernstein_h
 #define bounds_stress_bernstein_h
 
-#include <deal.II/base/tensor.h>
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
+#include <numeric>
+#include <type_traits>
 #include <vector>
 
 #include "bounds/mesh/simplex.h"
@@ -71,25 +73,87 @@ namespace ElastoPlastic
     /// the simplex.
     static FullMatrix<double>
     mass_matrix(const unsigned int degree);
+
+    /// The coefficients of the polynomial of a @p degree that is
+    /// function(point) at the points().
+    template <typename Function>
+    static auto
+    interpolate(const unsigned int degree, const Function &function)
+    {
+      const auto &all = points(degree);
+      std::vector<std::decay_t<decltype(function(all[0]))>> result(all.size());
+      for (unsigned int p = 0; p < all.size(); ++p)
+        {
+          const auto at_point = function(all[p]);
+          for (unsigned int i = 0; i < all.size(); ++i)
+            result[i] += coefficients(degree)(i, p) * at_point;
+        }
+      return result;
+    }
+
+    /// What a polynomial with the coefficients from @p begin on is at a point.
+    template <typename Iterator>
+    static auto
+    value(const unsigned int      degree,
+          const Iterator         &begin,
+          const Barycentric<dim> &point)
+    {
+      const auto weights = functions(degree, point);
+      return std::inner_product(weights.begin(),
+                                weights.end(),
+                                begin,
+                                std::decay_t<decltype(*begin)>());
+    }
+
+    /// Its derivatives by the barycentric coordinates. That of sum_a c_a B_a by
+    /// coordinate i is n sum_b c_{b + e_i} B_b over the functions of degree
+    /// n - 1.
+    template <typename Iterator>
+    static auto
+    derivatives(const unsigned int      degree,
+                const Iterator         &begin,
+                const Barycentric<dim> &point)
+    {
+      std::array<std::decay_t<decltype(*begin)>, dim + 1> result = {};
+      const auto &lower   = exponents(degree - 1);
+      const auto  weights = functions(degree - 1, point);
+      for (unsigned int i = 0; i <= dim; ++i)
+        for (unsigned int b = 0; b < lower.size(); ++b)
+          result[i] +=
+            1. * degree * weights[b] * begin[number_of(raised(lower[b], i))];
+      return result;
+    }
+
+    /// The symmetric gradient of one whose values are vectors, on a simplex
+    /// with these @p corners.
+    template <typename Iterator>
+    static SymmetricTensor<2, dim>
+    symmetric_gradient(const Corners<dim>     &corners,
+                       const unsigned int      degree,
+                       const Iterator         &begin,
+                       const Barycentric<dim> &point)
+    {
+      const auto     changes = derivatives(degree, begin, point);
+      const auto     by      = gradients(corners);
+      Tensor<2, dim> sum;
+      for (unsigned int i = 0; i <= dim; ++i)
+        sum += outer_product(changes[i], by[i]);
+      return symmetrize(sum);
+    }
+
+    /// The exponents of a function times a barycentric coordinate.
+    static Exponents
+    raised(Exponents exponents, const unsigned int i)
+    {
+      ++exponents[i];
+      return exponents;
+    }
   };
 
 
 
   constexpr unsigned int n_quadratics = Bernstein<2>::n_functions(2),
                          n_cubics     = Bernstein<2>::n_functions(3);
-
-  /// Of one function on a triangle at a point: by the coordinates x and y.
-  struct Jet
-  {
-    double       value;
-    Tensor<1, 2> gradient;
-    Tensor<2, 2> hessian;
-  };
-
-  /// The cubic functions of Bernstein<2>.
-  std::array<Jet, n_cubics>
-  cubics(const std::array<Tensor<1, 2>, 3> &gradients,
-         const Barycentric<2>              &point);
 
   /// The integrals of the quadratic functions times a linear function with
   /// these @p values at the corners, over a triangle of area 1.

@@ -171,7 +171,14 @@ namespace ElastoPlastic
 
     /// Whether nothing acts on a point of a face because it is on the axis.
     bool
-    is_on_axis(const PointOfFace &point) const;
+    is_on_axis(const PointOfFace &point) const
+    {
+      return body.is_on_axis(
+        point_on_face<dim>(body.corners_of_face(point.face),
+                           Bernstein<dim - 1>::points(degree)[point.point])
+          .x);
+    }
+
 
     void
     add_tractions(const unsigned int        simplex,

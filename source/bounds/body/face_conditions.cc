@@ -83,28 +83,15 @@ namespace ElastoPlastic
 
 
 
-    template <int dim>
-    Point<dim>
-    centre_of_face(const FaceCorners<dim> &corners)
-    {
-      Tensor<1, dim> sum;
-      for (const Point<dim> &corner : corners)
-        sum += corner;
-      return Point<dim>(sum / double(dim));
-    }
-
-
-
     /// A function of the position as it is on a face: at its ends what it is
     /// inside.
     FaceValue<2>
     value_on_face(const FaceCorners<2>                          &corners,
                   const std::function<double(const Point<2> &)> &function)
     {
-      return {
-        [function, centre = centre_of_face<2>(corners)](const Point<2> &x) {
-          return function(from_inside(x, centre));
-        }};
+      return {[function, centre = centre_of(corners)](const Point<2> &x) {
+        return function(from_inside(x, centre));
+      }};
     }
 
 
@@ -137,7 +124,7 @@ namespace ElastoPlastic
     value_on_face(const FaceCorners<3>                          &corners,
                   const std::function<double(const Point<3> &)> &function)
     {
-      const Point<3> centre = centre_of_face<3>(corners);
+      const Point<3> centre = centre_of(corners);
       FaceValue<3>   values, values_inside;
       for (unsigned int i = 0; i < 3; ++i)
         {
@@ -275,7 +262,7 @@ namespace ElastoPlastic
       std::vector<double>
       gaps_of(const FaceCorners<dim> &corners) const
       {
-        const Point<dim>    centre = centre_of_face<dim>(corners);
+        const Point<dim>    centre = centre_of(corners);
         std::vector<double> gaps;
         static const auto   points = lattice_points<dim>();
         for (const auto &lattice_point : points)

@@ -30,13 +30,11 @@ namespace ElastoPlastic
         if (const auto traction = conditions.tractions().find(side.boundary_id);
             traction != conditions.tractions().end())
           {
-            Point<dim> centre;
-            for (const unsigned int vertex : side.vertices)
-              centre += mesh.vertices[vertex] / double(side.vertices.size());
-            for (const unsigned int vertex : side.vertices)
+            const auto corners = mesh.corners(side);
+            for (const auto &corner : corners)
               for (const auto &component : traction->second)
                 values.push_back(
-                  component->value(from_inside(mesh.vertices[vertex], centre),
+                  component->value(from_inside(corner, centre_of(corners)),
                                    time));
           }
       const double size = size_of(mesh);

@@ -4,6 +4,8 @@
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/exceptions.h"
 #include "base/largest_error.h"
@@ -57,18 +59,25 @@ namespace ElastoPlastic
 
 
 
-    /// The largest load that grows, as a stress.
+    /// One of the two loads of the components of a FaceCondition.
+    template <int dim>
+    using LoadOfFace = FaceValue<dim> FaceCondition<dim>::Component::*;
+
+    /// The largest @p load of a face or @p body_force, as a stress.
     template <int dim>
     double
-    largest_live_load(const SplitBody<dim> &body)
+    largest_load(const SplitBody<dim> &body,
+                 const LoadOfFace<dim> load,
+                 const Tensor<1, dim> &body_force)
     {
-      double largest = body.live_body_force.norm() * body.length_unit;
+      double largest = body_force.norm() * body.length_unit;
       for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
         for (const auto &component : body.conditions[f].components)
-          if (!component.live_load.is_zero())
+          if (component.type == ConditionType::traction &&
+              !(component.*load).is_zero())
             for (unsigned int i = 0; i < dim; ++i)
               keep_largest(largest,
-                           std::abs(component.live_load(
+                           std::abs((component.*load)(
                              corner_point<dim>(body.corners_of_face(f), i))));
       return largest;
     }
@@ -84,7 +93,11 @@ namespace ElastoPlastic
       body.stress_unit            = stress;
       body.strain_unit            = strain;
       body.length_unit            = size_of(body.mesh);
-      if (const double live_load = largest_live_load(body); live_load > 0)
+      if (const double live_load =
+            largest_load<dim>(body,
+                              &FaceCondition<dim>::Component::live_load,
+                              body.live_body_force);
+          live_load > 0)
         {
           body.load_factor_unit  = body.stress_unit / live_load;
           body.indenter_velocity = Tensor<1, dim>();
@@ -119,33 +132,21 @@ namespace ElastoPlastic
 
 
 
+  // Within the body, both neighbours bear the same pressure.
   template <int dim>
-  double
-  SplitBody<dim>::load(const unsigned int    face,
-                       const unsigned int    component,
-                       const FacePoint<dim> &point) const
+  TwoLoads
+  SplitBody<dim>::loads(const unsigned int    face,
+                        const unsigned int    component,
+                        const FacePoint<dim> &point) const
   {
-    return mesh.faces[face].is_inside() ?
-             0. :
-             conditions[face].components[component].value(point) +
-               pressed_part(face, component) *
-                 pressure_of_body_force(point.x, 0.);
-  }
-
-
-
-  template <int dim>
-  double
-  SplitBody<dim>::live_load(const unsigned int    face,
-                            const unsigned int    component,
-                            const FacePoint<dim> &point) const
-  {
-    return mesh.faces[face].is_inside() ?
-             0. :
-             conditions[face].components[component].live_load(point) +
-               pressed_part(face, component) *
-                 (pressure_of_body_force(point.x, 1.) -
-                  pressure_of_body_force(point.x, 0.));
+    if (mesh.faces[face].is_inside())
+      return {};
+    const auto  &given   = conditions[face].components[component];
+    const double along   = outward_normal(face) * given.direction;
+    const double at_zero = pressure_of_body_force(point.x, 0.);
+    return {given.value(point) + along * at_zero,
+            given.live_load(point) +
+              along * (pressure_of_body_force(point.x, 1.) - at_zero)};
   }
 
 
@@ -201,6 +202,37 @@ namespace ElastoPlastic
 
 
 
+  // See bounds/conic/yield_conditions.h. In plane strain, s_33 is the mean of
+  // the others.
+  template <int dim>
+  double
+  SplitBody<dim>::yield_radius(const unsigned int           simplex,
+                               const SymmetricTensor<2, 3> &stress) const
+  {
+    const double without_pressure = materials[simplex].yield_radius;
+    if (!has_friction())
+      return without_pressure;
+    const double mean = dim == 3 || is_axisymmetric() ?
+                          trace(stress) / 3. :
+                          (stress[0][0] + stress[1][1]) / 2.;
+    return without_pressure - std::sqrt(2.) * friction_slopes[simplex] * mean;
+  }
+
+
+
+  template <int dim>
+  double
+  SplitBody<dim>::shear_strength(const unsigned int face) const
+  {
+    double radius = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i < mesh.faces[face].n_neighbors(); ++i)
+      radius =
+        std::min(radius, materials[mesh.faces[face].neighbors[i]].yield_radius);
+    return std::sqrt(0.5) * radius;
+  }
+
+
+
   template <int dim>
   SplitBody<dim>
   make_split_body(SplitMesh<dim>                       mesh,
@@ -233,6 +265,78 @@ namespace ElastoPlastic
 
 
 
+  // A strength that comes from the pressure of constant loads may be much
+  // larger than the cohesion.
+  template <int dim>
+  void
+  set_friction(SplitBody<dim> &body, const std::vector<double> &slopes)
+  {
+    const double largest_slope =
+      *std::max_element(slopes.begin(), slopes.end());
+    if (largest_slope == 0.)
+      return;
+    for (const auto &simplex : body.mesh.simplices)
+      body.friction_slopes.push_back(
+        slopes.size() == 1 ? slopes.front() :
+                             slopes[body.mesh.cells[simplex.cell].material_id]);
+    const double factor =
+      std::max(1.,
+               largest_slope *
+                 largest_load<dim>(body,
+                                   &FaceCondition<dim>::Component::value,
+                                   body.body_force) /
+                 body.stress_unit);
+    body.stress_unit *= factor;
+    body.strain_unit *= factor;
+    body.load_factor_unit *= factor;
+  }
+
+
+
+  template <int dim>
+  void
+  set_initial_stress(SplitBody<dim> &body, const InitialStress<dim> &stress)
+  {
+    if (!stress.is_present())
+      return;
+    double     largest = 0, largest_distance = 0; // from what is linear
+    Point<dim> worst_point;
+    for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
+      {
+        const auto                                 corners = body.corners_of(t);
+        const auto                                 centre  = centre_of(corners);
+        std::array<SymmetricTensor<2, 3>, dim + 1> at_corners;
+        for (unsigned int i = 0; i <= dim; ++i)
+          {
+            at_corners[i] = stress.value(from_inside(corners[i], centre));
+            keep_largest(largest, at_corners[i].norm());
+          }
+        for (const auto &[position, weight] : simplex_quadrature<dim>())
+          {
+            const Point<dim> x = interpolate(position, corners);
+            const double     distance =
+              (stress.value(x) - interpolate(position, at_corners)).norm();
+            if (distance > largest_distance)
+              worst_point = x;
+            keep_largest(largest_distance, distance);
+          }
+        auto &strains = body.initial_strains.emplace_back();
+        for (unsigned int i = 0; i <= dim; ++i)
+          strains[i] =
+            HenckyMaterial::compliance(body.materials[t], at_corners[i]);
+      }
+    if (!(largest_distance <= Tolerance::expression * largest))
+      throw InputError(
+        "The 'Initial stress' is not linear on the cells of the mesh, near the "
+        "point (" +
+        Patterns::Tools::to_string(worst_point) +
+        "). An error bound is for stresses at the beginning that are linear "
+        "functions of the position, or such with kinks at vertices of the "
+        "mesh. Give such, or choose 'Analysis = contact'.");
+  }
+
+
+
   template double
   size_of(const SplitMesh<2> &);
   template double
@@ -253,4 +357,12 @@ namespace ElastoPlastic
                   const IndenterOnBody<3> &,
                   const Loads<3> &,
                   const Kinematics);
+  template void
+  set_friction(SplitBody<2> &, const std::vector<double> &);
+  template void
+  set_friction(SplitBody<3> &, const std::vector<double> &);
+  template void
+  set_initial_stress(SplitBody<2> &, const InitialStress<2> &);
+  template void
+  set_initial_stress(SplitBody<3> &, const InitialStress<3> &);
 } // namespace ElastoPlastic

@@ -14,11 +14,9 @@ namespace ElastoPlastic
     append_row(FullMatrix<double> &matrix, const Vector<double> &row)
     {
       FullMatrix<double> longer(matrix.m() + 1, row.size());
-      for (unsigned int i = 0; i < matrix.m(); ++i)
-        for (unsigned int j = 0; j < row.size(); ++j)
-          longer(i, j) = matrix(i, j);
-      for (unsigned int j = 0; j < row.size(); ++j)
-        longer(matrix.m(), j) = row[j];
+      if (!matrix.empty())
+        longer.fill(matrix);
+      std::copy(row.begin(), row.end(), &longer(matrix.m(), 0));
       matrix = longer;
     }
 
@@ -44,14 +42,6 @@ namespace ElastoPlastic
 
 
 
-  ConicBlock::ConicBlock(const unsigned int n)
-    : linear_cost(n)
-    , cone_matrix(0, n)
-    , coupling(0, n)
-  {}
-
-
-
   void
   ConicBlock::add_to_equation(const unsigned int    equation,
                               const Vector<double> &row)
@@ -69,19 +59,6 @@ namespace ElastoPlastic
     cone_offset.grow_or_shrink(cone_offset.size() + 1);
     cone_sizes.push_back(1);
     cone_scales.emplace_back();
-  }
-
-
-
-  void
-  ensure_cone(ConicProgram &program)
-  {
-    for (const ConicBlock &block : program.blocks)
-      if (!block.cone_sizes.empty())
-        return;
-    ConicBlock &block = program.blocks.front();
-    block.add_inequality(Vector<double>(block.linear_cost.size()));
-    block.cone_offset[0] = 1.;
   }
 
 

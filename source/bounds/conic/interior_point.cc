@@ -11,7 +11,6 @@
 #include "bounds/conic/conic_evaluation.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/kkt_system.h"
-#include "bounds/conic/step_direction.h"
 #include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
@@ -118,9 +117,28 @@ namespace ElastoPlastic
         residual = evaluate(program, layout, system, current);
         system.solve(current, residual);
         current.s = evaluate(program, layout, system, current).z;
-        move_into_cones(layout, current.s, &ConeScale::slack);
-        move_into_cones(layout, current.z, &ConeScale::multiplier);
+        move_into_cones(current.s, &ConeScale::slack);
+        move_into_cones(current.z, &ConeScale::multiplier);
         look_at_iterate();
+      }
+
+      /// Adds the same multiple of its expected size, a ConeScale's @p size, to
+      /// all cones, so that @p values are inside.
+      void
+      move_into_cones(Vector<double> &values, const double ConeScale::*size)
+      {
+        double outside = -std::numeric_limits<double>::max();
+        for (unsigned int c = 0; c < n_cones; ++c)
+          {
+            const ConstView v = layout.cone(std::as_const(values), c);
+            outside           = std::max(outside,
+                               (SecondOrderCone::norm_of_tail(v) - v[0]) /
+                                 (layout.scales[c].*size));
+          }
+        if (outside >= 0)
+          for (unsigned int c = 0; c < n_cones; ++c)
+            layout.cone(values, c)[0] +=
+              (1. + outside) * (layout.scales[c].*size);
       }
 
       bool
@@ -172,6 +190,18 @@ namespace ElastoPlastic
         return system.factorize(scalings);
       }
 
+      /// lambda o lambda
+      Vector<double>
+      square_of_scaled() const
+      {
+        Vector<double> result(scaled.size());
+        for (unsigned int c = 0; c < n_cones; ++c)
+          SecondOrderCone::multiply(layout.cone(result, c),
+                                    layout.cone(scaled, c),
+                                    layout.cone(scaled, c));
+        return result;
+      }
+
       /// @return false if rounding errors do not allow another one.
       bool
       step()
@@ -180,7 +210,7 @@ namespace ElastoPlastic
           return false;
 
         // The predictor tells how much smaller the gap can become in one step,
-        Vector<double> complementarity = square(layout, scaled);
+        Vector<double> complementarity = square_of_scaled();
         find_direction(complementarity, 1., Tolerance::residual_of_predictor);
         const double centering =
           std::pow(1. - std::min(1., largest_step(layout, scaled, direction)),
@@ -261,7 +291,7 @@ namespace ElastoPlastic
              scale();
              ++k)
           {
-            Vector<double> complementarity = square(layout, scaled);
+            Vector<double> complementarity = square_of_scaled();
             subtract_centre(complementarity, current.s * current.z);
             find_direction(complementarity, 1., Tolerance::residual);
             advance(largest_step(layout, scaled, direction));
@@ -278,7 +308,9 @@ namespace ElastoPlastic
           layout.cone(values, c)[0] -= gap * shares[c];
       }
 
-      /// With a @p part of the residuals.
+      /// Newton's direction for a @p part of the residuals and for
+      ///   lambda o (W dz + W^-1 ds) = -complementarity.
+      /// @param relative_residual see KktSystem::solve()
       void
       find_direction(const Vector<double> &complementarity,
                      const double          part,
@@ -289,13 +321,31 @@ namespace ElastoPlastic
         right_hand_side.y *= part;
         right_hand_side.z *= part;
         right_hand_side.load_factor *= part;
-        direction = ElastoPlastic::find_direction(system,
-                                                  layout,
-                                                  scalings,
-                                                  scaled,
-                                                  complementarity,
-                                                  std::move(right_hand_side),
-                                                  relative_residual);
+
+        // W^-1 ds = -(lambda \ complementarity) - W dz
+        Vector<double> &scaled_s = direction.scaled_s,
+                       &scaled_z = direction.scaled_z;
+        scaled_s                 = complementarity;
+        scaled_s *= -1.;
+        Vector<double> slack = scaled_s;
+        for (unsigned int c = 0; c < n_cones; ++c)
+          {
+            const View quotient = layout.cone(scaled_s, c);
+            SecondOrderCone::divide(quotient,
+                                    quotient,
+                                    layout.cone(std::as_const(scaled), c));
+            std::copy_n(quotient.begin(),
+                        quotient.size(),
+                        layout.cone(slack, c).begin());
+            scalings[c].multiply(layout.cone(slack, c));
+          }
+        right_hand_side.z -= slack;
+        system.solve(direction.change, right_hand_side, relative_residual);
+
+        scaled_z = direction.change.z;
+        for (unsigned int c = 0; c < n_cones; ++c)
+          scalings[c].multiply(layout.cone(scaled_z, c));
+        scaled_s -= scaled_z;
       }
 
       ConicProgram        program; ///< without A and G, which the system has
@@ -321,7 +371,18 @@ namespace ElastoPlastic
   ConicSolution
   minimize(ConicProgram program, const double tolerance)
   {
-    ensure_cone(program);
+    // A program without cones gets one that says nothing, 0 <= 1, because
+    // deal.II's vectors may not be empty.
+    if (std::all_of(program.blocks.begin(),
+                    program.blocks.end(),
+                    [](const ConicBlock &block) {
+                      return block.cone_sizes.empty();
+                    }))
+      {
+        ConicBlock &block = program.blocks.front();
+        block.add_inequality(Vector<double>(block.linear_cost.size()));
+        block.cone_offset[0] = 1.;
+      }
     return InteriorPoint(std::move(program), tolerance).run();
   }
 } // namespace ElastoPlastic

@@ -29,11 +29,10 @@ namespace ElastoPlastic
 
   KktSystem::KktSystem(const ConicProgram &program, const ConicLayout &layout)
     : program(program)
-    , n_sparse_rows(program.right_hand_side.size() - program.n_dense_rows)
+    , n_sparse_rows(program.right_hand_side.size() -
+                    (program.has_dense_row ? 1 : 0))
     , batches(BlockBatch::make(program, layout))
-    , dense_rows(program.n_dense_rows, Vector<double>(n_sparse_rows))
-    , dense_solutions(dense_rows)
-    , dense_inverse(program.n_dense_rows, program.n_dense_rows)
+    , dense_row(n_sparse_rows)
   {
     DynamicSparsityPattern couplings(n_sparse_rows, n_sparse_rows);
     for (const ConicBlock &block : program.blocks)
@@ -54,11 +53,9 @@ namespace ElastoPlastic
   {
     for (BlockBatch &batch : batches)
       batch.set_targets([&](const unsigned int row, const unsigned int column) {
-        if (row < n_sparse_rows)
-          return &matrix(row, column);
-        if (column < n_sparse_rows)
-          return &dense_rows[row - n_sparse_rows][column];
-        return &dense_inverse(row - n_sparse_rows, column - n_sparse_rows);
+        return row < n_sparse_rows    ? &matrix(row, column) :
+               column < n_sparse_rows ? &dense_row[column] :
+                                        &dense_square;
       });
   }
 
@@ -67,39 +64,23 @@ namespace ElastoPlastic
   bool
   KktSystem::factorize(const Scalings &scalings)
   {
-    matrix        = 0.;
-    dense_inverse = 0.;
-    for (Vector<double> &row : dense_rows)
-      row = 0.;
+    matrix       = 0.;
+    dense_row    = 0.;
+    dense_square = 0.;
     for (BlockBatch &batch : batches)
       if (!batch.eliminate(scalings))
         return false;
     if (!factorize_sum())
       return false;
-    factorize_dense_rows();
+    if (program.has_dense_row)
+      {
+        sparse_factor->vmult(dense_solution, dense_row);
+        dense_square -= dense_row * dense_solution;
+      }
     live_load_solution = program.live_load;
     if (program.live_load.size() > 0)
       solve_sparse_and_dense(live_load_solution);
     return true;
-  }
-
-
-
-  // Of their own square, the blocks have added the lower half.
-  void
-  KktSystem::factorize_dense_rows()
-  {
-    for (unsigned int i = 0; i < dense_rows.size(); ++i)
-      {
-        for (unsigned int j = 0; j < i; ++j)
-          dense_inverse(j, i) = dense_inverse(i, j);
-        sparse_factor->vmult(dense_solutions[i], dense_rows[i]);
-      }
-    for (unsigned int i = 0; i < dense_rows.size(); ++i)
-      for (unsigned int j = 0; j < dense_rows.size(); ++j)
-        dense_inverse(j, i) -= dense_rows[j] * dense_solutions[i];
-    if (!dense_rows.empty())
-      dense_inverse.gauss_jordan();
   }
 
 
@@ -161,19 +142,14 @@ namespace ElastoPlastic
   void
   KktSystem::solve_sparse_and_dense(Vector<double> &y) const
   {
-    Vector<double> sparse(n_sparse_rows), dense(dense_rows.size()),
-      dense_solution(dense_rows.size());
+    Vector<double> sparse(n_sparse_rows), solution;
     std::copy(y.begin(), y.begin() + n_sparse_rows, sparse.begin());
-    Vector<double> solution;
     sparse_factor->vmult(solution, sparse);
-    for (unsigned int i = 0; i < dense.size(); ++i)
-      dense[i] = y[n_sparse_rows + i] - dense_rows[i] * solution;
-    if (!dense_rows.empty())
-      dense_inverse.vmult(dense_solution, dense);
-    for (unsigned int i = 0; i < dense.size(); ++i)
+    if (program.has_dense_row)
       {
-        solution.add(-dense_solution[i], dense_solutions[i]);
-        y[n_sparse_rows + i] = dense_solution[i];
+        double &dense = y[n_sparse_rows];
+        dense         = (dense - dense_row * solution) / dense_square;
+        solution.add(-dense, dense_solution);
       }
     std::copy(solution.begin(), solution.end(), y.begin());
   }

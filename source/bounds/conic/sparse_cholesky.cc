@@ -18,21 +18,6 @@ namespace ElastoPlastic
 
 
 
-  SparseCholesky::Common::~Common()
-  {
-    cholmod_l_finish(this);
-  }
-
-
-
-  void
-  SparseCholesky::FactorDeleter::operator()(cholmod_factor *factor) const
-  {
-    cholmod_l_free_factor(&factor, common);
-  }
-
-
-
   SparseCholesky::SparseCholesky(const SparsityPattern &pattern)
     : factor(nullptr, FactorDeleter{&common})
   {

@@ -118,20 +118,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  void
-  add_growing_pressure(ConicBlock                &block,
-                       const unsigned int         unknown,
-                       const std::vector<double> &pressures,
-                       const double               slope)
-  {
-    for (unsigned int p = 0; p < pressures.size(); ++p)
-      block.cone_matrix(n_stress_components<dim> * p, unknown) -=
-        std::sqrt(2.) * slope * pressures[p];
-  }
-
-
-
   template SymmetricTensor<2, 3>
   stress_from<2>(const double *);
   template SymmetricTensor<2, 3>
@@ -164,14 +150,4 @@ namespace ElastoPlastic
                   const std::vector<double> &,
                   const std::vector<double> &,
                   const double);
-  template void
-  add_growing_pressure<2>(ConicBlock &,
-                          const unsigned int,
-                          const std::vector<double> &,
-                          const double);
-  template void
-  add_growing_pressure<3>(ConicBlock &,
-                          const unsigned int,
-                          const std::vector<double> &,
-                          const double);
 } // namespace ElastoPlastic

@@ -105,14 +105,14 @@ namespace ElastoPlastic
           zeta[i] = std::max(0.,
                              stress_norm(material, stress[i]) -
                                r[i] * material.yield_radius);
-        strain[i]               = HenckyMaterial::strain_of_section(material,
+        strain[i] = HenckyMaterial::strain_of_section(material,
                                                       strain[i],
                                                       body.kinematics);
-        Barycentric<dim> corner = {};
-        corner[i]               = 1.;
         if (r[i] > 0)
           plastic_strain[i] =
-            r[i] * split_strain(material, strain_at(corner) / r[i]).plastic;
+            r[i] *
+            split_strain(material, strain_at(corner_position<dim>(i)) / r[i])
+              .plastic;
       }
 
       /// The weighted strain. Around the axis, the displacement makes a strain
@@ -203,19 +203,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  std::vector<double>
-  ErrorBound::indicators(const SplitMesh<dim> &mesh) const
-  {
-    std::vector<double> result = of_simplices;
-    for (unsigned int t = 0; t < result.size(); ++t)
-      for (const unsigned int face : mesh.simplices[t].faces)
-        result[t] += of_faces[face];
-    return result;
-  }
-
-
-
-  template <int dim>
   ErrorBound
   bound_error(const SplitBody<dim>      &body,
               const QuadraticField<dim> &displacement,
@@ -239,10 +226,6 @@ namespace ElastoPlastic
 
 
 
-  template std::vector<double>
-  ErrorBound::indicators(const SplitMesh<2> &) const;
-  template std::vector<double>
-  ErrorBound::indicators(const SplitMesh<3> &) const;
   template ErrorBound
   bound_error(const SplitBody<2> &,
               const QuadraticField<2> &,

@@ -98,7 +98,8 @@ namespace ElastoPlastic
   FaceGap<2>::lower_at_corner(const unsigned int corner) const
   {
     constexpr double rounding = 1. / n_intervals;
-    if (corner == 0 ? begin >= rounding : end <= 1. - rounding)
+    if (values.empty() ||
+        (corner == 0 ? begin >= rounding : end <= 1. - rounding))
       return std::numeric_limits<double>::infinity();
     return (corner == 0 ? values.front() : values.back()) - below;
   }

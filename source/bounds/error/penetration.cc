@@ -104,9 +104,7 @@ namespace ElastoPlastic
     std::vector<std::pair<unsigned int, FaceGap<dim>>> gaps;
     for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
       if (body.conditions[f].is_reached)
-        if (FaceGap<dim> gap(body.gap, body.corners_of_face(f));
-            !gap.is_empty())
-          gaps.emplace_back(f, std::move(gap));
+        gaps.emplace_back(f, FaceGap<dim>(body.gap, body.corners_of_face(f)));
 
     for (const auto &[f, gap] : gaps)
       for (unsigned int i = 0; i < dim; ++i)

@@ -17,94 +17,25 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// The differences between a displacement and what the supports prescribe,
-    /// which may be rounding errors of the largest displacement there.
-    struct Differences
-    {
-      double largest_displacement = 0;
-      double largest              = 0;
-
-      void
-      add(const double displacement, const double prescribed)
-      {
-        keep_largest(largest_displacement, std::abs(displacement));
-        keep_largest(largest, std::abs(displacement - prescribed));
-      }
-
-      /// @throws ConvergenceError
-      void
-      require_rounding_errors(const std::string &what_is_needed) const
-      {
-        if (!(largest <= Tolerance::admissibility * largest_displacement))
-          throw ConvergenceError(
-            "The displacement differs from what the supports prescribe by " +
-            to_text(largest) + ". " + what_is_needed);
-      }
-    };
-
-
-
-    template <int dim>
-    Differences
-    differences(const SplitBody<dim>      &body,
-                const QuadraticField<dim> &displacement)
-    {
-      Differences result;
-      for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
-        for (const auto &component : body.conditions[f].components)
-          if (component.type == ConditionType::displacement)
-            {
-              const auto v = displacement.values_on_face(body.mesh, f);
-              look_over_face<dim>(body.corners_of_face(f),
-                                  [&](const FacePoint<dim> &point) {
-                                    result.add(v.value(point.position) *
-                                                 component.direction,
-                                               component.value(point));
-                                  });
-            }
-      for (const auto &v : displacement.at_vertices)
-        keep_largest(result.largest_displacement, v.norm());
-      return result;
-    }
-
-
-
-    /// The polynomial of the degree 1 or 2 with which a @p function on a side
-    /// agrees at the ends and, if it can, in the middle.
-    template <typename Function>
-    FaceValues<2>
-    polynomial_on_side(const FaceCorners<2> &corners,
-                       const unsigned int    degree,
-                       const Function       &function)
-    {
-      FaceValues<2> result;
-      const auto    at = [&](const Barycentric<1> &position) {
-        return Tensor<1, 2>(
-          {function(point_on_face<2>(corners, position)), 0.});
-      };
-      result.at_corners = {{at({{1., 0.}}), at({{0., 1.}})}};
-      result.at_edges[0] =
-        degree == 1 ? 0.5 * (result.at_corners[0] + result.at_corners[1]) :
-                      at({{0.5, 0.5}});
-      return result;
-    }
-
-
-
-    /// How far the @p function is from it.
+    /// How far a @p function on a side is from the polynomial of a degree with
+    /// which it agrees at the points of Bernstein's basis.
     template <typename Function>
     double
     distance_to_polynomial(const FaceCorners<2> &corners,
                            const unsigned int    degree,
                            const Function       &function)
     {
-      const FaceValues<2> polynomial =
-        polynomial_on_side(corners, degree, function);
+      const auto polynomial =
+        Bernstein<1>::interpolate(degree, [&](const Barycentric<1> &position) {
+          return function(point_on_face<2>(corners, position));
+        });
       double largest = 0;
       look_over_face<2>(corners, [&](const FacePoint<2> &point) {
         keep_largest(largest,
                      std::abs(function(point) -
-                              polynomial.value(point.position)[0]));
+                              Bernstein<1>::value(degree,
+                                                  polynomial.begin(),
+                                                  point.position)));
       });
       return largest;
     }
@@ -137,17 +68,10 @@ namespace ElastoPlastic
 
 
 
-    /// One of the loads of a SplitBody, load() or live_load().
-    using LoadOnSide = double (SplitBody<2>::*)(const unsigned int,
-                                                const unsigned int,
-                                                const FacePoint<2> &) const;
-
-
-
     void
     require_polynomials(const SplitBody<2> &body,
                         const unsigned int  degree,
-                        const LoadOnSide    load_on_side)
+                        double TwoLoads::*const load)
     {
       double       largest = 0, largest_distance = 0;
       unsigned int worst_side = 0;
@@ -156,10 +80,10 @@ namespace ElastoPlastic
           if (body.conditions[s].components[c].type == ConditionType::traction)
             {
               const auto weighted_load = [&](const FacePoint<2> &point) {
-                const double load =
-                  body.weight(point.x) * (body.*load_on_side)(s, c, point);
-                keep_largest(largest, std::abs(load));
-                return load;
+                const double weighted =
+                  body.weight(point.x) * (body.loads(s, c, point).*load);
+                keep_largest(largest, std::abs(weighted));
+                return weighted;
               };
               const double distance =
                 distance_to_polynomial(body.corners_of_face(s),
@@ -209,27 +133,48 @@ namespace ElastoPlastic
   require_polynomial_tractions(const SplitBody<2> &body,
                                const unsigned int  degree)
   {
-    require_polynomials(body, degree, &SplitBody<2>::load);
-    require_polynomials(body, degree, &SplitBody<2>::live_load);
+    require_polynomials(body, degree, &TwoLoads::constant);
+    require_polynomials(body, degree, &TwoLoads::growing);
   }
 
 
 
+  // What they differ by may be rounding errors of the largest displacement.
   template <int dim>
   void
   require_supported(const SplitBody<dim>      &body,
                     const QuadraticField<dim> &displacement)
   {
-    differences(body, displacement)
-      .require_rounding_errors(
-        dim == 2 ?
-          "The equilibrium method needs straight rollers, boundaries whose "
-          "prescribed displacements agree where they meet, and cells that are "
-          "parallelograms or quadratic elements where a prescribed "
-          "displacement depends on the position." :
-          "In space, the equilibrium method needs flat rollers, and cells "
-          "whose faces are parallelograms where a prescribed displacement "
-          "depends on the position.");
+    double largest_displacement = 0, largest_difference = 0;
+    for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
+      for (const auto &component : body.conditions[f].components)
+        if (component.type == ConditionType::displacement)
+          {
+            const auto v = displacement.values_on_face(body.mesh, f);
+            look_over_face<dim>(
+              body.corners_of_face(f), [&](const FacePoint<dim> &point) {
+                const double along =
+                  v.value(point.position) * component.direction;
+                keep_largest(largest_displacement, std::abs(along));
+                keep_largest(largest_difference,
+                             std::abs(along - component.value(point)));
+              });
+          }
+    for (const auto &v : displacement.at_vertices)
+      keep_largest(largest_displacement, v.norm());
+    if (!(largest_difference <=
+          Tolerance::admissibility * largest_displacement))
+      throw ConvergenceError(
+        "The displacement differs from what the supports prescribe by " +
+        to_text(largest_difference) + ". " +
+        (dim == 2 ?
+           "The equilibrium method needs straight rollers, boundaries whose "
+           "prescribed displacements agree where they meet, and cells that are "
+           "parallelograms or quadratic elements where a prescribed "
+           "displacement depends on the position." :
+           "In space, the equilibrium method needs flat rollers, and cells "
+           "whose faces are parallelograms where a prescribed displacement "
+           "depends on the position."));
   }
 
 

@@ -180,9 +180,7 @@ namespace ElastoPlastic
         : body(body)
         , unknowns(body)
       {
-        program.right_hand_side.reinit(unknowns.size());
-        if (body.load_factor_unit > 0)
-          program.live_load.reinit(unknowns.size());
+        program.set_equations(unknowns.size(), body.load_factor_unit > 0);
         for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
           add_work(t);
         for (unsigned int f = 0; f < body.mesh.faces.size(); ++f)
@@ -221,7 +219,10 @@ namespace ElastoPlastic
             unknowns.for_each(t, [&](const auto k, const auto v, const auto i) {
               at_corners[v] += fluxes[i] * element.velocity(k, v);
             });
-            field.velocity.push_back(linear_velocity(at_corners));
+            field.velocity.push_back(
+              interpolate_velocity<3>([&](const Barycentric<3> &point) {
+                return interpolate(point, at_corners);
+              }));
           }
         return field;
       }
@@ -337,12 +338,11 @@ namespace ElastoPlastic
                   for (unsigned int j = 0; j < 3; ++j)
                     {
                       const double part = (i == j ? 0.5 : 0.25) * along;
-                      program.right_hand_side[unknown] +=
-                        part * body.load(f, c, points[j]);
-                      if (body.load_factor_unit > 0)
-                        program.live_load[unknown] +=
-                          part * body.load_factor_unit *
-                          body.live_load(f, c, points[j]);
+                      const auto [constant, growing] =
+                        body.loads(f, c, points[j]);
+                      program.add_load(unknown,
+                                       part * constant,
+                                       part * body.load_factor_unit * growing);
                     }
                 }
           }

@@ -16,26 +16,34 @@ namespace ElastoPlastic
     /// Sides of a triangle are divided into so many parts.
     constexpr unsigned int n_side_parts = 4;
 
-    /// The corners of a part of a triangle.
-    using Part = std::array<Barycentric<2>, 3>;
+    /// The corners of a part of a side or triangle.
+    template <int dim>
+    using Part = std::array<Barycentric<dim>, dim + 1>;
 
-
-
-    std::vector<Part>
-    parts_of_triangle()
+    /// Those of a side, or of a triangle, whose sides are divided into @p n.
+    template <int dim>
+    std::vector<Part<dim>>
+    divide(const unsigned int n)
     {
-      const auto at = [](const unsigned int i, const unsigned int j) {
-        const double step = 1. / n_side_parts;
-        return Barycentric<2>{{1. - (i + j) * step, i * step, j * step}};
+      const auto at = [n](const unsigned int i, const unsigned int j) {
+        Barycentric<dim> point = {};
+        point[0]               = 1. - (i + j) / double(n);
+        point[1]               = i / double(n);
+        point[dim] += dim == 1 ? 0. : j / double(n);
+        return point;
       };
-      std::vector<Part> parts;
-      for (unsigned int i = 0; i < n_side_parts; ++i)
-        for (unsigned int j = 0; i + j < n_side_parts; ++j)
-          {
-            parts.push_back({{at(i, j), at(i + 1, j), at(i, j + 1)}});
-            if (i + j + 1 < n_side_parts)
-              parts.push_back({{at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}});
-          }
+      std::vector<Part<dim>> parts;
+      for (unsigned int i = 0; i < n; ++i)
+        if constexpr (dim == 1)
+          parts.push_back({{at(i, 0), at(i + 1, 0)}});
+        else
+          for (unsigned int j = 0; i + j < n; ++j)
+            {
+              parts.push_back({{at(i, j), at(i + 1, j), at(i, j + 1)}});
+              if (i + j + 1 < n)
+                parts.push_back(
+                  {{at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}});
+            }
       return parts;
     }
 
@@ -48,7 +56,7 @@ namespace ElastoPlastic
                      const RateNorm           &norm,
                      const Corners<2>         &corners,
                      const SimplexVelocity<2> &velocity,
-                     const Part               &part)
+                     const Part<2>            &part)
     {
       std::array<double, 3> weights, radii;
       for (unsigned int i = 0; i < 3; ++i)
@@ -57,37 +65,25 @@ namespace ElastoPlastic
           radii[i]              = corner[0];
           weights[i]            = body.weight(corner);
         }
-      std::array<SymmetricTensor<2, 2>, n_quadratics> rates;
-      for (unsigned int p = 0; p < n_quadratics; ++p)
-        rates[p] =
-          polynomial_rate<2>(corners,
-                             velocity,
-                             interpolate(Bernstein<2>::points(2)[p], part));
+      const bool          has_flux = velocity.flux.norm() > 0;
+      const auto          of_flux  = weighted_flux_rate(velocity);
+      const auto          ends = std::minmax({radii[0], radii[1], radii[2]});
+      const InverseSquare inverse_square(ends.first, ends.second);
+      const auto          rates =
+        Bernstein<2>::interpolate(2, [&](const Barycentric<2> &point) {
+          auto rate =
+            polynomial_rate<2>(corners, velocity, interpolate(point, part));
+          if (has_flux)
+            rate += inverse_square(interpolate(point, radii)) * of_flux;
+          return rate;
+        });
       double sum = 0;
-      if (velocity.flux.norm() > 0)
-        {
-          const auto [r_min, r_max] =
-            std::minmax({radii[0], radii[1], radii[2]});
-          const InverseSquare inverse_square(r_min, r_max);
-          const auto          rate = weighted_flux_rate(velocity);
-          for (unsigned int p = 0; p < n_quadratics; ++p)
-            {
-              const auto &[a, b, c] = Bernstein<2>::points(2)[p];
-              rates[p] +=
-                inverse_square(a * radii[0] + b * radii[1] + c * radii[2]) *
-                rate;
-            }
-          sum += (weights[0] + weights[1] + weights[2]) / 3. *
-                 inverse_square.error() * norm(rate_in_space(body, rate));
-        }
+      if (has_flux)
+        sum += (weights[0] + weights[1] + weights[2]) / 3. *
+               inverse_square.error() * norm(rate_in_space(body, of_flux));
       const auto moments = quadratic_moments(weights);
       for (unsigned int p = 0; p < n_quadratics; ++p)
-        {
-          SymmetricTensor<2, 2> coefficient;
-          for (unsigned int q = 0; q < n_quadratics; ++q)
-            coefficient += Bernstein<2>::coefficients(2)(p, q) * rates[q];
-          sum += moments[p] * norm(rate_in_space(body, coefficient));
-        }
+        sum += moments[p] * norm(rate_in_space(body, rates[p]));
       return volume(corners) / (n_side_parts * n_side_parts) * sum;
     }
 
@@ -99,12 +95,12 @@ namespace ElastoPlastic
                 const SimplexVelocity<2> &velocity,
                 const unsigned int        t)
     {
-      static const std::vector<Part> parts = parts_of_triangle();
+      static const auto parts = divide<2>(n_side_parts);
 
       const RateNorm norm(body.materials[t]);
       const auto     corners = body.corners_of(t);
       double         sum     = 0;
-      for (const Part &part : parts)
+      for (const auto &part : parts)
         sum += integral_of_rate(body, norm, corners, velocity, part);
       return body.angle() * body.materials[t].yield_radius * sum;
     }
@@ -124,34 +120,6 @@ namespace ElastoPlastic
 
 
 
-    /// The parts into which a face is divided, by their corners.
-    template <int dim>
-    std::vector<std::array<Barycentric<dim - 1>, dim>>
-    parts_of_face();
-
-    template <>
-    std::vector<std::array<Barycentric<1>, 2>>
-    parts_of_face<2>()
-    {
-      std::vector<std::array<Barycentric<1>, 2>> parts;
-      for (unsigned int i = 0; i < n_side_parts; ++i)
-        {
-          const double begin = i / static_cast<double>(n_side_parts),
-                       end   = (i + 1.) / n_side_parts;
-          parts.push_back({{{{1. - begin, begin}}, {{1. - end, end}}}});
-        }
-      return parts;
-    }
-
-    template <>
-    std::vector<std::array<Barycentric<2>, 3>>
-    parts_of_face<3>()
-    {
-      return {{{{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}}}};
-    }
-
-
-
     /// Of the slip, whose norm is convex: its mean is at most that of its
     /// coefficients.
     template <int dim>
@@ -160,29 +128,19 @@ namespace ElastoPlastic
                  const FaceView<dim>                     &view,
                  const std::vector<SimplexVelocity<dim>> &velocity)
     {
-      static const auto parts  = parts_of_face<dim>();
-      const auto       &points = Bernstein<dim - 1>::points(slip_degree<dim>);
-      const auto       &coefficients =
-        Bernstein<dim - 1>::coefficients(slip_degree<dim>);
+      using Polynomial        = Bernstein<dim - 1>;
+      static const auto parts = divide<dim - 1>(dim == 2 ? n_side_parts : 1);
 
       const SlipNorm<dim> norm(body, view.number);
       double              sum = 0;
       for (const auto &part : parts)
-        {
-          std::vector<Tensor<1, dim>> slips;
-          for (const auto &point : points)
-            slips.push_back(
-              view.along(view.jump(velocity, interpolate(point, part))));
-          for (unsigned int i = 0; i < slips.size(); ++i)
-            {
-              Tensor<1, dim> coefficient;
-              for (unsigned int p = 0; p < slips.size(); ++p)
-                coefficient += coefficients(i, p) * slips[p];
-              sum += norm(coefficient);
-            }
-        }
+        for (const auto &slip :
+             Polynomial::interpolate(slip_degree<dim>, [&](const auto &point) {
+               return view.along(view.jump(velocity, interpolate(point, part)));
+             }))
+          sum += norm(slip);
       return body.angle() * body.shear_strength(view.number) * view.area /
-             (parts.size() * points.size()) * sum;
+             (parts.size() * Polynomial::n_functions(slip_degree<dim>)) * sum;
     }
   } // namespace
 

@@ -19,21 +19,28 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// The quadratic function with these values at the corners of a simplex and
-    /// in the middle of its edges.
+    /// Bernstein's coefficients of the quadratic function with these values at
+    /// the corners of a simplex and in the middle of its edges.
     template <int dim, typename Value>
-    Value
-    quadratic(const std::array<Value, dim + 1>                &at_corners,
-              const std::array<Value, edges_per_simplex<dim>> &at_edges,
-              const Barycentric<dim>                          &position)
+    std::vector<Value>
+    coefficients(const std::array<Value, dim + 1>                &at_corners,
+                 const std::array<Value, edges_per_simplex<dim>> &at_edges)
     {
-      Value result = Value();
+      std::vector<Value> result(Bernstein<dim>::n_functions(2));
+      const auto         of_product = [&](const unsigned int i,
+                                  const unsigned int j) -> Value         &{
+        typename Bernstein<dim>::Exponents exponents = {};
+        ++exponents[i];
+        ++exponents[j];
+        return result[Bernstein<dim>::number_of(exponents)];
+      };
       for (unsigned int i = 0; i <= dim; ++i)
-        result += position[i] * (2. * position[i] - 1.) * at_corners[i];
+        of_product(i, i) = at_corners[i];
       for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
         {
           const auto [a, b] = ends_of_edge<dim>(e);
-          result += 4. * position[a] * position[b] * at_edges[e];
+          of_product(a, b) =
+            2. * at_edges[e] - 0.5 * (at_corners[a] + at_corners[b]);
         }
       return result;
     }
@@ -90,27 +97,22 @@ namespace ElastoPlastic
       std::map<CellId, std::vector<double>> of_cells; ///< by local unknowns
     };
 
-
-
-    /// The gradients of the quadratic shape functions at a @p corner of a
-    /// simplex: of those that belong to its corners, then of those that belong
-    /// to the middles of its edges. Of the latter, only those of the edges that
-    /// begin there have a gradient.
-    template <int dim>
-    std::array<Tensor<1, dim>, dim + 1 + edges_per_simplex<dim>>
-    shape_gradients(const Corners<dim> &corners, const unsigned int corner)
-    {
-      const auto linear = gradients(corners);
-      std::array<Tensor<1, dim>, dim + 1 + edges_per_simplex<dim>> result;
-      for (unsigned int i = 0; i <= dim; ++i)
-        {
-          result[i] = (i == corner ? 3. : -1.) * linear[i];
-          if (i != corner)
-            result[dim + 1 + edge_between<dim>(i, corner)] = 4. * linear[i];
-        }
-      return result;
-    }
   } // namespace
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  QuadraticField<dim>::coefficients_on(const Simplex &simplex) const
+  {
+    std::array<Tensor<1, dim>, dim + 1>                of_corners;
+    std::array<Tensor<1, dim>, edges_per_simplex<dim>> of_edges;
+    for (unsigned int i = 0; i <= dim; ++i)
+      of_corners[i] = at_vertices[simplex.vertices[i]];
+    for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
+      of_edges[e] = at_edges[simplex.edges[e]];
+    return coefficients<dim>(of_corners, of_edges);
+  }
 
 
 
@@ -119,52 +121,14 @@ namespace ElastoPlastic
   QuadraticField<dim>::strains(const SplitMesh<dim> &mesh,
                                const unsigned int    t) const
   {
-    const auto &simplex = mesh.simplices[t];
-    const auto  corners = mesh.corners(simplex);
+    const auto polynomial = coefficients_on(mesh.simplices[t]);
     std::array<SymmetricTensor<2, dim>, dim + 1> result;
-    for (unsigned int corner = 0; corner <= dim; ++corner)
-      {
-        const auto     shapes = shape_gradients<dim>(corners, corner);
-        Tensor<2, dim> gradient;
-        for (unsigned int i = 0; i <= dim; ++i)
-          gradient +=
-            outer_product(at_vertices[simplex.vertices[i]], shapes[i]);
-        for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
-          gradient +=
-            outer_product(at_edges[simplex.edges[e]], shapes[dim + 1 + e]);
-        result[corner] = symmetrize(gradient);
-      }
-    return result;
-  }
-
-
-
-  template <int dim>
-  Tensor<1, dim>
-  QuadraticField<dim>::value(const Simplex          &simplex,
-                             const Barycentric<dim> &position) const
-  {
-    std::array<Tensor<1, dim>, dim + 1>                of_corners;
-    std::array<Tensor<1, dim>, edges_per_simplex<dim>> of_edges;
     for (unsigned int i = 0; i <= dim; ++i)
-      of_corners[i] = at_vertices[simplex.vertices[i]];
-    for (unsigned int e = 0; e < edges_per_simplex<dim>; ++e)
-      of_edges[e] = at_edges[simplex.edges[e]];
-    return quadratic<dim>(of_corners, of_edges, position);
-  }
-
-
-
-  template <int dim>
-  std::array<Tensor<1, dim>, dim + 2>
-  QuadraticField<dim>::values_at_vertices(const Simplex &simplex) const
-  {
-    std::array<Tensor<1, dim>, dim + 2> result;
-    Barycentric<dim>                    centre;
-    centre.fill(1. / (dim + 1.));
-    for (unsigned int i = 0; i <= dim; ++i)
-      result[i] = at_vertices[simplex.vertices[i]];
-    result[dim + 1] = value(simplex, centre);
+      result[i] =
+        Bernstein<dim>::symmetric_gradient(mesh.corners(mesh.simplices[t]),
+                                           2,
+                                           polynomial.begin(),
+                                           corner_position<dim>(i));
     return result;
   }
 
@@ -174,7 +138,8 @@ namespace ElastoPlastic
   Tensor<1, dim>
   FaceValues<dim>::value(const Barycentric<dim - 1> &position) const
   {
-    return quadratic<dim - 1>(at_corners, at_edges, position);
+    return Bernstein<dim - 1>::value(
+      2, coefficients<dim - 1>(at_corners, at_edges).begin(), position);
   }
 
 

@@ -219,9 +219,7 @@ namespace ElastoPlastic
         , unknowns(body)
         , work_unit(body.stress_unit * body.length_unit * body.weight_unit())
       {
-        program.right_hand_side.reinit(unknowns.size());
-        if (body.load_factor_unit > 0)
-          program.live_load.reinit(unknowns.size());
+        program.set_equations(unknowns.size(), body.load_factor_unit > 0);
         for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
           add_block(t);
       }
@@ -240,11 +238,10 @@ namespace ElastoPlastic
           {
             const StreamElement element(body, t, unknowns.has_flux(t));
             const auto          equations = unknowns.on_triangle(t);
-            Vector<double>      coefficients(element.n_functions());
-            for (unsigned int f = 0; f < coefficients.size(); ++f)
+            auto               &velocity  = field.velocity.emplace_back();
+            for (unsigned int f = 0; f < element.functions.size(); ++f)
               if (equations[f] != numbers::invalid_unsigned_int)
-                coefficients[f] = -solution.y[equations[f]];
-            field.velocity.push_back(element.velocity(coefficients));
+                velocity.add(-solution.y[equations[f]], element.functions[f]);
           }
         return field;
       }
@@ -340,21 +337,20 @@ namespace ElastoPlastic
             integrate_on_face<2>(
               view.corners,
               [&](const FacePoint<2> &point, const double weight) {
-                const auto velocities =
-                  element.weighted_velocities(view.point(point.position));
-                for (unsigned int f = 0; f < velocities.size(); ++f)
+                const auto [constant, growing] = body.loads(s, c, point);
+                for (unsigned int f = 0; f < element.functions.size(); ++f)
                   if (equations[f] != numbers::invalid_unsigned_int)
                     {
-                      const double velocity =
+                      const double along =
                         weight * view.area / work_unit *
-                        (velocities[f] *
+                        (weighted_velocity(body,
+                                           element.functions[f],
+                                           t,
+                                           view.point(point.position)) *
                          view.condition.components[c].direction);
-                      program.right_hand_side[equations[f]] +=
-                        velocity * body.load(s, c, point);
-                      if (body.load_factor_unit > 0)
-                        program.live_load[equations[f]] +=
-                          velocity * body.load_factor_unit *
-                          body.live_load(s, c, point);
+                      program.add_load(equations[f],
+                                       along * constant,
+                                       along * body.load_factor_unit * growing);
                     }
               });
       }

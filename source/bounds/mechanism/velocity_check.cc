@@ -32,26 +32,17 @@ namespace ElastoPlastic
                      const FaceView<dim>   &view,
                      const Velocities<dim> &velocity)
     {
-      const auto &points = Bernstein<dim - 1>::points(trace_degree<dim>);
-      const auto &coefficients =
-        Bernstein<dim - 1>::coefficients(trace_degree<dim>);
-      const auto     &direction = view.condition.contact().direction;
-      AgainstIndenter result    = {std::vector<double>(points.size()),
-                                   std::vector<double>(points.size())};
-      for (unsigned int p = 0; p < points.size(); ++p)
-        {
-          const double here =
-            -view.velocity_of(0, velocity, points[p]) * direction;
-          const double there =
-            -body.weight(interpolate(points[p], view.corners)) *
-            (view.support.velocity * direction);
-          for (unsigned int i = 0; i < points.size(); ++i)
-            {
-              result.of_body[i] += coefficients(i, p) * here;
-              result.of_indenter[i] += coefficients(i, p) * there;
-            }
-        }
-      return result;
+      const auto    &direction = view.condition.contact().direction;
+      constexpr auto degree    = trace_degree<dim>;
+      return {Bernstein<dim - 1>::interpolate(
+                degree,
+                [&](const auto &point) {
+                  return -view.velocity_of(0, velocity, point) * direction;
+                }),
+              Bernstein<dim - 1>::interpolate(degree, [&](const auto &point) {
+                return -body.weight(interpolate(point, view.corners)) *
+                       (view.support.velocity * direction);
+              })};
     }
 
 
@@ -176,14 +167,6 @@ namespace ElastoPlastic
       return body.angle() * volume(body.corners_of(t)) * sum;
     }
   } // namespace
-
-
-
-  double
-  VelocityErrors::largest() const
-  {
-    return std::max({divergence, separation, penetration});
-  }
 
 
 

@@ -7,18 +7,6 @@
 
 namespace ElastoPlastic
 {
-  template <int dim>
-  Point<dim>
-  centre_of(const Corners<dim> &corners)
-  {
-    Tensor<1, dim> sum = corners[0];
-    for (unsigned int i = 1; i <= dim; ++i)
-      sum += corners[i];
-    return Point<dim>(sum / (dim + 1.));
-  }
-
-
-
   double
   volume(const Corners<2> &corners)
   {
@@ -121,10 +109,4 @@ namespace ElastoPlastic
     return result;
   }
 
-
-
-  template Point<2>
-  centre_of(const Corners<2> &);
-  template Point<3>
-  centre_of(const Corners<3> &);
 } // namespace ElastoPlastic

@@ -69,56 +69,6 @@ namespace ElastoPlastic
 
 
 
-    /// The powers of the barycentric coordinates of a point, over their
-    /// factorials.
-    template <int dim>
-    class Powers
-    {
-    public:
-      explicit Powers(const Barycentric<dim> &point)
-      {
-        for (unsigned int i = 0; i <= dim; ++i)
-          {
-            double power = 1.;
-            for (unsigned int p = 0; p <= max_degree; ++p)
-              {
-                values[i][p] = power / factorials[p];
-                power *= point[i];
-              }
-          }
-      }
-
-      /// The multinomial function of these exponents; zero if one of them is
-      /// negative, as derivatives have it.
-      double
-      function(const typename Bernstein<dim>::Exponents &exponents) const
-      {
-        if (*std::min_element(exponents.begin(), exponents.end()) < 0)
-          return 0.;
-        double result =
-          factorials[std::accumulate(exponents.begin(), exponents.end(), 0)];
-        for (unsigned int i = 0; i <= dim; ++i)
-          result *= values[i][exponents[i]];
-        return result;
-      }
-
-    private:
-      static constexpr ByDegrees<double> factorials = {{1., 1., 2., 6., 24.}};
-
-      std::array<ByDegrees<double>, dim + 1> values;
-    };
-
-
-
-    Bernstein<2>::Exponents
-    lowered(Bernstein<2>::Exponents exponents, const unsigned int i)
-    {
-      --exponents[i];
-      return exponents;
-    }
-
-
-
     FullMatrix<double>
     inverse(FullMatrix<double> matrix)
     {
@@ -204,10 +154,24 @@ namespace ElastoPlastic
   Bernstein<dim>::functions(const unsigned int      degree,
                             const Barycentric<dim> &point)
   {
-    const Powers<dim>   powers(point);
+    constexpr ByDegrees<double>            factorials = {{1., 1., 2., 6., 24.}};
+    std::array<ByDegrees<double>, dim + 1> powers; // over their factorials
+    for (unsigned int i = 0; i <= dim; ++i)
+      {
+        double power = 1.;
+        for (unsigned int p = 0; p <= max_degree; ++p)
+          {
+            powers[i][p] = power / factorials[p];
+            power *= point[i];
+          }
+      }
     std::vector<double> values;
     for (const auto &of_function : exponents(degree))
-      values.push_back(powers.function(of_function));
+      {
+        double &value = values.emplace_back(factorials[degree]);
+        for (unsigned int i = 0; i <= dim; ++i)
+          value *= powers[i][of_function[i]];
+      }
     return values;
   }
 
@@ -259,35 +223,6 @@ namespace ElastoPlastic
               binomial_coefficient<double>(all[a][i] + all[b][i], all[a][i]);
         }
     return mass;
-  }
-
-
-
-  // The derivative of a function of degree n by a barycentric coordinate is n
-  // times one of degree n - 1.
-  std::array<Jet, n_cubics>
-  cubics(const std::array<Tensor<1, 2>, 3> &gradients,
-         const Barycentric<2>              &point)
-  {
-    const Powers<2>           powers(point);
-    std::array<Jet, n_cubics> jets;
-    for (unsigned int f = 0; f < n_cubics; ++f)
-      {
-        const Bernstein<2>::Exponents &of_function =
-          Bernstein<2>::exponents(3)[f];
-        jets[f].value = powers.function(of_function);
-        for (unsigned int i = 0; i < 3; ++i)
-          {
-            const Bernstein<2>::Exponents once = lowered(of_function, i);
-            if (once[i] < 0)
-              continue;
-            jets[f].gradient += 3. * powers.function(once) * gradients[i];
-            for (unsigned int j = 0; j < 3; ++j)
-              jets[f].hessian += 6. * powers.function(lowered(once, j)) *
-                                 outer_product(gradients[i], gradients[j]);
-          }
-      }
-    return jets;
   }
 
 

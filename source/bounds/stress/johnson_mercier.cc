@@ -246,16 +246,14 @@ namespace ElastoPlastic
         const auto gradient = gradients(part_of(corners, k));
         for (unsigned int b = 0; b < lower.size(); ++b)
           for (unsigned int i = 0; i <= dim; ++i)
-            {
-              auto raised = lower[b];
-              ++raised[i];
-              add_traction<dim>(divergence,
-                                dim * (lower.size() * k + b),
-                                value_index(degree,
-                                            k,
-                                            Bernstein<dim>::number_of(raised)),
-                                1. * degree * gradient[i]);
-            }
+            add_traction<dim>(divergence,
+                              dim * (lower.size() * k + b),
+                              value_index(degree,
+                                          k,
+                                          Bernstein<dim>::number_of(
+                                            Bernstein<dim>::raised(lower[b],
+                                                                   i))),
+                              1. * degree * gradient[i]);
       }
     return divergence;
   }

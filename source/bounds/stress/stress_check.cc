@@ -193,10 +193,11 @@ namespace ElastoPlastic
              Bernstein<dim>::exponents(field.degree - 1))
           {
             const auto beside = [&](const unsigned int corner) {
-              auto raised = exponents;
-              ++raised[corner];
-              return in_plane<dim>(
-                field.coefficient(t, part, Bernstein<dim>::number_of(raised)));
+              return in_plane<dim>(field.coefficient(
+                t,
+                part,
+                Bernstein<dim>::number_of(
+                  Bernstein<dim>::raised(exponents, corner))));
             };
             Tensor<1, dim> sum;
             for (unsigned int i = 0; i < dim; ++i)
@@ -217,13 +218,11 @@ namespace ElastoPlastic
                          const unsigned int      k,
                          const Barycentric<dim> &point) const
       {
-        const auto functions =
-          Bernstein<dim>::functions(field.degree - 1, point);
-        return std::inner_product(functions.begin(),
-                                  functions.end(),
-                                  field.circumferential[t].begin() +
-                                    functions.size() * k,
-                                  0.);
+        const unsigned int degree = field.degree - 1;
+        return Bernstein<dim>::value(degree,
+                                     field.circumferential[t].begin() +
+                                       Bernstein<dim>::n_functions(degree) * k,
+                                     point);
       }
 
       /// A coefficient of the pressure of the body forces, multiplied by the
@@ -255,13 +254,11 @@ namespace ElastoPlastic
           body.corners_of_face(f), [&](const FacePoint<dim> &point) {
             if (body.is_on_axis(point.x))
               return;
-            const auto functions =
-              Bernstein<dim - 1>::functions(field.degree, point.position);
             const Tensor<1, dim> traction =
-              inverse_weight(point.x) * std::inner_product(functions.begin(),
-                                                           functions.end(),
-                                                           tractions.begin(),
-                                                           Tensor<1, dim>()) -
+              inverse_weight(point.x) *
+                Bernstein<dim - 1>::value(field.degree,
+                                          tractions.begin(),
+                                          point.position) -
               body.pressure_of_body_force(point.x, field.load_factor) * normal;
             for (const auto &component : body.conditions[f].components)
               if (component.type == ConditionType::traction)

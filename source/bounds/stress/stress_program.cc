@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
 
 #include "bounds/body/hencky_material.h"
 #include "bounds/body/yield_matrices.h"
@@ -101,14 +101,11 @@ namespace ElastoPlastic
     add_friction<dim>(block, stresses, weights, constant, slope);
     if (!has_growing_pressure())
       return;
-    auto growing = local(t).pressures(body.load_factor_unit);
-    std::transform(growing.begin(),
-                   growing.end(),
-                   constant.begin(),
-                   growing.begin(),
-                   std::minus<>());
+    const auto         loaded  = local(t).pressures(body.load_factor_unit);
     const unsigned int unknown = stresses.n() - 1;
-    add_growing_pressure<dim>(block, unknown, growing, slope);
+    for (unsigned int p = 0; p < loaded.size(); ++p)
+      block.cone_matrix(n_stress_components<dim> * p, unknown) -=
+        std::sqrt(2.) * slope * (loaded[p] - constant[p]);
     Vector<double> row(stresses.n());
     row[unknown] = 1.;
     block.add_to_equation(program.right_hand_side.size() -
@@ -123,7 +120,7 @@ namespace ElastoPlastic
   StressProgram<dim>::solve(const double tolerance)
   {
     const ConicLayout   layout(program);
-    const bool          force_is_given = program.n_dense_rows > 0;
+    const bool          force_is_given = program.has_dense_row;
     const ConicSolution solution = minimize(std::move(program), tolerance);
     const double        length   = body.length_unit;
 

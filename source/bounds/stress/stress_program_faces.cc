@@ -23,10 +23,10 @@ namespace ElastoPlastic
       for (unsigned int c = 0; c < dim; ++c)
         {
           const auto load = point_forces(f, [&](const FacePoint<dim> &x) {
-            return body.load(f, c, x);
+            return body.loads(f, c, x).constant;
           });
           const auto more = point_forces(f, [&](const FacePoint<dim> &x) {
-            return body.load_factor_unit * body.live_load(f, c, x);
+            return body.load_factor_unit * body.loads(f, c, x).growing;
           });
           for (unsigned int i = 0; i < n; ++i)
             {
@@ -48,18 +48,6 @@ namespace ElastoPlastic
     program.right_hand_side = Vector<double>(values.begin(), values.end());
     if (body.load_factor_unit > 0)
       program.live_load = Vector<double>(live_load.begin(), live_load.end());
-  }
-
-
-
-  template <int dim>
-  bool
-  StressProgram<dim>::is_on_axis(const PointOfFace &point) const
-  {
-    return body.is_on_axis(
-      point_on_face<dim>(body.corners_of_face(point.face),
-                         Bernstein<dim - 1>::points(degree)[point.point])
-        .x);
   }
 
 
@@ -259,7 +247,7 @@ namespace ElastoPlastic
     const unsigned int row = program.right_hand_side.size();
     program.right_hand_side.grow_or_shrink(row + 1);
     program.right_hand_side[row] = force / body.force_unit();
-    program.n_dense_rows         = 1;
+    program.has_dense_row        = true;
     Vector<double> part(1);
     for (unsigned int i = 0; i < contact_points.size(); ++i)
       {
