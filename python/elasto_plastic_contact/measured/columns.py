@@ -24,7 +24,7 @@ FALL = 0.5
 
 # The titles of parts of an indent and comments between its rows, and how far a part may begin from the end of the one
 # before, relative to the largest depth and force.
-PART = re.compile(r"^[#%]|\b(un)?load(ing)?\b|\b(hold|dwell)(ing)?\b|\bsegment\b|\b(be|ent)last(en|ung)\b|\bhalte",
+PART = re.compile(r"^[#%]|\b(un)?load(ing)?\b|\b(hold|dwell)(ing)?\b|\bpause\b|\bsegment\b|\b(be|ent)last(en|ung)\b|\bhalte",
                   re.IGNORECASE)
 CLOSE = 0.1
 

@@ -8,6 +8,7 @@ from ..errors import UserError
 from . import delimited, fischerscope, hdf5, hysitron, nanosuite, results, spreadsheet
 from .columns import checked_columns
 from .curve import in_own_units
+from .east_asian import with_usual_signs
 from .texts import decode, lines_of, read_bytes
 from .units import given_units
 
@@ -30,7 +31,7 @@ def read_raw(path, columns=None):
         raise UserError(f"'{path}' is in no format that is known: "
                         f"{', '.join(reader.FORMAT for reader in BINARY_READERS)}, or texts "
                         f"({', '.join(reader.FORMAT for reader in TEXT_READERS)}). Export it as a text")
-    lines = lines_of(text)
+    lines = lines_of(with_usual_signs(text))
     reader = next(reader for reader in TEXT_READERS if reader.knows(lines))
     return reader.FORMAT, reader.read(path, lines, columns or {})
 
