@@ -3,6 +3,7 @@
 """What exports of instruments and spreadsheets do with numbers, words, times, names of columns and parts of an indent."""
 
 import unittest
+import zipfile
 
 import numpy
 from measured_files import FilesOfInstruments, rows_of
@@ -193,6 +194,25 @@ class Exports(FilesOfInstruments):
                                   ({"Test 1": with_markers, "Test 2": with_markers}, 2), ({"Data": beside}, 2)):
             with self.subTest(sheets=sheets.keys()):
                 self.check(read_curve(self.spreadsheet(sheets)), n_indents)
+
+    def test_archives(self):
+        """A file for each indent, with bare numbers as Micro Materials writes them."""
+        def archive(files):
+            with zipfile.ZipFile(self.folder / "tests.zip", "w") as written:
+                for name, text in files.items():
+                    written.writestr(name, text)
+            return self.folder / "tests.zip"
+
+        bare, headed = rows_of(self.columns), HEAD + rows_of(self.columns)
+        curves = self.check(read_curve(archive({"a/Indent 1.txt": headed, "a/Indent 2.txt": headed})), 2)
+        self.assertEqual([curve.name for curve in curves], ["Indent 1", "Indent 2"])
+        self.check(read_curve(archive({"1.txt": bare, "2.txt": bare}), {"time": 1, "depth": 2, "force": 3},
+                              {"time": "s", "depth": "nm", "force": "mN"}), 2)
+        for files, message in (({"1.txt": bare}, "tests.zip/1.txt' does not say what its columns are"), ({"a/": ""}, "without files"),
+                               ({"r.csv": "C (GPa),hm (um),Wp/Wt\n" + "1,2,3\n" * 6}, "take it out of the archive")):
+            archive(files)
+            self.refused(message, None, name="tests.zip")
+        self.refused("is damaged, or no .zip", b"PK\x03\x04 nothing", name="damaged.zip")
 
     def spreadsheet(self, sheets):
         """The path of a spreadsheet with these rows on each sheet."""
