@@ -150,7 +150,7 @@ class Exports(FilesOfInstruments):
 
     def test_texts_of_instruments(self):
         """Made up in the style of Anton Paar, CSM, FemtoTools, Alemnis, Shimadzu, Elionix, Fischer, KLA, UMIS, Micro
-        Materials."""
+        Materials, Optics11."""
         t, h, F = self.columns
         numbers = range(len(t))
         parts = [rows_of((t[part], h[part], F[part])) for part in (slice(81), slice(81, 101), slice(101, None))]
@@ -173,6 +173,8 @@ class Exports(FilesOfInstruments):
                 "HM2000\nNr.\tF / mN\th / µm\tt / s\n" + rows_of((numbers, F, 1e-3 * h, t), decimal=","),
                 f"Segment,Displacement Into Surface,Load On Sample,Time On Sample\n,nm,mN,s\n{kla}",
                 f"Test 1\nSegment,Displacement Into Surface nm,Load On Sample mN,Time On Sample s\n{kla}",
+                "Tip radius (um)\t50\n\nTime (s)\tLoad (uN)\tIndentation (nm)\tCantilever (nm)\tPiezo (nm)\tAuxiliary\n"
+                + rows_of((t, 1e3 * F, h, h, h, t), decimal=","),
                 "UMIS\nPn (mN)\th (µm)\n" + rows_of((F, 1e-3 * h))):
             with self.subTest(text=text[:60]):
                 self.check(read_curve(self.write(text)))

@@ -16,7 +16,7 @@ NAMES = {
               ("penetration", "displacement", "disp", "indentdisp", "normaldisp", "zdisp", "indenterdisplacement",
                "correcteddisplacement", "tipdisplacement", "indentationdisplacement", "weg", "standardweg", "tiefe",
                "profondeur", "deplacement", *words_of("depth")),
-              ("rawdisplacement", "rawdepth")),
+              ("rawdisplacement", "rawdepth", "indentation")),
     "force": (("loadonsample", "forceonsurface", "forceonsample", "correctedload", "correctedforce"),
               ("load", "force", "f", "p", "fn", "pn", "normalforce", "normalload", "indentload", "indentationload",
                "indentationforce", "testforce", "testload", "appliedload", "appliedforce", "forcesensor", "forcea", "kraft",
