@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables of the page on fits: the ready problems, and published measurements; see command."""
 
-import dataclasses
 import functools
 import pathlib
 import tempfile
@@ -93,13 +92,6 @@ def published_metals_pyramid(runs):
     """The same with the pyramid itself, on a coarse mesh."""
     from ..verification.published_metals import PYRAMID
     return metals_under(PYRAMID, runs, coarse=True)
-
-
-@measured_table(1200)
-def published_metals_power_law(runs):
-    """The same with slopes of the power law from 50 to 95 % of the force, as 'epc evaluate' fits it."""
-    from ..verification.published_metals import PYRAMID
-    return metals_under(dataclasses.replace(PYRAMID, slope_fit=(0.5, 0.95)), runs, coarse=True)
 
 
 def metals_under(tip, runs, coarse):
