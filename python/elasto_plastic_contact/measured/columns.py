@@ -227,6 +227,9 @@ def tidied(curve, path):
     if not complete.all():
         curve = replace(curve, **{quantity: getattr(curve, quantity)[complete] for quantity in curve.quantities()})
         curve = curve.with_remark(f"{(~complete).sum()} rows without a depth, force or time are left out")
+    if not curve.force.any():
+        raise UserError(f"'{path}' has the force 0 in all rows of the indent '{curve.name}', in the column "
+                        f"'{curve.columns['force']}': that is no curve. Choose by --columns")
     return with_right_signs(curve)
 
 

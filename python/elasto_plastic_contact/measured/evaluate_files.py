@@ -98,9 +98,10 @@ def corrected(curve, arguments, unit):
     """The curve with what was asked for, its segments, its cycles, and sentences."""
     segments, cycles = find_segments(curve, arguments.noise)
     sentences = list(curve.remarks)
-    if scatter_of(curve) > arguments.noise:
-        sentences.append(f"noise: the force scatters, so that a segment ends where it turns back by {scatter_of(curve):.1%} of "
-                         "its largest value")
+    scatter, largest = scatter_of(curve.force), curve.force.max()
+    if scatter > arguments.noise * largest > 0.:
+        sentences.append(f"noise: the force scatters, so that a segment ends where it turns back by {scatter / largest:.1%} of its "
+                         "largest value")
     if arguments.drift is not None:
         curve, sentence = without_drift(curve, arguments.drift, segments)
         sentences.append(sentence)

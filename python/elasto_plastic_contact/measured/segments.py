@@ -41,9 +41,9 @@ def deviation_of_noise(values):
     return 1.4826 * float(numpy.median(numpy.abs(numpy.diff(values, 2)))) / 6. ** 0.5 if len(values) > 4 else 0.
 
 
-def scatter_of(curve):
-    """How far the force may turn back by its noise alone, relative to the largest one."""
-    return SCATTER * deviation_of_noise(curve.force) / curve.force.max()
+def scatter_of(force):
+    """How far it may turn back by its noise alone."""
+    return SCATTER * deviation_of_noise(force)
 
 
 def turning_points(force, tolerance):
@@ -119,7 +119,7 @@ def find_segments(curve, noise=0.01):
     force = curve.force
     time = numpy.arange(len(force), dtype=float) if curve.time is None else curve.time
     deviation = deviation_of_noise(force)
-    points = turning_points(force, max(noise, scatter_of(curve)) * force.max())
+    points = turning_points(force, max(noise * force.max(), scatter_of(force)))
     flanks = [Flank(time, force, begin, end, deviation) for begin, end in zip(points, points[1:]) if end > begin]
     holds = [hold_at(flank.begin, before, flank) for before, flank in zip([None, *flanks], flanks)]
     holds.append(hold_at(flanks[-1].end, flanks[-1], None))
