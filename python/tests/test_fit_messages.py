@@ -12,7 +12,9 @@ import numpy
 
 from elasto_plastic_contact import UserError
 from elasto_plastic_contact.__main__ import main
+from elasto_plastic_contact.fitting.command import find_problem
 from elasto_plastic_contact.fitting.reading import read_problem
+from elasto_plastic_contact.program import ROOT
 
 CURVE = "Depth (µm),Force (N)\n" + "".join(f"{h},{h * h}\n" for h in range(1, 51)) + "".join(
     f"{50 - 0.1 * k},{2500 - 120 * k}\n" for k in range(1, 20))
@@ -127,6 +129,14 @@ class Problems(unittest.TestCase):
                               ("set Dimension", "'.*problem.prm' is damaged in line 1")):
             (self.folder / "problem.prm").write_text(text)
             self.refuse(message, f"{CONE}/case", "problem.prm")
+
+    def test_ready_problems(self):
+        """By their names, if there is no file of that name."""
+        path = self.folder / "sphere.json"
+        for name in ("sphere", "sphere.json"):
+            self.assertEqual(find_problem(pathlib.Path(name)), ROOT / "parameter_files/fit/sphere.json")
+        self.assertEqual(find_problem(path), path)
+        self.assertEqual(find_problem(pathlib.Path("nothing.json")), pathlib.Path("nothing.json"))
 
     def test_file(self):
         for text, message in (("{", "this is no JSON"), ("[]", "the problem is \\[\\], but must be an object"),

@@ -69,6 +69,17 @@ class Command(unittest.TestCase):
         self.assertEqual(found["constants"]["indenter"], [1141., 0.07])
         self.assertIn("(diamond)", " ".join(found["remarks"]))
 
+    def test_noise(self):
+        """Of a force that scatters by 1 %: one unloading, and a sentence."""
+        curve = indent((10.,))
+        noisy = MeasuredCurve("1", curve.depth, curve.force + 0.1 * numpy.random.default_rng(2).normal(size=len(curve.force)),
+                              curve.time)
+        process = self.command(self.write("noisy.txt", noisy), "--area", SHARP)
+        self.assertRegex(process.stdout, r"noise: the force scatters, so that a segment ends where it turns back by [4-9]\.[0-9]% of "
+                                         "its largest value")
+        self.assertNotIn("unloading 2", process.stdout)
+        self.assertNotIn("noise: ", self.command(self.file, "--area", SHARP).stdout)
+
     def test_tips(self):
         section = {}
         for name, options in (("pyramid", ["--pyramid", 3, 65.27]), ("berkovich", ["--berkovich"]),

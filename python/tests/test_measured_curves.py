@@ -249,6 +249,8 @@ class Readers(FilesOfInstruments):
         self.refused("has 2 values in line 51, and 3 in the lines before",
                      "".join([*lines[:50], "3.0\t4.0\n", *lines[50:]]))
         self.refused("has 0 complete rows of depth and force in the indent '1'", head + "1\t\t2\n" * 20)
+        self.refused("has the force 0 in all rows of the indent '1', in the column 'Load .mN.': that is no curve",
+                     head + "".join(f"{i}\t{i}\t0\n" for i in range(9)))
         self.refused("holds results, one row an indent, and no curve", "C (GPa),hm (um),Wp/Wt\n" + "1,2,3\n" * 6,
                      name="results.csv")
         path = self.write(head + rows)

@@ -144,6 +144,15 @@ class Evaluation(unittest.TestCase):
             self.assertAlmostEqual(found["tip_reduced_modulus"] / reduced, 1., delta=1e-3)
             self.assertAlmostEqual(found["hold_rate_sensitivity"] / sensitivity, 1., delta=0.01)
 
+    def test_force_that_scatters(self):
+        """Makes no segments of its own: one load and one unload, as without the noise."""
+        curve = indent()
+        noise = curve.force.max() * numpy.random.default_rng(5).normal(size=len(curve.force))
+        for share in (0.003, 0.01, 0.03):
+            segments, cycles = find_segments(MeasuredCurve("1", curve.depth, curve.force + share * noise))
+            self.assertEqual([segment.kind for segment in segments], ["load", "unload"])
+            self.assertEqual(len(cycles), 1)
+
     def test_rate_sensitivity_with_noise(self):
         """A line through noisy rates would have a much smaller slope."""
         curve = creeping(0.02, 70.)

@@ -3,6 +3,7 @@
 """What exports of instruments and spreadsheets do with numbers, words, times, names of columns and parts of an indent."""
 
 import unittest
+import zipfile
 
 import numpy
 from measured_files import FilesOfInstruments, rows_of
@@ -116,21 +117,123 @@ class Exports(FilesOfInstruments):
         self.check(read_curve(self.write("s\tnm\tmN\nTime\tDepth\tLoad\n" + rows_of(self.columns))))
 
     def test_numbers_with_units(self):
-        rows = "".join(f"{t:.4f} s\t{h:.4f} nm\t{F:.4f} mN\n" for t, h, F in zip(*self.columns))
-        self.refused("has 0 complete rows of depth and force in the indent '1', of the columns 'Depth' and 'Load': that is "
-                     "no curve. Are these the right columns, and numbers alone in them", "Time\tDepth\tLoad\n" + rows)
+        def text(separator, mark):
+            return "".join(separator.join(f"{value:.5f} {unit}".replace(".", mark) for value, unit in
+                                          zip(row, ("s", "nm", "mN", "%"))) + "\n"
+                           for row in zip(*self.columns, self.time))
 
-    def test_spreadsheet_of_texts(self):
+        for head, separator, mark in (("Time\tDepth\tLoad\tShare\n", "\t", "."), ("Zeit;Tiefe;Kraft;Anteil\n", ";", ","),
+                                      ("Time,Depth,Load,Share\n", ",", ".")):
+            self.assertIsNotNone(self.check(read_curve(self.write(head + text(separator, mark))))[0].time)
+        self.check(read_curve(self.write(head + text(",", ".").replace(" ", "\u00a0"))))
+        lines = (head + text(",", ".")).splitlines(keepends=True)
+        self.refused("has numbers in 'µm' in line 51, and in 'nm' in line 2: write each column in one unit, behind all its "
+                     "numbers or in its heading", "".join([*lines[:50], lines[50].replace("nm", "µm"), *lines[51:]]))
+
+    def test_other_languages(self):
+        """Words and encodings of instruments; what else is written is named with what to say."""
+        for head, encodings in (
+                ("時間[s],押込み深さ[nm],試験力[mN]", ("cp932", "utf-8", "utf-16")), ("時間（ms）,変位（nm）,荷重（mN）", ("cp932",)),
+                ("时间(s),位移(nm),载荷(mN)", ("gb18030", "utf-8-sig")), ("时间（s）,压入深度（nm）,压入载荷（mN）", ("gb18030",)),
+                ("Zeit [s],Eindringtiefe Pd [nm],Normalkraft Fn [mN]", ("latin-1",)), ("Zeit in s,Weg in nm,Last in mN", ("utf-8",)),
+                ("Temps [s],Déplacement [nm],Charge [mN]", ("latin-1", "utf-8")), ("Temps [s],Enfoncement [nm],Effort [mN]", ("utf-8",))):
+            for encoding in encodings:
+                with self.subTest(head=head, encoding=encoding):
+                    time = 1e3 * self.time if "ms" in head else self.time
+                    text = f"{head}\n{rows_of((time, self.depth, self.force), ',')}"
+                    self.assertIsNotNone(self.check(read_curve(self.write(text, encoding=encoding)))[0].time)
+        for encoding in ("cp932", "gb18030"):  # (a µ alone)
+            text = f"Time[s]\tDepth[μm]\tForce[mN]\n{rows_of((self.time, 1e-3 * self.depth, self.force))}"
+            self.check(read_curve(self.write(text, encoding=encoding)))
+        self.refused("has no column that is known as depth and force; line 1 names 시간, 깊이, 하중. Say which columns they are, "
+                     "by their numbers or names: --columns depth=1,force=2", "시간\t깊이\t하중\n" + rows_of(self.columns))
+
+    def test_texts_of_instruments(self):
+        """Made up in the style of Anton Paar, CSM, FemtoTools, Alemnis, Shimadzu, Elionix, Fischer, KLA, UMIS, Micro
+        Materials, Optics11."""
+        t, h, F = self.columns
+        numbers = range(len(t))
+        parts = [rows_of((t[part], h[part], F[part])) for part in (slice(81), slice(81, 101), slice(101, None))]
+        csm = "".join(f"\n*** {name}\nTime\tPd\tFn\n[s]\t[nm]\t[mN]\n{rows}" for name, rows in
+                      zip(("Loading", "Pause", "Unloading"), parts))
+        markers = ["Surface Index", *[""] * 80, "Hold Segment Type", *[""] * 59, "END"]
+        kla = "".join(f"{marker},{row}\n" for marker, row in zip(markers, rows_of((h, F, t), ",").splitlines()))
+        for text in (
+                "Indentation 9.0\nMax load\t10.00\tmN\nTime [s]\tPenetration Depth [nm]\tForce Sensor [mN]\n"
+                + rows_of(self.columns),
+                f"CSM Instruments SA\n\nAcquisition Rate [Hz]: 10.00\n{csm}",
+                "Name;Test 1\nPoint;Time [s];Depth [nm];Force (Fn) [mN]\n" + rows_of((numbers, t, h, F), ";"),
+                "Sensor: FT-S200000\n\nIndex\tPhase\tTime [s]\tPos Z [um]\tDisplacement [nm]\tForce A [uN]\tForce B [uN]\n"
+                + rows_of((numbers, 0. * t, t, 1e-3 * h, h, 1e3 * F, 0. * F)),
+                "time_s\tload_mN\tdisplacement_um\traw_disp_um\n" + rows_of((t, F, 1e-3 * h, 1e-3 * h)),
+                '"DUH-211S"\n"Loading speed","1.0","(0.7303[mN/sec])"\n"SEQ","Force[mN]","Depth[um]","Time[sec]"\n'
+                + rows_of((numbers, F, 1e-3 * h, t), ","),
+                "ENT-1100\nStep,500,20 ms\nNo,Displacement(nm),Load(mgf),Time(ms)\n"
+                + rows_of((numbers, h, F / 9.80665e-3, 1e3 * t), ","),
+                "HM2000\nNr.\tF / mN\th / µm\tt / s\n" + rows_of((numbers, F, 1e-3 * h, t), decimal=","),
+                f"Segment,Displacement Into Surface,Load On Sample,Time On Sample\n,nm,mN,s\n{kla}",
+                f"Test 1\nSegment,Displacement Into Surface nm,Load On Sample mN,Time On Sample s\n{kla}",
+                "Tip radius (um)\t50\n\nTime (s)\tLoad (uN)\tIndentation (nm)\tCantilever (nm)\tPiezo (nm)\tAuxiliary\n"
+                + rows_of((t, 1e3 * F, h, h, h, t), decimal=","),
+                "UMIS\nPn (mN)\th (µm)\n" + rows_of((F, 1e-3 * h))):
+            with self.subTest(text=text[:60]):
+                self.check(read_curve(self.write(text)))
+        self.check(read_curve(self.write("Indent 1,,Indent 2,\nDepth (nm),Load (mN),Depth (nm),Load (mN)\n"
+                                         + rows_of((h, F, h, F), ","))), 2)
+
+    def test_spreadsheets_of_instruments(self):
+        """Made up in the style of Zwick and of Nanomechanics."""
+        t, h, F = (values.tolist() for values in self.columns)
+        zwick = [["Prüfzeit", "Standardweg", "Standardkraft"], ["s", "mm", "N"],
+                 *([a, 1e-6 * b, 1e-3 * c] for a, b, c in zip(t, h, F))]
+        with_phase = [["TIME / s", "DEPTH / nm", "LOAD / mN", "Test phase"], *([*row, "load"] for row in zip(t, h, F))]
+        with_markers = [["MARKERS", "TIME", "DEPTH", "LOAD"], [None, "s", "nm", "mN"],
+                        *(["END" if row[0] == t[-1] else None, *row] for row in zip(t, h, F))]
+        beside = [["Test 1", None, None, "Test 2", None, None], 2 * ["TIME", "DEPTH", "LOAD"], 2 * ["s", "nm", "mN"],
+                  *([*row, *row] for row in zip(t, h, F))]
+        for sheets, n_indents in (({"Ergebnisse": [["", "HM"], ["", "N/mm²"], ["Probe 1", 4000.]], "Werte": zwick}, 1),
+                                  ({"Inputs": [["Target Load / mN", 10.]], "Test 1": with_phase}, 1),
+                                  ({"Test 1": with_markers, "Test 2": with_markers}, 2), ({"Data": beside}, 2)):
+            with self.subTest(sheets=sheets.keys()):
+                self.check(read_curve(self.spreadsheet(sheets)), n_indents)
+
+    def test_archives(self):
+        """A file for each indent, with bare numbers as Micro Materials writes them."""
+        def archive(files):
+            with zipfile.ZipFile(self.folder / "tests.zip", "w") as written:
+                for name, text in files.items():
+                    written.writestr(name, text)
+            return self.folder / "tests.zip"
+
+        bare, headed = rows_of(self.columns), HEAD + rows_of(self.columns)
+        curves = self.check(read_curve(archive({"a/Indent 1.txt": headed, "a/Indent 2.txt": headed})), 2)
+        self.assertEqual([curve.name for curve in curves], ["Indent 1", "Indent 2"])
+        self.check(read_curve(archive({"1.txt": bare, "2.txt": bare}), {"time": 1, "depth": 2, "force": 3},
+                              {"time": "s", "depth": "nm", "force": "mN"}), 2)
+        for files, message in (({"1.txt": bare}, "tests.zip/1.txt' does not say what its columns are"), ({"a/": ""}, "without files"),
+                               ({"r.csv": "C (GPa),hm (um),Wp/Wt\n" + "1,2,3\n" * 6}, "take it out of the archive")):
+            archive(files)
+            self.refused(message, None, name="tests.zip")
+        self.refused("is damaged, or no .zip", b"PK\x03\x04 nothing", name="damaged.zip")
+
+    def spreadsheet(self, sheets):
+        """The path of a spreadsheet with these rows on each sheet."""
         try:
             import openpyxl
         except ImportError:
             self.skipTest("python3-openpyxl is not installed")
         book = openpyxl.Workbook()
-        book.active.append(["Zeit [s]", "Eindringtiefe [nm]", "Kraft [mN]", "Phase"])
-        for row in zip(*self.columns):
-            book.active.append([*(f"{value:.6f}".replace(".", ",") for value in row), "load"])
-        book.save(self.folder / "texts.xlsx")
-        self.check(read_curve(self.folder / "texts.xlsx"))
+        book.remove(book.active)
+        for name, rows in sheets.items():
+            sheet = book.create_sheet(name)
+            for row in rows:
+                sheet.append(row)
+        book.save(self.folder / "sheets.xlsx")
+        return self.folder / "sheets.xlsx"
+
+    def test_spreadsheet_of_texts(self):
+        rows = [[*(f"{value:.6f}".replace(".", ",") for value in row), "load"] for row in zip(*self.columns)]
+        self.check(read_curve(self.spreadsheet({"Messung": [["Zeit [s]", "Eindringtiefe [nm]", "Kraft [mN]", "Phase"], *rows]})))
 
 
 if __name__ == "__main__":

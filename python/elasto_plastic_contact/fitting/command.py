@@ -12,7 +12,7 @@ import functools
 import pathlib
 
 from ..arguments import CommandParser, number
-from ..program import find_program
+from ..program import cases_folder, find_program
 from ..study.command import open_folder
 from ..verification.runner import add_program
 
@@ -37,9 +37,17 @@ def fit(problem, directory, *, program=None, at_once=None, report=functools.part
     return found
 
 
+def find_problem(path, program=None):
+    """The file, or, if there is none of that name, the ready problem. Raises UserError: there are no ready cases."""
+    if path.exists() or len(path.parts) > 1:
+        return path
+    ready = cases_folder(program) / "fit" / path.with_suffix(".json").name
+    return ready if ready.exists() else path
+
+
 def main(arguments):
     parser = CommandParser("fit", __doc__)
-    parser.add_argument("problem", type=pathlib.Path, help="the file (JSON)")
+    parser.add_argument("problem", type=pathlib.Path, help="the file (JSON), or the name of a ready problem")
     parser.add_argument("--output-directory", type=pathlib.Path,
                         help="where the results go (default: output/ and the name of the file)")
     parser.add_argument("--at-once", type=number(int, least=1),
@@ -49,7 +57,7 @@ def main(arguments):
     chosen = parser.parse_args(arguments)
     directory = chosen.output_directory or pathlib.Path("output") / chosen.problem.stem
     report = functools.partial(print, flush=True)
-    found = fit(chosen.problem, directory, program=chosen.program, at_once=chosen.at_once, report=report)
+    found = fit(find_problem(chosen.problem, chosen.program), directory, program=chosen.program, at_once=chosen.at_once, report=report)
     from .results import print_fit
     print_fit(found, report)
     for name in ("fit.csv", "fit.json"):

@@ -61,9 +61,11 @@ def blocks(rows, reading, path):
                 check_gap(above, current, (number, values), reading, path)
             current = Block(number, [values], clocks=reading.clocks(cells))
             set_headings(current, above, found[-1] if found else None)
+            current.units = reading.units(cells) or current.units
             found.append(current)
             above = []
         else:
+            check_units(current, reading.units(cells), number, path)
             current.rows.append(values)
     if current is not None:
         check_numbers(above, current.width, reading, path)
@@ -95,6 +97,14 @@ def check_gap(above, current, following, reading, path):
     if not above and width != current.width:
         raise UserError(f"'{path}' has {width} values in line {next_line}, and {current.width} in the lines before. "
                         "Mend or remove that line")
+
+
+def check_units(block, units, line, path):
+    """Refuses units behind numbers that are not those of the first row."""
+    for first, unit in zip(block.units or [], units or []):
+        if unit != first:
+            raise UserError(f"'{path}' has numbers in '{unit}' in line {line}, and in '{first}' in line "
+                            f"{block.first_line}: write each column in one unit, behind all its numbers or in its heading")
 
 
 def set_headings(block, above, previous):

@@ -24,7 +24,7 @@ FALL = 0.5
 
 # The titles of parts of an indent and comments between its rows, and how far a part may begin from the end of the one
 # before, relative to the largest depth and force.
-PART = re.compile(r"^[#%]|\b(un)?load(ing)?\b|\b(hold|dwell)(ing)?\b|\bsegment\b|\b(be|ent)last(en|ung)\b|\bhalte",
+PART = re.compile(r"^[#%]|\b(un)?load(ing)?\b|\b(hold|dwell)(ing)?\b|\bpause\b|\bsegment\b|\b(be|ent)last(en|ung)\b|\bhalte",
                   re.IGNORECASE)
 CLOSE = 0.1
 
@@ -227,6 +227,9 @@ def tidied(curve, path):
     if not complete.all():
         curve = replace(curve, **{quantity: getattr(curve, quantity)[complete] for quantity in curve.quantities()})
         curve = curve.with_remark(f"{(~complete).sum()} rows without a depth, force or time are left out")
+    if not curve.force.any():
+        raise UserError(f"'{path}' has the force 0 in all rows of the indent '{curve.name}', in the column "
+                        f"'{curve.columns['force']}': that is no curve. Choose by --columns")
     return with_right_signs(curve)
 
 

@@ -14,7 +14,7 @@ from .evaluation import Constants, evaluate_indent
 from .lengths import Length
 from .readers import read_raw
 from .results import ResultsTable
-from .segments import find_segments
+from .segments import find_segments, scatter_of
 from .tips import polynomial, read_area, tip_of_instrument
 from .units import factor
 
@@ -98,6 +98,10 @@ def corrected(curve, arguments, unit):
     """The curve with what was asked for, its segments, its cycles, and sentences."""
     segments, cycles = find_segments(curve, arguments.noise)
     sentences = list(curve.remarks)
+    scatter, largest = scatter_of(curve.force), curve.force.max()
+    if scatter > arguments.noise * largest > 0.:
+        sentences.append(f"noise: the force scatters, so that a segment ends where it turns back by {scatter / largest:.1%} of its "
+                         "largest value")
     if arguments.drift is not None:
         curve, sentence = without_drift(curve, arguments.drift, segments)
         sentences.append(sentence)

@@ -9,6 +9,7 @@ from collections import Counter
 from dataclasses import dataclass, replace
 
 from .texts import seconds_of_clock, to_number
+from .units import split_value
 
 # What may separate columns, what is preferred first; about how many lines are looked at to find the separator.
 SEPARATORS = ("\t", ";", ",", " ")
@@ -31,13 +32,16 @@ MOST_LINES = 0.9
 @dataclass(frozen=True)
 class Reading:
     """How numbers are written. separates_thousands: with points if decimals have commas, and the other way round;
-    words: the numbers of the columns that hold words, such as the names of segments."""
+    words: the numbers of the columns that hold words, such as the names of segments; has_units: behind the numbers."""
     decimal_comma: bool = False
     separates_thousands: bool = False
     words: frozenset = frozenset()
+    has_units: bool = False
 
     def number(self, cell):
         """NaN of what stands for no number. Raises ValueError."""
+        if self.has_units:
+            cell = split_value(cell)[0]
         if self.separates_thousands:
             mark = "." if self.decimal_comma else ","
             if THOUSANDS[mark].fullmatch(cell.strip().strip('"').strip()):
@@ -65,6 +69,10 @@ class Reading:
                     return None
                 values.append(math.nan if seconds is None else seconds)
         return values if n_numbers >= 2 else None
+
+    def units(self, cells):
+        """Those behind the numbers; None if numbers stand alone."""
+        return [split_value(cell)[1] for cell in cells] if self.has_units else None
 
     def clocks(self, cells):
         """The numbers of the columns with times of the day."""
@@ -110,7 +118,8 @@ def find_reading(rows):
     """The Reading by which most rows of cells are rows of numbers, the first one if some are alike, and their number."""
     plain = POINT, COMMA, POINT_WITH_THOUSANDS, COMMA_WITH_THOUSANDS
     best, most = POINT, 0
-    for candidates in (plain[:2], plain[2:], (reading.with_words(rows) for reading in plain)):
+    for candidates in (plain[:2], plain[2:], (reading.with_words(rows) for reading in plain),
+                       (replace(reading, has_units=True) for reading in plain if may_have_units(rows))):
         for reading in candidates:
             n_rows = sum(reading.row(cells) is not None for cells in rows)
             if n_rows > most:
@@ -120,6 +129,11 @@ def find_reading(rows):
     if best.decimal_comma and commas_separate_thousands(rows):
         best = replace(best, decimal_comma=False, separates_thousands=True)
     return best, most
+
+
+def may_have_units(rows):
+    """Whether one stands behind the second number of some row."""
+    return any(split_value(cells[1])[1] for cells in rows if len(cells) > 1)
 
 
 def commas_separate_thousands(rows):

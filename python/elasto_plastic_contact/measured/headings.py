@@ -5,29 +5,37 @@
 import re
 import unicodedata
 
+from .east_asian import words_of
 from .units import FACTORS, KINDS, split_name, tidy
 
 # The names of each quantity without blanks and signs, those of a line before those of the lines below.
 NAMES = {
     "depth": (("displacementintosurface", "displacementintosample", "indentationdepth", "penetrationdepth", "depth",
-               "correcteddepth", "indentdepth", "pd", "h", "eindringtiefe", "profondeurdepenetration"),
+               "correcteddepth", "indentdepth", "pd", "h", "eindringtiefe", "eindringweg", "profondeurdepenetration",
+               "enfoncement"),
               ("penetration", "displacement", "disp", "indentdisp", "normaldisp", "zdisp", "indenterdisplacement",
-               "correcteddisplacement", "tipdisplacement", "indentationdisplacement", "weg", "tiefe", "profondeur"),
-              ("rawdisplacement", "rawdepth")),
+               "correcteddisplacement", "tipdisplacement", "indentationdisplacement", "weg", "standardweg", "tiefe",
+               "profondeur", "deplacement", *words_of("depth")),
+              ("rawdisplacement", "rawdepth", "indentation")),
     "force": (("loadonsample", "forceonsurface", "forceonsample", "correctedload", "correctedforce"),
-              ("load", "force", "f", "p", "fn", "normalforce", "normalload", "indentload", "indentationload",
-               "indentationforce", "testforce", "testload", "appliedload", "appliedforce", "kraft", "prüfkraft",
-               "pruefkraft", "normalkraft", "standardkraft", "forcenormale", "charge"),
+              ("load", "force", "f", "p", "fn", "pn", "normalforce", "normalload", "indentload", "indentationload",
+               "indentationforce", "testforce", "testload", "appliedload", "appliedforce", "forcesensor", "forcea", "kraft",
+               "prüfkraft", "pruefkraft", "normalkraft", "standardkraft", "last", "forcenormale", "charge", "effort",
+               *words_of("force")),
               ("rawload", "rawforce")),
     "time": (("timeonsample", "timeincontact", "testtime"),
-             ("time", "t", "zeit", "elapsedtime", "prüfzeit", "pruefzeit", "temps"),
+             ("time", "t", "zeit", "elapsedtime", "prüfzeit", "pruefzeit", "temps",
+              *words_of("time")),
              ("timestamp", "datetime", "clock", "uhrzeit", "heure")),
     "stiffness": (("harmoniccontactstiffness", "contactstiffness", "dynamicstiffness", "storagestiff", "stiffness"),
                   (), ()),
 }
 
-# A letter for a quantity behind its name, as in 'Load P'.
-SYMBOL = re.compile(r"(?<=\w)\s*[\s,]\W*(?:Δ|δ)?[hdPpFLt]\s*$")
+# A letter for a quantity behind its name, as in 'Load P', or two, as in 'Normal force (Fn)'.
+SYMBOL = re.compile(r"(?<=\w)\s*[\s,]\W*(?:Δ|δ)?(?:[hdPpFLt]|Pd|Fn|Pn)\W*$")
+
+# Signs, of which names are told apart without.
+SIGN = re.compile(r"[^a-z0-9äöüß\u3040-\u30ff\u4e00-\u9fff]")
 
 # Columns that number the indents of a table.
 INDENTS = {"test", "testno", "testnumber", "indent", "indentno", "indentnumber", "indentation", "indentationno",
@@ -44,7 +52,7 @@ RESULTS = {"loading_curvature": ("c", "loadingcurvature"),
 def key(name):
     """In small letters, without accents, blanks and signs."""
     letters = (letter if letter in "äöüß" else unicodedata.normalize("NFKD", letter)[0] for letter in name.lower())
-    return re.sub(r"[^a-z0-9äöüß]", "", "".join(letters))
+    return SIGN.sub("", "".join(letters))
 
 
 def name_and_unit(heading, kind):

@@ -13,6 +13,9 @@ LONGER = 4.
 # How much the force may change during a hold, relative to the rise or fall beside it: to find it, and to find its ends.
 BAND, FINE_BAND = 0.01, 0.001
 
+# So many standard deviations of what is not smooth are no turning point of the force.
+SCATTER = 6.
+
 # The fewest points of a hold.
 FEWEST_POINTS = 5
 
@@ -36,6 +39,11 @@ class Cycle:
 def deviation_of_noise(values):
     """The standard deviation of what is not smooth."""
     return 1.4826 * float(numpy.median(numpy.abs(numpy.diff(values, 2)))) / 6. ** 0.5 if len(values) > 4 else 0.
+
+
+def scatter_of(force):
+    """How far it may turn back by its noise alone."""
+    return SCATTER * deviation_of_noise(force)
 
 
 def turning_points(force, tolerance):
@@ -106,12 +114,12 @@ def hold_at(point, before, after):
 
 
 def find_segments(curve, noise=0.01):
-    """The Segments of a curve, and its Cycles. noise: how much the force may turn back without a turning point,
-    relative to the largest one."""
+    """The Segments of a curve, and its Cycles. noise: how much the force may turn back without a turning point, relative to
+    the largest one; more where it scatters more."""
     force = curve.force
     time = numpy.arange(len(force), dtype=float) if curve.time is None else curve.time
     deviation = deviation_of_noise(force)
-    points = turning_points(force, noise * force.max())
+    points = turning_points(force, max(noise * force.max(), scatter_of(force)))
     flanks = [Flank(time, force, begin, end, deviation) for begin, end in zip(points, points[1:]) if end > begin]
     holds = [hold_at(flank.begin, before, flank) for before, flank in zip([None, *flanks], flanks)]
     holds.append(hold_at(flanks[-1].end, flanks[-1], None))

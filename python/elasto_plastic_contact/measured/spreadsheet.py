@@ -7,6 +7,7 @@ import io
 from ..errors import UserError
 from .blocks import blocks
 from .columns import curves_of_blocks
+from .east_asian import with_usual_signs
 from .formats import find_reading
 from .headings import columns_of
 
@@ -49,7 +50,7 @@ def text_of(cell):
     """A cell as it would stand in a table with decimal points."""
     if isinstance(cell, float):
         return repr(cell)
-    return "" if cell is None else str(cell)
+    return "" if cell is None else with_usual_signs(str(cell))
 
 
 def read(path, data, chosen):

@@ -7,6 +7,7 @@ import pathlib
 import re
 
 from ..errors import UserError
+from .east_asian import encoding_of
 
 # What stands for no number.
 NO_NUMBERS = {"nan", "-nan", "nan(ind)", "-nan(ind)", "inf", "-inf", "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind",
@@ -32,7 +33,8 @@ def read_bytes(path):
 
 
 def decode(data):
-    """The text of a file in UTF-8, UTF-16 or Latin-1, with or without a byte order mark; None if it is no text."""
+    """The text of a file in UTF-8, UTF-16, an East Asian encoding or Latin-1, with or without a byte order mark; None if
+    it is no text."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         return data.decode("utf-16", "replace")
     even, odd = data[:400:2], data[1:400:2]
@@ -44,7 +46,7 @@ def decode(data):
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        return data.decode("latin-1")
+        return data.decode(encoding_of(data) or "latin-1", "replace")
 
 
 def lines_of(text):

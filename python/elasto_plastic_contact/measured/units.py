@@ -12,7 +12,7 @@ KINDS = {"time": "time", "depth": "length", "force": "force", "stiffness": "stif
 OWN_UNITS = {"time": "s", "depth": "µm", "force": "mN", "stiffness": "mN/µm"}
 
 # Units of each kind, in those of this module.
-FORCES = {"nN": 1e-6, "µN": 1e-3, "mN": 1., "cN": 10., "N": 1e3, "kN": 1e6, "gf": 9.80665, "kgf": 9806.65,
+FORCES = {"nN": 1e-6, "µN": 1e-3, "mN": 1., "cN": 10., "N": 1e3, "kN": 1e6, "mgf": 9.80665e-3, "gf": 9.80665, "kgf": 9806.65,
           "lbf": 4448.2216}
 LENGTHS = {"pm": 1e-6, "Å": 1e-4, "nm": 1e-3, "µm": 1., "mm": 1e3, "cm": 1e4, "m": 1e6, "in": 25400.}
 FACTORS = {
@@ -24,6 +24,12 @@ FACTORS = {
     "rate": {f"{length}/s": scale for length, scale in LENGTHS.items()},
     "stress": {"Pa": 1e-9, "kPa": 1e-6, "MPa": 1e-3, "N/mm²": 1e-3, "GPa": 1., "N/m²": 1e-9},
 }
+
+# Units of columns that no curve consists of.
+OTHER_UNITS = {"%", "°C", "°", "K", "V", "mV", "Hz"}
+
+# A number with something behind it.
+VALUE = re.compile(r"(.*\d[.,]?)\s*([^\W\d_]\S*|%|°C?)\s*")
 
 # Other ways to write a unit: with another mu, without µ, and words, in small letters and without the s of a plural.
 SPELLINGS = {"um": "µm", "uN": "µN", "us": "µs", "A": "Å", "S": "s"}
@@ -48,6 +54,14 @@ def is_unit(text):
     """Whether the text is a unit of any kind, also in brackets."""
     unit = tidy(text.strip().strip("()[]"))
     return any(unit in units for units in FACTORS.values())
+
+
+def split_value(cell):
+    """The number and the unit of a cell such as '12.3 nm', as texts; the unit is empty if there is none."""
+    found = VALUE.fullmatch(cell.strip().strip('"'))
+    if found and (is_unit(found[2]) or found[2] in OTHER_UNITS):
+        return found[1], tidy(found[2])
+    return cell, ""
 
 
 def split_name(text):
