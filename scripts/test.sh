@@ -25,8 +25,8 @@ install_missing "${build_packages[@]}" "${test_packages[@]}"
 status=0
 summaries=()
 for type in ${TEST_BUILDS:-Debug Release}; do
-  build "$type" -DENABLE_TESTING=ON -DDEBUG_SYMBOLS="$([ "$type" = Sanitize ] && echo ON || echo OFF)" "$@"
-  cmake --build "build/${type,,}" --parallel "$n_processors" --target test_programs
+  configure "$type" -DENABLE_TESTING=ON -DDEBUG_SYMBOLS="$([ "$type" = Sanitize ] && echo ON || echo OFF)" "$@"
+  cmake --build "build/${type,,}" --parallel "$n_processors" --target all test_programs
   log=build/${type,,}/ctest.log
   (cd "build/${type,,}" && ctest --output-on-failure -j "$n_processors" -R "${TEST_SELECTION:-.}") 2>&1 | tee "$log" || status=1
   summaries+=("$type: $(grep -E 'tests passed|No tests were found' "$log" || echo 'ctest ended without a summary')")

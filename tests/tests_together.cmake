@@ -16,7 +16,8 @@
 # the target that they would make, and put in front of its command what
 # tests_NAME_RUNARGS_PREFIX says.
 
-set(TESTS_OF_A_PROGRAM 16)
+# At most.
+set(TESTS_OF_A_PROGRAM 18)
 
 # names_of_tests(<result>)
 # Those tests NAME.cc with an output that deal.II's macros take up in this build.
@@ -84,14 +85,12 @@ string(TOLOWER "${CMAKE_BUILD_TYPE}" _build_type)
 names_of_tests(_names)
 # (It takes arguments, and has an exit status.)
 list(REMOVE_ITEM _names fuzz)
-set(_number 1)
-while(_names)
-  list(LENGTH _names _length)
-  if(_length GREATER TESTS_OF_A_PROGRAM)
-    set(_length ${TESTS_OF_A_PROGRAM})
-  endif()
-  list(SUBLIST _names 0 ${_length} _some)
-  list(REMOVE_ITEM _names ${_some})
+# An even number of programs of the same length, so that neither of two processors waits for the other at the end.
+list(LENGTH _names _length)
+math(EXPR _n_programs "2 * ((${_length} + 2 * ${TESTS_OF_A_PROGRAM} - 1) / (2 * ${TESTS_OF_A_PROGRAM}))")
+foreach(_number RANGE 1 ${_n_programs})
+  math(EXPR _begin "(${_number} - 1) * ${_length} / ${_n_programs}")
+  math(EXPR _n_some "${_number} * ${_length} / ${_n_programs} - ${_begin}")
+  list(SUBLIST _names ${_begin} ${_n_some} _some)
   add_tests_together(${_number} ${_some})
-  math(EXPR _number "${_number} + 1")
-endwhile()
+endforeach()
