@@ -30,6 +30,27 @@ namespace ElastoPlastic
     constexpr double       close   = 0.1;
     constexpr unsigned int n_terms = 14;
 
+    /// f' = f[c, c]
+    template <typename Number>
+    Number
+    slope(const Number &c)
+    {
+      return 0.5 / (1. + c);
+    }
+
+
+
+    /// f'' / 2 = f[c, c, c]
+    template <typename Number>
+    Number
+    half_curvature(const Number &c)
+    {
+      const Number square = 1. + c;
+      return -0.25 / (square * square);
+    }
+
+
+
     /// f[a, b] = (f(b) - f(a)) / (b - a); with x = (a - b) / (2 + a + b):
     /// (atanh(x) / x) / (2 + a + b).
     template <typename Number>

@@ -9,6 +9,7 @@
 #include <array>
 #include <limits>
 
+#include "mechanics/displacement_gradient.h"
 #include "mechanics/logarithm.h"
 #include "mechanics/principal_frame.h"
 
@@ -56,9 +57,11 @@ namespace ElastoPlastic
             Number(0.),
             HalfLogarithm::value(frame.values[a]),
             Number(std::numeric_limits<double>::quiet_NaN()));
-          for (unsigned int b = 0; b <= a; ++b)
-            f_1[a][b] =
-              HalfLogarithm::difference(frame.values[a], frame.values[b]);
+          f_1[a][a] = HalfLogarithm::slope(frame.values[a]);
+          for (unsigned int b = 0; b < a; ++b)
+            if (number_of_pair(a, b) < n_pairs)
+              f_1[a][b] =
+                HalfLogarithm::difference(frame.values[a], frame.values[b]);
         }
     }
 
@@ -108,71 +111,38 @@ namespace ElastoPlastic
              jacobian;
     }
 
-    /// The derivative of the nominal stress at a given stress T.
-    class Tangent
+    /// The derivative of the nominal stress at a given stress T, where dT =
+    /// law(dE). As G_aa = 2 B_aa : dF and G_ab = B_ab : dF, where B_aa = m_a
+    /// N_a^T and B_ab = m_a N_b^T + m_b N_a^T,
+    ///   dP = sum_(a <= b) dS_ab B_ab + dF S.
+    template <typename Law>
+    Tensor<2, n_gradient_entries<dim>, Number>
+    nominal_tangent(const Tensor3 &stress, const Law &law) const
     {
-    public:
-      /// @p strain must outlive this object.
-      Tangent(const LogarithmicStrain &strain, const Tensor3 &stress)
-        : strain(strain)
-        , stress(strain.frame.to_principal(stress))
-        , second_stress(strain.second_stress(this->stress))
-      {
-        const auto &values = strain.frame.values;
-        for (unsigned int a = 0; a < 3; ++a)
-          for (unsigned int b = 0; b <= a; ++b)
-            for (unsigned int c = 0; c <= b; ++c)
-              f_2[a][b][c] =
-                HalfLogarithm::difference(values[a], values[b], values[c]);
-      }
+      constexpr unsigned int n          = n_gradient_entries<dim>;
+      const Tensor3          of_frame   = frame.to_principal(stress);
+      const PairMatrix       stiffness  = second_stress_tangent(of_frame, law);
+      const auto             conjugates = conjugate_directions();
+      const Tensor3 second = frame.from_principal(second_stress(of_frame));
 
-      /// dP for the increment @p dF, where dT = law(dE).
-      template <typename Law>
-      Matrix
-      operator()(const Matrix &dF, const Law &law) const
-      {
-        const Matrix &m = strain.directions;
-        const Matrix  x = dF * strain.frame.vectors;
-        const Tensor3 G = 2. * symmetrize(transpose(m) * x);
-
-        Tensor3 dE;
-        for (unsigned int a = 0; a < 3; ++a)
-          for (unsigned int b = 0; b <= a; ++b)
-            dE[a][b] = strain.f_1[a][b] * G[a][b];
-        const Tensor3 dT =
-          strain.frame.to_principal(law(strain.frame.from_principal(dE)));
-
-        Tensor3 dS;
-        for (unsigned int a = 0; a < 3; ++a)
-          for (unsigned int b = 0; b <= a; ++b)
+      Tensor<2, n, Number> result;
+      for (unsigned int l = 0; l < n; ++l)
+        {
+          for (unsigned int p = 0; p < n_pairs; ++p)
             {
-              dS[a][b] = 2. * strain.f_1[a][b] * dT[a][b];
-              for (unsigned int c = 0; c < 3; ++c)
-                dS[a][b] += 2. * second_difference(a, b, c) *
-                            (stress[a][c] * G[c][b] + stress[b][c] * G[c][a]);
+              Number slope = Number(0.);
+              for (unsigned int q = 0; q < n_pairs; ++q)
+                slope += stiffness[p][q] * conjugates[q][l];
+              for (unsigned int k = 0; k < n; ++k)
+                result[k][l] += conjugates[p][k] * slope;
             }
-        return (m * Matrix(dS) + x * Matrix(second_stress)) *
-               transpose(strain.frame.vectors);
-      }
-
-    private:
-      const Number &
-      second_difference(unsigned int a, unsigned int b, unsigned int c) const
-      {
-        if (a < b)
-          std::swap(a, b);
-        if (b < c)
-          std::swap(b, c);
-        if (a < b)
-          std::swap(a, b);
-        return f_2[a][b][c];
-      }
-
-      const LogarithmicStrain &strain;
-      const Tensor3            stress, second_stress;
-      /// f[a, b, c] for a >= b >= c
-      Number f_2[3][3][3];
-    };
+          for (unsigned int k = 0; k < n; ++k)
+            if (place_of_entry<dim>(k)[0] == place_of_entry<dim>(l)[0])
+              result[k][l] +=
+                second[place_of_entry<dim>(k)[1]][place_of_entry<dim>(l)[1]];
+        }
+      return result;
+    }
 
   private:
     /// C - 1, without cancellation.
@@ -196,6 +166,106 @@ namespace ElastoPlastic
           frame.values[a] = compare_and_apply_mask<SIMDComparison::less_than>(
             frame.values[a], Number(-0.5), square - 1., frame.values[a]);
         }
+    }
+
+    /// The pairs a <= b of principal directions, in the order of
+    /// SymmetricTensor; in two dimensions those that do not turn out of the
+    /// plane, which come first.
+    static constexpr unsigned int n_pairs = (dim == 2 ? 4 : 6);
+
+    using PairMatrix = std::array<std::array<Number, n_pairs>, n_pairs>;
+
+    static constexpr std::array<unsigned int, 2>
+    pair(const unsigned int p)
+    {
+      if (p < 3)
+        return {{p, p}};
+      return {{p / 5, p == 3 ? 1u : 2u}};
+    }
+
+    static constexpr unsigned int
+    number_of_pair(const unsigned int a, const unsigned int b)
+    {
+      return a == b ? a : a + b + 2;
+    }
+
+    /// The B_ab.
+    std::array<GradientEntries<dim, Number>, n_pairs>
+    conjugate_directions() const
+    {
+      std::array<GradientEntries<dim, Number>, n_pairs> result;
+      for (unsigned int p = 0; p < n_pairs; ++p)
+        {
+          const auto [a, b] = pair(p);
+          for (unsigned int k = 0; k < n_gradient_entries<dim>; ++k)
+            {
+              const auto [i, j] = place_of_entry<dim>(k);
+              result[p][k]      = directions[i][a] * frame.vectors[j][b];
+              if (a != b)
+                result[p][k] += directions[i][b] * frame.vectors[j][a];
+            }
+        }
+      return result;
+    }
+
+    /// dS_ab over B_cd : dF, at the @p stress T in the principal frame.
+    template <typename Law>
+    PairMatrix
+    second_stress_tangent(const Tensor3 &stress, const Law &law) const
+    {
+      std::array<Tensor3, n_pairs> dE;
+      for (unsigned int p = 0; p < n_pairs; ++p)
+        {
+          const auto [a, b] = pair(p);
+          const auto &N     = frame.vectors;
+          for (unsigned int i = 0; i < 3; ++i)
+            for (unsigned int j = 0; j <= i; ++j)
+              dE[p][i][j] = f_1[a][b] * (N[i][a] * N[j][b] + N[i][b] * N[j][a]);
+        }
+      PairMatrix result;
+      for (unsigned int q = 0; q < n_pairs; ++q)
+        {
+          const Tensor3 dT = law(dE[q]);
+          for (unsigned int p = 0; p < n_pairs; ++p)
+            result[p][q] = dE[p] * dT;
+        }
+      add_curvature(result, stress);
+      return result;
+    }
+
+    /// T : d2E[G, G], as a quadratic form of the B_ab : dF.
+    void
+    add_curvature(PairMatrix &form, const Tensor3 &stress) const
+    {
+      const std::array<Tensor3, 3> f_2 = second_differences();
+      for (unsigned int p = 0; p < n_pairs; ++p)
+        {
+          const auto [a, b] = pair(p);
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              if (const unsigned int q = number_of_pair(c, b); q < n_pairs)
+                form[p][q] += (c == b ? 4. : 2.) * f_2[a][b][c] * stress[a][c];
+              if (const unsigned int q = number_of_pair(c, a); q < n_pairs)
+                form[p][q] += (c == a ? 4. : 2.) * f_2[a][b][c] * stress[b][c];
+            }
+        }
+    }
+
+    /// f[a,b,c]; in two dimensions, those in the plane and out of it.
+    std::array<Tensor3, 3>
+    second_differences() const
+    {
+      std::array<Tensor3, 3> f_2;
+      const auto            &values = frame.values;
+      for (unsigned int a = 0; a < 3; ++a)
+        for (unsigned int b = 0; b <= a; ++b)
+          for (unsigned int c = 0; c <= b; ++c)
+            if (dim == 3 || a < 2 || c == 2)
+              f_2[a][b][c] = f_2[b][a][c] = f_2[c][a][b] =
+                (a == c ?
+                   HalfLogarithm::half_curvature(values[a]) :
+                   HalfLogarithm::difference(values[a], values[b], values[c]));
+      return f_2;
     }
 
     /// S of T, both in the principal frame.

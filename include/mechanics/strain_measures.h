@@ -336,12 +336,7 @@ namespace ElastoPlastic
                                                        strain,
                                                        Number(0.));
       };
-      const typename LogarithmicStrain<dim, Number>::Tangent tangent(
-        deformation.logarithmic, stress);
-      derivative = nominal_derivative<dim, Number>(
-        [&](const Tensor<2, 3, Number> &gradient) {
-          return tangent(gradient, law);
-        });
+      derivative = deformation.logarithmic.nominal_tangent(stress, law);
       // (what a sheet's volume does is part of the law)
       volumetric_slope =
         Coordinates::is_sheet ?

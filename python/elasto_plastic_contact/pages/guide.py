@@ -4,8 +4,9 @@
 
 from ..verification.contact_edge import CASE as CONE, deviation_from_polynomial, deviation_from_similarity
 from ..verification.finite_strain import CONE as DEEP_CONE, SPHERE as DEEP_SPHERE
-from ..verification.load_steps import ADAPTIVE, TWO_STEPS, force_at
-from .finite_strain import curvature_in_gpa
+from ..verification.load_steps import ADAPTIVE, EULER, TWO_STEPS, force_at
+from ..verification.smooth_curves import at_place
+from .finite_strain import curvature_in_gpa, loading_of, plastic_share, unloading_slope
 from .recipe import Content, count, percent, signed_percent, table
 
 STEPS = "Loading/Number of steps={}"
@@ -40,6 +41,37 @@ def two_step_integration(runs):
             if case == DEEP_CONE:
                 cells[n].append(count(sum(step["newton_iterations"] for step in steps)))
     return Content([[None, *row] for row in cells.values()])
+
+
+@table(60)
+def curves_by_steps(runs):
+    """Loading and unloading of the ready cases in fewer or more steps, against 400 and 160 with two-step integration."""
+    rows = []
+    for case, depth in ((DEEP_CONE, 0.02), (DEEP_SPHERE, 0.1)):
+        exact, *others = [runs.tables(case, f"Loading/History=1: depth {depth} | {end}: force 0", STEPS.format(n), method)
+                          for method, end, n in ((TWO_STEPS, 1.4, 560), (EULER, 1.2, 120), (TWO_STEPS, 1.4, 28),
+                                                 (TWO_STEPS, 1.4, 42), (TWO_STEPS, 1.4, 56))]
+        rows += [[None, None, count(sum(step["newton_iterations"] for step in run["history"])),
+                  *(signed_percent(quantity(run) / quantity(exact) - 1, 2) for quantity in QUANTITIES),
+                  *(percent(error, 2) for error in errors_of_curve(run["history"], exact["history"]))] for run in others]
+    return Content(rows)
+
+
+# The slope of the root of the force over the second half of the depth, squared; initial slope of the unloading, plastic
+# over total work, hardness.
+QUANTITIES = (lambda run: curvature_in_gpa(run["history"]), lambda run: unloading_slope(run["history"]),
+              lambda run: plastic_share(run["history"]), lambda run: run["indentation"][0]["hardness"])
+
+
+def errors_of_curve(steps, exact):
+    """The largest errors of the force at the end of a step, loading and unloading, over the largest force."""
+    def branches(rows):
+        n = len(loading_of(rows)) - 1
+        return loading_of(rows), rows[n - 1:][::-1]
+
+    return [max(abs(step["force"] - at_place(*zip(*((row["depth"], row["force"]) for row in fine)), step["depth"]))
+                for step in coarse) / max(step["force"] for step in exact)
+            for coarse, fine in zip(branches(steps), branches(exact))]
 
 
 def of_cone(steps):

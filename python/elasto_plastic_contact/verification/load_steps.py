@@ -9,7 +9,7 @@ from .finite_strain import COARSE, CONE
 
 LOADING = "Loading/History=1: depth {}"
 ADAPTIVE = "Loading/Step control=adaptive"
-TWO_STEPS = "Loading/Integration=BDF2"
+TWO_STEPS, EULER = "Loading/Integration=BDF2", "Loading/Integration=backward Euler"
 
 
 def adaptive_steps(runner):
