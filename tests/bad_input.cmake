@@ -52,7 +52,8 @@ add_message_test(limit_load_resume 2 "nothing to resume. Leave out --resume" ${C
 # Soil
 set(_soil ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/footing.prm --validate --set)
 add_message_test(soil_cohesion 2 "entry 'Material/Cohesion' is '0', but it must be greater than 0: without cohesion, stresses at a free surface" ${_soil} "Material/Cohesion=0")
-add_message_test(soil_angle 2 "entry 'Material/Friction angle' is '61', but it must lie between 0 and 60 degrees" ${_soil} "Material/Friction angle=61")
+add_message_test(soil_angle 2 "entry 'Material/Friction angle' is '61', but it must be 0, or lie between 0.01 and 60 degrees" ${_soil} "Material/Friction angle=61")
+add_message_test(soil_small_angle 2 "entry 'Material/Friction angle' is '1e-08', but it must be 0, or lie between 0.01 and 60 degrees: with less friction" ${_soil} "Material/Friction angle=1e-8")
 add_message_test(soil_number_of_values 2 "entry 'Material/Friction angle' has 2 values, but another entry of this section has 3" ${_soil} "Material/Cohesion=1, 2, 3" --set "Material/Friction angle=10, 20")
 add_message_test(soil_law 2 "entry 'Analysis' is 'limit load', but only a body of perfectly plastic materials" ${_soil} "Material/Law=linear elastic")
 add_message_test(soil_analysis 2 "entry 'Material/Yield criterion' is 'Mohr-Coulomb', but 'Mohr-Coulomb' is for limit loads" ${_soil} "Analysis=contact")

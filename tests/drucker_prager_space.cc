@@ -190,10 +190,14 @@ namespace
 
 
   /// One material may have no friction.
-  void
-  test_footing(Mesh &block, const std::vector<double> &angles)
+  LimitLoad<3>
+  test_footing(Mesh                      &block,
+               const std::vector<double> &angles,
+               const SurfaceFinish        surface,
+               const std::string         &force)
   {
-    output() << "Rough footing on heavy ground, angles of friction "
+    output() << (surface == SurfaceFinish::rough ? "Rough" : "Smooth")
+             << " footing under the weight " << force << ", angles of friction "
              << Patterns::Tools::to_string(angles) << std::endl;
     for (const auto &cell : block.active_cell_iterators())
       cell->set_material_id(cell->center()[2] > -1. ? 0 : angles.size() - 1);
@@ -201,12 +205,9 @@ namespace
     parameters.roller  = {"left", "front"};
     parameters.fixed   = {"bottom", "right", "back"};
     parameters.contact = {"top"};
-    SoilBounds::checked_bounds(make_body(block,
-                                         parameters,
-                                         {footing, SurfaceFinish::rough},
-                                         angles,
-                                         "0; 0; -2"),
-                               /* degree = */ 1);
+    return SoilBounds::checked_bounds(
+      make_body(block, parameters, {footing, surface}, angles, force),
+      /* degree = */ 1);
   }
 } // namespace
 
@@ -234,6 +235,17 @@ main(int argc, char *argv[])
   Mesh block(MPI_COMM_WORLD);
   GridGenerator::subdivided_hyper_rectangle(
     block, {2, 2, 2}, Point<3>(0, 0, -2), Point<3>(2, 2, 0), true);
-  test_footing(block, {20.});
-  test_footing(block, {0., 20.});
+  const std::string none = "0; 0; 0", weight = "0; 0; -2";
+  const auto        rough  = SurfaceFinish::rough;
+  const auto        heavy  = test_footing(block, {20.}, rough, weight);
+  const auto        layers = test_footing(block, {0., 20.}, rough, weight);
+  const auto        alone  = test_footing(block, {20.}, rough, none);
+  const auto smooth  = test_footing(block, {20.}, SurfaceFinish::smooth, none);
+  const auto is_more = [](const LimitLoad<3> &more, const LimitLoad<3> &less) {
+    return more.lower_bound > less.lower_bound &&
+           more.upper_bound > less.upper_bound;
+  };
+  verify("more by weight", is_more(heavy, alone));
+  verify("more by roughness", is_more(alone, smooth));
+  verify("less by a layer without friction", is_more(heavy, layers));
 }

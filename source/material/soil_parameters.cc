@@ -15,6 +15,10 @@ namespace ElastoPlastic
     /// Beyond, a body that can collapse is hard to tell from one that cannot.
     constexpr double largest_friction_angle = 60.;
 
+    /// Below, but for zero, rates of volume are not much more than what
+    /// rounding errors leave of those of shear.
+    constexpr double smallest_friction_angle = 0.01;
+
 
 
     double
@@ -38,10 +42,10 @@ namespace ElastoPlastic
                       Patterns::List(Patterns::Double(), 1));
     prm.add_parameter("Friction angle",
                       friction_angles,
-                      "phi, from 0 to 60 degrees: the shear stress that a "
-                      "'Mohr-Coulomb' material bears, and in plane strain a "
-                      "'Drucker-Prager' one, grows by tan(phi) times the "
-                      "pressure on its plane. Unit: degrees.",
+                      "phi, 0 or from 0.01 to 60 degrees: the shear stress "
+                      "that a 'Mohr-Coulomb' material bears, and in plane "
+                      "strain a 'Drucker-Prager' one, grows by tan(phi) times "
+                      "the pressure on its plane. Unit: degrees.",
                       Patterns::List(Patterns::Double(), 1));
   }
 
@@ -61,9 +65,11 @@ namespace ElastoPlastic
       "Friction angle",
       friction_angles,
       [](const double phi) {
-        return phi >= 0 && phi <= largest_friction_angle;
+        return phi == 0 || (phi >= smallest_friction_angle &&
+                            phi <= largest_friction_angle);
       },
-      "it must lie between 0 and 60 degrees.");
+      "it must be 0, or lie between 0.01 and 60 degrees: with less friction, "
+      "rounding errors would decide whether the soil dilates. Set it to 0.");
   }
 
 

@@ -72,6 +72,9 @@ namespace ElastoPlastic
     /// What acts on the volume, and what a load factor adds to it.
     Tensor<1, dim> body_force;
     Tensor<1, dim> live_body_force;
+    /// Where the pressure of body forces is zero, x_0: a vertex of the mesh, at
+    /// first, which circumscribe() may move.
+    Point<dim> place_without_pressure;
 
     /// By simplices, not in plane stress: how the strength grows with the
     /// pressure, see bounds/conic/yield_conditions.h; none if no strength does.
@@ -196,7 +199,7 @@ namespace ElastoPlastic
     pressure_of_body_force(const Point<dim> &x, const double load_factor) const
     {
       return (body_force + load_factor * live_body_force) *
-             (x - mesh.vertices.front());
+             (x - place_without_pressure);
     }
 
     /// If a face is held in a direction oblique to it, it is taken to be
@@ -271,7 +274,8 @@ namespace ElastoPlastic
   /// The whole faces on a disc cover an inscribed polygon, if vertices of the
   /// mesh lie on the circle. These are moved outwards, so far that the edges
   /// between them leave the circle: the faces beside them are then no longer
-  /// reached. Nothing else changes.
+  /// reached. Nothing else changes, so that stresses and velocities know the
+  /// same pressure of body forces.
   ///
   /// The result is @p body itself if there is no disc; if no vertices are on
   /// the circle; and if moving them would change the boundary of the body or

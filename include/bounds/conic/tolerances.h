@@ -13,9 +13,11 @@ namespace ElastoPlastic::Tolerance
   // Geometry.
 
   /// Of the cosine and sine of an angle: below, directions are at right angles
-  /// or parallel. Larger than rounding errors of normals, and smaller than any
-  /// angle that is meant.
-  constexpr double small_angle = 1e-10;
+  /// or parallel, and faces are in one plane. Files of meshes round coordinates
+  /// to seven digits and more, and faces are shorter than the body: so normals
+  /// differ by up to some 1e-6 where one plane is meant, and no angle that is
+  /// meant is so small.
+  constexpr double small_angle = 2e-6;
 
   /// Of a radius, and of what has it as a factor, relative to the unit of
   /// length or to the largest of its kind: below, it is on the axis of
@@ -64,11 +66,17 @@ namespace ElastoPlastic::Tolerance
   /// mesh's difference between the bounds, but not larger than the second.
   constexpr double part_of_difference = 0.01, largest_gap_in_space = 1e-3;
 
-  /// With friction, by how much more than they must the velocities dilate: a
-  /// power, relative to that of a stress unit, which is more than what is
-  /// missing where the interior point method ends. So the velocities are
-  /// strictly inside of the dual cones of the yield condition.
-  constexpr double dilation_margin = 2e-10;
+  /// With friction, which part of the strength stresses leave unused, at least:
+  /// under a free surface of heavy ground, the strength may be less than a
+  /// thousandth of that below, to which rounding errors are relative.
+  constexpr double unused_strength = 1e-6;
+
+  /// With friction, by how much more than they must the velocities dilate, over
+  /// the slope of the strength: a power, relative to that of a stress unit,
+  /// which is more than what is missing where the interior point method ends.
+  /// So the velocities are strictly inside of the dual cones of the yield
+  /// condition.
+  constexpr double dilation_margin = 4e-10;
 
   /// Of the same, for the least energy: smaller, because with compliance the
   /// linear systems are regular, and rounding errors small.
@@ -149,6 +157,7 @@ namespace ElastoPlastic::Tolerance
   /// of them; and a displacement its supports, relative to it: these are
   /// rounding errors, else there is no bound.
   constexpr double admissibility = 1e-8;
+
 
   /// Of the bound that velocities give by themselves and that which has been
   /// minimised, relative to it: above, the minimum has been lost to rounding

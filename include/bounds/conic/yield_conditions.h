@@ -32,6 +32,10 @@ namespace ElastoPlastic
   template <int dim>
   constexpr unsigned int n_stress_components = dim == 2 ? 4 : 6;
 
+  /// Where the component 33 is among them.
+  template <int dim>
+  constexpr unsigned int across = dim == 2 ? 3 : 2;
+
   /// The stress with these @p components.
   template <int dim>
   SymmetricTensor<2, 3>

@@ -20,8 +20,7 @@ namespace ElastoPlastic
   };
 
   /// A basis of continuous velocities that may change the volume. They are zero
-  /// where SplitBody::support_of() asks for it: across closed faces, and along
-  /// those that resist a slip, also of a rough indenter where it reaches.
+  /// at supports, see free_directions_of_nodes().
   ///
   /// In the plane and in space, they are quadratic on each simplex, and the
   /// strain rate is linear. In a body of revolution, v_r = (r / L) w with a

@@ -19,7 +19,8 @@ namespace ElastoPlastic
     /// missing_dilatation().
     double divergence = 0;
     /// What passes through a face; in plane stress and with friction also what
-    /// slides along it.
+    /// slides along it. At supports, what is more than the faces may be tilted
+    /// by, Tolerance::small_angle.
     double separation  = 0;
     double penetration = 0; ///< into the indenter
 
@@ -68,13 +69,15 @@ namespace ElastoPlastic
   // shear g, which is sqrt(2) |dev e|, in plane strain |(e_11 - e_22, 2 e_12)|,
   // and the slope f, the plastic work is finite where theta >= f g, and then R
   // theta / (sqrt(2) f), which is c cot(phi) theta. Both functions look at the
-  // coefficients of the strain rate in Bernstein's basis, and use nothing but
-  // the velocities.
+  // coefficients of the strain rate in Bernstein's basis. They use nothing but
+  // the velocities at points, of which they take differences: programs have
+  // derivatives of their functions, see strain_rate_at().
 
   /// By how much the rate of volume violates that in a simplex, at most, times
   /// the size of the simplex: what it lacks to f g, or its absolute value
-  /// without friction. Or, in a body of revolution, by how much v_r is not r
-  /// times a quadratic polynomial, so that the rates would be none.
+  /// without friction. Or, in a body of revolution, by how much v_r / r is not
+  /// a quadratic polynomial, times that size, so that the rates would be none;
+  /// or v_r on the axis.
   template <int dim>
   double
   missing_dilatation(const SplitBody<dim>       &body,

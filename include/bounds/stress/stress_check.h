@@ -9,7 +9,8 @@
 namespace ElastoPlastic
 {
   /// How well a stress field satisfies what it promises, relative to the unit
-  /// of stress of the body: all should be zero but for rounding. Errors of
+  /// of stress of the body, SplitBody::stress_unit: all should be zero but for
+  /// rounding. Errors of
   /// weighted stresses are divided by the distance from the axis of a body of
   /// revolution. On the axis, where these stresses must vanish, all follows
   /// from that.
@@ -25,7 +26,11 @@ namespace ElastoPlastic
     double boundary_force =
       0;                ///< given tractions, and shear under the indenter
     double tension = 0; ///< under the indenter
-    /// stress_norm() - sqrt(2/3) sigma_0, where the material does not harden
+    /// Where the material does not harden: stress_norm() less the yield radius
+    /// R, over R. That of soil is the one at the point, R - sqrt(2) f m, but
+    /// under tension that without pressure: so much more cohesion and friction
+    /// would bear the stress. (The unit of stress would not do: on heavy
+    /// ground, it is the strength at the bottom.)
     double yield_excess = 0;
     double force_difference =
       0; ///< of the field's force and int p ds, relative

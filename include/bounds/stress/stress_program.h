@@ -103,6 +103,14 @@ namespace ElastoPlastic
     {
       return body.has_friction() && body.live_body_force.norm() > 0.;
     }
+    /// The part of the strength of a simplex that its stresses may use.
+    double
+    usable_part(const unsigned int simplex) const
+    {
+      return body.has_friction() && body.friction_slopes[simplex] > 0. ?
+               1. - Tolerance::unused_strength :
+               1.;
+    }
     void
     add_friction_to(const unsigned int        simplex,
                     const FullMatrix<double> &stresses);

@@ -245,11 +245,12 @@ namespace ElastoPlastic
     if constexpr (dim == 3)
       check_orientation(mesh);
     SplitBody<dim> body;
-    body.mesh             = std::move(mesh);
-    body.kinematics       = kinematics;
-    body.indenter_surface = indenter.surface;
-    body.gap              = indenter.gap;
-    body.footprint        = indenter.footprint;
+    body.mesh                   = std::move(mesh);
+    body.place_without_pressure = body.mesh.vertices.front();
+    body.kinematics             = kinematics;
+    body.indenter_surface       = indenter.surface;
+    body.gap                    = indenter.gap;
+    body.footprint              = indenter.footprint;
     set_body_force(body, loads);
 
     body.conditions =

@@ -10,9 +10,7 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// Where the components 33 and 12 are; other shear stresses follow.
-    template <int dim>
-    constexpr unsigned int across = dim == 2 ? 3 : 2;
+    /// Where the component 12 is; other shear stresses follow.
     template <int dim>
     constexpr unsigned int first_shear = dim == 2 ? 2 : 3;
   } // namespace

@@ -102,11 +102,9 @@ namespace ElastoPlastic
                      const Functions<dim> &functions);
       void
       add_block(const unsigned int simplex, const Functions<dim> &functions);
-      /// To a block that begins with the yield conditions of these stresses.
-      void
-      add_friction_to(ConicBlock               &block,
-                      const FullMatrix<double> &stresses,
-                      const unsigned int        simplex) const;
+      /// The stress components of a coefficient by its unknowns.
+      FullMatrix<double>
+      components_of_unknowns(const unsigned int simplex) const;
 
       /// The power of a force of the indenter, which presses downwards, by
       /// functions.
@@ -252,40 +250,69 @@ namespace ElastoPlastic
 
 
 
-    // The stresses of a coefficient: in the plane 11, 22, 12, and in a body of
-    // revolution 33, which in plane strain with friction is the mean of the
-    // first two; all in space.
+    // Without friction, the components: of a sheet, 11, 22 and 12. With it, the
+    // first unknown is the slope times the mean stress, others are deviators.
+    // So the yield condition and the power, moments of rate of volume over
+    // slope, are of the same size for any slope, and so are rounding errors. In
+    // plane strain the mean is 33, too.
+    template <int dim>
+    FullMatrix<double>
+    ContinuousProgram<dim>::components_of_unknowns(const unsigned int t) const
+    {
+      const bool         is_plane = dim == 2 && !body.is_axisymmetric();
+      FullMatrix<double> components(n_stress_components<dim>,
+                                    n_stress_components<dim> - is_plane);
+      for (unsigned int c = 0; c < components.n(); ++c)
+        components(c, c) = 1.;
+      if (!body.has_friction())
+        return components;
+      const double slope = body.friction_slopes[t];
+      for (const unsigned int c : {0u, 1u, across<dim>})
+        components(c, 0) = slope > 0. ? 1. / slope : 1.;
+      components(0, 1) = 1.;
+      components(1, 1) = -1.;
+      if (!is_plane)
+        components(0, across<dim>) = components(1, across<dim>) = -0.5;
+      return components;
+    }
+
+
+
+    // The margin, of the rate of volume over the slope, is a cost of the mean
+    // stress times the slope.
     template <int dim>
     void
     ContinuousProgram<dim>::add_block(const unsigned int    t,
                                       const Functions<dim> &functions)
     {
-      const auto moments  = moments_of_rate(body, t, velocities->rate_degree);
-      const auto forces   = contact_forces(t, functions);
-      const bool is_plane = dim == 2 && !body.is_axisymmetric();
-      const unsigned int n_components = n_stress_components<dim> - is_plane,
-                         n_stresses   = n_components * moments.size(),
-                         n            = n_stresses + forces.size();
-      FullMatrix<double> stresses(n_stress_components<dim> * moments.size(), n);
-      for (unsigned int p = 0; p < moments.size(); ++p)
-        for (unsigned int c = 0; c < n_components; ++c)
-          {
-            const unsigned int row    = n_stress_components<dim> * p,
-                               column = n_components * p + c;
-            stresses(row + c, column) = 1.;
-            if (body.has_friction() && is_plane && c < 2)
-              stresses(row + 3, column) = 0.5;
-          }
+      const auto moments    = moments_of_rate(body, t, velocities->rate_degree);
+      const auto forces     = contact_forces(t, functions);
+      const auto components = components_of_unknowns(t);
+      const unsigned int n_unknowns = components.n(), n_points = moments.size(),
+                         n_stresses = n_unknowns * n_points,
+                         n          = n_stresses + forces.size();
+      const std::vector<double> weights(n_points, 1.);
+      FullMatrix<double>        stresses(components.m() * n_points, n);
+      for (unsigned int p = 0; p < n_points; ++p)
+        stresses.fill(components, components.m() * p, n_unknowns * p);
 
       ConicBlock &block = program.blocks.emplace_back(n);
       add_yield_conditions<dim>(block,
                                 stress_matrix<dim>(body.materials[t]),
                                 stresses,
-                                std::vector<double>(moments.size(), 1.),
+                                weights,
                                 body.materials[t].yield_radius /
                                   body.stress_unit);
-      if (body.has_friction())
-        add_friction_to(block, stresses, t);
+      if (body.has_friction() && body.friction_slopes[t] > 0.)
+        {
+          add_friction<dim>(block,
+                            stresses,
+                            weights,
+                            /* pressures = */ std::vector<double>(n_points, 0.),
+                            body.friction_slopes[t]);
+          for (unsigned int p = 0; p < n_points; ++p)
+            block.linear_cost[n_unknowns * p] = Tolerance::dilation_margin;
+        }
       for (unsigned int f = 0; f < forces.size(); ++f)
         {
           block.linear_cost[n_stresses + f] = body.indenter_velocity[dim - 1];
@@ -301,38 +328,15 @@ namespace ElastoPlastic
                                                 t,
                                                 velocities->rate_degree);
           Vector<double> power(n);
-          for (unsigned int p = 0; p < moments.size(); ++p)
-            for (unsigned int c = 0; c < n_components; ++c)
-              power[n_components * p + c] = moments[p] * rates[p][c];
+          for (unsigned int p = 0; p < n_points; ++p)
+            for (unsigned int j = 0; j < n_unknowns; ++j)
+              for (unsigned int c = 0; c < components.m(); ++c)
+                power[n_unknowns * p + j] +=
+                  moments[p] * (components(c, j) * rates[p][c]);
           for (unsigned int f = 0; f < forces.size(); ++f)
             power[n_stresses + f] = forces[f][i];
           block.add_to_equation(functions[i].number, power);
         }
-    }
-
-
-
-    // The margin is that of the rate of volume: a cost of the mean stress.
-    template <int dim>
-    void
-    ContinuousProgram<dim>::add_friction_to(ConicBlock               &block,
-                                            const FullMatrix<double> &stresses,
-                                            const unsigned int        t) const
-    {
-      const unsigned int n_points = stresses.m() / n_stress_components<dim>;
-      const double       slope    = body.friction_slopes[t];
-      add_friction<dim>(block,
-                        stresses,
-                        std::vector<double>(n_points, 1.),
-                        std::vector<double>(n_points, 0.),
-                        slope);
-      if (slope > 0.)
-        for (unsigned int p = 0; p < n_points; ++p)
-          for (const unsigned int c : {0, 1, dim == 2 ? 3 : 2})
-            for (unsigned int j = 0; j < stresses.n(); ++j)
-              block.linear_cost[j] +=
-                2. / 3. * Tolerance::dilation_margin *
-                stresses(n_stress_components<dim> * p + c, j);
     }
 
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/largest_error.h"
+#include "base/tensors.h"
 #include "bounds/mechanism/velocity_check.h"
 
 namespace ElastoPlastic
@@ -23,6 +24,56 @@ namespace ElastoPlastic
     template <int dim>
     using Rates = std::array<SymmetricTensor<2, 3>, n_rates<dim>>;
 
+    /// The change of the velocity at a point for each unit of the way from the
+    /// first corner to corner @p k, by differences of points, some outside of
+    /// the simplex: exact for polynomials of degree 4.
+    template <int dim>
+    Tensor<1, dim>
+    change_towards(const SplitBody<dim>       &body,
+                   const SimplexVelocity<dim> &velocity,
+                   const unsigned int          t,
+                   const Barycentric<dim>     &point,
+                   const unsigned int          k)
+    {
+      constexpr double step = 0.25;
+      const auto       at   = [&](const double way) {
+        Barycentric<dim> beside = point;
+        beside[0] -= way;
+        beside[k] += way;
+        return velocity_at(body, velocity, t, beside);
+      };
+      return (8. * (at(step) - at(-step)) - (at(2. * step) - at(-2. * step))) /
+             (12. * step);
+    }
+
+
+
+    /// The strain rate at a point.
+    template <int dim>
+    SymmetricTensor<2, 3>
+    rate_at(const SplitBody<dim>       &body,
+            const SimplexVelocity<dim> &velocity,
+            const unsigned int          t,
+            const Barycentric<dim>     &point)
+    {
+      const auto     corners = body.corners_of(t);
+      Tensor<2, dim> ways, changes;
+      for (unsigned int k = 0; k < dim; ++k)
+        {
+          ways[k]    = corners[k + 1] - corners[0];
+          changes[k] = change_towards(body, velocity, t, point, k + 1);
+        }
+      const auto   rate = symmetrize(invert(ways) * changes);
+      const auto   x    = interpolate(point, corners);
+      const double across =
+        !body.is_axisymmetric() ? 0. :
+        body.is_on_axis(x)      ? rate[0][0] :
+                                  velocity_at(body, velocity, t, point)[0] / x[0];
+      return in_space<dim>(rate, across);
+    }
+
+
+
     /// The coefficients of the strain rate.
     template <int dim>
     Rates<dim>
@@ -34,8 +85,8 @@ namespace ElastoPlastic
       Rates<dim>             coefficients;
       for (unsigned int p = 0; p < n_rates<dim>; ++p)
         {
-          const auto at_point = strain_rate_at(
-            body, velocity, t, Bernstein<dim>::points(degree)[p]);
+          const auto at_point =
+            rate_at(body, velocity, t, Bernstein<dim>::points(degree)[p]);
           for (unsigned int i = 0; i < n_rates<dim>; ++i)
             coefficients[i] +=
               Bernstein<dim>::coefficients(degree)(i, p) * at_point;
@@ -78,7 +129,8 @@ namespace ElastoPlastic
 
 
     /// By how much v_r is not r times the polynomial e_tt with these
-    /// coefficients: all rates are quadratic only if it is.
+    /// coefficients: all rates are quadratic only if it is. As a rate off the
+    /// axis, times the size of the triangle.
     double
     departure_from_quadratic(const SplitBody<2>       &body,
                              const SimplexVelocity<2> &velocity,
@@ -92,10 +144,13 @@ namespace ElastoPlastic
           double     rate      = 0.;
           for (unsigned int i = 0; i < n_quadratics; ++i)
             rate += functions[i] * rates[i][2][2];
+          const auto   corners = body.corners_of(t);
+          const double v_r     = velocity_at(body, velocity, t, point)[0];
+          const auto   x       = interpolate(point, corners);
           keep_largest(largest,
-                       std::abs(velocity_at(body, velocity, t, point)[0] -
-                                interpolate(point, body.corners_of(t))[0] *
-                                  rate));
+                       body.is_on_axis(x) ? std::abs(v_r) :
+                                            std::sqrt(volume(corners)) *
+                                              std::abs(v_r / x[0] - rate));
         }
       return largest;
     }

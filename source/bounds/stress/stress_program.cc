@@ -76,7 +76,8 @@ namespace ElastoPlastic
                                 stress_matrix<dim>(material),
                                 stresses,
                                 local(t).weights(),
-                                material.yield_radius / body.stress_unit);
+                                usable_part(t) * material.yield_radius /
+                                  body.stress_unit);
     if (hardens(material))
       for (unsigned int i = 0, n = n_growths(t); i < n; ++i)
         block.cone_matrix(n_stress_components<dim> * i,
@@ -95,7 +96,7 @@ namespace ElastoPlastic
                                       const FullMatrix<double> &stresses)
   {
     ConicBlock  &block    = program.blocks[t];
-    const double slope    = body.friction_slopes[t];
+    const double slope    = usable_part(t) * body.friction_slopes[t];
     const auto   weights  = local(t).weights();
     const auto   constant = local(t).pressures(0.);
     add_friction<dim>(block, stresses, weights, constant, slope);
@@ -226,7 +227,7 @@ namespace ElastoPlastic
                             identity,
                             weights,
                             std::vector<double>(weights.size(), 0.),
-                            body.friction_slopes[t]);
+                            usable_part(t) * body.friction_slopes[t]);
         LocalAlgebra::add_transposed_product(all.begin(), block.cone_matrix, z);
       }
 
