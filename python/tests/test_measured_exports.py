@@ -40,6 +40,8 @@ class Exports(FilesOfInstruments):
     def test_thousands_without_decimals(self):
         rows = "".join(f"{h:,.0f}\t{F:,.0f}\n" for h, F in zip(1e3 * self.depth, 1e6 * self.force))
         self.check(read_curve(self.write("Depth (pm)\tLoad (nN)\n" + rows)))
+        rows = "".join(f"{h:,.0f} pm\t{F:,.0f} nN\n" for h, F in zip(1e3 * self.depth, 1e6 * self.force))
+        self.check(read_curve(self.write("Depth\tLoad\n" + rows)))
         three_decimals = "".join(f"{h:.3f}\t{F:.3f}\n".replace(".", ",") for h, F in zip(self.depth, self.force))
         curve, = read_curve(self.write("Depth (nm)\tLoad (mN)\n" + three_decimals))
         numpy.testing.assert_allclose(curve.depth, 1e-3 * self.depth, atol=1e-6)

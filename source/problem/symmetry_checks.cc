@@ -13,6 +13,7 @@
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
+#include "mesh/material_ids.h"
 #include "problem/problem_checks.h"
 
 namespace ElastoPlastic
@@ -78,6 +79,7 @@ namespace ElastoPlastic
     {
       Point<3>     place;
       Tensor<1, 3> normal;
+      unsigned int material; ///< which of those of the model is there
     };
 
     /// The middles of the faces of this process on rollers in vertical planes
@@ -116,7 +118,11 @@ namespace ElastoPlastic
                         return std::abs(distance) < rounding * face->diameter();
                       }))
                   continue;
-                SymmetryPoint &point = result.emplace_back();
+                SymmetryPoint     &point       = result.emplace_back();
+                const unsigned int n_materials = model.materials.size();
+                if (n_materials > 1)
+                  check_material_id(*cell, n_materials);
+                point.material = n_materials > 1 ? cell->material_id() : 0;
                 for (unsigned int d = 0; d < dim; ++d)
                   {
                     point.place[d]  = values.quadrature_point(0)[d];
@@ -141,15 +147,17 @@ namespace ElastoPlastic
       return;
     bool is_unlike = false;
     rethrow_collectively(communicator_of(triangulation), [&]() {
-      for (const auto &[place, normal] :
+      for (const auto &[place, normal, id] :
            points_of_symmetry(model, triangulation))
-        for (const Material<double> &material : model.materials)
+        {
+          const Material<double> &material = model.materials[id];
           is_unlike =
             is_unlike ||
             !is_symmetric_about_plane(has_varying_criterion(material) ?
                                         material.criterion_at(place) :
                                         *material.criteria[0],
                                       normal);
+        }
     });
     if (Utilities::MPI::logical_or(is_unlike, communicator_of(triangulation)))
       throw InputError(

@@ -4,6 +4,7 @@
 
 import re
 from dataclasses import dataclass, field
+from itertools import zip_longest
 
 from ..errors import UserError
 from .formats import find_format
@@ -61,7 +62,10 @@ def blocks(rows, reading, path):
                 check_gap(above, current, (number, values), reading, path)
             current = Block(number, [values], clocks=reading.clocks(cells))
             set_headings(current, above, found[-1] if found else None)
-            current.units = reading.units(cells) or current.units
+            units = reading.units(cells) or []
+            if any(units):
+                current.units = [unit or heading for unit, heading in
+                                 zip_longest(units, current.units or [], fillvalue="")]
             found.append(current)
             above = []
         else:

@@ -126,7 +126,8 @@ def find_reading(rows):
                 best, most = reading, n_rows
         if most >= MOST_LINES * len(rows):
             break
-    if best.decimal_comma and commas_separate_thousands(rows):
+    numbers = [[split_value(cell)[0] for cell in cells] for cells in rows] if best.has_units else rows
+    if best.decimal_comma and commas_separate_thousands(numbers):
         best = replace(best, decimal_comma=False, separates_thousands=True)
     return best, most
 

@@ -16,6 +16,9 @@ BAND, FINE_BAND = 0.01, 0.001
 # So many standard deviations of what is not smooth are no turning point of the force.
 SCATTER = 6.
 
+# So many points must there be to tell noise from the curvature of a smooth path.
+ENOUGH_FOR_SCATTER = 50
+
 # The fewest points of a hold.
 FEWEST_POINTS = 5
 
@@ -42,8 +45,8 @@ def deviation_of_noise(values):
 
 
 def scatter_of(force):
-    """How far it may turn back by its noise alone."""
-    return SCATTER * deviation_of_noise(force)
+    """How far it may turn back by its noise alone; 0 with few points, of which a curved path would look like noise."""
+    return SCATTER * deviation_of_noise(force) if len(force) >= ENOUGH_FOR_SCATTER else 0.
 
 
 def turning_points(force, tolerance):
