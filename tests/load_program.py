@@ -13,9 +13,12 @@ import sys
 program, library, place = sys.argv[1:]
 ended = os.pidfd_open(os.getppid())
 with socket.socket(socket.AF_UNIX) as listener:
+    # (The path of a socket must be short.)
+    os.chdir(os.path.dirname(place))
+    name = os.path.basename(place)
     with contextlib.suppress(FileNotFoundError):
-        os.unlink(place)
-    listener.bind(place)
+        os.unlink(name)
+    listener.bind(name)
     listener.listen(64)
     if os.fork() > 0:
         sys.exit()

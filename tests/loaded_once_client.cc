@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Stands for the program where with_program_loaded.py runs a test: hands its
-// arguments, streams, environment and working directory on to the process that
-// has loaded the program, and signals, too, and ends as the program does there.
-// (loaded_once.h)
+// Stands for the program where load_program.py has loaded it for a test: hands
+// its arguments, streams, environment and working directory on to the process
+// that has loaded the program, and signals, too, and ends as the program does
+// there. (loaded_once.h)
 //
 // The program itself is started as one of several ranks, which mpirun must know
-// by their processes, and with a variable that counts when it is loaded.
+// by their processes, with a variable that counts when it is loaded, and where
+// nothing waits: another ctest in the same folder may have taken the socket.
 
 #include <cerrno>
 #include <csignal>
@@ -38,18 +39,17 @@ namespace
 
 
 
-  int
+  /// Whether there is a connection now.
+  bool
   connect_to(const std::string &path)
   {
     sockaddr_un address = {};
     address.sun_family  = AF_UNIX;
     path.copy(address.sun_path, sizeof(address.sun_path) - 1);
-    const int result = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    if (connect(result,
-                reinterpret_cast<const sockaddr *>(&address),
-                sizeof(address)) != 0)
-      throw std::runtime_error("no program waits at '" + path + "'");
-    return result;
+    connection = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    return connect(connection,
+                   reinterpret_cast<const sockaddr *>(&address),
+                   sizeof(address)) == 0;
   }
 
 
@@ -105,13 +105,13 @@ main(int argc, char **argv)
     {
       const std::string program = variable(LoadedOnce::program_variable);
       if (!variable("OMPI_COMM_WORLD_SIZE").empty() ||
-          !variable("OPENBLAS_CORETYPE").empty())
+          !variable("OPENBLAS_CORETYPE").empty() ||
+          !connect_to(variable(LoadedOnce::socket_variable)))
         {
           execv(program.c_str(), argv);
           throw std::runtime_error("cannot start '" + program + "'");
         }
 
-      connection = connect_to(variable(LoadedOnce::socket_variable));
       send_job(argc, argv);
       for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1})
         std::signal(number, hand_on);

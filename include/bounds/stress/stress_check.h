@@ -10,10 +10,9 @@ namespace ElastoPlastic
 {
   /// How well a stress field satisfies what it promises, relative to the unit
   /// of stress of the body, SplitBody::stress_unit: all should be zero but for
-  /// rounding. Errors of
-  /// weighted stresses are divided by the distance from the axis of a body of
-  /// revolution. On the axis, where these stresses must vanish, all follows
-  /// from that.
+  /// rounding. Errors of weighted stresses are divided by the distance from the
+  /// axis of a body of revolution. On the axis, where these stresses must
+  /// vanish, all follows from that.
   struct StressErrors
   {
     /// What is missing to equilibrium, times the size of the simplex.
