@@ -52,6 +52,15 @@ namespace
     return result;
   }
 
+  bool
+  is_zero(const Number &number)
+  {
+    for (unsigned int lane = 0; lane < Number::size(); ++lane)
+      if (number[lane] != 0.)
+        return false;
+    return true;
+  }
+
   template <int dim>
   void
   check(const double unit)
@@ -70,7 +79,13 @@ namespace
            largest_lane(trace(unpacked) / tensor.norm()),
            1e-14);
     verify(where + ", zero",
-           largest_lane(PackedDeviator<dim>(Tensor3()).unpack().norm()) == 0.);
+           is_zero(PackedDeviator<dim>(Tensor3()).unpack().norm()));
+
+    // What is left where two parallel deviators have been subtracted.
+    Tensor3 rounding;
+    rounding[2][2] = 1e-17 * unit;
+    verify(where + ", rounding",
+           is_zero(PackedDeviator<dim>(rounding).unpack().norm()));
   }
 } // namespace
 

@@ -50,8 +50,12 @@ namespace ElastoPlastic
             Number(entry + compare_and_apply_mask<SIMDComparison::less_than>(
                              entry, Number(0.), Number(-0.5), Number(0.5)));
         }
-      scale = Number(1.);
-      scale = Number(tensor.norm() / std::max(unpack().norm(), tiny));
+      // (the norm of what is kept: a trace that is not zero but for rounding
+      // would remain where all else cancels)
+      Tensor3 deviator = tensor;
+      deviator[2][2]   = -(tensor[0][0] + tensor[1][1]);
+      scale            = Number(1.);
+      scale = Number(deviator.norm() / std::max(unpack().norm(), tiny));
     }
 
     ELASTO_PLASTIC_ALWAYS_INLINE inline Tensor3
