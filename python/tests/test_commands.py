@@ -250,7 +250,8 @@ class Commands(unittest.TestCase):
         """One message that says what it takes, and no picture."""
         cone, picture = self.folder / "cone", self.folder / "not_there.png"
         for name, words in (("pressure", "'Output/Fields' other than 'never'"), ("convergence", "'Refinement/Number of cycles'"),
-                            ("stress_strain", "bodies without indenter"), ("reactions", "bodies without indenter")):
+                            ("stress_strain", "bodies without indenter"), ("reactions", "bodies without indenter"),
+                            ("depth_time", "a material with a 'Rate law'"), ("hardness_rate", "a material with a 'Rate law'")):
             self.expect_message(f"nothing to show for {name}: .*{words}", "plot", name, cone)
         for name, words in (("friction", "is without friction: it takes a 'Contact/Friction coefficient' above 0"),
                             ("bounds", "no error_bound.csv in .*: it takes 'Analysis = contact with error bound'"),

@@ -136,6 +136,15 @@ def cycles_on_moving_mesh(runs):
     return Content(numbers=numbers)
 
 
+@table(40)
+def rate_jump(runs):
+    """A cone at strain rates that jump, and a hold of the force: hardness and rate sensitivities."""
+    *jumps, hold = runs.tables("creep/rate_jump.prm")["indentation"]
+    rows = [[None, f"{row['hardness']:.0f} MPa", None, f"{row['jump_rate_sensitivity']:.3f}"] for row in jumps]
+    return Content([*rows, [None, f"{hold['hardness']:.0f} MPa", f"{hold['creep_depth']:.3f} mm",
+                            f"{hold['hold_rate_sensitivity']:.3f}"]])
+
+
 @table(2)
 def hencky(runs):
     """A force in one step and in twenty, with isotropic and with kinematic hardening."""

@@ -4,6 +4,7 @@
 nothing, if the run has nothing to show there."""
 
 import numpy
+from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
 from . import material_test
 from .figures import BLUE, RED
@@ -113,6 +114,67 @@ def contact_radius(run, _, scales, axes):
               "o-", markersize=3., color=BLUE)
 
 
+def expect_rate_law(run):
+    laws = run.parameters.get("Material/Rate law", "none").split(",")
+    expect(any(law.strip() != "none" for law in laws), "it takes a material with a 'Rate law'")
+
+
+def depth_time(run, _, scales, axes):
+    """Depth over time, and the force beside it, of a material with a rate law."""
+    expect_indenter(run)
+    expect_rate_law(run)
+    expect_history(run)
+    table = run.history
+    label(axes, "time", scales.length.label("depth", r"\delta"))
+    time = numpy.append(0., table["time"])
+    axes.plot(time, numpy.append(0., table["depth"]) / scales.length.unit, color=BLUE)
+    axes.yaxis.label.set_color(BLUE)
+    axes.set_ylim(bottom=min(0., table["depth"].min()))
+    of_force = axes.twinx()
+    of_force.plot(time, numpy.append(0., table["force"]) / scales.force.unit, "--", color=RED)
+    of_force.set_ylim(bottom=0.)
+    of_force.set_ylabel(scales.force.label("force", "F"), color=RED)
+    of_force.spines["right"].set_visible(True)
+    of_force.grid(False)
+
+
+def hardness_rate(run, _, scales, axes):
+    """Hardness over the rate of the depth over the depth, of the steps in which the depth grows, and the lines
+    that holds and jumps give, whose slope is the rate sensitivity (doc/theory/rate_dependence.md)."""
+    expect_indenter(run)
+    expect_rate_law(run)
+    expect(not run.is_plane, "it takes an axisymmetric body, or one in space")
+    rates, hardness, of_step = hardness_at_rates(run.history)
+    expect(len(rates) > 1, "it takes several load steps in which the depth grows")
+    axes.set(xlabel="rate of the depth over the depth", ylabel=scales.stress.label("hardness", "H"), xscale="log", yscale="log")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(LogLocator(subs=(1., 2., 5.)))
+        axis.set_major_formatter(StrMethodFormatter("{x:g}"))
+        axis.set_minor_formatter(NullFormatter())
+    axes.plot(rates, hardness / scales.stress.unit, "o", markersize=3., color=BLUE, label="load steps")
+    tests = run.indentation if run.has("indentation.csv") else []
+    for column, name in (("jump_rate_sensitivity", "jump"), ("hold_rate_sensitivity", "hold")):
+        for test in tests:
+            m = test[column]
+            if numpy.isfinite(m) and test["step"] in of_step:
+                end = of_step[test["step"]]
+                line = numpy.array([rates.min(), rates.max()])
+                axes.plot(line, hardness[end] * (line / rates[end]) ** m / scales.stress.unit, "-" if name == "jump" else "--",
+                          linewidth=0.8, color=RED, label=f"{name}, $m$ = {m:.3g}")
+    beside(axes)
+
+
+def hardness_at_rates(table):
+    """(d depth / dt) / depth and force / contact area at the ends of the steps of history.csv in which the depth
+    grows and there is a contact, and the indices of these by the numbers of the steps."""
+    duration = numpy.diff(table["time"])
+    before, after = table["depth"][:-1], table["depth"][1:]
+    grows = numpy.flatnonzero((before > 0.) & (after > before) & (table["contact_area"][1:] > 0.))
+    rates = numpy.log(after[grows] / before[grows]) / duration[grows]
+    rows = table[1:][grows]
+    return rates, rows["force"] / rows["contact_area"], {step: i for i, step in enumerate(rows["step"])}
+
+
 def steps_of_imprint(run, table):
     """Of the steps in surface_profile.csv the one with the largest depth and, unless the force goes on to grow,
     the later one with the smallest force, with their names."""
@@ -194,4 +256,5 @@ def reactions(run, _, scales, axes):
     beside(axes)
 
 
-ALL = (pressure, convergence, force_depth, contact_radius, imprint, energies, stress_strain, reactions)
+ALL = (pressure, convergence, force_depth, depth_time, hardness_rate, contact_radius, imprint, energies, stress_strain,
+       reactions)

@@ -5,7 +5,8 @@ distance from the indenter's axis (pressure.png; of a load history at the larges
 force), the force over the number of unknowns (convergence.png), the deformed contact surface at the largest depth and
 after unloading (imprint.png); of a load history, force and contact radius over the
 depth (force_depth.png, contact_radius.png) and the energies over time
-(energies.png); without an indenter, the forces of the supports over time
+(energies.png); with a rate law, the depth over time (depth_time.png) and the hardness over
+the rate of the depth (hardness_rate.png); without an indenter, the forces of the supports over time
 (reactions.png) and the stress-strain curve of a box that is loaded along an axis
 (stress_strain.png); of a limit load in the plane, the fields on its last mesh
 (equilibrium.png).
