@@ -10,7 +10,7 @@ file(GLOB_RECURSE PARTS_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/source/*.c
 list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/app/main.cc)
 # Classes in several files: the first includes the others.
 list(FILTER PARTS_SOURCES EXCLUDE REGEX
-  "source/(contact_run/(checkpoint|discrete_body_)|contact/contact_set_|mechanics/solid_operator_(preconditioning|states)|bounds/stress/stress_program_)")
+  "source/(contact_run/(checkpoint|discrete_body_)|contact/contact_set_|mechanics/solid_operator_(preconditioning|states)|bounds/(limit_load_analysis|stress/stress_program)_)")
 if(TRILINOS_SOLVERS)
   list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/solver/matrix_preconditioner_gathered.cc)
 else()
