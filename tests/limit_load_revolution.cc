@@ -180,18 +180,18 @@ namespace
 
 
   // Own strict bounds, times the yield stress: 3.0140 to 3.0147 for a smooth
-  // punch, 3.1766 to 3.189 for a rough one.
+  // punch, 3.1766 to 3.189 for a rough one. What flows is within a radius of 2
+  // and a depth of 1.5, so that held sides change nothing.
   void
   test_circular_punch(const MeshKind kind,
                       const double   least,
                       const double   most)
   {
     Triangulation<2> mesh;
-    make_rectangle(mesh, kind, 10, 0., 5., 5.);
+    make_rectangle(mesh, kind, 5, 0., 2.5, 2.5);
     BoundaryConditionParameters parameters;
     parameters.roller  = {"left"};
-    parameters.free    = {"right"};
-    parameters.fixed   = {"bottom"};
+    parameters.fixed   = {"bottom", "right"};
     parameters.contact = {"top"};
     const BoundaryConditions<2> conditions(parameters, names);
     verify_bounds("Smooth circular punch" + kinds.at(kind),

@@ -6,14 +6,15 @@
 
 #include <iosfwd>
 
-#include "input/command_line.h"
-#include "input/parameters.h"
-#include "problem/model.h"
-
 #include <mpi.h>
 
 namespace ElastoPlastic
 {
+  struct CommandLine;
+  template <int dim>
+  struct Model;
+  struct Parameters;
+
   /// Does what the command line asks for, on all ranks of MPI_COMM_WORLD.
   /// Errors are printed on standard error, once.
   /// @return the program's exit status, an ExitStatus.

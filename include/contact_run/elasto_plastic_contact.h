@@ -92,8 +92,6 @@ namespace ElastoPlastic
     go_on_to_next_step(RunTables &statistics);
     bool
     change_mesh(RunTables &statistics);
-    void
-    go_on_after_end(RunTables &statistics);
 
     // Checkpoints (checkpoint.cc).
     void
@@ -108,6 +106,8 @@ namespace ElastoPlastic
     load_checkpoint();
     void
     stop_if_requested() const;
+    void
+    go_on_after_end(RunTables &statistics);
     template <typename Archive>
     void
     serialize_progress(Archive &archive, RunTables::Progress &progress);

@@ -12,8 +12,11 @@
 #include "base/exceptions.h"
 #include "base/process.h"
 #include "contact_run/elasto_plastic_contact.h"
+#include "input/command_line.h"
 #include "input/entry_effects.h"
+#include "input/parameters.h"
 #include "output/log.h"
+#include "problem/model.h"
 #include "restart/output_directory.h"
 
 namespace ElastoPlastic

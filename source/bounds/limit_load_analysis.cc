@@ -359,9 +359,13 @@ namespace ElastoPlastic
     setup_body();
     ++cycle;
   }
+} // namespace ElastoPlastic
 
+// The rest of the class, which is compiled and instantiated as a whole:
+#include "limit_load_analysis_safety.cc"
 
-
+namespace ElastoPlastic
+{
   template class LimitLoadAnalysis<2>;
   template class LimitLoadAnalysis<3>;
 } // namespace ElastoPlastic

@@ -102,9 +102,4 @@ namespace ElastoPlastic
               " times that. Prescribe smaller loads ('Boundary "
               "conditions/Traction', 'Body force').");
   }
-
-
-
-  template class LimitLoadAnalysis<2>;
-  template class LimitLoadAnalysis<3>;
 } // namespace ElastoPlastic

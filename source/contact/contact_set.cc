@@ -381,9 +381,15 @@ namespace ElastoPlastic
     for (const Node &node : candidates)
       vector.local_element(node.index) = value;
   }
+} // namespace ElastoPlastic
 
+// The rest of the class, which is compiled and instantiated as a whole:
+#include "contact_set_friction.cc"
+#include "contact_set_state.cc"
+#include "contact_set_update.cc"
 
-
+namespace ElastoPlastic
+{
   template class ContactSet<2>;
   template class ContactSet<3>;
 } // namespace ElastoPlastic

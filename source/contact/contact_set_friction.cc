@@ -309,9 +309,4 @@ namespace ElastoPlastic
       }
     return bound;
   }
-
-
-
-  template class ContactSet<2>;
-  template class ContactSet<3>;
 } // namespace ElastoPlastic

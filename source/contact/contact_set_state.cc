@@ -203,9 +203,4 @@ namespace ElastoPlastic
   {
     return bounds.follow_deformation();
   }
-
-
-
-  template class ContactSet<2>;
-  template class ContactSet<3>;
 } // namespace ElastoPlastic

@@ -214,9 +214,4 @@ namespace ElastoPlastic
     open_without_closed();
     return found || changed;
   }
-
-
-
-  template class ContactSet<2>;
-  template class ContactSet<3>;
 } // namespace ElastoPlastic

@@ -249,9 +249,15 @@ namespace ElastoPlastic
                             u,
                             residual_forces);
   }
+} // namespace ElastoPlastic
 
+// The rest of the class, which is compiled and instantiated as a whole:
+#include "discrete_body_checkpoint.cc"
+#include "discrete_body_initial_stress.cc"
+#include "discrete_body_step.cc"
 
-
+namespace ElastoPlastic
+{
   template class DiscreteBody<2>;
   template class DiscreteBody<3>;
 } // namespace ElastoPlastic

@@ -118,9 +118,4 @@ namespace ElastoPlastic
     if (response.l2_norm() > 0)
       tangent_solver->set_response(response);
   }
-
-
-
-  template class DiscreteBody<2>;
-  template class DiscreteBody<3>;
 } // namespace ElastoPlastic

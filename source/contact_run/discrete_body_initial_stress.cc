@@ -159,9 +159,4 @@ namespace ElastoPlastic
   {
     return solid_body.initial_stress_size().norm / body_size(mesh);
   }
-
-
-
-  template class DiscreteBody<2>;
-  template class DiscreteBody<3>;
 } // namespace ElastoPlastic

@@ -167,9 +167,4 @@ namespace ElastoPlastic
     move_indenter(time);
     contact_set.place(depth);
   }
-
-
-
-  template class DiscreteBody<2>;
-  template class DiscreteBody<3>;
 } // namespace ElastoPlastic

@@ -372,27 +372,13 @@ namespace ElastoPlastic
         return false;
       }
   }
+} // namespace ElastoPlastic
 
+// The rest of the class, which is compiled and instantiated as a whole:
+#include "checkpoint.cc"
 
-
-  // The checkpoint is that of a history which had come to its end. The mesh is
-  // what this step has left.
-  template <int dim>
-  void
-  ElastoPlasticContact<dim>::go_on_after_end(RunTables &statistics)
-  {
-    if (adaptation.is_due(step.last().result.step))
-      error_estimate.find_indicators();
-    go_on_to_next_step(statistics);
-    if (step.times().finished())
-      log.remark(
-        "The load history is complete, and nothing is left to do. To "
-        "go on, make it longer: 'Loading/History', or 'Final time', and "
-        "'Number of steps'.");
-  }
-
-
-
+namespace ElastoPlastic
+{
   template class ElastoPlasticContact<2>;
   template class ElastoPlasticContact<3>;
 } // namespace ElastoPlastic

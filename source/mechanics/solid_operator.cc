@@ -304,9 +304,14 @@ namespace ElastoPlastic
     };
     kernel->for_each_true_stress(u, law, use);
   }
+} // namespace ElastoPlastic
 
+// The rest of the class, which is compiled and instantiated as a whole:
+#include "solid_operator_preconditioning.cc"
+#include "solid_operator_states.cc"
 
-
+namespace ElastoPlastic
+{
   template class SolidOperator<2>;
   template class SolidOperator<3>;
 } // namespace ElastoPlastic

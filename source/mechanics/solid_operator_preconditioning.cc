@@ -174,9 +174,4 @@ namespace ElastoPlastic
     Utilities::MPI::sum(sum_and_cells, communicator, sum_and_cells);
     return std::exp(sum / n_cells);
   }
-
-
-
-  template class SolidOperator<2>;
-  template class SolidOperator<3>;
 } // namespace ElastoPlastic

@@ -134,9 +134,4 @@ namespace ElastoPlastic
       return states[cell->active_cell_index()];
     });
   }
-
-
-
-  template class SolidOperator<2>;
-  template class SolidOperator<3>;
 } // namespace ElastoPlastic

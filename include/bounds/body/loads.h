@@ -94,8 +94,6 @@ namespace ElastoPlastic
     double growing  = 0; ///< of what a load factor of 1 adds
   };
 
-  using LoadPower = TwoLoads;
-
 
 
   /// Tractions and body forces that grow with a load factor: it is the time, of

@@ -7,10 +7,24 @@
 #include <memory>
 #include <vector>
 
+#include "bounds/body/split_body.h"
 #include "bounds/mechanism/velocity_field.h"
 
 namespace ElastoPlastic
 {
+  /// The directions in which continuous velocities are free at the vertices of
+  /// the mesh, and after these in the middles of its edges: unit vectors at
+  /// right angles to each other. The velocity is zero in others, where
+  /// SplitBody::support_of() asks for it: across closed faces, and along those
+  /// that resist a slip, also of a rough indenter where it reaches. Normals
+  /// that differ by Tolerance::small_angle or less hold in one direction, that
+  /// of the first.
+  template <int dim>
+  std::vector<std::vector<Tensor<1, dim>>>
+  free_directions_of_nodes(const SplitBody<dim> &body);
+
+
+
   /// One of the functions that velocities are combined of, on a simplex.
   template <int dim>
   struct VelocityFunction

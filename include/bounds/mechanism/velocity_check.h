@@ -58,7 +58,7 @@ namespace ElastoPlastic
 
   /// Uses nothing but the velocities and the loads themselves.
   template <int dim>
-  LoadPower
+  TwoLoads
   power_of_loads(const SplitBody<dim>                    &body,
                  const std::vector<SimplexVelocity<dim>> &velocity);
 

@@ -1,14 +1,99 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/continuous_velocities.h"
-#include "bounds/mechanism/free_directions.h"
 #include "bounds/mechanism/revolution_velocities.h"
 
 namespace ElastoPlastic
 {
   namespace
   {
+    /// In which the velocities of a face are zero.
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    fixed_directions(const SplitBody<dim> &body, const unsigned int face)
+    {
+      const FaceSupport<dim>      support = body.support_of(face);
+      const auto                  corners = body.corners_of_face(face);
+      std::vector<Tensor<1, dim>> result;
+      if (support.is_closed)
+        result.push_back(normal(corners));
+      if (support.resists_slip)
+        for (const auto &tangent : tangents(corners))
+          result.push_back(tangent);
+      return result;
+    }
+
+
+
+    /// A node at which the velocity may be zero in some directions.
+    template <int dim>
+    class Node
+    {
+    public:
+      /// No velocity in this direction.
+      void
+      fix(const Tensor<1, dim> &direction)
+      {
+        if (fixed.size() < dim)
+          if (const auto rest = part_across(fixed, direction);
+              rest.norm() > Tolerance::small_angle)
+            fixed.push_back(rest / rest.norm());
+      }
+
+      /// Those at right angles to the directions of fix(), and to each other:
+      /// of the axes, what has most that is new, one after the other.
+      std::vector<Tensor<1, dim>>
+      free_directions() const
+      {
+        std::vector<Tensor<1, dim>> all = fixed;
+        while (all.size() < dim)
+          {
+            Tensor<1, dim> most;
+            for (unsigned int c = 0; c < dim; ++c)
+              if (const auto rest =
+                    part_across(all, Point<dim>::unit_vector(c));
+                  rest.norm() > most.norm())
+                most = rest;
+            all.push_back(most / most.norm());
+          }
+        return {all.begin() + fixed.size(), all.end()};
+      }
+
+    private:
+      static Tensor<1, dim>
+      part_across(const std::vector<Tensor<1, dim>> &directions,
+                  Tensor<1, dim>                     vector)
+      {
+        for (const auto &direction : directions)
+          vector -= (vector * direction) * direction;
+        return vector;
+      }
+
+      std::vector<Tensor<1, dim>> fixed; ///< at right angles to each other
+    };
+
+
+
+    /// The edges of a face at the boundary.
+    template <int dim>
+    std::vector<unsigned int>
+    edges_of_face(const SplitMesh<dim> &mesh, const unsigned int f)
+    {
+      const auto        &simplex = mesh.simplices[mesh.faces[f].neighbors[0]];
+      const unsigned int k       = simplex.place_of_face(f);
+      std::vector<unsigned int> edges;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = i + 1; j < dim; ++j)
+          edges.push_back(
+            simplex.edges[edge_between<dim>(corner_of_face<dim>(k, i),
+                                            corner_of_face<dim>(k, j))]);
+      return edges;
+    }
+
+
+
     /// Their nodes are the vertices and the middles of the edges.
     template <int dim>
     class QuadraticVelocities : public ContinuousVelocities<dim>
@@ -84,6 +169,28 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  std::vector<std::vector<Tensor<1, dim>>>
+  free_directions_of_nodes(const SplitBody<dim> &body)
+  {
+    const auto            &mesh = body.mesh;
+    std::vector<Node<dim>> nodes(mesh.vertices.size() + mesh.n_edges);
+    for (unsigned int f = 0; f < mesh.faces.size(); ++f)
+      for (const auto &direction : fixed_directions(body, f))
+        {
+          for (const unsigned int v : mesh.faces[f].vertices)
+            nodes[v].fix(direction);
+          for (const unsigned int e : edges_of_face(mesh, f))
+            nodes[mesh.vertices.size() + e].fix(direction);
+        }
+    std::vector<std::vector<Tensor<1, dim>>> result;
+    for (const Node<dim> &node : nodes)
+      result.push_back(node.free_directions());
+    return result;
+  }
+
+
+
+  template <int dim>
   std::unique_ptr<ContinuousVelocities<dim>>
   make_continuous_velocities(const SplitBody<dim> &body)
   {
@@ -95,6 +202,10 @@ namespace ElastoPlastic
 
 
 
+  template std::vector<std::vector<Tensor<1, 2>>>
+  free_directions_of_nodes(const SplitBody<2> &);
+  template std::vector<std::vector<Tensor<1, 3>>>
+  free_directions_of_nodes(const SplitBody<3> &);
   template std::unique_ptr<ContinuousVelocities<2>>
   make_continuous_velocities(const SplitBody<2> &);
   template std::unique_ptr<ContinuousVelocities<3>>

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "bounds/conic/tolerances.h"
-#include "bounds/mechanism/free_directions.h"
 #include "bounds/mechanism/revolution_velocities.h"
 
 namespace ElastoPlastic

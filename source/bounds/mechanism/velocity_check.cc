@@ -127,7 +127,7 @@ namespace ElastoPlastic
 
     /// Adds that of a force for each unit of the weighted velocity.
     void
-    add(LoadPower &power, const double constant, const double growing)
+    add(TwoLoads &power, const double constant, const double growing)
     {
       power.constant += constant;
       power.growing += growing;
@@ -138,7 +138,7 @@ namespace ElastoPlastic
     /// The power of the given tractions on a face.
     template <int dim>
     void
-    add_tractions(LoadPower             &power,
+    add_tractions(TwoLoads              &power,
                   const SplitBody<dim>  &body,
                   const Velocities<dim> &velocity,
                   const FaceView<dim>   &view)
@@ -212,10 +212,10 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  LoadPower
+  TwoLoads
   power_of_loads(const SplitBody<dim> &body, const Velocities<dim> &velocity)
   {
-    LoadPower power;
+    TwoLoads power;
     for (const auto &view : views_of_faces(body))
       add_tractions(power, body, velocity, view);
     for (unsigned int t = 0; t < velocity.size(); ++t)
@@ -236,8 +236,8 @@ namespace ElastoPlastic
   lowest_depth(const SplitBody<2> &, const Velocities<2> &);
   template double
   lowest_depth(const SplitBody<3> &, const Velocities<3> &);
-  template LoadPower
+  template TwoLoads
   power_of_loads(const SplitBody<2> &, const Velocities<2> &);
-  template LoadPower
+  template TwoLoads
   power_of_loads(const SplitBody<3> &, const Velocities<3> &);
 } // namespace ElastoPlastic

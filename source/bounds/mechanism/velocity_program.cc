@@ -58,7 +58,7 @@ namespace ElastoPlastic
           to_text(field.error) +
           " of its velocity, because of rounding errors.");
 
-      const LoadPower power = power_of_loads(body, field.velocity);
+      const TwoLoads power = power_of_loads(body, field.velocity);
       if (loads_grow && !(power.growing > 0))
         throw ConvergenceError(
           "The loads that grow have no power in the mechanism of collapse, "

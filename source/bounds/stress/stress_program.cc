@@ -308,9 +308,14 @@ namespace ElastoPlastic
         (n_corners + 1.) / n_corners * sum - double(n_corners) * means[k];
     return at_corners;
   }
+} // namespace ElastoPlastic
 
+// The rest of the class, which is compiled and instantiated as a whole:
+#include "stress_program_energy.cc"
+#include "stress_program_faces.cc"
 
-
+namespace ElastoPlastic
+{
   template class StressProgram<2>;
   template class StressProgram<3>;
 } // namespace ElastoPlastic

@@ -241,9 +241,4 @@ namespace ElastoPlastic
                             std::pow(part, 0.75)});
       }
   }
-
-
-
-  template class StressProgram<2>;
-  template class StressProgram<3>;
 } // namespace ElastoPlastic

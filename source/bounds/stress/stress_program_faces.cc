@@ -285,9 +285,4 @@ namespace ElastoPlastic
         field.force += body.force_unit() * vertical_part(i) * force;
       }
   }
-
-
-
-  template class StressProgram<2>;
-  template class StressProgram<3>;
 } // namespace ElastoPlastic
