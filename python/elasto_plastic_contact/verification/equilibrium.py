@@ -115,6 +115,7 @@ def blas_kernels(runner):
     cases = {"two layers": ("limit_load/two_layer_block.prm", "Refinement/Number of cycles=2"),
              "two layers, edge of the punch inside a side":
                  ("limit_load/two_layer_block.prm", coarse, "Indenter/Half width=0.83"),
+             "footing on soil": ("limit_load/footing.prm", "Refinement/Number of cycles=2"),
              "sphere": ("error_bound/sphere.prm", coarse),
              "paraboloid in space": ("error_bound/paraboloid_3d.prm", coarse)}
     for name, case in cases.items():
