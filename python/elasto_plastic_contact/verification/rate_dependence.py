@@ -163,7 +163,7 @@ def creep_cylinder(runner):
 def creep_sphere(runner):
     """A thick sphere under pressure creeps (Norton): the stationary stresses, and the rate of its bore (closed form)."""
     a, b, pressure, reference_rate, unit = 100.0, 200.0, 200.0, 1e-4, 200.0
-    inner, outer = cell_of_sphere(a, 1), cell_of_sphere(b, -1)
+    first, last = cell_of_sphere(a, 1), cell_of_sphere(b, -1)
     for n, final_time in ((3, 2000), (5, 2000), (10, 20000)):
         steps = runner.tables(
             "verification/thick_sphere_axisymmetric.prm", "Material/Law=linear elastic", "Material/Rate law=Norton",
@@ -171,11 +171,13 @@ def creep_sphere(runner):
             "Boundary conditions/Traction=inner: 200*x/sqrt(x^2 + y^2); 200*y/sqrt(x^2 + y^2)",
             "Geometry/Initial refinements=2", "Discretization/Polynomial degree=1",
             "Discretization/Volumetric treatment=B-bar", f"Loading/Final time={final_time}", "Loading/Number of steps=12",
-            f"Output/Probe points=bore: {a}, 0 | inner: {inner[0]}, {inner[1]} | outer: {outer[0]}, {outer[1]}")["probes"]
+            f"Output/Probe points=bore: {a}, 0 | first: {first[0]}, {first[1]} | last: {last[0]}, {last[1]}")["probes"]
         power = (b / a) ** (3 / n)
-        for place, point in (("inner", inner), ("outer", outer)):
-            runner.compare(f"n = {n}, hoop stress in the {place} cell", steps[-1][f"{place}_stress_zz"],
-                           pressure * ((1.5 / n - 1) * (b / math.hypot(*point)) ** (3 / n) + 1) / (power - 1), 0.005)
+        for place, point in (("first", first), ("last", last)):
+            # (with n = 3, the stress along the bore is almost zero)
+            runner.compare(f"n = {n}, hoop stress in the {place} cell over the pressure",
+                           steps[-1][f"{place}_stress_zz"] / pressure,
+                           ((1.5 / n - 1) * (b / math.hypot(*point)) ** (3 / n) + 1) / (power - 1), 0.001, absolute=True)
         equivalent = pressure * 3 / (2 * n) * power / (power - 1)
         widening = [step["bore_displacement_x"] / a for step in steps]
         runner.compare(f"n = {n}, rate of the bore", (widening[-1] - widening[-2]) / (final_time / len(steps)),
