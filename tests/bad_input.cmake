@@ -52,8 +52,8 @@ add_message_test(limit_load_resume 2 "nothing to resume. Leave out --resume" ${C
 # Soil
 set(_soil ${CMAKE_SOURCE_DIR}/parameter_files/limit_load/footing.prm --validate --set)
 add_message_test(soil_cohesion 2 "entry 'Material/Cohesion' is '0', but it must be greater than 0: without cohesion, stresses at a free surface" ${_soil} "Material/Cohesion=0")
-add_message_test(soil_angle 2 "entry 'Material/Friction angle' is '61', but it must be 0, or lie between 0.01 and 60 degrees" ${_soil} "Material/Friction angle=61")
-add_message_test(soil_small_angle 2 "entry 'Material/Friction angle' is '1e-08', but it must be 0, or lie between 0.01 and 60 degrees: with less friction" ${_soil} "Material/Friction angle=1e-8")
+add_message_test(soil_angle 2 "entry 'Material/Friction angle' is '61', but it must be 0, or lie between 0.1 and 60 degrees" ${_soil} "Material/Friction angle=61")
+add_message_test(soil_small_angle 2 "entry 'Material/Friction angle' is '0.09', but it must be 0, or lie between 0.1 and 60 degrees: with less friction" ${_soil} "Material/Friction angle=0.09")
 add_message_test(soil_number_of_values 2 "entry 'Material/Friction angle' has 2 values, but another entry of this section has 3" ${_soil} "Material/Cohesion=1, 2, 3" --set "Material/Friction angle=10, 20")
 add_message_test(soil_law 2 "entry 'Analysis' is 'limit load', but only a body of perfectly plastic materials" ${_soil} "Material/Law=linear elastic")
 add_message_test(soil_analysis 2 "entry 'Material/Yield criterion' is 'Mohr-Coulomb', but 'Mohr-Coulomb' is for limit loads" ${_soil} "Analysis=contact")
@@ -672,6 +672,7 @@ add_entry_test(field_time_zero "entry 'Output/Field times' is '0', but there are
 add_entry_test(body_force_later "entry 'Body force' is 'sqrt.0.6-t.', but at .* and t = 0.75 its value is not a number" "Body force=0@ sqrt(0.6-t)" "Loading/Number of steps=4")
 add_message_test(traction_later 2 "entry 'Boundary conditions/Traction' is 'sqrt.1-t.', but at .* and t = 1.05 its value is not a number" ${_sheet} --set "Boundary conditions/Free=" --set "Boundary conditions/Traction=right: sqrt(1-t)@ 0")
 add_message_test(no_load 2 "Error: .*Nothing loads the body: at the ends of all load steps, .* are zero" ${_sheet} --set "Boundary conditions/Prescribed displacement=top: free@ 0*t")
+add_message_test(initial_stress_zero 2 "Nothing loads the body: .* body forces and the initial stress are zero" ${_sheet} --set "Boundary conditions/Prescribed displacement=top: free@ 0*t" --set "Initial stress/Stress xx=0*x")
 add_entry_test(no_force "Nothing loads the body" Loading/Control=force Loading/Force=0)
 add_message_test(mesh_will_stop 0 "Warning: The mesh is expected to stop following the contact at some step: it would have about [0-9]+ unknowns in the end" ${_following} --validate)
 add_message_test(little_memory 0 "Warning: The run is expected to need about [0-9]+ MB of memory, and there are [0-9]+ MB here" ${CMAKE_SOURCE_DIR}/parameter_files/sphere_3d.prm --validate

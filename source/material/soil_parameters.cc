@@ -16,8 +16,9 @@ namespace ElastoPlastic
     constexpr double largest_friction_angle = 60.;
 
     /// Below, but for zero, rates of volume are not much more than what
-    /// rounding errors leave of those of shear.
-    constexpr double smallest_friction_angle = 0.01;
+    /// rounding errors leave of those of shear, and the interior point method
+    /// ends before the bounds are the closest ones of a mesh.
+    constexpr double smallest_friction_angle = 0.1;
 
 
 
@@ -42,7 +43,7 @@ namespace ElastoPlastic
                       Patterns::List(Patterns::Double(), 1));
     prm.add_parameter("Friction angle",
                       friction_angles,
-                      "phi, 0 or from 0.01 to 60 degrees: the shear stress "
+                      "phi, 0 or from 0.1 to 60 degrees: the shear stress "
                       "that a 'Mohr-Coulomb' material bears, and in plane "
                       "strain a 'Drucker-Prager' one, grows by tan(phi) times "
                       "the pressure on its plane. Unit: degrees.",
@@ -68,7 +69,7 @@ namespace ElastoPlastic
         return phi == 0 || (phi >= smallest_friction_angle &&
                             phi <= largest_friction_angle);
       },
-      "it must be 0, or lie between 0.01 and 60 degrees: with less friction, "
+      "it must be 0, or lie between 0.1 and 60 degrees: with less friction, "
       "rounding errors would decide whether the soil dilates. Set it to 0.");
   }
 

@@ -172,6 +172,26 @@ namespace ElastoPlastic
       });
       return Utilities::MPI::max(largest, communicator);
     }
+
+
+
+    /// Whether the body bears an initial stress in the middle of a cell.
+    /// Collective. @throws InputError
+    template <int dim>
+    bool
+    bears_initial_stress(
+      const InitialStress<dim>                        &stress,
+      const parallel::distributed::Triangulation<dim> &triangulation)
+    {
+      const MPI_Comm communicator = communicator_of(triangulation);
+      double         largest      = 0.;
+      rethrow_collectively(communicator, [&]() {
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (cell->is_locally_owned())
+            largest = std::max(largest, stress.value(cell->center()).norm());
+      });
+      return Utilities::MPI::max(largest, communicator) > 0.;
+    }
   } // namespace
 
 
@@ -187,12 +207,14 @@ namespace ElastoPlastic
 
     const double largest =
       largest_load_at_any_time(model, steps, dof_handler, triangulation);
-    if (largest == 0. && !model.initial_stress.is_present())
+    if (largest == 0. &&
+        !bears_initial_stress(model.initial_stress, triangulation))
       throw InputError(
         "Nothing loads the body: at the ends of all load steps, neither depth "
         "nor force of the indenter is greater than 0, and tractions, prescribed "
-        "displacements and body forces are zero, as far as there are any. "
-        "Check 'Loading', 'Boundary conditions' and 'Body force'.");
+        "displacements, body forces and the initial stress are zero, as far as "
+        "there are any. Check 'Loading', 'Boundary conditions', 'Body force' "
+        "and 'Initial stress'.");
     if (largest > 0. && largest < smallest_load)
       throw InputError(
         "The loads are so small that the rounding of numbers hides what they "

@@ -100,6 +100,16 @@ def material_tests(runs):
 
 
 @table(20)
+def rolled_ring(runs):
+    """The pressure at which a rolled ring collapses, on two meshes, and with axes that are the same everywhere."""
+    def pressure(*entries):
+        return f"{runs.history('material/rolled_ring.prm', *entries)[-1]['inner_x'] / 100:.2f}"
+
+    return Content(numbers={"pressure": pressure(), "finer": pressure("Geometry/Initial refinements=2"),
+                            "fixed_axes": pressure("Material/Axes=0")})
+
+
+@table(20)
 def step42_uniform(runs):
     """step-42's sphere on uniform meshes."""
     return Content([[count(row["dofs"]), *decimals(row, force=4), None]

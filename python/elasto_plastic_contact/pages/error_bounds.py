@@ -26,6 +26,14 @@ def parabola(runs):
                     "high": percent(high["relative_bound"]).removesuffix(" %"), "high_depth": f"{high['depth']:.1f}"})
 
 
+@table(30)
+def residual_stress_bounds(runs):
+    """Bounds of the depth of a paraboloid on a body with residual stress."""
+    row = runs.tables("error_bound/residual_stress.prm")["error_bound"][-1]
+    return Content(numbers={"triangles": count(row["triangles"]), "lower": f"{row['depth_lower_bound']:.5f}",
+                            "upper": f"{row['depth_upper_bound']:.5f}"})
+
+
 @table(55)
 def efficiency(runs):
     """The efficiency index and the orders of the bound on uniform meshes, in plane strain and of revolution."""

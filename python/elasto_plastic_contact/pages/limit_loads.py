@@ -158,6 +158,19 @@ def layers_of_ground(runs):
                     for layers in ("if(y > -1.5, 0, 1)", "if(y > -0.5, 0, 1)", "if(y > -0.5, 1, 0)")])
 
 
+@table(80)
+def little_friction(runs):
+    """Footings on ground with a tenth of a degree, a strip and a circular one, and on clay above sand: the last meshes."""
+    numbers = {}
+    for name, case, unit, entry in (("strip", "footing", 1, "0.1"), ("clay", "footing_layers", 1, "0, 30"),
+                                    ("circle", "footing_circular", math.pi, "0.1")):
+        row = runs.limit_load(case, f"Material/Friction angle={entry}")[-1]
+        lower, upper = bounds(row, unit)
+        numbers |= {f"{name}_lower": lower, f"{name}_upper": upper, f"{name}_triangles": count(row["triangles"]),
+                    f"{name}_difference": percent(row["relative_difference"], 2).removesuffix(" %")}
+    return Content(numbers=numbers)
+
+
 @table(900)
 def heavy_ground(runs):
     """A footing on heavy ground and a vertical cut, the last meshes."""

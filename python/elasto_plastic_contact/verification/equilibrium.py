@@ -125,6 +125,7 @@ def blas_kernels(runner):
     layers = ("limit_load/two_layer_block.prm", *HELD_BLOCK)
     cases = {"two layers": (*layers, "Refinement/Number of cycles=3"),
              "two layers, edge of the punch inside a side": (*layers, coarse, "Indenter/Half width=0.83"),
+             "footing on soil": ("limit_load/footing.prm", "Refinement/Number of cycles=2"),
              "sphere": ("error_bound/sphere.prm", coarse),
              "paraboloid in space": ("error_bound/paraboloid_3d.prm", coarse)}
     for name, case in cases.items():

@@ -110,7 +110,7 @@ COARSE = ("Refinement/Elements over contact radius=5", "Geometry/Initial refinem
 
 
 def creep_runs(runner):
-    """A cone on a creeping body: the same on 1 and 2 ranks, stopped and resumed, in seconds and hours."""
+    """A cone on a creeping body: the same on 1 and 2 ranks, stopped and resumed, in seconds and hours; new meshes take no time."""
     entries = {"Output/Fields": "never"} | dict(entry.split("=", 1) for entry in COARSE)
     in_hours = {"Material/Reference rate": f"{3600 * REFERENCE_RATE}",
                 "Loading/History": f"{1 / 3600}: depth 0.1 | {6 / 3600}: strain rate 360 | {16 / 3600}: strain rate 36 | "
@@ -122,6 +122,9 @@ def creep_runs(runner):
             return read_tables(directory)
 
         whole = run(entries, "whole")
+        changes = whole["mesh_changes"]
+        runner.verify(f"{len(changes)} changes of the mesh, without creep",
+                      len(changes) > 1 and all(change["plastic_work"] == change["dissipation"] == 0 for change in changes))
         run(entries | {"Loading/History": "1: depth 0.1 | 6: strain rate 0.1 | 16: strain rate 0.01",
                        "Loading/Number of steps": "16"}, "stopped")
         for name, other in (("2 ranks", run(entries, "ranks", ranks=2)),
@@ -134,6 +137,26 @@ def creep_runs(runner):
                     largest = max(row[column] for row in whole[table])
                     difference = max(abs(a[column] - b[column]) for a, b in zip(whole[table], other[table])) / largest
                     runner.compare(f"{name}: {column}", difference, 0, 1e-9, absolute=True)
+
+
+def creep_units(runner):
+    """Creep and friction, under a cone with logarithmic strains, a sphere in space, and on quadratic elements: the same in hours and kPa."""
+    cone, sphere = "indentation/cone_finite_strain.prm", "indentation/sphere_3d.prm"
+    coarse = ("Geometry/Initial refinements=3", "Geometry/Local refinements=6")
+    for name, case, depth, body in (
+            ("logarithmic strains", cone, 0.02, coarse),
+            ("in space", sphere, 0.005, ("Geometry/Initial refinements=2", "Refinement/Elements over contact radius=2")),
+            ("quadratic elements", cone, 0.02, (*coarse, "Strain=small", "Discretization/Polynomial degree=2"))):
+        def last_row(second, megapascal):
+            return runner.tables(
+                case, *body, "Contact/Friction coefficient=0.3", f"Loading/History={second}: depth {depth} | {9 * second}: hold",
+                "Loading/Number of steps=6", "Material/Law=linear elastic", f"Material/Young's modulus={2e5 * megapascal}",
+                "Material/Rate law=Norton", f"Material/Rate exponent={EXPONENT}", f"Material/Rate stress={400 * megapascal}",
+                f"Material/Reference rate={REFERENCE_RATE / second}", "Nonlinear solver/Tolerance=1e-11")["history"][-1]
+
+        one, other = last_row(1, 1), last_row(1 / 3600, 1000)
+        for column, unit in (("depth", 1), ("force", 1000), ("contact_area", 1), ("plastic_work", 1000)):
+            runner.compare(f"{name}: {column}", other[column] / unit, one[column], 1e-8)
 
 
 def hold_before_path(runner):

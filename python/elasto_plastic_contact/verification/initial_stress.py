@@ -9,6 +9,7 @@ import tempfile
 from ..program import command_line
 from ..tables import read_tables
 from . import uniaxial
+from .hertz import AXISYMMETRIC, largest, sphere_peak, stress_under_sphere
 from .runner import E
 
 BAR = "material/uniaxial_isotropic.prm"
@@ -150,12 +151,27 @@ def residual_stress(stress):
             "Boundary conditions/Traction": f"right: {stress}; 0"}
 
 
-def tables_of(runner, changes, directory, *options, ranks=1):
-    """Of a run of CONE. (What the forces on the sides, thousands of times that of the indenter, leave on nodes far from
+def tables_of(runner, changes, directory, *options, case=CONE, ranks=1):
+    """Of a run. (What the forces on the sides, thousands of times that of the indenter, leave on nodes far from
     it is too much for complementarity, which is relative to its force and their gap.)"""
-    runner.start(command_line(runner.program, runner.case(CONE), {"Output/Fields": "never"} | changes, directory,
+    runner.start(command_line(runner.program, runner.case(case), {"Output/Fields": "never"} | changes, directory,
                               *options, ranks=ranks))
     return read_tables(directory)
+
+
+def first_yield_under_stress(runner):
+    """A sphere on a body under a biaxial stress: tension lets it yield sooner, compression later (exact)."""
+    case, *body = AXISYMMETRIC
+    peak = sphere_peak(runner.run(case, *body, "Material/Law=linear elastic")[-1]["force"], 1)
+    for part in (-0.2, 0.2):  # of the peak: the body yields on the axis first, where the stress adds to the horizontal one
+        for load, yields in ((0.97, False), (1.03, True)):
+            entries = dict(entry.split("=", 1) for entry in body) | residual_stress(part * peak) | {
+                "Boundary conditions/Free": "", "Material/Law": "perfectly plastic",
+                "Material/Yield stress": f"{peak * (largest(stress_under_sphere) + part) / load}"}
+            with tempfile.TemporaryDirectory() as folder:
+                volume = tables_of(runner, entries, folder, "--overwrite", case=case)["history"][-1]["plastic_volume"]
+            runner.verify(f"a stress of {part} of the peak, plastic volume at {load} of the load of first yield: {volume:.2e}",
+                          (volume > 0) == yields)
 
 
 def initial_stress_cone(runner):
@@ -182,8 +198,7 @@ ONE_MESH = ("Refinement/Number of cycles=1", "Loading/Control=force", "Nonlinear
 BLOCK = ("error_bound/parabola.prm", *ONE_MESH, "Geometry/Lower corner=0, -1", "Geometry/Repetitions=4, 4",
          "Boundary conditions/Fixed=", "Boundary conditions/Roller=left, bottom", "Boundary conditions/Free=",
          "Indenter/Radius=0.3", "Loading/Force=1")
-CYLINDER = ("error_bound/sphere.prm", *ONE_MESH, "Geometry/Initial refinements=2", "Boundary conditions/Fixed=",
-            "Boundary conditions/Roller=left, bottom", "Boundary conditions/Free=", "Material/Yield stress=1500")
+CYLINDER = ("error_bound/residual_stress.prm", *ONE_MESH, "Geometry/Initial refinements=2")
 CUBE = ("error_bound/paraboloid_3d.prm", *ONE_MESH, "Boundary conditions/Fixed=",
         "Boundary conditions/Roller=left, front, bottom", "Boundary conditions/Free=back", "Loading/Force=300")
 
@@ -193,7 +208,7 @@ NU = 0.3
 STRESSED = {
     "plane strain": (BLOCK, 0.2, {"xx": 1, "zz": NU}, NU * (1 + NU) / 1.3),
     "sheet": ((*BLOCK, "Kinematics=plane stress"), 0.2, {"xx": 1}, NU / 1.3),
-    "revolution": (CYLINDER, 100, {"xx": 1, "zz": 1}, 2 * NU * 12.8 / 200000),
+    "revolution": (CYLINDER, 500, {"xx": 1, "zz": 1}, 2 * NU * 12.8 / 200000),
     "space": (CUBE, 800, {"xx": 1}, NU / 200000)}
 
 
@@ -203,10 +218,11 @@ def initial_stress_error_bound(runner):
         normal = "; 0" if name != "space" else "; 0; 0"
         pulled = f"Boundary conditions/Traction=right: {size}{normal}"
         stressed = [f"Initial stress/Stress {component}={size * part}" for component, part in components.items()]
+        stretched = [f"Initial stress/Stress {component}=" for component in components]
         others = {"plane strain": ("isotropic hardening",), "revolution": ("linear elastic",)}
         for law in ("perfectly plastic", *others.get(name, ())):
             entries = (*body, f"Material/Law={law}", pulled)
-            with_both, one = (runner.tables(*entries, *more)["error_bound"][-1] for more in (stressed, ()))
+            with_both, one = (runner.tables(*entries, *more)["error_bound"][-1] for more in (stressed, stretched))
             compare_bounds(runner, f"{name}, {law}", with_both, one, sinking * size)
         if name == "revolution":  # where stresses that bend are no linear ones when multiplied by r
             continue

@@ -19,10 +19,70 @@ def rates_uniaxial(runner):
                     for n in (100, 200, 400)]
         exact = integrate(rate)
         for time, coarse, middle, fine, reference in zip((1, 2), *stresses, exact):
-            # the first two orders of the error in the size of the steps taken away
-            runner.compare(f"{name}, stress at t = {time}", (8 * fine - 6 * middle + coarse) / 3, reference, 1e-6)
+            runner.compare(f"{name}, stress at t = {time}", without_step_error(coarse, middle, fine), reference, 1e-6)
         order = math.log2((stresses[0][1] - exact[1]) / (stresses[1][1] - exact[1]))
         runner.compare(f"{name}, order in time", order, 1, 0.05)
+
+
+def rates_in_bodies(runner):
+    """Norton's law with logarithmic strains, quadratic elements, in a sheet and in revolution: a bar in the same implicit steps."""
+    entries, rate = LAWS["Norton"]
+    n_steps = 20
+    plane = ("Dimension=2", "Boundary conditions/Roller=left, bottom", "Boundary conditions/Free=right",
+             "Boundary conditions/Prescribed displacement=top: free; 0.01*min(1, t)", "Output/Probe points=middle: 0.5, 0.5")
+    space = ("Boundary conditions/Prescribed displacement=top: free; free; 0.01*min(1, t)",
+             "Output/Probe points=middle: 0.5, 0.5, 0.5")
+    for name, axis, measure, body in (
+            ("logarithmic strain", "zz", math.log1p, (*space, "Strain=logarithmic")),
+            ("quadratic elements", "zz", float, (*space, "Discretization/Polynomial degree=2")),
+            ("sheet", "yy", float, (*plane, "Kinematics=plane stress")),
+            ("revolution", "yy", float, (*plane, "Kinematics=axisymmetric"))):
+        rows = runner.tables("verification/uniaxial_stress.prm", "Loading/Final time=2", "Geometry/Initial refinements=0", *body,
+                             *entries, f"Loading/Number of steps={n_steps}")["probes"]
+        strains = [measure(0.01 * min(1, row["time"])) for row in rows]
+        for row, reference in zip(rows, implicit_steps(rate, strains, 2 / n_steps)):
+            # with logarithmic strains, the law is one of the stress times the change of the volume
+            volume = math.exp(sum(row[f"middle_strain_{i}"] for i in ("xx", "yy", "zz"))) if measure is math.log1p else 1
+            runner.compare(f"{name}, stress at t = {row['time']:.1f}", volume * row[f"middle_stress_{axis}"], reference, 1e-9)
+
+
+def implicit_steps(rate, strains, duration):
+    """The stress of a bar without hardening at the ends of steps of backward Euler, by bisection."""
+    stress = before = 0.0
+    for strain in strains:
+        trial = stress + E * (strain - before)
+        lower, upper = 0.0, trial
+        for _ in range(200):
+            stress = 0.5 * (lower + upper)
+            lower, upper = (stress, upper) if stress + E * duration * rate(stress, 0.0, 0.0) < trial else (lower, stress)
+        before = strain
+        yield stress
+
+
+def creep_uniaxial(runner):
+    """A bar creeps under a constant stress, which isotropic or kinematic hardening slows down (closed forms)."""
+    stress, hardening, unit, reference_rate, end = 500.0, 20000.0, 200.0, 0.02, 2.0
+    bar = ("verification/uniaxial_stress.prm", "Geometry/Initial refinements=0", f"Loading/Final time={end}",
+           "Boundary conditions/Prescribed displacement=", f"Boundary conditions/Traction=top: 0; 0; {stress}")
+    slowing = hardening * reference_rate / unit * end
+    for law in ("isotropic", "kinematic"):
+        for n in (1, 3):
+            first = (stress - YIELD) / unit  # of the overstress ratio y, y' = -(hardening reference_rate / unit) y^n
+            last = first * math.exp(-slowing) if n == 1 else (first**(1 - n) + (n - 1) * slowing) ** (1 / (1 - n))
+            strains = [runner.history(*bar, f"Material/Law={law} hardening", f"Material/Yield stress={YIELD}",
+                                      f"Material/{law.capitalize()} hardening modulus={hardening}", "Material/Rate law=Perzyna",
+                                      f"Material/Rate exponent={n}", f"Material/Reference rate={reference_rate}",
+                                      f"Material/Rate stress={unit}", f"Loading/Number of steps={steps}"
+                                      )[-1]["max_equivalent_plastic_strain"] for steps in (100, 200, 400)]
+            runner.compare(f"Perzyna, {law} hardening, n = {n}: plastic strain", without_step_error(*strains),
+                           unit * (first - last) / hardening, 1e-6)
+    steady = runner.history(*bar, *LAWS["Norton"][0], "Loading/Number of steps=4")[-1]["max_equivalent_plastic_strain"]
+    runner.compare("Norton: plastic strain", steady, end * flow(stress, 0.0, 300.0, 0.005, 4), 1e-9)
+
+
+def without_step_error(coarse, middle, fine):
+    """What steps of three sizes give, each half of that before, less the first two orders of their error."""
+    return (8 * fine - 6 * middle + coarse) / 3
 
 
 def flow(stress, resistance, unit, rate, exponent):
@@ -101,21 +161,35 @@ def creep_cylinder(runner):
 
 
 def creep_sphere(runner):
-    """A thick sphere under pressure creeps (Norton): the stationary rate of its bore (closed form)."""
+    """A thick sphere under pressure creeps (Norton): the stationary stresses, and the rate of its bore (closed form)."""
     a, b, pressure, reference_rate, unit = 100.0, 200.0, 200.0, 1e-4, 200.0
-    for n in (3, 5):
+    first, last = cell_of_sphere(a, 1), cell_of_sphere(b, -1)
+    for n, final_time in ((3, 2000), (5, 2000), (10, 20000)):
         steps = runner.tables(
             "verification/thick_sphere_axisymmetric.prm", "Material/Law=linear elastic", "Material/Rate law=Norton",
             f"Material/Rate exponent={n}", f"Material/Reference rate={reference_rate}", f"Material/Rate stress={unit}",
             "Boundary conditions/Traction=inner: 200*x/sqrt(x^2 + y^2); 200*y/sqrt(x^2 + y^2)",
             "Geometry/Initial refinements=2", "Discretization/Polynomial degree=1",
-            "Discretization/Volumetric treatment=B-bar", "Loading/Final time=2000", "Loading/Number of steps=12",
-            "Output/Probe points=bore: 100, 0")["probes"]
+            "Discretization/Volumetric treatment=B-bar", f"Loading/Final time={final_time}", "Loading/Number of steps=12",
+            f"Output/Probe points=bore: {a}, 0 | first: {first[0]}, {first[1]} | last: {last[0]}, {last[1]}")["probes"]
         power = (b / a) ** (3 / n)
+        for place, point in (("first", first), ("last", last)):
+            # (with n = 3, the stress along the bore is almost zero)
+            runner.compare(f"n = {n}, hoop stress in the {place} cell over the pressure",
+                           steps[-1][f"{place}_stress_zz"] / pressure,
+                           ((1.5 / n - 1) * (b / math.hypot(*point)) ** (3 / n) + 1) / (power - 1), 0.001, absolute=True)
         equivalent = pressure * 3 / (2 * n) * power / (power - 1)
         widening = [step["bore_displacement_x"] / a for step in steps]
-        runner.compare(f"n = {n}, rate of the bore", (widening[-1] - widening[-2]) / (2000 / len(steps)),
+        runner.compare(f"n = {n}, rate of the bore", (widening[-1] - widening[-2]) / (final_time / len(steps)),
                        0.5 * reference_rate * (equivalent / unit) ** n, 0.002)
+
+
+def cell_of_sphere(radius, inward):
+    """The centre of the cell at the equator and at this radius of thick_sphere_2d.msh, refined twice: cells of the file are
+    3.75 degrees wide, and their radii grow by the twelfth root of 2."""
+    other, angle = radius * 2 ** (inward / 12), math.radians(3.75)
+    corners = [(r * math.cos(turn), r * math.sin(turn)) for r in (radius, other) for turn in (0, angle)]
+    return [sum(weight * corner[d] for weight, corner in zip((49 / 64, 7 / 64, 7 / 64, 1 / 64), corners)) for d in range(2)]
 
 
 def creep_contact(runner):

@@ -33,14 +33,15 @@ from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
 from .continuous_stiffness import continuous_stiffness
 from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_conditions,
                           johnson_limit, load_cycles, pyramid_sectors, sectors)
-from .initial_stress import initial_stress, initial_stress_cone, initial_stress_error_bound, initial_stress_runs
+from .initial_stress import first_yield_under_stress, initial_stress, initial_stress_cone, initial_stress_error_bound, initial_stress_runs
 from .job_preview import curved_body, job_preview
 from .load_steps import adaptive_steps, checkpoint_memory, two_step_integration
 from .new_cases import (new_berkovich, new_brinell, new_coating, new_cone, new_limit_load, new_material_test,
                         new_rockwell, new_sphere, new_vickers)
-from .hardness_and_rate import creep_hardness, creep_punch, creep_runs, creep_similarity, hold_before_path
+from .hardness_and_rate import creep_hardness, creep_punch, creep_runs, creep_similarity, creep_units, hold_before_path
 from .ratchetting import ratchetting_drift
-from .rate_dependence import creep_accurate_steps, creep_contact, creep_cylinder, creep_sphere, rates_uniaxial
+from .rate_dependence import (creep_accurate_steps, creep_contact, creep_cylinder, creep_sphere, creep_uniaxial, rates_in_bodies,
+                              rates_uniaxial)
 from .rounding import contrast, direct_contact, moved_body, nearly_incompressible
 from .soils import soil_fine, soil_footing, soil_layers, soil_revolution, soil_space, soil_space_fine, soil_surcharge, soil_weight
 from .thick_sphere import thick_sphere, thick_sphere_axisymmetric
@@ -293,12 +294,12 @@ ALL = {
     function.__name__: function
     for function in (step42, step42_fine, confined_block, confined_history, uniaxial,
                      uniaxial_history, nonlinear_history, recovery_in_tension, ratchetting_drift, chaboche_contact,
-                     rates_uniaxial, creep_cylinder, creep_sphere, creep_contact, creep_accurate_steps, creep_hardness, creep_punch,
-                     creep_similarity, creep_runs, hold_before_path,
+                     rates_uniaxial, rates_in_bodies, creep_uniaxial, creep_cylinder, creep_sphere, creep_contact, creep_accurate_steps, creep_hardness, creep_punch,
+                     creep_similarity, creep_runs, creep_units, hold_before_path,
                      hill_tension, hill_plane_strain, turned_axes, turning_axes, hosford_cylinder, criteria_and_von_mises, hill_indentation,
                      hill_strip_punch, hill_and_von_mises, hill_bodies, hill_layers, hill_error_bound,
                      force_control, hertz, hertz_axisymmetric, hertz_cylinder,
-                     first_yield, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
+                     first_yield, first_yield_under_stress, thick_sphere_axisymmetric, thick_sphere, hencky_and_flow,
                      johnson_conditions, johnson_limit, load_cycles, axisymmetric_against_space, sectors, pyramid_sectors,
                      sphere_indentation, cone_indentation, continuous_stiffness, contact_edge, contact_mesh, contact_pressure, imprint,
                      imprint_ranks, probes, mean_strain_of_rings, strip_punch, strip_punch_locks,
