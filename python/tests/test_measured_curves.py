@@ -87,6 +87,9 @@ class Readers(FilesOfInstruments):
         self.assertEqual(curve.remarks, ())
         curve, = self.check(read_curve(self.write(text.replace("= 142", "= 200"))))
         self.assertEqual(curve.remarks, ("the file announces 200 points, and holds 142",))
+        curves = self.check(read_curve(self.write(text + "\n" + text.replace("= 142", "= 150"))), 2)
+        self.assertEqual([(curve.name, curve.remarks) for curve in curves],
+                         [("1", ()), ("2", ("the file announces 150 points, and holds 142",))])
         joined = text.replace("Time (s)\n", "Time (s)\tForce Voltage(V)").replace("\n", "\t0.1\n")
         joined = joined.replace("= 142\t0.1", "= 142")
         curve, = self.check(read_curve(self.write(joined)))
