@@ -130,6 +130,9 @@ class Readers(FilesOfInstruments):
                       curves[0].remarks[0])
         curves = read_curve(self.write(first.replace("10.000", "500.0") + one))
         self.assertIn("the largest F is 10, and the head says 500 mN", curves[0].remarks[0])
+        for date in ("05/26/2020  3:17:54 PM", "2020-05-26 15:17:54", "26-05-2020 15:17:54"):
+            text = first + one.replace("26.05.2020  15:17:54", date).replace(",", ".")
+            self.check(read_curve(self.write(text)))
         self.refused("with results, but without curves", first + one.partition("F\th")[0])
 
     def test_nanosuite(self):

@@ -112,7 +112,9 @@ class Exports(FilesOfInstruments):
         for head in ("# time(s) depth(nm) load(mN)", "Prüfzeit [s] Eindringtiefe [nm] Standardkraft [mN]",
                      "Temps [s]  Profondeur de pénétration [nm]  Force normale [mN]",
                      "Elapsed Time (s)  Corrected Depth (nm)  Corrected Load (mN)",
-                     "Time t (s)  Depth, h (nm)  Load P (mN)", "Time (seconds)  Depth (Nanometers)  Force (millinewtons)"):
+                     "Time t (s)  Depth, h (nm)  Load P (mN)", "Zeit in s  Normalweg in nm  Normalkraft in mN",
+                     "Time s  Normal displacement nm  Normal force mN", "Time (s)  Extension (nm)  Load (mN)",
+                     "Time (seconds)  Depth (Nanometers)  Force (millinewtons)"):
             with self.subTest(head=head):
                 curve, = self.check(read_curve(self.write(f"{head}\n{rows_of(self.columns, '  ')}")))
                 self.assertIsNotNone(curve.time)

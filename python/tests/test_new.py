@@ -203,6 +203,7 @@ class Materials(unittest.TestCase):
         self.assertEqual((changed.young_modulus, changed.yield_stress, changed.hardening), (200., 0.5, Perfect()))
         self.assertEqual((changed.elastic_source, changed.plastic_source), ("given", "given"))
         self.assertTrue(chosen_material(None, "70 GPa", None, None, None).is_elastic)
+        self.assertEqual(chosen_material("Al6061", None, None, None, None), library()["aluminium-6061"])
 
 
     def test_strain_rate(self):
