@@ -91,6 +91,11 @@ class Kinds(unittest.TestCase):
             self.assertAlmostEqual(thickness / cell / 4., round(thickness / cell / 4.), 2)
             self.assertGreater(thickness / cell, 3.99)
 
+    def test_law_of_film(self):
+        for film, is_elastic in (("2 um, 400 GPa", True), ("2 um, 400 GPa, 20 GPa", False)):
+            text = case_of("coating", film=film).text()
+            self.assertEqual("film: linear elastic, as --film names no yield stress" in text, is_elastic)
+
     def test_symmetric_sector(self):
         for kind, angle, force in (("vickers", "45", 1. / 8), ("berkovich", "60", 1. / 6)):
             case = make_case(kind, read_given(kind, {"material": "steel", "force": "10 mN"}, "usual"))
