@@ -91,6 +91,13 @@ class Kinds(unittest.TestCase):
             self.assertAlmostEqual(thickness / cell / 4., round(thickness / cell / 4.), 2)
             self.assertGreater(thickness / cell, 3.99)
 
+    def test_unloading_of_pyramids(self):
+        """Eight steps at least, with fields at its end."""
+        for mesh, end in (("coarse", "1.2"), ("usual", "1.1"), ("fine", "1.1")):
+            text = case_of("berkovich", mesh).text()
+            self.assertIn(f"{end}: force 0", text)
+            self.assertRegex(text, rf"Field times *= 1, {end}\n")
+
     def test_law_of_film(self):
         for film, is_elastic in (("2 um, 400 GPa", True), ("2 um, 400 GPa, 20 GPa", False)):
             text = case_of("coating", film=film).text()
