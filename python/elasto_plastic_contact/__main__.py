@@ -35,6 +35,7 @@ DEVELOPER_COMMANDS = {
     "curve_and_imprint": ("verification.curve_and_imprint", "two materials with equal curves and other imprints"),
     "curve_and_imprint_fit": ("verification.curve_and_imprint_fit", "fits to a curve alone and with its imprint"),
     "published_metals": ("verification.published_metals", "fits of published measurements against tension tests"),
+    "two_cones": ("verification.two_cones", "fits of published computations of cones of two angles"),
     "ten_cases": ("verification.ten_cases", "a number of each of ten short runs, to compare systems"),
     "full_disk_test": ("verification.full_disk_test", "fill disks, resume and compare"),
     "compare_with_step42": ("verification.step42_comparison", "run step-42 on the same cases"),

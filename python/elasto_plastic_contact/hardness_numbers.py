@@ -85,7 +85,8 @@ def numbers_of_run(run, millimetre, newton):
         return [("force", force, "N"), ("diameter", imprint, "mm"), ("HBW", brinell(force, ball, imprint), "kgf/mm²")]
     if shape != "pyramid":
         raise UserError(f"the indenter of the run in '{run.directory}', '{shape}', has no hardness number: there are "
-                        "Brinell's of a sphere, Vickers' and Martens' of a pyramid")
+                        "Brinell's of a sphere, Vickers' and Martens' of a pyramid. Hardness and modulus of its "
+                        "unloadings are in its indentation.csv")
     pyramid = int(run.number("Indenter/Number of faces")), run.number("Indenter/Face angle")
     depth = millimetre * (row["depth"] - run.number("Indenter/Initial gap"))
     found = [("force", force, "N"), ("HM", martens(force, depth, *pyramid), "N/mm²")]
@@ -100,7 +101,6 @@ def numbers_of_run(run, millimetre, newton):
 
 
 def show(run, millimetre, newton):
-    print("quantity,value,unit")
-    for name, value, unit in numbers_of_run(run, millimetre, newton):
-        print(f"{name},{value:.6g},{unit}")
+    lines = [f"{name},{value:.6g},{unit}" for name, value, unit in numbers_of_run(run, millimetre, newton)]
+    print("quantity,value,unit", *lines, sep="\n")
     return 0

@@ -13,7 +13,7 @@ import numpy
 
 from elasto_plastic_contact.fitting.reading import read_problem
 from elasto_plastic_contact.fitting.solve import Region
-from elasto_plastic_contact.pages.fits import content_of_metals, content_of_pair
+from elasto_plastic_contact.pages.fits import content_of_cones, content_of_metals, content_of_pair
 from elasto_plastic_contact.pages.places import fill, names
 from elasto_plastic_contact.schema import check_path
 from elasto_plastic_contact.verification.curve_and_imprint import (DEPTH, LOADING, NOISE, PAIR, PLACES, STEP, UNLOADING,
@@ -21,8 +21,11 @@ from elasto_plastic_contact.verification.curve_and_imprint import (DEPTH, LOADIN
 from elasto_plastic_contact.verification.curve_and_imprint_fit import FITS, problem_of_fit
 from elasto_plastic_contact.verification.published_metals import (CONE, CONE_WITH_SLOPE, METALS, PYRAMID, SLOPE,
                                                                     problem_of, published_functions, tensile_entries)
+from elasto_plastic_contact.verification.two_cones import ROWS, compare_with_material, compare_with_published
+from elasto_plastic_contact.verification.two_cones import problem_of as problem_of_row
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "doc/recipes/fit.md"
+PAGES = pathlib.Path(__file__).resolve().parents[2] / "doc"
+PAGE, PAGE_OF_CONES = PAGES / "recipes/fit.md", PAGES / "trust/published_cones.md"
 
 
 class Studies(unittest.TestCase):
@@ -77,6 +80,25 @@ class Studies(unittest.TestCase):
         filled = fill(text, {"published_metals": content_of_metals(computed, fits)})
         self.assertEqual(len(filled.splitlines()), len(text.splitlines()))
         self.assertEqual(filled.count("| +0.0 % |"), 10)
+
+    def test_two_cones(self):
+        """Four numbers for three parameters; what is published and the material itself compare as equal, in as many
+        cells as the table of the page has."""
+        compared = compare_with_published({(case, cone): quantities for case, row in ROWS.items()
+                                           for cone, quantities in row.published().items()})
+        for case, row in ROWS.items():
+            problem = read_problem(problem_of_row(row, coarse=True))
+            self.assertEqual(problem.names, ["E", "sigma_Y", "n"])
+            self.assertEqual(sum(len(block.y) for _, block in problem.blocks()), 4)
+            values = {"E": 1e3 * row.young, "sigma_Y": 1e3 * row.yield_stress, "n": row.exponent}
+            known = problem.experiments[0].entries(problem.values([p.coordinate(values[p.name]) for p in problem.parameters]))
+            for path, value in row.entries().items():
+                self.assertAlmostEqual(known[path] / value, 1.)
+            compared += compare_with_material(case, values)
+        text = PAGE_OF_CONES.read_text(encoding="utf-8")
+        filled = fill(text, {"two_cones": content_of_cones(compared)})
+        self.assertEqual(len(filled.splitlines()), len(text.splitlines()))
+        self.assertEqual(filled.count(", +0.0 %"), 27)
 
     def test_materials(self):
         for material in PAIR:

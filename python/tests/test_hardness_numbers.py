@@ -106,7 +106,7 @@ class HardnessNumbers(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             write_run(folder, {"Type": "cone", "Semi-apex angle": 70.3})
-            with self.assertRaisesRegex(UserError, "'cone', has no hardness number"):
+            with self.assertRaisesRegex(UserError, "'cone', has no hardness number: .*are in its indentation.csv"):
                 evaluated(folder)
             write_run(folder, VICKERS, units=False)
             with self.assertRaisesRegex(UserError, "unit of length '', which is none of .*: give it by --length-unit"):

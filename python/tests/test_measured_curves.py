@@ -87,6 +87,9 @@ class Readers(FilesOfInstruments):
         self.assertEqual(curve.remarks, ())
         curve, = self.check(read_curve(self.write(text.replace("= 142", "= 200"))))
         self.assertEqual(curve.remarks, ("the file announces 200 points, and holds 142",))
+        curves = self.check(read_curve(self.write(text + "\n" + text.replace("= 142", "= 150"))), 2)
+        self.assertEqual([(curve.name, curve.remarks) for curve in curves],
+                         [("1", ()), ("2", ("the file announces 150 points, and holds 142",))])
         joined = text.replace("Time (s)\n", "Time (s)\tForce Voltage(V)").replace("\n", "\t0.1\n")
         joined = joined.replace("= 142\t0.1", "= 142")
         curve, = self.check(read_curve(self.write(joined)))
@@ -127,6 +130,9 @@ class Readers(FilesOfInstruments):
                       curves[0].remarks[0])
         curves = read_curve(self.write(first.replace("10.000", "500.0") + one))
         self.assertIn("the largest F is 10, and the head says 500 mN", curves[0].remarks[0])
+        for date in ("05/26/2020  3:17:54 PM", "2020-05-26 15:17:54", "26-05-2020 15:17:54"):
+            text = first + one.replace("26.05.2020  15:17:54", date).replace(",", ".")
+            self.check(read_curve(self.write(text)))
         self.refused("with results, but without curves", first + one.partition("F\th")[0])
 
     def test_nanosuite(self):

@@ -112,11 +112,17 @@ class Exports(FilesOfInstruments):
         for head in ("# time(s) depth(nm) load(mN)", "Prüfzeit [s] Eindringtiefe [nm] Standardkraft [mN]",
                      "Temps [s]  Profondeur de pénétration [nm]  Force normale [mN]",
                      "Elapsed Time (s)  Corrected Depth (nm)  Corrected Load (mN)",
-                     "Time t (s)  Depth, h (nm)  Load P (mN)", "Time (seconds)  Depth (Nanometers)  Force (millinewtons)"):
+                     "Time t (s)  Depth, h (nm)  Load P (mN)", "Zeit in s  Normalweg in nm  Normalkraft in mN",
+                     "Time s  Normal displacement nm  Normal force mN", "Time (s)  Extension (nm)  Load (mN)",
+                     "Time (seconds)  Depth (Nanometers)  Force (millinewtons)"):
             with self.subTest(head=head):
                 curve, = self.check(read_curve(self.write(f"{head}\n{rows_of(self.columns, '  ')}")))
                 self.assertIsNotNone(curve.time)
         self.check(read_curve(self.write("s\tnm\tmN\nTime\tDepth\tLoad\n" + rows_of(self.columns))))
+        for head in ("# Time (s), Depth (nm), Load (mN)", "时间（s），位移（nm），载荷（mN）"):
+            for separator in ("\t", " ", ";"):
+                with self.subTest(head=head, separator=separator):
+                    self.check(read_curve(self.write(f"{head}\n{rows_of(self.columns, separator)}")))
 
     def test_numbers_with_units(self):
         def text(separator, mark):
@@ -138,7 +144,9 @@ class Exports(FilesOfInstruments):
                 ("時間[s],押込み深さ[nm],試験力[mN]", ("cp932", "utf-8", "utf-16")), ("時間（ms）,変位（nm）,荷重（mN）", ("cp932",)),
                 ("时间(s),位移(nm),载荷(mN)", ("gb18030", "utf-8-sig")), ("时间（s）,压入深度（nm）,压入载荷（mN）", ("gb18030",)),
                 ("Zeit [s],Eindringtiefe Pd [nm],Normalkraft Fn [mN]", ("latin-1",)), ("Zeit in s,Weg in nm,Last in mN", ("utf-8",)),
-                ("Temps [s],Déplacement [nm],Charge [mN]", ("latin-1", "utf-8")), ("Temps [s],Enfoncement [nm],Effort [mN]", ("utf-8",))):
+                ("Temps [s],Déplacement [nm],Charge [mN]", ("latin-1", "utf-8")), ("Temps [s],Enfoncement [nm],Effort [mN]", ("utf-8",)),
+                ("时间，s,深度，nm,载荷，mN", ("gb18030",)), ("時間（s）,変位（h，nm）,荷重（P，mN）", ("cp932",)),
+                ("时间（s），位移（nm），载荷（mN）", ("gb18030",))):
             for encoding in encodings:
                 with self.subTest(head=head, encoding=encoding):
                     time = 1e3 * self.time if "ms" in head else self.time
@@ -210,6 +218,8 @@ class Exports(FilesOfInstruments):
         bare, headed = rows_of(self.columns), HEAD + rows_of(self.columns)
         curves = self.check(read_curve(archive({"a/Indent 1.txt": headed, "a/Indent 2.txt": headed})), 2)
         self.assertEqual([curve.name for curve in curves], ["Indent 1", "Indent 2"])
+        curves = self.check(read_curve(archive({"a/1.txt": headed, "b/1.txt": headed, "b/2.txt": headed})), 3)
+        self.assertEqual([curve.name for curve in curves], ["a/1.txt", "b/1.txt", "2"])
         self.check(read_curve(archive({"1.txt": bare, "2.txt": bare}), {"time": 1, "depth": 2, "force": 3},
                               {"time": "s", "depth": "nm", "force": "mN"}), 2)
         for files, message in (({"1.txt": bare}, "tests.zip/1.txt' does not say what its columns are"), ({"a/": ""}, "without files"),

@@ -91,6 +91,18 @@ class Kinds(unittest.TestCase):
             self.assertAlmostEqual(thickness / cell / 4., round(thickness / cell / 4.), 2)
             self.assertGreater(thickness / cell, 3.99)
 
+    def test_unloading_of_pyramids(self):
+        """Eight steps at least, with fields at its end."""
+        for mesh, end in (("coarse", "1.2"), ("usual", "1.1"), ("fine", "1.1")):
+            text = case_of("berkovich", mesh).text()
+            self.assertIn(f"{end}: force 0", text)
+            self.assertRegex(text, rf"Field times *= 1, {end}\n")
+
+    def test_law_of_film(self):
+        for film, is_elastic in (("2 um, 400 GPa", True), ("2 um, 400 GPa, 20 GPa", False)):
+            text = case_of("coating", film=film).text()
+            self.assertEqual("film: linear elastic, as --film names no yield stress" in text, is_elastic)
+
     def test_symmetric_sector(self):
         for kind, angle, force in (("vickers", "45", 1. / 8), ("berkovich", "60", 1. / 6)):
             case = make_case(kind, read_given(kind, {"material": "steel", "force": "10 mN"}, "usual"))
@@ -203,6 +215,7 @@ class Materials(unittest.TestCase):
         self.assertEqual((changed.young_modulus, changed.yield_stress, changed.hardening), (200., 0.5, Perfect()))
         self.assertEqual((changed.elastic_source, changed.plastic_source), ("given", "given"))
         self.assertTrue(chosen_material(None, "70 GPa", None, None, None).is_elastic)
+        self.assertEqual(chosen_material("Al6061", None, None, None, None), library()["aluminium-6061"])
 
 
     def test_strain_rate(self):

@@ -151,8 +151,8 @@ class Command(unittest.TestCase):
         for pattern, *arguments in (
                 ("give a KIND: brinell, rockwell-ball",),
                 ("argument KIND: there is no 'knoop'; there are brinell", "knoop"),
-                ("there is no material 'stel' in the library. Did you mean 'steel'\\? .*--list-materials", "cone",
-                 "--material", "stel", "--depth", "1 um"),
+                ("there is no material 'Stel' in the library. Did you mean 'steel'\\? .*--list-materials", "cone",
+                 "--material", "Stel", "--depth", "1 um"),
                 ("--depth is '500', but must be a number with a unit, such as '500 nm'. Units of length are pm",
                  *cone_of, "--depth", "500"),
                 ("--depth is '0 nm', but must be above 0", *cone_of, "--depth", "0 nm"),

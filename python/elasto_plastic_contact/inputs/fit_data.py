@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Makes the curves of the ready fits: computed by the program on the meshes of the ready cases, with a noise of the
-force of 1 % of its largest value (normal, the same numbers each time); and that of a hold, in which a body creeps, with
-a noise of the depth of 0.2 %.
+force of 1 % of its largest value (normal, the same numbers each time); that of a hold, in which a body creeps, with a
+noise of the depth of 0.2 %; and that of a ball on a half space, as a laboratory has it, on the fine mesh of 'epc new'.
 
 usage: scripts/command.py fit_data [--output-directory DIRECTORY] [--program PROGRAM]
 """
@@ -19,6 +19,7 @@ from ..files import new_file
 from ..fitting.predictions import Curve, curve_at
 from ..program import ROOT, run
 from ..study.plan import read_json
+from ..verification.new_cases import file_of
 from ..verification.runner import add_program
 
 # Swift's law with the reference strain sigma_Y / E: sigma_Y (1 + E plastic strain / sigma_Y)^n, in MPa.
@@ -30,6 +31,11 @@ MATERIAL = {"Material/Law": "nonlinear hardening", "Material/Isotropic hardening
 # Name of the curve and case.
 CURVES = {"sphere": "indentation/sphere_finite_strain.prm", "cone": "indentation/cone_finite_strain.prm"}
 NOISE = 0.01
+
+# The curve of a ball, the same material by the options of 'epc new sphere'.
+BALL = "ball"
+OPTIONS = {"young_modulus": "200 GPa", "yield_stress": "400 MPa", "hardening": "power 0.2", "tip_radius": "1 mm",
+           "depth": "100 um"}
 
 # The problem of the hold, what its parameters are, its noise relative to the largest depth, and its points in time.
 HOLD = "creep"
@@ -64,6 +70,11 @@ def creeping(folder, program, generator):
     return zip(TIMES, depth + NOISE_OF_HOLD * depth.max() * generator.normal(size=len(TIMES)), force)
 
 
+def write_curve(path, results, generator):
+    write(path, ["Depth (µm)", "Force (N)"],
+          ([f"{1e3 * depth:.5g}", f"{force:.5g}"] for depth, force in measured(results, NOISE, generator)))
+
+
 def write(path, head, rows):
     with new_file(path) as file:
         writer = csv.writer(file, lineterminator="\n")
@@ -82,12 +93,12 @@ def main(arguments):
     generator = numpy.random.default_rng(46)
     for name, case in CURVES.items():
         with tempfile.TemporaryDirectory() as directory:
-            results = run(case, directory, MATERIAL | {"Output/Fields": "never"}, overwrite=True,
-                          program=chosen.program)
-            rows = measured(results, NOISE, generator)
-        write(folder / f"{name}.csv", ["Depth (µm)", "Force (N)"],
-              ([f"{1e3 * depth:.5g}", f"{force:.5g}"] for depth, force in rows))
+            write_curve(folder / f"{name}.csv", run(case, directory, MATERIAL | {"Output/Fields": "never"}, overwrite=True,
+                                                    program=chosen.program), generator)
     write(folder / f"{HOLD}.csv", ["Time (s)", "Depth (nm)", "Force (mN)"],
           ([f"{time:.4g}", f"{1e3 * depth:.5g}", f"{force:.5g}"] for time, depth, force in
            creeping(ROOT / "parameter_files/fit", chosen.program, generator)))
+    with file_of("sphere", "fine", OPTIONS) as case, tempfile.TemporaryDirectory() as directory:
+        write_curve(folder / f"{BALL}.csv", run(case, directory, {"Output/Fields": "never"}, overwrite=True,
+                                                program=chosen.program), generator)
     return 0

@@ -126,6 +126,7 @@ def set_own_headings(block, lines):
     rest = lines
     for i in range(len(lines) - 1, max(len(lines) - 5, -1), -1):
         number, cells, headings = lines[i]
+        headings = between_commas(headings, block.width)
         if names_something(headings):
             block.headings, block.heading_line, rest = strip_tail(headings), number, lines[:i]
             if block.units is None and rest and is_unit_row(rest[-1][1]):
@@ -143,6 +144,13 @@ def set_own_headings(block, lines):
 
 def names_something(headings):
     return sum(any(rank(heading, quantity) is not None for quantity in KINDS) for heading in headings) >= 2
+
+
+def between_commas(headings, width):
+    """The names of so many columns, where commas are between them but not between the numbers, as in '# time (s), depth
+    (nm)'."""
+    parts = " ".join(headings).split(",")
+    return parts if len(parts) == width != len(strip_tail(headings)) else headings
 
 
 def is_unit_row(cells):

@@ -3,6 +3,8 @@
 """Texts of Japanese and Chinese instruments: the words of their headings, their encodings besides UTF, and the signs that
 their fonts have of their own."""
 
+import re
+
 # Of each encoding, the words for what curves consist of.
 WORDS = {
     "cp932": {"depth": ("深さ", "押込み深さ", "押し込み深さ", "変位"), "force": ("試験力", "荷重"),
@@ -13,8 +15,9 @@ WORDS = {
 # Units whose µ is told by these encodings where all else is in English.
 MICRO = ("μm", "μN")
 
-SIGNS = str.maketrans({"（": "(", "）": ")", "［": "[", "］": "]", "／": "/", "，": ",", "；": ";", "㎚": "nm", "㎛": "µm",
+SIGNS = str.maketrans({"（": "(", "）": ")", "［": "[", "］": "]", "／": "/", "㎚": "nm", "㎛": "µm",
                        "㎜": "mm"})
+SEPARATORS = str.maketrans({"，": ",", "；": ";"})
 
 
 def words_of(quantity):
@@ -33,5 +36,7 @@ def encoding_of(data):
 
 
 def with_usual_signs(text):
-    """Brackets, separators and units as other fonts have them."""
-    return text.translate(SIGNS)
+    """Brackets, units and separators as other fonts have them. On a line with tabs, commas or semicolons, those of other
+    fonts separate nothing: they stand within a heading."""
+    return "".join(line if re.search("[\t,;]", line) else line.translate(SEPARATORS)
+                   for line in text.translate(SIGNS).splitlines(keepends=True))

@@ -13,7 +13,8 @@ from .texts import is_number, to_number
 
 FORMAT = "FischerScope"
 
-HEAD_OF_INDENT = re.compile(r"^\S.*\s\d\d\.\d\d\.\d{4}\s+\d\d:\d\d:\d\d\s*$")
+# A name, and date and time in the way of some country.
+HEAD_OF_INDENT = re.compile(r"^\S.*\s(\d{1,2}[./-]\d{1,2}[./-]\d{4}|\d{4}-\d\d-\d\d)\s+\d{1,2}:\d\d:\d\d(\s*[AaPp]\.?[Mm]\.?)?\s*$")
 LARGEST_FORCE = re.compile(r"^F = .*?([\d.,]+)\s*mN")
 
 # What the format measures in, without saying it at the columns.

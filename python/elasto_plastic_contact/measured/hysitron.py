@@ -4,6 +4,7 @@
 
 import itertools
 import re
+from dataclasses import replace
 
 from ..errors import UserError
 from .blocks import text_blocks
@@ -22,18 +23,26 @@ def knows(lines):
 
 
 def read(path, lines, chosen):
-    """The last block: those before are the approach and the measurement of the drift. Raises UserError."""
-    n_points, first = next(((int(found[1]), number) for number, line in reversed(list(enumerate(lines)))
-                            if (found := N_POINTS.match(line))), (None, 0))
-    if n_points is None:
+    """Each block that announces its points is an indent; those before the first are the approach and the measurement of
+    the drift. Raises UserError."""
+    starts = [number for number, line in enumerate(lines) if N_POINTS.match(line)]
+    if not starts:
         raise UserError(f"'{path}' is a file of Hysitron without 'Test Data Points': it holds no curve. Export the "
                         "test again")
-    numbers = [part for line in lines[first:] for part in heading_and_numbers(line)]
-    blocks = text_blocks([""] * first + numbers, path)
+    curves = [curve for start, end in zip(starts, [*starts[1:], len(lines)])
+              for curve in read_indent(path, lines[:end], start, chosen)]
+    return [replace(curve, name=str(number)) for number, curve in enumerate(curves, 1)]
+
+
+def read_indent(path, lines, start, chosen):
+    """The curves behind the line that announces the points of one. Raises UserError."""
+    n_points = int(N_POINTS.match(lines[start])[1])
+    numbers = [part for line in lines[start:] for part in heading_and_numbers(line)]
+    blocks = text_blocks([""] * start + numbers, path)
     if not blocks:
-        raise UserError(f"'{path}' announces {n_points} points in line {first + 1}, and holds none. Export the test "
+        raise UserError(f"'{path}' announces {n_points} points in line {start + 1}, and holds none. Export the test "
                         "again")
-    curves = curves_of_blocks(blocks, path, chosen, notes_of(lines[:first]))
+    curves = curves_of_blocks(blocks, path, chosen, notes_of(lines[:start]))
     n_rows = sum(len(block.rows) for block in blocks)
     if n_rows == n_points:
         return curves

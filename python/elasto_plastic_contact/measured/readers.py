@@ -7,6 +7,7 @@ import os
 import pathlib
 import zipfile
 import zlib
+from collections import Counter
 from dataclasses import replace
 
 from ..errors import UserError
@@ -56,13 +57,15 @@ def read_archive(path, data, chosen):
             members = {name: archive.read(name) for name in archive.namelist() if not name.endswith("/")}
     except (zipfile.BadZipFile, NotImplementedError, RuntimeError, zlib.error) as error:
         raise UserError(f"'{path}' is damaged, or no .zip: {error}") from None
+    stems = Counter(pathlib.PurePath(name).stem for name in members)
     curves = []
     for name, member in members.items():
         found = read_data(f"{path}/{name}", member, chosen)[1]
         if isinstance(found, results.ResultsTable):
             raise UserError(f"'{path}/{name}' holds results, one row an indent: take it out of the archive")
         stem = pathlib.PurePath(name).stem
-        curves += [replace(curve, name=stem if len(found) == 1 else f"{stem} {curve.name}") for curve in found]
+        own = stem if stems[stem] == 1 else name  # (with its folder where others have the same)
+        curves += [replace(curve, name=own if len(found) == 1 else f"{own} {curve.name}") for curve in found]
     if not curves:
         raise UserError(f"'{path}' is an archive without files")
     return curves

@@ -65,11 +65,11 @@ def split_value(cell):
 
 
 def split_name(text):
-    """Name and unit of the heading of a column: 'Depth (nm)', 'Depth [nm]', 'Depth_nm', 'Depth, nm', 'Depth in nm',
-    'F/mN'; the unit is empty if there is none."""
+    """Name and unit of the heading of a column: 'Depth (nm)', 'Depth [nm]', 'Depth (h, nm)', 'Depth_nm', 'Depth, nm',
+    'Depth in nm', 'F/mN'; the unit is empty if there is none."""
     text = text.strip().strip('"').strip()
-    for pattern in (r"(.*?)\s*[(\[]([^()\[\]]*)[)\]]\s*$", r"(.*?)\s+in\s+(\S+)$", r"(.*?)\s*,\s*(\S+)$",
-                    r"(.*)_([^_\s]+)$", r"([^/]*?)\s*/\s*(\S+)$", r"(.*?)\s+(\S+)$"):
+    for pattern in (r"(.*?)\s*[(\[](?:[^()\[\]]*[,，]\s*)?([^()\[\],，]*)[)\]]\s*$", r"(.*?)\s+in\s+(\S+)$",
+                    r"(.*?)\s*[,，]\s*(\S+)$", r"(.*)_([^_\s]+)$", r"([^/]*?)\s*/\s*(\S+)$", r"(.*?)\s+(\S+)$"):
         found = re.match(pattern, text)
         if found and found[1] and is_unit(found[2]):
             return found[1].strip(), tidy(found[2])

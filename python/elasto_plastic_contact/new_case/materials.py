@@ -69,16 +69,15 @@ def library():
 
 
 def of_library(name):
-    """Raises UserError: there is no such material, and which there are."""
+    """In small or large letters. Raises UserError: there is no such material, and which there are."""
     aliases = json.loads(FILE.read_text(encoding="utf-8"))["other names"]
-    found = library().get(aliases.get(name, name))
+    small = name.lower()
+    found = library().get(aliases.get(small, small))
     if found is None:
-        known = [*library(), *aliases]
-        close = difflib.get_close_matches(name, known, n=1)
+        close = difflib.get_close_matches(small, [*library(), *aliases], n=1)
         hint = f" Did you mean '{close[0]}'?" if close else ""
         raise UserError(f"there is no material '{name}' in the library.{hint} 'epc new --list-materials' lists those "
-                        "that "
-                        "there are; another one takes --young-modulus and --yield-stress")
+                        "that there are; another one takes --young-modulus and --yield-stress")
     return found
 
 

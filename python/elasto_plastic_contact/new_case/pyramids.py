@@ -63,10 +63,10 @@ def indentation(kind, given):
     set_materials(case, [given.material], None)
     set_pyramid(case, pyramid, given)
     set_friction(case, given, pyramid.friction)
-    set_loading(case, pyramid, given, fineness)
+    end = set_loading(case, pyramid, given, fineness)
     set_elements(case)
     case.set("Refinement", "Strategy", "none")
-    set_output(case, "1, 1.1")
+    set_output(case, f"1, {end}")
     case.remarks += [f"Forces and areas of history.csv are those of the part: times {2 * pyramid.n_faces} for the "
                      "whole.",
                      "Hardness and modulus: indentation.csv."]
@@ -122,8 +122,9 @@ def set_pyramid(case, pyramid, given):
 
 def set_loading(case, pyramid, given, fineness):
     """Short steps first while few nodes touch: a tenth of the depth in the first fifth of the steps; of the force, a
-    hundredth."""
+    hundredth. The unloading has steps enough for the law of Oliver and Pharr. Returns its end."""
     steps = fineness.sector_steps
+    n_unloading = max(steps // 10, 8)
     if given.force is None:
         parts = [f"depth {text_of(part * case.units.length(given.depth))}" for part in (0.1, 0.35, 1.)]
     else:
@@ -131,6 +132,8 @@ def set_loading(case, pyramid, given, fineness):
                                                                                                                0.12,
                                                                                                                1.)]
     rows = [f"{time}: {part}" for time, part in zip(("0.2", "0.5", "1"), parts)]
-    case.set("Loading", "History", " | ".join([*rows, "1.1: force 0"]), "(short steps first, while few nodes touch)")
-    case.set("Loading", "Number of steps", steps + steps // 10, f"{steps} of them load")
-    describe_steps(case, steps, steps // 10)
+    end = text_of(1. + n_unloading / steps)
+    case.set("Loading", "History", " | ".join([*rows, f"{end}: force 0"]), "(short steps first, while few nodes touch)")
+    case.set("Loading", "Number of steps", steps + n_unloading, f"{steps} of them load")
+    describe_steps(case, steps, n_unloading)
+    return end

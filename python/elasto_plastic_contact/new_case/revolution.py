@@ -225,8 +225,9 @@ def coating(given):
     case = Case(f"A film of {text_of(units.length(given.film.thickness))} {units.length_unit} on {given.material.name} "
                 f"under {name}", units)
     indentation(case, tip, given, depth=given.depth, force=given.force)
-    case.chosen["film"] = ("its lower side is a line of the mesh; farther out, where cells are larger than it, the "
-                           "film "
+    law = ("linear elastic, as --film names no yield stress ('2 um, 400 GPa, 8 GPa' would); "
+           if given.film.material.is_elastic else "")
+    case.chosen["film"] = (f"{law}its lower side is a line of the mesh; farther out, where cells are larger than it, the film "
                            "is left out")
     add_indentation_remarks(case)
     return case

@@ -111,7 +111,7 @@ def fixed_mesh(case, radius, fineness, film=None):
     size = rounded(size) if film is None else float(f"{size:.6g}")
     contact = case.units.length(radius)
     n_refinements = math.ceil(math.log2(BODY_OVER_CONTACT * contact / size))
-    n_initial = 5
+    n_initial = 4
     n_local = n_refinements - n_initial
     width = size * 2 ** n_refinements
     set_half_section(case, width)

@@ -112,3 +112,23 @@ def content_of_metals(computed, fits_of):
         pairs += [(metal.tensile[0], modulus), (metal.tensile[2], stress)]
         rows += [[None, None, f"{known:g}", f"{found:.4g}", signed_percent(found / known - 1.)] for known, found in pairs]
     return Content(rows)
+
+
+@measured_table(600)
+def two_cones(runs):
+    """What others have computed of cones of two angles: the same here, and fits to it, on a coarse mesh."""
+    from ..verification.two_cones import ROWS, compare_with_material, compare_with_published, fit_case, of_materials
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder)
+        compared = compare_with_published(of_materials(place / "rows", runs.program, True, 2))
+        for case in ROWS:
+            compared += compare_with_material(case, fit_case(case, place, runs.program, True, 2))
+    return content_of_cones(compared)
+
+
+def content_of_cones(compared):
+    """compared: case, what it is, value and known value. One row for each quantity, one column for each case."""
+    columns = {}
+    for case, what, value, known in compared:
+        columns.setdefault(what, {})[case] = f"{value:.4g} of {known:.4g}, {signed_percent(value / known - 1.)}"
+    return Content([[None, *cells.values()] for cells in columns.values()])
