@@ -3,12 +3,40 @@
 
 // What happens to the body in a load step.
 
+#include <cmath>
+
 #include "contact_run/contact_problem.h"
 #include "contact_run/discrete_body.h"
+#include "mechanics/stretched_field.h"
 #include "mesh/body_size.h"
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// By what factor the contact with a convex @p indenter grows from one
+    /// @p depth to the @p next if it keeps its shape: by that of the indenter
+    /// where the undeformed surface cuts it. 1 if it does not grow.
+    template <int dim>
+    double
+    growth_of_contact(const PlacedIndenter<dim> &indenter,
+                      const double               depth,
+                      const double               next)
+    {
+      const double tip = depth - indenter.initial_gap;
+      if (!indenter.shape || !indenter.shape->is_convex() || !(tip > 0.) ||
+          !(next > depth))
+        return 1.;
+      const double area = indenter.shape->section_area(tip);
+      return area > 0. ?
+               std::sqrt(indenter.shape->section_area(tip + next - depth) /
+                         area) :
+               1.;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   DiscreteBody<dim>::begin_step(const double begin,
@@ -30,13 +58,34 @@ namespace ElastoPlastic
 
 
 
+  // The rates of a contact that grows are those at the places that have been
+  // where things are now, seen from its edge (doc/theory, "Load histories").
   template <int dim>
   void
   DiscreteBody<dim>::extrapolate(const LastStep &last, const double duration)
   {
-    u.add(duration, last.displacement_rate);
     if (contact_set.is_force_driven())
       contact_set.place(last.result.depth + duration * last.depth_rate);
+    const double growth = model.load_program.path().is_at_rest() ?
+                            growth_of_contact(model.indenter,
+                                              last.result.depth,
+                                              contact_set.depth()) :
+                            1.;
+    if (growth == 1.)
+      {
+        u.add(duration, last.displacement_rate);
+        return;
+      }
+    Point<dim> centre;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      centre[d] = gap.position()[d];
+    centre[dim - 1] = gap.value(centre) - model.indenter.initial_gap;
+    u.add(duration,
+          stretched_field(last.displacement_rate,
+                          growth,
+                          centre,
+                          unknowns,
+                          held.constraints()));
   }
 
 

@@ -71,13 +71,13 @@ def force_at(depth, steps):
 
 def too_long_steps(runner):
     """Where steps of a fixed length fail, adaptive ones go through."""
-    entries = (*COARSE, LOADING.format(0.1), "Loading/Number of steps=16")
+    entries = (*COARSE, LOADING.format(0.1), "Loading/Number of steps=6")
     try:
         runner.history(CONE, *entries, "Loading/Maximum number of cuts=0")
         failure = 0
     except subprocess.CalledProcessError as error:
         failure = error.returncode
-    runner.verify("16 fixed steps fail", failure == 3)
+    runner.verify("6 fixed steps fail", failure == 3)
     runner.verify("adaptive ones reach the depth", runner.history(CONE, *entries, ADAPTIVE)[-1]["time"] == 1)
 
 

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <deal.II/base/mpi_remote_point_evaluation.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/numerics/vector_tools_evaluate.h>
+
+#include <array>
+#include <vector>
+
+#include "base/ghost_values.h"
+#include "mechanics/stretched_field.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// A point so near to a cell, in units of its size, is inside.
+    constexpr double rounding = 1e-9;
+    /// No way through a mesh crosses more cells.
+    constexpr unsigned int longest_way = 10000;
+
+    using Indices = std::vector<types::global_dof_index>;
+
+    template <int dim>
+    using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+    /// The face of the unit cell beyond which @p point is farthest, or an
+    /// invalid number if it is inside.
+    template <int dim>
+    unsigned int
+    face_towards(const Point<dim> &point)
+    {
+      unsigned int face     = numbers::invalid_unsigned_int;
+      double       farthest = rounding;
+      for (unsigned int d = 0; d < dim; ++d)
+        for (const unsigned int side : {0, 1})
+          if (const double distance = side == 0 ? -point[d] : point[d] - 1.;
+              distance > farthest)
+            {
+              farthest = distance;
+              face     = 2 * d + side;
+            }
+      return face;
+    }
+
+
+
+    /// The active cell behind this @p face of @p cell that is nearest to
+    /// @p point.
+    template <int dim>
+    Cell<dim>
+    neighbour(const Cell<dim>   &cell,
+              const unsigned int face,
+              const Point<dim>  &point)
+    {
+      if (!cell->neighbor(face)->has_children())
+        return cell->neighbor(face);
+      Cell<dim> nearest = cell->neighbor_child_on_subface(face, 0);
+      for (unsigned int n = 1; n < cell->face(face)->n_children(); ++n)
+        if (const auto child = cell->neighbor_child_on_subface(face, n);
+            child->center().distance(point) < nearest->center().distance(point))
+          nearest = child;
+      return nearest;
+    }
+
+
+
+    /// Goes from @p cell straight to the cell that has @p point inside. @return
+    /// where it is on the unit cell, or the next place there, if the way ends
+    /// at the boundary of the body, or of what this rank knows of it (at an
+    /// artificial cell).
+    template <int dim>
+    Point<dim>
+    walk_to(const Point<dim> &point, Cell<dim> &cell)
+    {
+      Point<dim> place;
+      for (unsigned int n = 0; n < longest_way && !cell->is_artificial(); ++n)
+        {
+          place = cell->real_to_unit_cell_affine_approximation(point);
+          const unsigned int face = face_towards(place);
+          if (face == numbers::invalid_unsigned_int || cell->at_boundary(face))
+            break;
+          cell = neighbour<dim>(cell, face, point);
+        }
+      return GeometryInfo<dim>::project_to_unit_cell(place);
+    }
+
+
+
+    /// The value of a field at this place of the unit cell; @p values are
+    /// known on ghost cells, too.
+    template <int dim>
+    Tensor<1, dim>
+    value_at(const VectorType &values,
+             const Cell<dim>  &cell,
+             const Point<dim> &place)
+    {
+      const auto &fe = cell->get_fe();
+      Indices     indices(fe.n_dofs_per_cell());
+      cell->get_dof_indices(indices);
+      Tensor<1, dim> value;
+      for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell(); ++i)
+        {
+          const double shape = fe.base_element(0).shape_value(i, place);
+          for (unsigned int d = 0; d < dim; ++d)
+            value[d] +=
+              shape * values(indices[fe.component_to_system_index(d, i)]);
+        }
+      return value;
+    }
+
+
+
+    /// A node of this rank: its unknowns, where it is, and a cell around it.
+    template <int dim>
+    struct Node
+    {
+      std::array<types::global_dof_index, dim> unknowns;
+      Point<dim>                               point;
+      Cell<dim>                                cell;
+    };
+
+
+
+    template <int dim>
+    std::vector<Node<dim>>
+    own_nodes(const DoFHandler<dim> &dof_handler)
+    {
+      const MappingQ1<dim>   mapping;
+      const auto            &fe    = dof_handler.get_fe();
+      const IndexSet        &owned = dof_handler.locally_owned_dofs();
+      std::vector<bool>      is_known(owned.n_elements());
+      Indices                indices(fe.n_dofs_per_cell());
+      std::vector<Node<dim>> nodes;
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        {
+          if (!cell->is_locally_owned())
+            continue;
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < fe.base_element(0).n_dofs_per_cell();
+               ++i)
+            {
+              Node<dim> node;
+              for (unsigned int d = 0; d < dim; ++d)
+                node.unknowns[d] = indices[fe.component_to_system_index(d, i)];
+              if (!owned.is_element(node.unknowns[0]))
+                continue;
+              const auto index = owned.index_within_set(node.unknowns[0]);
+              if (is_known[index])
+                continue;
+              is_known[index] = true;
+              node.cell       = cell;
+              node.point      = mapping.transform_unit_to_real_cell(
+                cell, fe.base_element(0).unit_support_point(i));
+              nodes.push_back(node);
+            }
+        }
+      return nodes;
+    }
+
+
+
+    template <int dim>
+    void
+    set_values(VectorType           &field,
+               const Node<dim>      &node,
+               const Tensor<1, dim> &value)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        field(node.unknowns[d]) = value[d];
+    }
+
+
+
+    /// Gives @p nodes the values of a field at their points, which are in cells
+    /// of other ranks. What is outside of the body keeps its value. Collective.
+    template <int dim>
+    void
+    set_far_values(VectorType                   &field,
+                   const std::vector<Node<dim>> &nodes,
+                   const VectorType             &values,
+                   const DoFHandler<dim>        &dof_handler)
+    {
+      std::vector<Point<dim>> points;
+      for (const Node<dim> &node : nodes)
+        points.push_back(node.point);
+      const MappingQ1<dim>                       mapping;
+      Utilities::MPI::RemotePointEvaluation<dim> far;
+      far.reinit(points, dof_handler.get_triangulation(), mapping);
+      const auto at_points =
+        VectorTools::point_values<dim>(far, dof_handler, values);
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        if (far.point_found(i))
+          set_values(field, nodes[i], at_points[i]);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  VectorType
+  stretched_field(const VectorType                &field,
+                  const double                     factor,
+                  const Point<dim>                &centre,
+                  const DoFHandler<dim>           &dof_handler,
+                  const AffineConstraints<double> &constraints)
+  {
+    const VectorType       values = ghosted_copy(field, dof_handler);
+    VectorType             result = field;
+    std::vector<Node<dim>> far_nodes;
+    for (Node<dim> &node : own_nodes(dof_handler))
+      {
+        node.point             = centre + (node.point - centre) / factor;
+        const Point<dim> place = walk_to<dim>(node.point, node.cell);
+        if (node.cell->is_artificial())
+          far_nodes.push_back(node);
+        else
+          set_values(result, node, value_at(values, node.cell, place));
+      }
+    if (Utilities::MPI::logical_or(!far_nodes.empty(),
+                                   communicator_of(dof_handler)))
+      set_far_values(result, far_nodes, values, dof_handler);
+    constraints.distribute(result);
+    return result;
+  }
+
+
+
+  template VectorType
+  stretched_field(const VectorType &,
+                  const double,
+                  const Point<2> &,
+                  const DoFHandler<2> &,
+                  const AffineConstraints<double> &);
+  template VectorType
+  stretched_field(const VectorType &,
+                  const double,
+                  const Point<3> &,
+                  const DoFHandler<3> &,
+                  const AffineConstraints<double> &);
+} // namespace ElastoPlastic
