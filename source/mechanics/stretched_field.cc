@@ -1,12 +1,18 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/mpi_remote_point_evaluation.h>
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping_q1.h>
-#include <deal.II/numerics/vector_tools_evaluate.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/grid_tools_cache.h>
+
+#include <boost/serialization/utility.hpp>
 
 #include <array>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "base/ghost_values.h"
@@ -174,8 +180,24 @@ namespace ElastoPlastic
 
 
 
+    /// A box around the cells of this rank.
+    template <int dim>
+    BoundingBox<dim>
+    box_of_own_cells(const DoFHandler<dim> &dof_handler)
+    {
+      std::vector<Point<dim>> corners;
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int vertex : cell->vertex_indices())
+            corners.push_back(cell->vertex(vertex));
+      return corners.empty() ? BoundingBox<dim>() : BoundingBox<dim>(corners);
+    }
+
+
+
     /// Gives @p nodes the values of a field at their points, which are in cells
-    /// of other ranks. What is outside of the body keeps its value. Collective.
+    /// of other ranks: each looks for the points of all ranks in its own cells.
+    /// What is outside of the body keeps its value. Collective.
     template <int dim>
     void
     set_far_values(VectorType                   &field,
@@ -183,17 +205,41 @@ namespace ElastoPlastic
                    const VectorType             &values,
                    const DoFHandler<dim>        &dof_handler)
     {
-      std::vector<Point<dim>> points;
+      const auto                  communicator = communicator_of(dof_handler);
+      const auto                 &mesh = dof_handler.get_triangulation();
+      const MappingQ1<dim>        mapping;
+      const BoundingBox<dim>      box = box_of_own_cells(dof_handler);
+      const GridTools::Cache<dim> cache(mesh, mapping);
+
+      std::vector<Point<dim>> own_points;
       for (const Node<dim> &node : nodes)
-        points.push_back(node.point);
-      const MappingQ1<dim>                       mapping;
-      Utilities::MPI::RemotePointEvaluation<dim> far;
-      far.reinit(points, dof_handler.get_triangulation(), mapping);
-      const auto at_points =
-        VectorTools::point_values<dim>(far, dof_handler, values);
-      for (unsigned int i = 0; i < nodes.size(); ++i)
-        if (far.point_found(i))
-          set_values(field, nodes[i], at_points[i]);
+        own_points.push_back(node.point);
+      const auto points_of_ranks =
+        Utilities::MPI::all_gather(communicator, own_points);
+
+      using Value = std::pair<unsigned int, Tensor<1, dim>>;
+      std::map<unsigned int, std::vector<Value>> answers;
+      for (unsigned int rank = 0; rank < points_of_ranks.size(); ++rank)
+        for (unsigned int i = 0; i < points_of_ranks[rank].size(); ++i)
+          if (const Point<dim> &point = points_of_ranks[rank][i];
+              box.point_inside(point, rounding))
+            {
+              const auto [cell, place] =
+                GridTools::find_active_cell_around_point(cache, point);
+              if (cell.state() == IteratorState::valid &&
+                  !cell->is_artificial())
+                answers[rank].emplace_back(i,
+                                           value_at<dim>(values,
+                                                         {&mesh,
+                                                          cell->level(),
+                                                          cell->index(),
+                                                          &dof_handler},
+                                                         place));
+            }
+      for (const auto &of_rank :
+           Utilities::MPI::some_to_some(communicator, answers))
+        for (const auto &[i, value] : of_rank.second)
+          set_values(field, nodes[i], value);
     }
   } // namespace
 
