@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every material test has its curve, and the curves are right."""
+"""Every material test of a bar has its curve, other bodies have none, and the curves are right."""
 
 import math
 import pathlib
@@ -21,6 +21,9 @@ class MaterialTests(unittest.TestCase):
             for case in cases:
                 results = run(case, pathlib.Path(folder) / case.stem, {
                     "Loading/Number of steps": 8, "Geometry/Initial refinements": 0, "Output/Fields": "never"})
+                if results.parameters.get("Geometry/Type", "box") != "box":
+                    self.assertIsNone(stress_strain(results), case)
+                    continue
                 strain, stress = stress_strain(results)
                 self.assertEqual(len(strain), 9, case)
                 self.assertTrue(0. < numpy.abs(strain).max() <= 0.1, case)
