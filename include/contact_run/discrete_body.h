@@ -82,8 +82,9 @@ namespace ElastoPlastic
     void
     go_on(const LastStep &last, const double duration);
 
-    /// Goes on from @p last for this @p duration at the rates of that step: the
-    /// guess that find_equilibrium() begins with.
+    /// Goes on from @p last for this @p duration at the rates of that step,
+    /// which are stretched with a contact that grows: the guess that
+    /// find_equilibrium() begins with.
     void
     extrapolate(const LastStep &last, const double duration);
 

@@ -14,9 +14,13 @@ namespace ElastoPlastic
 {
   namespace
   {
+    /// Beyond that the last step says nothing about the next.
+    constexpr double largest_growth = 3.;
+
     /// By what factor the contact with a convex @p indenter grows from one
     /// @p depth to the @p next if it keeps its shape: by that of the indenter
-    /// where the undeformed surface cuts it. 1 if it does not grow.
+    /// where the undeformed surface cuts it. 1 if it does not grow, and
+    /// largest_growth at most.
     template <int dim>
     double
     growth_of_contact(const PlacedIndenter<dim> &indenter,
@@ -28,10 +32,11 @@ namespace ElastoPlastic
           !(next > depth))
         return 1.;
       const double area = indenter.shape->section_area(tip);
-      return area > 0. ?
-               std::sqrt(indenter.shape->section_area(tip + next - depth) /
-                         area) :
-               1.;
+      return area > 0. ? std::min(largest_growth,
+                                  std::sqrt(indenter.shape->section_area(
+                                              tip + next - depth) /
+                                            area)) :
+                         1.;
     }
   } // namespace
 
@@ -64,9 +69,12 @@ namespace ElastoPlastic
   void
   DiscreteBody<dim>::extrapolate(const LastStep &last, const double duration)
   {
+    TimerOutput::Scope scope(timer, "Prediction");
     if (contact_set.is_force_driven())
       contact_set.place(last.result.depth + duration * last.depth_rate);
-    const double growth = model.load_program.path().is_at_rest() ?
+    const auto way = sideways_position(last.result.time + duration) -
+                     sideways_position(last.result.time);
+    const double growth = way.norm() == 0. ?
                             growth_of_contact(model.indenter,
                                               last.result.depth,
                                               contact_set.depth()) :

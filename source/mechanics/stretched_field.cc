@@ -24,31 +24,35 @@ namespace ElastoPlastic
   {
     /// A point so near to a cell, in units of its size, is inside.
     constexpr double rounding = 1e-9;
-    /// No way through a mesh crosses more cells.
-    constexpr unsigned int longest_way = 10000;
+    /// Who has crossed so many cells goes in a ring around an edge of distorted
+    /// ones, and stays where he is.
+    constexpr unsigned int longest_way = 1000;
 
     using Indices = std::vector<types::global_dof_index>;
 
     template <int dim>
     using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-    /// The face of the unit cell beyond which @p point is farthest, or an
-    /// invalid number if it is inside.
+    template <int dim>
+    using IndexedPoint = std::pair<unsigned int, Point<dim>>;
+
+    /// The face between @p cell and a neighbour beyond which this @p place of
+    /// the unit cell is farthest, or an invalid number if there is none.
     template <int dim>
     unsigned int
-    face_towards(const Point<dim> &point)
+    face_towards(const Point<dim> &place, const Cell<dim> &cell)
     {
-      unsigned int face     = numbers::invalid_unsigned_int;
+      unsigned int result   = numbers::invalid_unsigned_int;
       double       farthest = rounding;
-      for (unsigned int d = 0; d < dim; ++d)
-        for (const unsigned int side : {0, 1})
-          if (const double distance = side == 0 ? -point[d] : point[d] - 1.;
-              distance > farthest)
-            {
-              farthest = distance;
-              face     = 2 * d + side;
-            }
-      return face;
+      for (const unsigned int face : cell->face_indices())
+        if (const double coordinate = place[face / 2],
+            distance = face % 2 == 0 ? -coordinate : coordinate - 1.;
+            distance > farthest && !cell->at_boundary(face))
+          {
+            farthest = distance;
+            result   = face;
+          }
+      return result;
     }
 
 
@@ -76,19 +80,25 @@ namespace ElastoPlastic
     /// Goes from @p cell straight to the cell that has @p point inside. @return
     /// where it is on the unit cell, or the next place there, if the way ends
     /// at the boundary of the body, or of what this rank knows of it (at an
-    /// artificial cell).
+    /// artificial cell), or between two cells each of which takes it for inside
+    /// of the other: the affine approximations of cells that are no
+    /// parallelepipeds leave gaps.
     template <int dim>
     Point<dim>
     walk_to(const Point<dim> &point, Cell<dim> &cell)
     {
       Point<dim> place;
+      Cell<dim>  last = cell;
       for (unsigned int n = 0; n < longest_way && !cell->is_artificial(); ++n)
         {
           place = cell->real_to_unit_cell_affine_approximation(point);
-          const unsigned int face = face_towards(place);
-          if (face == numbers::invalid_unsigned_int || cell->at_boundary(face))
+          const unsigned int face = face_towards<dim>(place, cell);
+          if (face == numbers::invalid_unsigned_int)
             break;
-          cell = neighbour<dim>(cell, face, point);
+          const Cell<dim> next = neighbour<dim>(cell, face, point);
+          if (next == last)
+            break;
+          last = std::exchange(cell, next);
         }
       return GeometryInfo<dim>::project_to_unit_cell(place);
     }
@@ -195,9 +205,29 @@ namespace ElastoPlastic
 
 
 
+    /// The @p points with their indices, for each rank in whose box they are.
+    /// Collective.
+    template <int dim>
+    std::map<unsigned int, std::vector<IndexedPoint<dim>>>
+    points_for_ranks(const std::vector<Node<dim>> &nodes,
+                     const DoFHandler<dim>        &dof_handler)
+    {
+      const auto boxes =
+        Utilities::MPI::all_gather(communicator_of(dof_handler),
+                                   box_of_own_cells(dof_handler));
+      std::map<unsigned int, std::vector<IndexedPoint<dim>>> points;
+      for (unsigned int rank = 0; rank < boxes.size(); ++rank)
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          if (boxes[rank].point_inside(nodes[i].point, rounding))
+            points[rank].emplace_back(i, nodes[i].point);
+      return points;
+    }
+
+
+
     /// Gives @p nodes the values of a field at their points, which are in cells
-    /// of other ranks: each looks for the points of all ranks in its own cells.
-    /// What is outside of the body keeps its value. Collective.
+    /// of other ranks: each rank is asked for those near to its cells. What is
+    /// in no cell keeps its value. Collective.
     template <int dim>
     void
     set_far_values(VectorType                   &field,
@@ -208,34 +238,26 @@ namespace ElastoPlastic
       const auto                  communicator = communicator_of(dof_handler);
       const auto                 &mesh = dof_handler.get_triangulation();
       const MappingQ1<dim>        mapping;
-      const BoundingBox<dim>      box = box_of_own_cells(dof_handler);
       const GridTools::Cache<dim> cache(mesh, mapping);
-
-      std::vector<Point<dim>> own_points;
-      for (const Node<dim> &node : nodes)
-        own_points.push_back(node.point);
-      const auto points_of_ranks =
-        Utilities::MPI::all_gather(communicator, own_points);
 
       using Value = std::pair<unsigned int, Tensor<1, dim>>;
       std::map<unsigned int, std::vector<Value>> answers;
-      for (unsigned int rank = 0; rank < points_of_ranks.size(); ++rank)
-        for (unsigned int i = 0; i < points_of_ranks[rank].size(); ++i)
-          if (const Point<dim> &point = points_of_ranks[rank][i];
-              box.point_inside(point, rounding))
-            {
-              const auto [cell, place] =
-                GridTools::find_active_cell_around_point(cache, point);
-              if (cell.state() == IteratorState::valid &&
-                  !cell->is_artificial())
-                answers[rank].emplace_back(i,
-                                           value_at<dim>(values,
-                                                         {&mesh,
-                                                          cell->level(),
-                                                          cell->index(),
-                                                          &dof_handler},
-                                                         place));
-            }
+      for (const auto &[rank, points] :
+           Utilities::MPI::some_to_some(communicator,
+                                        points_for_ranks(nodes, dof_handler)))
+        for (const auto &[i, point] : points)
+          {
+            const auto [cell, place] =
+              GridTools::find_active_cell_around_point(cache, point);
+            if (cell.state() == IteratorState::valid && !cell->is_artificial())
+              answers[rank].emplace_back(i,
+                                         value_at<dim>(values,
+                                                       {&mesh,
+                                                        cell->level(),
+                                                        cell->index(),
+                                                        &dof_handler},
+                                                       place));
+          }
       for (const auto &of_rank :
            Utilities::MPI::some_to_some(communicator, answers))
         for (const auto &[i, value] : of_rank.second)

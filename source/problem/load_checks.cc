@@ -175,20 +175,27 @@ namespace ElastoPlastic
 
 
 
-    /// Whether the body bears an initial stress in the middle of a cell.
+    /// Whether the body bears an initial stress at a quadrature point.
     /// Collective. @throws InputError
     template <int dim>
     bool
-    bears_initial_stress(
-      const InitialStress<dim>                        &stress,
-      const parallel::distributed::Triangulation<dim> &triangulation)
+    bears_initial_stress(const InitialStress<dim> &stress,
+                         const DoFHandler<dim>    &dof_handler)
     {
-      const MPI_Comm communicator = communicator_of(triangulation);
-      double         largest      = 0.;
+      const MPI_Comm communicator = communicator_of(dof_handler);
+      const auto    &fe           = dof_handler.get_fe();
+      FEValues<dim>  points(fe,
+                           QGauss<dim>(fe.degree + 1),
+                           update_quadrature_points);
+      double         largest = 0.;
       rethrow_collectively(communicator, [&]() {
-        for (const auto &cell : triangulation.active_cell_iterators())
+        for (const auto &cell : dof_handler.active_cell_iterators())
           if (cell->is_locally_owned())
-            largest = std::max(largest, stress.value(cell->center()).norm());
+            {
+              points.reinit(cell);
+              for (const auto &point : points.get_quadrature_points())
+                largest = std::max(largest, stress.value(point).norm());
+            }
       });
       return Utilities::MPI::max(largest, communicator) > 0.;
     }
@@ -208,7 +215,7 @@ namespace ElastoPlastic
     const double largest =
       largest_load_at_any_time(model, steps, dof_handler, triangulation);
     if (largest == 0. &&
-        !bears_initial_stress(model.initial_stress, triangulation))
+        !bears_initial_stress(model.initial_stress, dof_handler))
       throw InputError(
         "Nothing loads the body: at the ends of all load steps, neither depth "
         "nor force of the indenter is greater than 0, and tractions, prescribed "
