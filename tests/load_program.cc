@@ -126,6 +126,32 @@ namespace
 
 
 
+  /// Where it goes on in the same direction, and how fast.
+  void
+  check_changes_of_pace()
+  {
+    const auto print = [](const std::string &history, const std::string &path) {
+      LoadingParameters parameters;
+      parameters.history = history;
+      parameters.path    = path;
+      LoadProgram program(parameters);
+      program.reached(3., 0.4, 8.);
+      output() << "Changes of pace in " << history
+               << (path.empty() ? "" : ", sideways") << std::endl;
+      for (const double time : program.segment_ends())
+        if (const auto pace = program.change_of_pace(time))
+          output() << "  t = " << time << ": " << *pace << std::endl;
+    };
+    const std::string onwards = "1: depth 0.1 | 2: depth 0.3";
+    print(onwards, "");
+    print(onwards, "1: 0 | 2: 0.5");
+    print("1: depth 0.1 | 2: strain rate 0.5 | 3: depth 0.4 | 4: force 2 | 5: "
+          "force 1.5 | 6: hold | 7: force 1",
+          "");
+  }
+
+
+
   void
   check_rates()
   {
@@ -255,6 +281,7 @@ main(int argc, char *argv[])
   check_expressions();
   check_history();
   check_holds();
+  check_changes_of_pace();
   check_rates();
   check_pasts();
 

@@ -5,6 +5,7 @@
 #define contact_run_load_step_h
 
 #include <algorithm>
+#include <optional>
 
 #include "base/exceptions.h"
 #include "contact_run/discrete_body.h"
@@ -186,9 +187,15 @@ namespace ElastoPlastic
     void
     take_initial_forces();
 
-    /// Whether it may be expected to go on like the last one.
+    /// How long the last step would have to go on for what this one does: its
+    /// duration, but where the indenter has changed its pace. None where the
+    /// load has turned.
+    std::optional<double>
+    duration_at_last_pace() const;
+
+    /// Whether there are rates that it may be expected to go on with.
     bool
-    continues_last() const;
+    has_rates() const;
 
     /// Of the committed @p result, in what accurate steps allow.
     double

@@ -54,6 +54,12 @@ namespace ElastoPlastic
     bool
     is_segment_end(const double time) const;
 
+    /// How many times as fast as before the indenter goes on after @p time,
+    /// which is a segment's end. None where it turns or stops, or its control
+    /// changes, for one that moves sideways, and at the end of the history.
+    std::optional<double>
+    change_of_pace(const double time) const;
+
     /// Whether load and path turn at segment_ends() only.
     bool
     turns_at_segment_ends_only() const;
@@ -134,6 +140,12 @@ namespace ElastoPlastic
 
     std::optional<double>
     value(const unsigned int segment, const double time) const;
+
+    /// How fast the load changes at @p time in a segment without expression;
+    /// none as long as that depends on what will be reached.
+    /// @throws InputError
+    std::optional<double>
+    rate(const unsigned int segment, const double time) const;
 
     std::vector<Segment> segments;
     IndenterPath         indenter_path;

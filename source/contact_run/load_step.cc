@@ -13,6 +13,10 @@ namespace ElastoPlastic
   {
     /// In tolerances: half of such a step errs by a quarter of it.
     constexpr double largest_error = 4.;
+
+    /// Of the last step: up to 1 + sqrt(2) of them, two-step backward
+    /// differentiation is zero-stable, and steps of a row grow by 2 at most.
+    constexpr double longest_continuation = 2. + 1e-6;
   } // namespace
 
 
@@ -47,11 +51,31 @@ namespace ElastoPlastic
   {
     under_way = true;
     body.begin_step(time_steps.time(), time_steps.next_time(), load());
+    const std::optional<double> duration = duration_at_last_pace();
+    if (!duration)
+      return;
     if (parameters.loading.integration == Integration::bdf2 && !is_first() &&
-        !load_program.is_segment_end(time_steps.time()))
-      body.go_on(last_step, time_steps.next_time() - time_steps.time());
-    if (continues_last())
-      body.extrapolate(last_step, time_steps.next_time() - time_steps.time());
+        *duration <= longest_continuation * last_step.duration)
+      body.go_on(last_step, *duration);
+    if (has_rates())
+      body.extrapolate(last_step, *duration);
+  }
+
+
+
+  // Without rate laws, and where no other load depends on the time, the time is
+  // only a measure of how far the indenter is.
+  template <int dim>
+  std::optional<double>
+  LoadStep<dim>::duration_at_last_pace() const
+  {
+    const double duration = time_steps.next_time() - time_steps.time();
+    if (!load_program.is_segment_end(time_steps.time()))
+      return duration;
+    const auto pace = load_program.change_of_pace(time_steps.time());
+    if (!pace || has_other_loads(model) || body.solid().is_rate_dependent())
+      return {};
+    return *pace * duration;
   }
 
 
@@ -61,12 +85,11 @@ namespace ElastoPlastic
   // guess is tried without, and a first step from nothing is no guess.
   template <int dim>
   bool
-  LoadStep<dim>::continues_last() const
+  LoadStep<dim>::has_rates() const
   {
-    const bool has_guess = model.strain_model.is_finite() ?
-                             !is_first() :
-                             time_steps.number() > 2 && !has_been_halved;
-    return has_guess && !load_program.is_segment_end(time_steps.time());
+    return model.strain_model.is_finite() ?
+             !is_first() :
+             time_steps.number() > 2 && !has_been_halved;
   }
 
 

@@ -217,6 +217,29 @@ namespace ElastoPlastic
 
 
 
+  std::optional<double>
+  LoadProgram::change_of_pace(const double time) const
+  {
+    const auto segment = std::find_if(segments.begin(),
+                                      segments.end(),
+                                      [time](const Segment &candidate) {
+                                        return candidate.end_time == time;
+                                      });
+    if (!indenter_path.is_at_rest() || time >= final_time())
+      return {};
+    const auto next = std::next(segment);
+    if (segment->control != next->control)
+      return {};
+    const unsigned int number = std::distance(segments.begin(), segment);
+    const auto         before = rate(number, time);
+    const auto         after  = rate(number + 1, time);
+    if (!before || !after || !(*before * *after > 0.))
+      return {};
+    return *after / *before;
+  }
+
+
+
   bool
   LoadProgram::turns_at_segment_ends_only() const
   {
@@ -298,6 +321,22 @@ namespace ElastoPlastic
       }
     Assert(false, ExcInternalError());
     return {};
+  }
+
+
+
+  std::optional<double>
+  LoadProgram::rate(const unsigned int i, const double time) const
+  {
+    const Segment &segment = segments[i];
+    if (segment.ramp == Ramp::at_rate)
+      return segment.number;
+    const std::optional<double> begin = begin_value(i);
+    if (!begin)
+      return {};
+    if (segment.ramp == Ramp::to_value)
+      return (segment.number - *begin) / (segment.end_time - begin_time(i));
+    return segment.number * *value(i, time);
   }
 
 

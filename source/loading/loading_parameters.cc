@@ -95,8 +95,11 @@ namespace ElastoPlastic
       "How the flow of the material is integrated over the load steps. backward "
       "Euler: of first order in their length. BDF2: two-step backward "
       "differentiation, of second order, so that a fraction of the steps is "
-      "as accurate; the first step of each row of a 'History' is a backward "
-      "Euler step. Let loads that are expressions of t turn where a row ends. "
+      "as accurate; the first step is a backward Euler step, and that of each "
+      "row of a 'History' that does not go on as the one before: where the "
+      "indenter turns, stops, gets another control or becomes more than twice "
+      "as fast, where it moves sideways, with loads of other kinds and with "
+      "rate laws. Let loads that are expressions of t turn where a row ends. "
       "Not with 'Material/Recovery rates'.");
     prm.add_parameter("Final time",
                       final_time,

@@ -92,8 +92,8 @@ def integration(facts):
     keys = ["simo_hughes_1998", *(["simo_taylor_1986"] if plane_stress else [])]
     is_radial = all("Yield criterion" not in values for values in problem.materials(facts))
     recovery = any(recovers(values) for values in problem.materials(facts))
-    method = ("two-step backward differentiation (BDF2), each row of the load history beginning with an implicit Euler "
-              "step" if facts.text("Loading/Integration") == "BDF2" else "the implicit Euler method")
+    method = ("two-step backward differentiation (BDF2), beginning with an implicit Euler step where the load turns"
+              if facts.text("Loading/Integration") == "BDF2" else "the implicit Euler method")
     return (f"The flow rule is integrated by {method}: "
             f"{'radial return' if is_radial else 'return to the yield surface'} with the consistent "
             f"tangent{cited(keys)}"

@@ -60,6 +60,26 @@ def two_step_integration(runner):
     runner.compare("contact stiffness", fine["contact_stiffness"], euler["contact_stiffness"], 0.01)
 
 
+def rows_that_go_on(runner):
+    """Where the indenter goes on in the same direction, the rows of its history do not matter, nor do their times."""
+    n_steps, depth = 12, 0.02
+    # (So many steps give each of the short rows one.)
+    histories = {"two rows": (f"0.5: depth {depth / 2} | 1: depth {depth}", n_steps),
+                 "a row for each step, long and short ones": (" | ".join(
+                     f"{i + 0.2 * (i % 2)}: depth {depth * i / n_steps}" for i in range(1, n_steps + 1)), 9)}
+    for strain in ("logarithmic", "small"):
+        def run(history, n, strain=strain):
+            return runner.history(CONE, *COARSE, TWO_STEPS, f"Strain={strain}", f"Loading/History={history}",
+                                  f"Loading/Number of steps={n}")
+
+        expected = run(f"1: depth {depth}", n_steps)
+        for name, history in histories.items():
+            rows = run(*history)
+            runner.verify(f"{name}: {len(rows)} steps", len(rows) == n_steps)
+            for column in ("force", "plastic_work"):
+                runner.compare(f"{strain}, {name}: {column}", rows[-1][column], expected[-1][column], 1e-8)
+
+
 def force_at(depth, steps):
     """From linear interpolation of its root."""
     points = [(0, 0)] + [(step["depth"], math.sqrt(step["force"])) for step in steps]
