@@ -51,6 +51,43 @@ class Exports(FilesOfInstruments):
         self.assertAlmostEqual(curve.depth.max(), 0.306, delta=1e-5)
         self.assertAlmostEqual(curve.force.max(), 10., delta=1e-3)
 
+        with_points = "".join(f"{h:,.0f}\t{F:,.0f}\n".replace(",", ".") for h, F in zip(1e3 * self.depth, 1e6 * self.force))
+        self.check(read_curve(self.write("Depth (pm)\tLoad (nN)\n" + with_points)))
+
+    def test_separators_of_other_fonts(self):
+        """Of numbers with decimal commas, some or all, and with commas that separate thousands."""
+        head = "时间（s）；位移（nm）；载荷（mN）\n"
+        for form in ("{:g}", "{:.6f}"):
+            rows = "".join("；".join(form.format(round(value, 4)).replace(".", ",") for value in row) + "\n"
+                           for row in zip(*self.columns))
+            curve, = read_curve(self.write(head + rows))
+            numpy.testing.assert_allclose(curve.depth, 1e-3 * self.depth, atol=1e-6)
+            self.assertEqual(curve.remarks, ())
+        rows = "".join(f"{h:,.0f}，{F:,.0f}\n" for h, F in zip(10. * self.depth, 1e3 * self.force))
+        self.refused("has 3 values in line [0-9]+, and 2 in the lines before", "位移（Å），载荷（µN）\n" + rows)
+
+    def test_what_is_left_out(self):
+        """Nothing is without a remark."""
+        text = HEAD + rows_of(self.columns)
+        for more, remark in (("Repeated\n1\t2\t3\n2\t3\t4\n", "lines of numbers that are in no table of 5 rows, and left out: 2, the "
+                                                            "first one is line 145"),
+                             ("Repeated\n1:2:3\n", "lines of numbers that are in no table of 5 rows, and left out: 1, the first one is "
+                                                   "line 145"),
+                             ("Sensor\ta\tb\n" + "1\t2\t3\n" * 5, "the 5 rows from line 145 on are left out: no depth and force are "
+                                                                   "known in their columns, Sensor, a, b"),
+                             ("Repeated on 2026-11-29\n2026-11-29 12:00:00\n", None)):
+            with self.subTest(more=more):
+                curve, = self.check(read_curve(self.write(text + more)))
+                self.assertEqual(curve.remarks, (remark,) if remark else ())
+
+    def test_long_heads(self):
+        """A few rows below many lines of words, and lines of which every other one is empty."""
+        curve, = read_curve(self.write("words\n" * 9000 + HEAD + "".join(f"{i}\t{i}\t{i}\n" for i in range(20))))
+        self.assertEqual(len(curve.depth), 20)
+        rows = "".join(f"{i}\t{i}\t{i}\n\n" for i in range(4000))
+        curve, = read_curve(self.write(f"\n{HEAD}\n{rows}"))
+        self.assertEqual(len(curve.depth), 4000)
+
     def test_other_numbers(self):
         self.check(read_curve(self.write(HEAD + rows_of((self.time, -self.depth, self.force)).replace("-", "\u2212"))))
         powers = "".join(f"{t:.8e}  {h:.8e}  {F:.8e}\n".replace("e", "D") for t, h, F in zip(self.time, self.depth,

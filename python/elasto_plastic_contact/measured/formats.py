@@ -100,7 +100,7 @@ class Format:
     def cells(self, line):
         if self.separator == " ":
             return line.split()
-        if '"' in line:
+        if '"' in line and len(line) < csv.field_size_limit():
             return next(csv.reader([line], delimiter=self.separator), [])
         return line.split(self.separator)
 
@@ -127,9 +127,18 @@ def find_reading(rows):
         if most >= MOST_LINES * len(rows):
             break
     numbers = [[split_value(cell)[0] for cell in cells] for cells in rows] if best.has_units else rows
-    if best.decimal_comma and commas_separate_thousands(numbers):
-        best = replace(best, decimal_comma=False, separates_thousands=True)
+    decimals, thousands = (COMMA, POINT_WITH_THOUSANDS) if best.decimal_comma else (POINT, COMMA_WITH_THOUSANDS)
+    if not best.separates_thousands and without_decimals(numbers, decimals, thousands):
+        best = replace(best, decimal_comma=thousands.decimal_comma, separates_thousands=True)
     return best, most
+
+
+def reading_of_marks(texts, decimal_comma):
+    """The Reading of most of these numbers, which stand in no table. Where 1,234 may be two numbers, decimal_comma
+    chooses; 1.234 alone has decimals."""
+    chosen = decimal_comma and any("," in text for text in texts)
+    readings = sorted((POINT_WITH_THOUSANDS, COMMA_WITH_THOUSANDS), key=lambda reading: reading.decimal_comma != chosen)
+    return max(readings, key=lambda reading: sum(map(reading.is_number, texts)))
 
 
 def may_have_units(rows):
@@ -137,17 +146,19 @@ def may_have_units(rows):
     return any(split_value(cells[1])[1] for cells in rows if len(cells) > 1)
 
 
-def commas_separate_thousands(rows):
-    """Whether numbers without decimals are meant, as in the column 998, 999, 1,000: all commas may be such, and the
-    columns in which some numbers have none vary less then (with decimals, this one falls from 999 to 1)."""
-    numbers = [[cell.strip(' "') for cell in cells] for cells in rows if COMMA.row(cells) is not None]
-    with_comma = [cell for cells in numbers for cell in cells if "," in cell]
-    if not all(THOUSANDS[","].fullmatch(cell) for cell in with_comma):
+def without_decimals(rows, decimals, thousands):
+    """Whether numbers without decimals are meant, as in the column 998, 999, 1,000: all marks may separate thousands,
+    and the columns in which some numbers have none vary less then (with decimals, this one falls from 999 to 1).
+    decimals, thousands: the Readings by which a mark is one or the other."""
+    mark = "," if decimals.decimal_comma else "."
+    numbers = [[cell.strip(' "') for cell in cells] for cells in rows if decimals.row(cells) is not None]
+    with_mark = [cell for cells in numbers for cell in cells if mark in cell and decimals.is_number(cell)]
+    if not all(THOUSANDS[mark].fullmatch(cell) for cell in with_mark):
         return False
-    mixed = [column for column in zip(*numbers) if len({"," in cell for cell in column if cell}) > 1]
+    mixed = [column for column in zip(*numbers) if len({mark in cell for cell in column if cell}) > 1]
     with_decimals, with_thousands = (sum(variation([reading.number(cell) for cell in column if reading.is_number(cell)])
-                                         for column in mixed) for reading in (COMMA, POINT_WITH_THOUSANDS))
-    return with_thousands < with_decimals
+                                         for column in mixed) for reading in (decimals, thousands))
+    return with_thousands < 0.9 * with_decimals  # (if only zeros have no mark, both are the same but for rounding)
 
 
 def variation(values):
@@ -160,7 +171,12 @@ def variation(values):
 def find_format(lines):
     """That by which most lines are rows of numbers, without columns of words if two are alike; None if there are too
     few."""
-    lines = lines[::max(len(lines) // SAMPLE, 1)]
+    lines = [line for line in lines if line.strip()]
+    return format_of_most(lines[::max(len(lines) // SAMPLE, 1)]) or format_of_most(lines)
+
+
+def format_of_most(lines):
+    """What find_format() returns, of these lines."""
     best, best_rank = None, (FEWEST_LINES - 1, True)
     for separator in SEPARATORS:
         form = Format(separator)
