@@ -45,6 +45,8 @@ def read_data(path, data, chosen):
         raise UserError(f"'{path}' is in no format that is known: "
                         f"{', '.join(reader.FORMAT for reader in BINARY_READERS)}, or texts "
                         f"({', '.join(reader.FORMAT for reader in TEXT_READERS)}). Export it as a text")
+    if not text.strip():
+        raise UserError(f"'{path}' is empty")
     lines = lines_of(with_usual_signs(text))
     reader = next(reader for reader in TEXT_READERS if reader.knows(lines))
     return reader.FORMAT, reader.read(path, lines, chosen)
