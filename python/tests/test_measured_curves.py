@@ -152,6 +152,8 @@ class Readers(FilesOfInstruments):
             text = first + one.replace("26.05.2020  15:17:54", date).replace(",", ".")
             self.check(read_curve(self.write(text)))
         self.refused("with results, but without curves", first + one.partition("F\th")[0])
+        lines = one.splitlines(keepends=True)
+        self.check(read_curve(self.write("".join([first, *lines[:60], "\n", *lines[60:]]))))
         curves = read_curve(self.write(first + one + one.partition("F\th")[0] + one))
         self.assertEqual(curves[1].remarks[-1], "indents that hold no rows of numbers, and are left out: 1, of line 151")
 
@@ -269,6 +271,10 @@ class Readers(FilesOfInstruments):
             file["a"] = self.depth
         self.refused("an HDF5 file without groups test_1, .*; it has a", None, name="none.hdf5")
         self.refused("is damaged, or no HDF5", b"\x89HDF\r\n\x1a\n" + bytes(100), name="damaged.hdf5")
+        with h5py.File(self.folder / "lengths.hdf5", "w") as file:
+            data = file.create_group("test_1/data")
+            data["depth"], data["load"] = self.depth, self.force[1:]
+        self.refused("is damaged, or no HDF5 that is known: ", None, name="lengths.hdf5")
 
     def test_what_is_not_understood(self):
         rows = rows_of(self.columns)

@@ -51,8 +51,18 @@ class Exports(FilesOfInstruments):
         self.assertAlmostEqual(curve.depth.max(), 0.306, delta=1e-5)
         self.assertAlmostEqual(curve.force.max(), 10., delta=1e-3)
 
-        with_points = "".join(f"{h:,.0f}\t{F:,.0f}\n".replace(",", ".") for h, F in zip(1e3 * self.depth, 1e6 * self.force))
-        self.check(read_curve(self.write("Depth (pm)\tLoad (nN)\n" + with_points)))
+        rows = "".join(f"{h:,.0f}\t{F:,.0f}\n" for h, F in zip(10. * self.depth, 1e3 * self.force))
+        for text in (rows, rows.replace(",", ".")):
+            curve, = read_curve(self.write("Depth (Å)\tLoad (µN)\n" + text))
+            numpy.testing.assert_allclose(curve.depth, 1e-3 * self.depth, atol=1e-4)
+            numpy.testing.assert_allclose(curve.force, self.force, atol=1e-3)
+
+    def test_decimals_in_the_first_column_alone(self):
+        """Where a text without decimal points might be the name of a segment."""
+        rows = "".join(f"{i / 2:g}\t{i}\t{i}\n" for i in range(20))
+        for text in (rows, rows.replace(".", ",")):
+            curve, = read_curve(self.write(HEAD + text))
+            self.assertEqual((list(curve.time), curve.remarks), ([i / 2 for i in range(20)], ()))
 
     def test_separators_of_other_fonts(self):
         """Of numbers with decimal commas, some or all, and with commas that separate thousands."""
@@ -73,9 +83,11 @@ class Exports(FilesOfInstruments):
                                                             "first one is line 145"),
                              ("Repeated\n1:2:3\n", "lines of numbers that are in no table of 5 rows, and left out: 1, the first one is "
                                                    "line 145"),
-                             ("Sensor\ta\tb\n" + "1\t2\t3\n" * 5, "the 5 rows from line 145 on are left out: no depth and force are "
-                                                                   "known in their columns, Sensor, a, b"),
-                             ("Repeated on 2026-11-29\n2026-11-29 12:00:00\n", None)):
+                             ("Sensor\ta\tb\n" + "1\t2\t3\n" * 5, "tables whose columns are not known as depth and force, and left "
+                              "out: 1, the first one has 5 rows from line 145 on, and the columns Sensor, a, b"),
+                             ("Repeated\n0.5,1.5,2.5\n", "lines of numbers that are in no table of 5 rows, and left out: 1, the first one is "
+                                                       "line 145"),
+                             ("Repeated on 2026-11-29\n2026-11-29 12:00:00\n29.11.2026\n", None)):
             with self.subTest(more=more):
                 curve, = self.check(read_curve(self.write(text + more)))
                 self.assertEqual(curve.remarks, (remark,) if remark else ())
@@ -264,6 +276,11 @@ class Exports(FilesOfInstruments):
             archive(files)
             self.refused(message, None, name="tests.zip")
         self.refused("is damaged, or no .zip", b"PK\x03\x04 nothing", name="damaged.zip")
+        with zipfile.ZipFile(self.folder / "lzma.zip", "w", zipfile.ZIP_LZMA) as written:
+            written.writestr("1.txt", headed)
+        data = bytearray((self.folder / "lzma.zip").read_bytes())
+        data[60:400:5] = bytes(68)
+        self.refused("is damaged, or no .zip", bytes(data), name="damaged.zip")
 
     def spreadsheet(self, sheets):
         """The path of a spreadsheet with these rows on each sheet."""

@@ -10,7 +10,6 @@ from itertools import zip_longest
 from ..errors import UserError
 from .formats import Reading, find_format
 from .headings import rank
-from .texts import seconds_of_clock
 from .units import KINDS, is_unit, split_value
 
 # The fewest rows of a curve.
@@ -21,6 +20,9 @@ LIKE_A_NUMBER = re.compile(r"[-+]?[\d.,][\d.,'’ eE+-]*")
 
 # Letters that stand in no number.
 WORD = re.compile(r"[^\W\d_eEdD]")
+
+# Dates and times of the day.
+WHEN = re.compile(r"\b\d{1,4}([./-])\d{1,2}\1\d{1,4}\b|\b\d{1,2}:\d\d(:\d\d([.,]\d+)?)?\b")
 
 
 @dataclass
@@ -103,9 +105,9 @@ def note_unread(found, rows):
 
 
 def is_line_of_numbers(cells):
-    """Whether it holds several numbers, whatever the signs between them, and neither words nor the time of the day."""
-    text = " ".join(split_value(cell)[0] for cell in cells)
-    return len(re.findall(r"\d[\d.,]*", text)) > 1 and not WORD.search(text) and seconds_of_clock(text) is None
+    """Whether it holds several numbers besides dates and times, whatever the signs between them, and no words."""
+    text = WHEN.sub("", " ".join(split_value(cell)[0] for cell in cells))
+    return len(re.findall(r"\d+(?:[.,]\d+)?", text)) > 1 and not WORD.search(text)
 
 
 def check_numbers(above, width, reading, path):

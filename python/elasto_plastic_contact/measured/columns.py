@@ -118,10 +118,10 @@ def with_clock(curve):
 
 def curves_of_blocks(blocks, path, chosen, notes=Notes()):
     """All curves of the blocks that have depth and force. Raises UserError if none has."""
-    found, left_out = [], []
+    found, others = [], []
     for block in blocks:
         layout = layouts(block, chosen, path)
-        left_out += what_is_left_out(block, layout)
+        others += [block] if layout is None else []
         for part, columns in itertools.product(by_indent(block), layout or []):
             curve = curve_of_block(part, columns, part.title)
             if found and (part.after_blank and goes_on(found[-1], curve) or is_next_part(found[-1], curve)):
@@ -131,20 +131,21 @@ def curves_of_blocks(blocks, path, chosen, notes=Notes()):
     if not found:
         raise UserError(why_no_curve(blocks, path))
     found = [part for curve in found for part in split_where_it_restarts(curve)]
-    found[0] = found[0].with_remarks(left_out)
+    found[0] = found[0].with_remarks(what_is_left_out(blocks, others))
     named = [replace(curve, name=own_name(curve.name, i, found), notes=notes) for i, curve in enumerate(found)]
     return [tidied(curve, path) for curve in named]
 
 
-def what_is_left_out(block, layout):
-    """Remarks on numbers that are in no curve."""
-    if layout is None:
-        names = ", ".join(filter(None, block.headings or [])) or "which have no names"
-        yield (f"the {len(block.rows)} rows from line {block.first_line} on are left out: no depth and force are known in "
-               f"their columns, {names}")
-    if block.unread:
-        yield (f"lines of numbers that are in no table of {FEWEST_ROWS} rows, and left out: {len(block.unread)}, the "
-               f"first one is line {block.unread[0]}")
+def what_is_left_out(blocks, others):
+    """Remarks on numbers that are in no curve. others: the Blocks without depth and force."""
+    if others:
+        names = ", ".join(filter(None, others[0].headings or [])) or "without names"
+        yield (f"tables whose columns are not known as depth and force, and left out: {len(others)}, the first one has "
+               f"{len(others[0].rows)} rows from line {others[0].first_line} on, and the columns {names}")
+    unread = [line for block in blocks for line in block.unread]
+    if unread:
+        yield (f"lines of numbers that are in no table of {FEWEST_ROWS} rows, and left out: {len(unread)}, the first one "
+               f"is line {unread[0]}")
 
 
 def by_indent(block):

@@ -50,7 +50,7 @@ def read(path, lines, chosen):
 def read_indent(path, lines, first_line, forces, chosen):
     """The curves of one indent; none if it has no rows. forces: the largest force, if the head of the file says it.
     Raises UserError."""
-    blocks = text_blocks(lines, path, first_line)[-1:]
+    blocks = text_blocks(lines, path, first_line)
     if not blocks:
         return []
     texts = {LARGEST: force for force in forces} | results_of(lines)

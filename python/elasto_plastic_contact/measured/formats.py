@@ -115,22 +115,24 @@ class Format:
 
 
 def find_reading(rows):
-    """The Reading by which most rows of cells are rows of numbers, the first one if some are alike, and their number."""
+    """The Reading by which most rows of cells are rows of numbers, and their number. Of some that are alike, the one that
+    reads most numbers (in a first cell, '0,5' may be a word), and then the first one."""
     plain = POINT, COMMA, POINT_WITH_THOUSANDS, COMMA_WITH_THOUSANDS
-    best, most = POINT, 0
+    best, most = POINT, (0, 0)
     for candidates in (plain[:2], plain[2:], (reading.with_words(rows) for reading in plain),
                        (replace(reading, has_units=True) for reading in plain if may_have_units(rows))):
         for reading in candidates:
-            n_rows = sum(reading.row(cells) is not None for cells in rows)
-            if n_rows > most:
-                best, most = reading, n_rows
-        if most >= MOST_LINES * len(rows):
+            found = [values for cells in rows if (values := reading.row(cells)) is not None]
+            n_found = len(found), sum(not math.isnan(value) for values in found for value in values)
+            if n_found > most:
+                best, most = reading, n_found
+        if most[0] >= MOST_LINES * len(rows):
             break
     numbers = [[split_value(cell)[0] for cell in cells] for cells in rows] if best.has_units else rows
     decimals, thousands = (COMMA, POINT_WITH_THOUSANDS) if best.decimal_comma else (POINT, COMMA_WITH_THOUSANDS)
     if not best.separates_thousands and without_decimals(numbers, decimals, thousands):
         best = replace(best, decimal_comma=thousands.decimal_comma, separates_thousands=True)
-    return best, most
+    return best, most[0]
 
 
 def reading_of_marks(texts, decimal_comma):
@@ -172,7 +174,8 @@ def find_format(lines):
     """That by which most lines are rows of numbers, without columns of words if two are alike; None if there are too
     few."""
     lines = [line for line in lines if line.strip()]
-    return format_of_most(lines[::max(len(lines) // SAMPLE, 1)]) or format_of_most(lines)
+    step = max(len(lines) // SAMPLE, 1)
+    return format_of_most(lines[::step]) or (format_of_most(lines) if step > 1 else None)
 
 
 def format_of_most(lines):

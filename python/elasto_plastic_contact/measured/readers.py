@@ -6,7 +6,6 @@ import io
 import os
 import pathlib
 import zipfile
-import zlib
 from collections import Counter
 from dataclasses import replace
 
@@ -57,7 +56,7 @@ def read_archive(path, data, chosen):
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             members = {name: archive.read(name) for name in archive.namelist() if not name.endswith("/")}
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, zlib.error) as error:
+    except Exception as error:  # pylint: disable=broad-except (of damaged files, the library raises anything)
         raise UserError(f"'{path}' is damaged, or no .zip: {error}") from None
     stems = Counter(pathlib.PurePath(name).stem for name in members)
     curves = []
