@@ -57,6 +57,13 @@ class Exports(FilesOfInstruments):
             numpy.testing.assert_allclose(curve.depth, 1e-3 * self.depth, atol=1e-4)
             numpy.testing.assert_allclose(curve.force, self.force, atol=1e-3)
 
+        temperatures = (23, 23.125, 23.25, 23.125, 23.25, 23.125, 23.25, 23.125)
+        rows = "".join(f"{i}.125\t{i}.250\t{temperatures[i % 8]:g}\n" for i in range(1, 60))
+        for text in (rows, rows.replace(".", ",")):
+            curve, = read_curve(self.write("Depth (nm)\tLoad (mN)\tTemperature (°C)\n" + text))
+            self.assertAlmostEqual(curve.depth[0], 1.125e-3)
+            self.assertEqual(curve.force[-1], 59.25)
+
     def test_decimals_in_the_first_column_alone(self):
         """Where a text without decimal points might be the name of a segment."""
         rows = "".join(f"{i / 2:g}\t{i}\t{i}\n" for i in range(20))

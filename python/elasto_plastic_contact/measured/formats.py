@@ -150,17 +150,18 @@ def may_have_units(rows):
 
 def without_decimals(rows, decimals, thousands):
     """Whether numbers without decimals are meant, as in the column 998, 999, 1,000: all marks may separate thousands,
-    and the columns in which some numbers have none vary less then (with decimals, this one falls from 999 to 1).
-    decimals, thousands: the Readings by which a mark is one or the other."""
+    numbers have none up to three digits, and columns of both vary less then (with decimals, this one falls from 999 to
+    1). decimals, thousands: the Readings by which a mark is one or the other."""
     mark = "," if decimals.decimal_comma else "."
     numbers = [[cell.strip(' "') for cell in cells] for cells in rows if decimals.row(cells) is not None]
-    with_mark = [cell for cells in numbers for cell in cells if mark in cell and decimals.is_number(cell)]
-    if not all(THOUSANDS[mark].fullmatch(cell) for cell in with_mark):
+    columns = [[cell for cell in column if decimals.is_number(cell)] for column in zip(*numbers)]
+    if not all(THOUSANDS[mark].fullmatch(cell) for column in columns for cell in column if mark in cell):
         return False
-    mixed = [column for column in zip(*numbers) if len({mark in cell for cell in column if cell}) > 1]
-    with_decimals, with_thousands = (sum(variation([reading.number(cell) for cell in column if reading.is_number(cell)])
-                                         for column in mixed) for reading in (decimals, thousands))
-    return with_thousands < 0.9 * with_decimals  # (if only zeros have no mark, both are the same but for rounding)
+    mixed = [column for column in columns if len({mark in cell for cell in column}) > 1]
+    largest = max((abs(decimals.number(cell)) for column in mixed for cell in column if mark not in cell), default=0)
+    ways = [[variation([reading.number(cell) for cell in column]) for reading in (decimals, thousands)] for column in mixed]
+    return (100 <= largest < 1000 and all(after <= 1.01 * before for before, after in ways)
+            and any(after < 0.9 * before for before, after in ways))
 
 
 def variation(values):
