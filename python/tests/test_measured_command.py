@@ -102,9 +102,14 @@ class Command(unittest.TestCase):
             found = self.found(self.file, "--area-file", path)
             self.assertAlmostEqual(found["indents"][0]["unloadings"][0]["tip_hardness"] / HARDNESS, 1., places=3)
         self.assertAlmostEqual(read_area(table, 1e-3)[0].area(0.5), SHARP * 0.25, places=6)
+        for text in ("C0 = 24.5\nC1 = 1,234\n", "C0 = 24,5\nC1 = 1234\n", "C0 = 24,5\nC1 = 1.234,0\n"):
+            coefficients.write_text(text)
+            self.assertAlmostEqual(read_area(coefficients, 1.)[0].area(1.), 24.5 + 1234.)
         for text, words in (("C0 = 24.5\nC2 = 1\n", "coefficients C0, C2, but they must be C0, C1 and so on"),
                             ("nothing\n", "holds no area function: .*; its first line is 'nothing'"),
-                            ("1 1\n3 2\n2 3\n", "depths do not grow")):
+                            ("1 1\n3 2\n2 3\n", "depths do not grow"),
+                            ("C0 = 24.5.1\n", "has the coefficient C0 '24.5.1', which is no number"),
+                            ("1;1\n2;2\n1.003,5;3\n4;4\n", "one of its lines is '1.003,5;3': mend or remove it")):
             coefficients.write_text(text)
             self.expect_message(words, self.file, "--area-file", coefficients)
 

@@ -108,6 +108,24 @@ class Readers(FilesOfInstruments):
         self.refused("without 'Test Data Points': it holds no curve", head.partition("Test Data")[0])
         self.refused("announces 142 points in line [0-9]+, and holds none", head)
 
+    def test_indents_of_hysitron(self):
+        """Many, some without rows, each with what its own head says."""
+        def indent(n_points=20, head="", mark="."):
+            rows = "".join(f"{i}.5\t{i}.25\t{i}.125\n".replace(".", mark) for i in range(n_points))
+            return f"{head}Number of Points = {n_points}\nDepth (nm)\tLoad (mN)\tTime (s)\n{rows}\n"
+
+        curves = read_curve(self.write(indent() * 420))
+        self.assertEqual([(curve.name, len(curve.depth), curve.remarks) for curve in (curves[0], curves[-1])],
+                         [("1", 20, ()), ("420", 20, ())])
+        curves = read_curve(self.write(indent() + indent(0) + indent(3) + indent()))
+        self.assertEqual([curve.remarks for curve in curves],
+                         2 * [("indents that hold no rows of numbers, and are left out: 2, of line 24, 27",)])
+        self.refused("announces 0 points in line 1, and holds none", indent(0) + indent(0))
+        curves = read_curve(self.write(indent() + indent(head="Drift Rate: 0.25 nm/s\nMachine Comp: 1,500.0 nm/mN\n") + indent()
+                                       + indent(head="Drift Rate: 0,125 nm/s\n", mark=",")))
+        self.assertEqual([curve.notes.drift_rate for curve in curves], [None, 0.25e-3, None, 0.125e-3])
+        self.assertEqual([curve.notes.frame_compliance for curve in curves], [None, 1.5, None, None])
+
     def test_dynamic_test_of_hysitron(self):
         stiffness = 1. + 0.01 * self.depth
         text = ("nanoDMA Text Export Version 1.00\n\n Test Time (s)\t Indent Disp. (nm)\t Indent Act. Load (µN)\t Indent Load (µN)\t "
@@ -134,6 +152,32 @@ class Readers(FilesOfInstruments):
             text = first + one.replace("26.05.2020  15:17:54", date).replace(",", ".")
             self.check(read_curve(self.write(text)))
         self.refused("with results, but without curves", first + one.partition("F\th")[0])
+        lines = one.splitlines(keepends=True)
+        self.check(read_curve(self.write("".join([first, *lines[:60], "\n", *lines[60:]]))))
+        curves = read_curve(self.write(first + one + one.partition("F\th")[0] + one))
+        self.assertEqual(curves[1].remarks[-1], "indents that hold no rows of numbers, and are left out: 1, of line 151")
+
+    def test_numbers_of_fischerscope(self):
+        """Those of the head, with marks as they are in some country."""
+        def read(force, hardness, decimal):
+            head = f"FS1.hap\tName of the application\nF = ESP n {force}mN/20s\nFS1.hap   05/26/2020  3:17:54 PM\n"
+            rows = rows_of((self.force, 1e-3 * self.depth, self.time), decimal=decimal)
+            curve, = self.check(read_curve(self.write(f"{head}HIT\t[N/mm²]\t{hardness}\nF\th\tt\n{rows}")))
+            return curve
+
+        for hardness, decimal, expected in (
+                ("8,553", ".", 8.553), ("8,553.6", ".", 8.5536), ("8553.6", ".", 8.5536), ("8553,6", ",", 8.5536),
+                ("8.553,6", ",", 8.5536), ("8,553", ",", 8.553e-3), ("8.553", ".", 8.553e-3), ("8553.6", ",", 8.5536)):
+            with self.subTest(hardness=hardness, decimal=decimal):
+                self.assertAlmostEqual(read("10", hardness, decimal).notes.hardness, expected)
+        for force, decimal in (("10.000", ","), ("10.000", "."), ("10,000", ","), ("10", ".")):
+            self.assertIn("the largest F is that of the head, 10 mN", read(force, "---", decimal).remarks[0])
+        for force in ("10,000", "10,000.000"):
+            self.assertIn("the largest F is 10, and the head says 10000 mN", read(force, "---", ".").remarks[0])
+        curve = read("10.0.0", "8.5.3", ".")
+        self.assertEqual((curve.notes.hardness, *curve.remarks[:2]),
+                         (None, "the head says '10.0.0' for the largest F, which is no number",
+                          "the head says '8.5.3' for HIT, which is no number"))
 
     def test_nanosuite(self):
         method = ("Method Name : C:\\Methods\\XP\\G-Series CSM.msm\nOwner : User\nChannels\n\tModulus\n\t\tUnits : GPa\n"
@@ -227,11 +271,16 @@ class Readers(FilesOfInstruments):
             file["a"] = self.depth
         self.refused("an HDF5 file without groups test_1, .*; it has a", None, name="none.hdf5")
         self.refused("is damaged, or no HDF5", b"\x89HDF\r\n\x1a\n" + bytes(100), name="damaged.hdf5")
+        with h5py.File(self.folder / "lengths.hdf5", "w") as file:
+            data = file.create_group("test_1/data")
+            data["depth"], data["load"] = self.depth, self.force[1:]
+        self.refused("is damaged, or no HDF5 that is known: ", None, name="lengths.hdf5")
 
     def test_what_is_not_understood(self):
         rows = rows_of(self.columns)
         head = "Time (s)\tDepth (nm)\tLoad (mN)\n"
-        self.refused("is empty", " \n")
+        for nothing in (b" \n", b"\xef\xbb\xbf", b"\xff\xfe"):
+            self.refused("is empty", nothing)
         self.refused("cannot be read: No such file", None, name="not_there.txt")
         self.refused("is in no format that is known: .xls and .xlsx, HDF5", bytes(range(256)) * 20)
         self.refused("holds no rows of numbers; line 2 is 'some words'", "\nsome words\nand others\n")

@@ -51,6 +51,62 @@ class Exports(FilesOfInstruments):
         self.assertAlmostEqual(curve.depth.max(), 0.306, delta=1e-5)
         self.assertAlmostEqual(curve.force.max(), 10., delta=1e-3)
 
+        rows = "".join(f"{h:,.0f}\t{F:,.0f}\n" for h, F in zip(10. * self.depth, 1e3 * self.force))
+        for text in (rows, rows.replace(",", ".")):
+            curve, = read_curve(self.write("Depth (Å)\tLoad (µN)\n" + text))
+            numpy.testing.assert_allclose(curve.depth, 1e-3 * self.depth, atol=1e-4)
+            numpy.testing.assert_allclose(curve.force, self.force, atol=1e-3)
+
+        temperatures = (23, 23.125, 23.25, 23.125, 23.25, 23.125, 23.25, 23.125)
+        rows = "".join(f"{i}.125\t{i}.250\t{temperatures[i % 8]:g}\n" for i in range(1, 60))
+        for text in (rows, rows.replace(".", ",")):
+            curve, = read_curve(self.write("Depth (nm)\tLoad (mN)\tTemperature (°C)\n" + text))
+            self.assertAlmostEqual(curve.depth[0], 1.125e-3)
+            self.assertEqual(curve.force[-1], 59.25)
+
+    def test_decimals_in_the_first_column_alone(self):
+        """Where a text without decimal points might be the name of a segment."""
+        rows = "".join(f"{i / 2:g}\t{i}\t{i}\n" for i in range(20))
+        for text in (rows, rows.replace(".", ",")):
+            curve, = read_curve(self.write(HEAD + text))
+            self.assertEqual((list(curve.time), curve.remarks), ([i / 2 for i in range(20)], ()))
+
+    def test_separators_of_other_fonts(self):
+        """Of numbers with decimal commas, some or all, and with commas that separate thousands."""
+        head = "时间（s）；位移（nm）；载荷（mN）\n"
+        for form in ("{:g}", "{:.6f}"):
+            rows = "".join("；".join(form.format(round(value, 4)).replace(".", ",") for value in row) + "\n"
+                           for row in zip(*self.columns))
+            curve, = read_curve(self.write(head + rows))
+            numpy.testing.assert_allclose(curve.depth, 1e-3 * self.depth, atol=1e-6)
+            self.assertEqual(curve.remarks, ())
+        rows = "".join(f"{h:,.0f}，{F:,.0f}\n" for h, F in zip(10. * self.depth, 1e3 * self.force))
+        self.refused("has 3 values in line [0-9]+, and 2 in the lines before", "位移（Å），载荷（µN）\n" + rows)
+
+    def test_what_is_left_out(self):
+        """Nothing is without a remark."""
+        text = HEAD + rows_of(self.columns)
+        for more, remark in (("Repeated\n1\t2\t3\n2\t3\t4\n", "lines of numbers that are in no table of 5 rows, and left out: 2, the "
+                                                            "first one is line 145"),
+                             ("Repeated\n1:2:3\n", "lines of numbers that are in no table of 5 rows, and left out: 1, the first one is "
+                                                   "line 145"),
+                             ("Sensor\ta\tb\n" + "1\t2\t3\n" * 5, "tables whose columns are not known as depth and force, and left "
+                              "out: 1, the first one has 5 rows from line 145 on, and the columns Sensor, a, b"),
+                             ("Repeated\n0.5,1.5,2.5\n", "lines of numbers that are in no table of 5 rows, and left out: 1, the first one is "
+                                                       "line 145"),
+                             ("Repeated on 2026-11-29\n2026-11-29 12:00:00\n29.11.2026\n", None)):
+            with self.subTest(more=more):
+                curve, = self.check(read_curve(self.write(text + more)))
+                self.assertEqual(curve.remarks, (remark,) if remark else ())
+
+    def test_long_heads(self):
+        """A few rows below many lines of words, and lines of which every other one is empty."""
+        curve, = read_curve(self.write("words\n" * 9000 + HEAD + "".join(f"{i}\t{i}\t{i}\n" for i in range(20))))
+        self.assertEqual(len(curve.depth), 20)
+        rows = "".join(f"{i}\t{i}\t{i}\n\n" for i in range(4000))
+        curve, = read_curve(self.write(f"\n{HEAD}\n{rows}"))
+        self.assertEqual(len(curve.depth), 4000)
+
     def test_other_numbers(self):
         self.check(read_curve(self.write(HEAD + rows_of((self.time, -self.depth, self.force)).replace("-", "\u2212"))))
         powers = "".join(f"{t:.8e}  {h:.8e}  {F:.8e}\n".replace("e", "D") for t, h, F in zip(self.time, self.depth,
@@ -227,6 +283,11 @@ class Exports(FilesOfInstruments):
             archive(files)
             self.refused(message, None, name="tests.zip")
         self.refused("is damaged, or no .zip", b"PK\x03\x04 nothing", name="damaged.zip")
+        with zipfile.ZipFile(self.folder / "lzma.zip", "w", zipfile.ZIP_LZMA) as written:
+            written.writestr("1.txt", headed)
+        data = bytearray((self.folder / "lzma.zip").read_bytes())
+        data[60:400:5] = bytes(68)
+        self.refused("is damaged, or no .zip", bytes(data), name="damaged.zip")
 
     def spreadsheet(self, sheets):
         """The path of a spreadsheet with these rows on each sheet."""

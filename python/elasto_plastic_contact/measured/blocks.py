@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Blocks of numbers in a text or on a sheet, with the headings and units above them."""
 
+import bisect
 import re
 from dataclasses import dataclass, field
 from itertools import zip_longest
 
 from ..errors import UserError
-from .formats import find_format
+from .formats import Reading, find_format
 from .headings import rank
-from .units import KINDS, is_unit
+from .units import KINDS, is_unit, split_value
 
 # The fewest rows of a curve.
 FEWEST_ROWS = 5
@@ -17,33 +18,48 @@ FEWEST_ROWS = 5
 # What begins as a number and goes on with nothing but digits and signs.
 LIKE_A_NUMBER = re.compile(r"[-+]?[\d.,][\d.,'’ eE+-]*")
 
+# Letters that stand in no number.
+WORD = re.compile(r"[^\W\d_eEdD]")
+
+# Dates and times of the day.
+WHEN = re.compile(r"\b\d{1,4}([./-])\d{1,2}\1\d{1,4}\b|\b\d{1,2}:\d\d(:\d\d([.,]\d+)?)?\b")
+
 
 @dataclass
 class Block:
-    """Rows of numbers. first_line: the line of the first of them. title: the text above its headings. clocks: the
-    numbers of the columns that hold times of the day."""
-    first_line: int
-    rows: list = field(default_factory=list)
+    """Rows of numbers. lines: their numbers in the text. reading: how their numbers are written. title: the text above
+    its headings. clocks: the numbers of the columns that hold times of the day. unread: lines of numbers around it that
+    are in no block."""
+    lines: list
+    rows: list
+    reading: Reading
     headings: list = None
     heading_line: int = None
     units: list = None
     title: str = ""
     clocks: tuple = ()
     after_blank: bool = False
+    unread: list = field(default_factory=list)
+
+    @property
+    def first_line(self):
+        return self.lines[0]
 
     @property
     def width(self):
         return len(self.rows[0])
 
 
-def text_blocks(lines, path):
-    """The Blocks of a text. Raises UserError: a line within the numbers that is none."""
+def text_blocks(lines, path, first_line=1):
+    """The Blocks of a text, or of a part of one that begins in this line. Raises UserError: a line within the numbers
+    that is none."""
     form = find_format(lines)
     if form is None:
         return []
     if sum(not line.strip() for line in lines) > len(lines) / 3:  # (as after a wrong conversion of ends of lines)
         lines = [line if line.strip() else None for line in lines]
-    rows = ((number, form.cells(line), form.headings(line)) for number, line in enumerate(lines, 1) if line is not None)
+    rows = [(number, form.cells(line), form.headings(line)) for number, line in enumerate(lines, first_line)
+            if line is not None]
     return blocks(rows, form.reading, path)
 
 
@@ -60,7 +76,7 @@ def blocks(rows, reading, path):
             check_numbers(above, len(values), reading, path)
             if current is not None:
                 check_gap(above, current, (number, values), reading, path)
-            current = Block(number, [values], clocks=reading.clocks(cells))
+            current = Block([number], [values], reading, clocks=reading.clocks(cells))
             set_headings(current, above, found[-1] if found else None)
             units = reading.units(cells) or []
             if any(units):
@@ -70,16 +86,34 @@ def blocks(rows, reading, path):
             above = []
         else:
             check_units(current, reading.units(cells), number, path)
+            current.lines.append(number)
             current.rows.append(values)
     if current is not None:
         check_numbers(above, current.width, reading, path)
-    return [block for block in found if len(block.rows) >= FEWEST_ROWS]
+    found = [block for block in found if len(block.rows) >= FEWEST_ROWS]
+    note_unread(found, rows)
+    return found
+
+
+def note_unread(found, rows):
+    """Gives each block the lines of numbers that follow it and are in none, the first one also those above it."""
+    taken = {number for block in found for number in block.lines}
+    starts = [block.first_line for block in found]
+    for number, cells, _ in rows if found else []:
+        if number not in taken and is_line_of_numbers(cells):
+            found[max(bisect.bisect(starts, number) - 1, 0)].unread.append(number)
+
+
+def is_line_of_numbers(cells):
+    """Whether it holds several numbers besides dates and times, whatever the signs between them, and no words."""
+    text = WHEN.sub("", " ".join(split_value(cell)[0] for cell in cells))
+    return len(re.findall(r"\d+(?:[.,]\d+)?", text)) > 1 and not WORD.search(text)
 
 
 def check_numbers(above, width, reading, path):
     """Refuses lines of numbers that are written in another way than the rows beside them."""
     for number, cells, _ in above:
-        texts = [cell.strip() for cell in cells if cell.strip()]
+        texts = [split_value(cell)[0].strip() for cell in cells if cell.strip()]
         if len(cells) == width and len(texts) > 1 and all(LIKE_A_NUMBER.fullmatch(text) for text in texts):
             wrong = next((text for text in texts if not reading.is_number(text)), texts[0])
             raise UserError(f"'{path}' has a text in place of a number in line {number}: '{wrong}', where other lines "

@@ -50,7 +50,7 @@ def checked_columns(pairs):
 
 def place(block, column, path):
     """The number, from 0, of a column that is given by number or name."""
-    if column.isdigit():
+    if column.isdecimal():
         if not 1 <= int(column) <= block.width:
             raise UserError(f"'{path}' has {block.width} columns in line {block.first_line}, and none with the number "
                             f"{column}: choose another one by --columns")
@@ -108,6 +108,8 @@ def curve_of_block(block, layout, name):
 def with_clock(curve):
     """Of times of the day: seconds since the first one, also across midnight."""
     known = numpy.isfinite(curve.time)
+    if not known.any():
+        return curve
     time = curve.time.copy()
     time[known] = numpy.unwrap(time[known], period=DAY)
     return replace(curve, time=time - time[known][0], units=curve.units | {"time": "s"}).with_remark(
@@ -116,22 +118,34 @@ def with_clock(curve):
 
 def curves_of_blocks(blocks, path, chosen, notes=Notes()):
     """All curves of the blocks that have depth and force. Raises UserError if none has."""
-    found = []
-    for block in (part for block in blocks for part in by_indent(block)):
+    found, others = [], []
+    for block in blocks:
         layout = layouts(block, chosen, path)
-        if layout is None:
-            continue
-        for columns in layout:
-            curve = curve_of_block(block, columns, block.title)
-            if found and (block.after_blank and goes_on(found[-1], curve) or is_next_part(found[-1], curve)):
+        others += [block] if layout is None else []
+        for part, columns in itertools.product(by_indent(block), layout or []):
+            curve = curve_of_block(part, columns, part.title)
+            if found and (part.after_blank and goes_on(found[-1], curve) or is_next_part(found[-1], curve)):
                 found[-1] = joined(found[-1], curve)
             else:
                 found.append(curve)
     if not found:
         raise UserError(why_no_curve(blocks, path))
     found = [part for curve in found for part in split_where_it_restarts(curve)]
+    found[0] = found[0].with_remarks(what_is_left_out(blocks, others))
     named = [replace(curve, name=own_name(curve.name, i, found), notes=notes) for i, curve in enumerate(found)]
     return [tidied(curve, path) for curve in named]
+
+
+def what_is_left_out(blocks, others):
+    """Remarks on numbers that are in no curve. others: the Blocks without depth and force."""
+    if others:
+        names = ", ".join(filter(None, others[0].headings or [])) or "without names"
+        yield (f"tables whose columns are not known as depth and force, and left out: {len(others)}, the first one has "
+               f"{len(others[0].rows)} rows from line {others[0].first_line} on, and the columns {names}")
+    unread = [line for block in blocks for line in block.unread]
+    if unread:
+        yield (f"lines of numbers that are in no table of {FEWEST_ROWS} rows, and left out: {len(unread)}, the first one "
+               f"is line {unread[0]}")
 
 
 def by_indent(block):

@@ -51,7 +51,19 @@ class MeasuredCurve:
         return replace(self, name=self.name.strip())
 
     def with_remark(self, remark):
-        return replace(self, remarks=(*self.remarks, remark))
+        return self.with_remarks([remark])
+
+    def with_remarks(self, remarks):
+        return replace(self, remarks=(*self.remarks, *remarks))
+
+
+def with_empty_indents(curves, starts):
+    """The curves, with a remark on the indents without rows, which begin behind so many lines."""
+    if not starts:
+        return curves
+    lines = ", ".join(str(start + 1) for start in starts[:5]) + (", ..." if len(starts) > 5 else "")
+    return [curve.with_remark(f"indents that hold no rows of numbers, and are left out: {len(starts)}, of line {lines}")
+            for curve in curves]
 
 
 def in_own_units(curve, path, given):

@@ -19,6 +19,9 @@ SIGNS = str.maketrans({"（": "(", "）": ")", "［": "[", "］": "]", "／": "/
                        "㎜": "mm"})
 SEPARATORS = str.maketrans({"，": ",", "；": ";"})
 
+# A separator of these fonts beside a number.
+BESIDE_NUMBER = re.compile(r"\d\s*[，；]|[，；]\s*[-+.]?\d")
+
 
 def words_of(quantity):
     return [word for words in WORDS.values() for word in words.get(quantity, ())]
@@ -36,7 +39,7 @@ def encoding_of(data):
 
 
 def with_usual_signs(text):
-    """Brackets, units and separators as other fonts have them. On a line with tabs, commas or semicolons, those of other
-    fonts separate nothing: they stand within a heading."""
-    return "".join(line if re.search("[\t,;]", line) else line.translate(SEPARATORS)
+    """Brackets, units and separators as other fonts have them. In headings with tabs, commas or semicolons, those of
+    other fonts separate nothing: they stand between a name and its unit."""
+    return "".join(line if re.search("[\t,;]", line) and not BESIDE_NUMBER.search(line) else line.translate(SEPARATORS)
                    for line in text.translate(SIGNS).splitlines(keepends=True))

@@ -8,17 +8,20 @@ from dataclasses import replace
 from ..errors import UserError
 from .blocks import text_blocks
 from .columns import curves_of_blocks
-from .curve import Notes
-from .texts import is_number, to_number
+from .curve import Notes, with_empty_indents
+from .formats import reading_of_marks
 
 FORMAT = "FischerScope"
 
 # A name, and date and time in the way of some country.
 HEAD_OF_INDENT = re.compile(r"^\S.*\s(\d{1,2}[./-]\d{1,2}[./-]\d{4}|\d{4}-\d\d-\d\d)\s+\d{1,2}:\d\d:\d\d(\s*[AaPp]\.?[Mm]\.?)?\s*$")
-LARGEST_FORCE = re.compile(r"^F = .*?([\d.,]+)\s*mN")
+LARGEST_FORCE = re.compile(r"^F = .*?([\d.,\u00a0\u2009\u202f'’]+)\s*mN")
 
 # What the format measures in, without saying it at the columns.
 UNITS = {"force": "mN", "depth": "µm", "time": "s"}
+
+# What the largest force is called.
+LARGEST = "the largest F"
 
 # How far the largest force may be from that of the head.
 TOLERANCE = 0.1
@@ -32,24 +35,38 @@ def knows(lines):
 def read(path, lines, chosen):
     """Raises UserError."""
     starts = [number for number, line in enumerate(lines) if HEAD_OF_INDENT.match(line)]
-    announced = next((to_number(found[1].replace(",", "."), False) for line in lines[:starts[0] if starts else 50]
-                      if (found := LARGEST_FORCE.match(line))), None)
-    curves = []
+    forces = [found[1] for line in lines[:starts[0] if starts else 0] if (found := LARGEST_FORCE.match(line))]
+    curves, empty = [], []
     for start, end in zip(starts, [*starts[1:], len(lines)]):
-        blocks = text_blocks([""] * start + lines[start:end], path)
-        for found in curves_of_blocks(blocks[-1:], path, chosen) if blocks else []:
-            units = {quantity: unit or UNITS.get(quantity, "") for quantity, unit in found.units.items()}
-            curve = replace(found, name=str(len(curves) + 1), units=units, notes=notes_of(lines[start:end]))
-            curves.append(checked(curve, announced))
+        found = read_indent(path, lines[start:end], start + 1, forces[:1], chosen)
+        curves += found
+        empty += [] if found else [start]
     if not curves:
         raise UserError(f"'{path}' is a file of FischerScope with results, but without curves (columns F, h, t): "
                         "export it with the single values of each measurement")
-    return curves
+    return with_empty_indents([replace(curve, name=str(number)) for number, curve in enumerate(curves, 1)], empty)
+
+
+def read_indent(path, lines, first_line, forces, chosen):
+    """The curves of one indent; none if it has no rows. forces: the largest force, if the head of the file says it.
+    Raises UserError."""
+    blocks = text_blocks(lines, path, first_line)
+    if not blocks:
+        return []
+    texts = {LARGEST: force for force in forces} | results_of(lines)
+    reading = reading_of_marks(texts.values(), blocks[0].reading.decimal_comma)
+    values = {name: reading.number(text) for name, text in texts.items() if reading.is_number(text)}
+    remarks = [f"the head says '{text}' for {name}, which is no number" for name, text in texts.items()
+               if name not in values and re.search(r"\d", text)]
+    announced = values.pop(LARGEST, None)
+    curves = [checked(curve.with_remarks(remarks), announced) for curve in curves_of_blocks(blocks, path, chosen)]
+    return [replace(curve, notes=notes_of(values)) for curve in curves]
 
 
 def checked(curve, announced):
-    """Whether the units can be those of the format."""
-    largest = curve.force.max()
+    """In the units of the format, with a remark on whether they can be those."""
+    units = {quantity: unit or UNITS.get(quantity, "") for quantity, unit in curve.units.items()}
+    curve, largest = replace(curve, units=units), curve.force.max()
     if announced and abs(largest / announced - 1.) > TOLERANCE:
         return curve.with_remark("F, h, t are taken for mN, µm and s, as FischerScope writes, but the largest F is "
                                  f"{largest:g}, and the head says {announced:g} mN")
@@ -57,14 +74,12 @@ def checked(curve, announced):
                              + (f" (the largest F is that of the head, {announced:g} mN)" if announced else ""))
 
 
-def notes_of(lines):
-    """From lines such as 'HIT [N/mm²] 8553.6' between the head and the columns."""
-    values = {}
-    for line in lines[:40]:
-        name, _, rest = line.partition("\t")
-        words = rest.split("\t")
-        number = words[1].replace(",", ".").strip() if len(words) > 1 else ""
-        if words[0].startswith("[") and is_number(number, False):
-            values[name.strip()] = float(number)
+def results_of(lines):
+    """The texts of the numbers, from lines such as 'HIT [N/mm²] 8553.6' between the head and the columns."""
+    rows = (line.split("\t") for line in lines[:40])
+    return {cells[0].strip(): cells[2].strip() for cells in rows if len(cells) > 2 and cells[1].startswith("[")}
+
+
+def notes_of(values):
     scaled = {name: values[name] * scale for name, scale in (("HIT", 1e-3), ("EIT/(1-vs^2)", 1.)) if name in values}
     return Notes(hardness=scaled.get("HIT"), plane_strain_modulus=scaled.get("EIT/(1-vs^2)"), others=values)

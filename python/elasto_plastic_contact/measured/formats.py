@@ -100,7 +100,7 @@ class Format:
     def cells(self, line):
         if self.separator == " ":
             return line.split()
-        if '"' in line:
+        if '"' in line and len(line) < csv.field_size_limit():
             return next(csv.reader([line], delimiter=self.separator), [])
         return line.split(self.separator)
 
@@ -115,21 +115,32 @@ class Format:
 
 
 def find_reading(rows):
-    """The Reading by which most rows of cells are rows of numbers, the first one if some are alike, and their number."""
+    """The Reading by which most rows of cells are rows of numbers, and their number. Of some that are alike, the one that
+    reads most numbers (in a first cell, '0,5' may be a word), and then the first one."""
     plain = POINT, COMMA, POINT_WITH_THOUSANDS, COMMA_WITH_THOUSANDS
-    best, most = POINT, 0
+    best, most = POINT, (0, 0)
     for candidates in (plain[:2], plain[2:], (reading.with_words(rows) for reading in plain),
                        (replace(reading, has_units=True) for reading in plain if may_have_units(rows))):
         for reading in candidates:
-            n_rows = sum(reading.row(cells) is not None for cells in rows)
-            if n_rows > most:
-                best, most = reading, n_rows
-        if most >= MOST_LINES * len(rows):
+            found = [values for cells in rows if (values := reading.row(cells)) is not None]
+            n_found = len(found), sum(not math.isnan(value) for values in found for value in values)
+            if n_found > most:
+                best, most = reading, n_found
+        if most[0] >= MOST_LINES * len(rows):
             break
     numbers = [[split_value(cell)[0] for cell in cells] for cells in rows] if best.has_units else rows
-    if best.decimal_comma and commas_separate_thousands(numbers):
-        best = replace(best, decimal_comma=False, separates_thousands=True)
-    return best, most
+    decimals, thousands = (COMMA, POINT_WITH_THOUSANDS) if best.decimal_comma else (POINT, COMMA_WITH_THOUSANDS)
+    if not best.separates_thousands and without_decimals(numbers, decimals, thousands):
+        best = replace(best, decimal_comma=thousands.decimal_comma, separates_thousands=True)
+    return best, most[0]
+
+
+def reading_of_marks(texts, decimal_comma):
+    """The Reading of most of these numbers, which stand in no table. Where 1,234 may be two numbers, decimal_comma
+    chooses; 1.234 alone has decimals."""
+    chosen = decimal_comma and any("," in text for text in texts)
+    readings = sorted((POINT_WITH_THOUSANDS, COMMA_WITH_THOUSANDS), key=lambda reading: reading.decimal_comma != chosen)
+    return max(readings, key=lambda reading: sum(map(reading.is_number, texts)))
 
 
 def may_have_units(rows):
@@ -137,17 +148,20 @@ def may_have_units(rows):
     return any(split_value(cells[1])[1] for cells in rows if len(cells) > 1)
 
 
-def commas_separate_thousands(rows):
-    """Whether numbers without decimals are meant, as in the column 998, 999, 1,000: all commas may be such, and the
-    columns in which some numbers have none vary less then (with decimals, this one falls from 999 to 1)."""
-    numbers = [[cell.strip(' "') for cell in cells] for cells in rows if COMMA.row(cells) is not None]
-    with_comma = [cell for cells in numbers for cell in cells if "," in cell]
-    if not all(THOUSANDS[","].fullmatch(cell) for cell in with_comma):
+def without_decimals(rows, decimals, thousands):
+    """Whether numbers without decimals are meant, as in the column 998, 999, 1,000: all marks may separate thousands,
+    numbers have none up to three digits, and columns of both vary less then (with decimals, this one falls from 999 to
+    1). decimals, thousands: the Readings by which a mark is one or the other."""
+    mark = "," if decimals.decimal_comma else "."
+    numbers = [[cell.strip(' "') for cell in cells] for cells in rows if decimals.row(cells) is not None]
+    columns = [[cell for cell in column if decimals.is_number(cell)] for column in zip(*numbers)]
+    if not all(THOUSANDS[mark].fullmatch(cell) for column in columns for cell in column if mark in cell):
         return False
-    mixed = [column for column in zip(*numbers) if len({"," in cell for cell in column if cell}) > 1]
-    with_decimals, with_thousands = (sum(variation([reading.number(cell) for cell in column if reading.is_number(cell)])
-                                         for column in mixed) for reading in (COMMA, POINT_WITH_THOUSANDS))
-    return with_thousands < with_decimals
+    mixed = [column for column in columns if len({mark in cell for cell in column}) > 1]
+    largest = max((abs(decimals.number(cell)) for column in mixed for cell in column if mark not in cell), default=0)
+    ways = [[variation([reading.number(cell) for cell in column]) for reading in (decimals, thousands)] for column in mixed]
+    return (100 <= largest < 1000 and all(after <= 1.01 * before for before, after in ways)
+            and any(after < 0.9 * before for before, after in ways))
 
 
 def variation(values):
@@ -160,7 +174,13 @@ def variation(values):
 def find_format(lines):
     """That by which most lines are rows of numbers, without columns of words if two are alike; None if there are too
     few."""
-    lines = lines[::max(len(lines) // SAMPLE, 1)]
+    lines = [line for line in lines if line.strip()]
+    step = max(len(lines) // SAMPLE, 1)
+    return format_of_most(lines[::step]) or (format_of_most(lines) if step > 1 else None)
+
+
+def format_of_most(lines):
+    """What find_format() returns, of these lines."""
     best, best_rank = None, (FEWEST_LINES - 1, True)
     for separator in SEPARATORS:
         form = Format(separator)

@@ -34,8 +34,10 @@ def read(path, data, chosen):
                                 f"has {', '.join(file) or 'nothing'}. Convert it to a text")
             converter = words(file.attrs.get("uri", "")).rpartition("/")[2]
             return [tidied(curve_of(file[name]["data"], name, converter, chosen, path), path) for name in tests]
-    except OSError as error:
-        raise UserError(f"'{path}' is damaged, or no HDF5: {error}") from None
+    except UserError:
+        raise
+    except Exception as error:  # pylint: disable=broad-except (of damaged files, the library raises anything)
+        raise UserError(f"'{path}' is damaged, or no HDF5 that is known: {error}") from None
 
 
 # The units of the converters that leave them out: depth, force, stiffness.

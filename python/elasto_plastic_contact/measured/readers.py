@@ -6,7 +6,6 @@ import io
 import os
 import pathlib
 import zipfile
-import zlib
 from collections import Counter
 from dataclasses import replace
 
@@ -45,6 +44,8 @@ def read_data(path, data, chosen):
         raise UserError(f"'{path}' is in no format that is known: "
                         f"{', '.join(reader.FORMAT for reader in BINARY_READERS)}, or texts "
                         f"({', '.join(reader.FORMAT for reader in TEXT_READERS)}). Export it as a text")
+    if not text.strip():
+        raise UserError(f"'{path}' is empty")
     lines = lines_of(with_usual_signs(text))
     reader = next(reader for reader in TEXT_READERS if reader.knows(lines))
     return reader.FORMAT, reader.read(path, lines, chosen)
@@ -55,7 +56,7 @@ def read_archive(path, data, chosen):
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             members = {name: archive.read(name) for name in archive.namelist() if not name.endswith("/")}
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, zlib.error) as error:
+    except Exception as error:  # pylint: disable=broad-except (of damaged files, the library raises anything)
         raise UserError(f"'{path}' is damaged, or no .zip: {error}") from None
     stems = Counter(pathlib.PurePath(name).stem for name in members)
     curves = []

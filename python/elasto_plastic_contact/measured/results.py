@@ -52,7 +52,7 @@ def knows(lines):
 
 def read(path, lines, _):
     form = find_format([line for line in lines if line.strip()])
-    rows = ((number, form.cells(line), form.headings(line)) for number, line in enumerate(lines, 1) if line.strip())
+    rows = [(number, form.cells(line), form.headings(line)) for number, line in enumerate(lines, 1) if line.strip()]
     found = blocks(rows, form.reading, path)
     if not found:
         raise UserError(f"'{path}' names results of indents, and has less than {FEWEST_ROWS} rows of numbers below")

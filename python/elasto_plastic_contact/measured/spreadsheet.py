@@ -60,7 +60,7 @@ def read(path, data, chosen):
         if "Tagged" in name:  # (NanoSuite repeats some rows of a test there)
             continue
         texts = [[text_of(cell) for cell in row] for row in rows]
-        on_sheet = blocks(((number, cells, cells) for number, cells in enumerate(texts, 1)), find_reading(texts)[0],
+        on_sheet = blocks([(number, cells, cells) for number, cells in enumerate(texts, 1)], find_reading(texts)[0],
                           f"{path}, sheet {name}")
         tried += on_sheet
         if chosen or any(columns_of(block.headings or [], "depth") and columns_of(block.headings or [], "force")

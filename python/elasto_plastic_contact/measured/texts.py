@@ -18,7 +18,8 @@ NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eEdD][-+]?\d+)?")
 # Blanks that do not break a line, and apostrophes, between groups of three digits.
 GROUPED = re.compile(r"(?<=\d)[\u00a0\u2009\u202f'’](?=\d{3}(?!\d))")
 
-CLOCK = re.compile(r"(?:\S*\d\S*[ T])?(\d{1,2}):(\d\d):(\d\d(?:[.,]\d+)?)")
+# A time of the day, behind a date.
+CLOCK = re.compile(r"(\S*[ T])?(\d{1,2}):(\d\d):(\d\d(?:[.,]\d+)?)")
 
 # Larger ones stand for invalid values.
 LARGEST = 1e99
@@ -73,7 +74,9 @@ def to_number(text, decimal_comma):
 def seconds_of_clock(text):
     """Seconds since midnight of '14:23:11.250', with a date before it or without; None if it is no such time."""
     found = CLOCK.fullmatch(text.strip().strip('"').strip())
-    return 3600. * int(found[1]) + 60. * int(found[2]) + float(found[3].replace(",", ".")) if found else None
+    if not found or found[1] and not re.search(r"\d", found[1]):
+        return None
+    return 3600. * int(found[2]) + 60. * int(found[3]) + float(found[4].replace(",", "."))
 
 
 def is_number(text, decimal_comma):

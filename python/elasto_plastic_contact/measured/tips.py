@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tip of a measured curve: its shape, an area function from coefficients or a file, or that of the instrument."""
 
+import itertools
 import re
 
 import numpy
 
 from ..errors import UserError
 from ..oliver_pharr import Tip, fit_unloading
+from .formats import reading_of_marks
 from .texts import decode, is_number, lines_of, read_bytes, to_number
 
 # The section of a sharp tip over the square of its height, of which a rounded one differs by a shift of the depth.
@@ -27,15 +29,14 @@ def read_area(path, length):
     Raises UserError."""
     text = decode(read_bytes(path))
     lines = [line for line in lines_of(text or "") if line.strip() and not line.lstrip().startswith("#")]
-    found = [COEFFICIENT.match(line) for line in lines]
-    coefficients = {int(match[1]): to_number(match[2], "," in match[2]) for match in found if match}
+    coefficients = coefficients_of(lines, path)
     if coefficients:
         if sorted(coefficients) != list(range(len(coefficients))):
             raise UserError(f"'{path}' has the coefficients {', '.join(f'C{i}' for i in sorted(coefficients))}, but "
                             "they must be C0, C1 and so on without a gap")
         values = [coefficients[i] for i in sorted(coefficients)]
         return polynomial(values, length), f"coefficients {', '.join(f'{value:g}' for value in values)} of '{path}'"
-    rows = [numbers for line in lines if (numbers := row_of(line)) is not None]
+    rows = rows_of(lines, path)
     if len(rows) < 3:
         raise UserError(f"'{path}' holds no area function: that is coefficients, one a line, such as 'C0 = 24.5', or a "
                         "table of depth and area with three rows at least; its first line is "
@@ -46,6 +47,26 @@ def read_area(path, length):
     # (the square root of the area is nearly linear)
     return Tip(lambda height: float(numpy.interp(height, depth, numpy.sqrt(area), numpy.nan, numpy.nan)) ** 2, 0.75), (
         f"table of '{path}', depths from {depth[0]:g} to {depth[-1]:g} µm")
+
+
+def coefficients_of(lines, path):
+    """By their numbers. Raises UserError."""
+    texts = {int(match[1]): match[2] for line in lines if (match := COEFFICIENT.match(line))}
+    reading = reading_of_marks(texts.values(), decimal_comma=not any("." in text for text in texts.values()))
+    for i, text in texts.items():
+        if not reading.is_number(text):
+            raise UserError(f"'{path}' has the coefficient C{i} '{text}', which is no number: write it as 'C0 = 24.5'")
+    return {i: reading.number(text) for i, text in texts.items()}
+
+
+def rows_of(lines, path):
+    """Depths and areas. Raises UserError: a line of other numbers below the first row."""
+    rows = list(itertools.dropwhile(lambda row: row[0] is None, ((row_of(line), line) for line in lines)))
+    for row, line in rows:
+        if row is None and re.search(r"\d", line):
+            raise UserError(f"'{path}' is a table of depth and area, but one of its lines is '{line.strip()[:60]}': "
+                            "mend or remove it")
+    return [row for row, _ in rows if row is not None]
 
 
 def row_of(line):
