@@ -47,7 +47,7 @@ foreach(_program elasto_plastic_contact epc)
 endforeach()
 
 # (as it may be unpacked by hand, or linked to)
-foreach(_folder ${PREFIX}/bin ${_links})
+foreach(_folder ${_links} ${PREFIX}/bin)
   set(ENV{PATH} "${_folder}:${_path}")
   expect("indentation/sphere_axisymmetric.prm +[A-Z]" elasto_plastic_contact --list-cases)
   expect("COMMAND.*evaluate +hardness.*fit +the material" epc --help)
