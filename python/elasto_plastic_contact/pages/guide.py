@@ -7,7 +7,7 @@ from ..verification.finite_strain import CONE as DEEP_CONE, SPHERE as DEEP_SPHER
 from ..verification.load_steps import ADAPTIVE, EULER, TWO_STEPS, force_at
 from ..verification.smooth_curves import at_place
 from .finite_strain import curvature_in_gpa, loading_of, plastic_share, unloading_slope
-from .recipe import Content, count, percent, signed_percent, table
+from .recipe import Content, count, measured_table, percent, signed_percent, table
 
 STEPS = "Loading/Number of steps={}"
 
@@ -72,6 +72,30 @@ def errors_of_curve(steps, exact):
     return [max(abs(step["force"] - at_place(*zip(*((row["depth"], row["force"]) for row in fine)), step["depth"]))
                 for step in coarse) / max(step["force"] for step in exact)
             for coarse, fine in zip(branches(steps), branches(exact))]
+
+
+@measured_table(90)
+def sphere_curve(runs):
+    """A curve of indentation with small strains, in and out and in again: fewer steps of second order, fewer elements."""
+    def curve(method, n_steps, n_elements):
+        tables, time = runs.timed("indentation/sphere_axisymmetric.prm", "Output/Fields=never", method, STEPS.format(n_steps),
+                                  f"Refinement/Elements over contact radius={n_elements}")
+        return [(0, 0, 0), *((step["time"], step["depth"], step["force"]) for step in tables["history"])], time
+
+    def branch(rows, begin):
+        """Force over depth, which grows."""
+        return sorted((depth, force) for time, depth, force in rows if begin <= time <= begin + 1)
+
+    exact, _ = curve(TWO_STEPS, 240, 40)
+    largest = max(force for _, _, force in exact)
+    rows, as_it_is = [], None
+    for method, n_steps, n_elements in ((EULER, 60, 20), (TWO_STEPS, 60, 20), (TWO_STEPS, 60, 10), (TWO_STEPS, 51, 6)):
+        found, time = curve(method, n_steps, n_elements)
+        as_it_is = as_it_is or time
+        errors = (max(abs(force - at_place(*zip(*branch(exact, begin)), depth)) for depth, force in branch(found, begin)) / largest
+                  for begin in range(3))
+        rows.append([None, None, None, *(percent(error, 2) for error in errors), f"{time / as_it_is:.2f}"])
+    return Content(rows)
 
 
 def of_cone(steps):
