@@ -26,7 +26,8 @@ from elasto_plastic_contact.reporting.methods import methods
 from elasto_plastic_contact.reporting.problem import (boundaries_in_words, loading_in_words, material_table,
                                                        materials_in_words, row_in_words)
 
-CONE = {"Geometry/Initial refinements": 3, "Loading/Number of steps": 24, "Output/Fields": "last cycle",
+CONE = {"Geometry/Initial refinements": 3, "Loading/Number of steps": 24,
+        "Loading/History": "1: depth 0.02 | 1.2: force 0", "Output/Fields": "last cycle",
         "Output/Length unit": "mm", "Output/Force unit": "N"}
 SECTIONS = ["Results in short", "Problem", "Mesh", "Convergence", "Curves", "Imprint", "Fields", "Energy balance",
             "Constants",
@@ -107,8 +108,9 @@ class Reports(unittest.TestCase):
         original = facts.run.parameters
         text = text_with()
         for words in ("an axisymmetric body with finite, logarithmic strains", "bilinear quadrilaterals",
-                      "integrated by the implicit Euler method: radial return",
                       "[hughes_1980]",
+                      "integrated by two-step backward differentiation (BDF2), each row of the load history beginning "
+                      "with an implicit Euler step: radial return",
                       "yield stress σ_0 (", "without friction", "in 24 load steps of equal length",
                       "geometric multigrid without a matrix", "[munch_heister_2022]",
                       "below 1e-10 of all nodal forces", "revision"):
@@ -125,7 +127,8 @@ class Reports(unittest.TestCase):
             self.assertIn(words, text)
         for words in ("hughes_1980", "munch_heister_2022", "logarithmic", "H α", "Q ("):
             self.assertNotIn(words, text)
-        self.assertIn("two-step backward differentiation (BDF2)", text_with(Loading__Integration="BDF2"))
+        self.assertIn("integrated by the implicit Euler method: radial return",
+                      text_with(Loading__Integration="backward Euler"))
         text = text_with(Material__Yield_criterion="Hill", Material__Hill_ratios="1 | 1.1 | 1 | 1 | 1 | 1",
                          Material__Axes="30")
         for words in ("Hill's orthotropic yield condition", "[hill_1948]",

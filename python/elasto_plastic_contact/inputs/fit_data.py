@@ -16,6 +16,7 @@ import numpy
 from scipy.interpolate import PchipInterpolator
 
 from ..files import new_file
+from ..fitting.loading import UNLOADING_TIME
 from ..fitting.predictions import Curve, curve_at
 from ..program import ROOT, run
 from ..study.plan import read_json
@@ -28,8 +29,9 @@ MATERIAL = {"Material/Law": "nonlinear hardening", "Material/Isotropic hardening
             "Material/Young's modulus": YOUNG, "Material/Yield stress": YIELD_STRESS,
             "Material/Power law exponent": EXPONENT, "Material/Power law reference strain": YIELD_STRESS / YOUNG}
 
-# Name of the curve and case.
-CURVES = {"sphere": "indentation/sphere_finite_strain.prm", "cone": "indentation/cone_finite_strain.prm"}
+# Name of the curve, case and largest depth; the steps are those of the fits.
+CURVES = {"sphere": ("indentation/sphere_finite_strain.prm", 0.1), "cone": ("indentation/cone_finite_strain.prm", 0.02)}
+STEPS = {"Loading/Integration": "backward Euler", "Loading/Number of steps": 120}
 NOISE = 0.01
 
 # The curve of a ball, the same material by the options of 'epc new sphere'.
@@ -91,10 +93,12 @@ def main(arguments):
     chosen = parser.parse_args(arguments)
     folder = chosen.output_directory or ROOT / "parameter_files/fit"
     generator = numpy.random.default_rng(46)
-    for name, case in CURVES.items():
+    for name, (case, depth) in CURVES.items():
+        entries = MATERIAL | STEPS | {"Loading/History": f"1: depth {depth} | {UNLOADING_TIME}: force 0",
+                                      "Output/Fields": "never"}
         with tempfile.TemporaryDirectory() as directory:
-            write_curve(folder / f"{name}.csv", run(case, directory, MATERIAL | {"Output/Fields": "never"}, overwrite=True,
-                                                    program=chosen.program), generator)
+            write_curve(folder / f"{name}.csv", run(case, directory, entries, overwrite=True, program=chosen.program),
+                        generator)
     write(folder / f"{HOLD}.csv", ["Time (s)", "Depth (nm)", "Force (mN)"],
           ([f"{time:.4g}", f"{1e3 * depth:.5g}", f"{force:.5g}"] for time, depth, force in
            creeping(ROOT / "parameter_files/fit", chosen.program, generator)))

@@ -29,6 +29,9 @@ NOT_USED = {"Power law exponent": "0", "Hardening table": "none", "Voce stress":
 
 BERKOVICH_CONE = 70.3  # degrees; it has the area of Berkovich's and Vickers' pyramid
 
+# The time at which it has unloaded, in half as many steps as it takes to load, to 1.
+UNLOADED = 1.5
+
 
 def newtons(kilograms_force):
     """In mN."""
@@ -100,11 +103,12 @@ def indentation(case, tip, given, *, depth=None, force=None, rows=None, goal=Non
     set_tip(case, tip)
     set_friction(case, given)
     n_loading = fineness.finite_steps if is_finite else fineness.small_steps
-    n_unloading = n_loading // 5 if is_finite else n_loading // 2
-    end = "1.2" if is_finite else "1.5"
-    history = rows or f"1: {part_of_history(case, depth, force)} | {end}: force 0"
+    n_unloading = n_loading // 2
+    history = rows or f"1: {part_of_history(case, depth, force)} | {UNLOADED}: force 0"
     case.set("Loading", "History", history)
     case.set("Loading", "Number of steps", n_loading + n_unloading, f"{n_loading} of them load")
+    if is_finite:
+        case.set("Loading", "Integration", "BDF2", "of second order in the length of the steps")
     describe_steps(case, n_loading, n_unloading)
     set_elements(case)
     case.set("Refinement", "Strategy", "none")
@@ -171,8 +175,8 @@ def rockwell_ball(given):
     preliminary, force = (text_of(case.units.force(newtons(value))) for value in (PRELIMINARY_FORCE, total))
     case.chosen["force"] = f"{preliminary} N, {force} N, {preliminary} N (ISO 6508-1, scale {scale})"
     indentation(case, Tip(500. * diameter), given, force=newtons(total), goal=f"the force of the scale {scale}",
-                rows=f"0.2: force {preliminary} | 1: force {force} | 1.2: force {preliminary}")
-    case.remarks += [f"Rockwell hardness: HR{scale}W = 130 - (depth at t = 1.2 - depth at t = 0.2) / 0.002, depths of "
+                rows=f"0.2: force {preliminary} | 1: force {force} | {UNLOADED}: force {preliminary}")
+    case.remarks += [f"Rockwell hardness: HR{scale}W = 130 - (depth at t = {UNLOADED} - depth at t = 0.2) / 0.002, depths of "
                      "history.csv in mm."]
     return case
 

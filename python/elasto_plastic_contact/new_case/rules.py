@@ -25,10 +25,9 @@ MOST_OVER_CONTACT = 400
 @dataclass(frozen=True)
 class Fineness:
     """n_over_radius: elements over the contact radius of meshes made beforehand (finite strains); n_following: of
-    those that
-    follow the contact (small strains), which have four times as many at its edge; steps of the loading with small and
-    with finite strains; sector_refinements: of the sectors of pyramids, with 2^n to 2^(n+1) elements over the radius;
-    scratch_over_radius: elements over the radius of a scratch."""
+    those that follow the contact (small strains), which have four times as many at its edge; steps of the loading with
+    small strains and, of second order, with finite ones; sector_refinements: of the sectors of pyramids, with 2^n to
+    2^(n+1) elements over the radius; scratch_over_radius: elements over the radius of a scratch."""
     n_over_radius: int
     n_following: int
     small_steps: int
@@ -39,9 +38,9 @@ class Fineness:
 
 
 FINENESS = {
-    "coarse": Fineness(8, 10, 20, 50, 2, 40, 3),
-    "usual": Fineness(16, 20, 40, 100, 3, 80, 4),
-    "fine": Fineness(32, 40, 80, 200, 4, 160, 6),
+    "coarse": Fineness(8, 10, 20, 20, 2, 40, 3),
+    "usual": Fineness(16, 20, 40, 30, 3, 80, 4),
+    "fine": Fineness(32, 40, 80, 60, 4, 160, 6),
 }
 
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables of finite strains; see command."""
 
-from ..verification.finite_strain import (BERKOVICH, CONE, CONE_IN_SPACE, CONES, PYRAMID, curvature,
+from ..verification.finite_strain import (BERKOVICH, CONE, CONE_IN_SPACE, CONES, EULER, PYRAMID, curvature,
                                           excess_of_small_strains, hardening, near_radius, sphere_loading, work)
 from .recipe import Content, count, signed_percent, table
 
@@ -83,7 +83,7 @@ def pyramids(runs):
     bodies = [(4, runs.history(PYRAMID, *LOADING)),
               (4, runs.history(PYRAMID, CONE_IN_SPACE[0], "Indenter/Semi-apex angle=70.3", *LOADING)),
               (4, runs.history(PYRAMID, *CONE_IN_SPACE, *LOADING)),
-              (1, runs.history(CONE, *LOADING, "Geometry/Lower corner=0, -6", "Geometry/Upper corner=6, 0",
+              (1, runs.history(CONE, EULER, *LOADING, "Geometry/Lower corner=0, -6", "Geometry/Upper corner=6, 0",
                                "Geometry/Initial refinements=2", "Geometry/Local refinements=8",
                                "Geometry/Local radius=10.24"))]
     extensive = ("force", "contact_area", "external_work")

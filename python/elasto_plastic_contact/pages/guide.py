@@ -3,8 +3,8 @@
 """Tables of the advice on steps and meshes; see command."""
 
 from ..verification.contact_edge import CASE as CONE, deviation_from_polynomial, deviation_from_similarity
-from ..verification.finite_strain import CONE as DEEP_CONE, SPHERE as DEEP_SPHERE
-from ..verification.load_steps import ADAPTIVE, EULER, TWO_STEPS, force_at
+from ..verification.finite_strain import CONE as DEEP_CONE, EULER, SPHERE as DEEP_SPHERE, TWO_STEPS
+from ..verification.load_steps import ADAPTIVE, force_at
 from ..verification.smooth_curves import at_place
 from .finite_strain import curvature_in_gpa, loading_of, plastic_share, unloading_slope
 from .recipe import Content, count, measured_table, percent, signed_percent, table
@@ -16,10 +16,10 @@ STEPS = "Loading/Number of steps={}"
 def adaptive_steps(runs):
     """Fixed and adaptive load steps under a cone with finite strains, against 400 fixed ones."""
     loading = "Loading/History=1: depth 0.02"
-    reference = runs.history(DEEP_CONE, loading, STEPS.format(400))
+    reference = runs.history(DEEP_CONE, EULER, loading, STEPS.format(400))
     rows, numbers = [], {}
     for entries in (STEPS.format(100),), (STEPS.format(60),), (STEPS.format(40),), (STEPS.format(100), ADAPTIVE):
-        steps = runs.history(DEEP_CONE, loading, *entries)
+        steps = runs.history(DEEP_CONE, EULER, loading, *entries)
         error = max(abs(step["force"] - force_at(step["depth"], reference)) for step in steps) / reference[-1]["force"]
         rows.append([None, count(sum(step["newton_iterations"] for step in steps)), percent(error),
                      signed_percent(curvature_in_gpa(steps) / curvature_in_gpa(reference) - 1)])
@@ -32,11 +32,11 @@ def two_step_integration(runs):
     """The force at the largest depth in so many steps, against 400 with two-step integration."""
     cells = {25: [], 50: [], 100: [], 400: []}
     for case, depth in ((DEEP_CONE, 0.02), (DEEP_SPHERE, 0.1)):
-        histories = {(n, method): runs.history(case, f"Loading/History=1: depth {depth}", STEPS.format(n), *method)
-                     for n in cells for method in ((), (TWO_STEPS,))}
-        reference = histories[400, (TWO_STEPS,)][-1]["force"]
+        histories = {(n, method): runs.history(case, f"Loading/History=1: depth {depth}", STEPS.format(n), method)
+                     for n in cells for method in (EULER, TWO_STEPS)}
+        reference = histories[400, TWO_STEPS][-1]["force"]
         for (n, method), steps in histories.items():
-            cells[n].append("" if (n, method) == (400, (TWO_STEPS,)) else
+            cells[n].append("" if (n, method) == (400, TWO_STEPS) else
                             signed_percent(steps[-1]["force"] / reference - 1, 2))
             if case == DEEP_CONE:
                 cells[n].append(count(sum(step["newton_iterations"] for step in steps)))
@@ -129,7 +129,7 @@ def element_quality(runs):
     rows = []
     for angle in (70, 60, 45):
         steps = runs.history(DEEP_CONE, f"Indenter/Semi-apex angle={angle}", "Loading/History=1: depth 0.02",
-                             STEPS.format(80), ADAPTIVE, "Geometry/Local refinements=8")
+                             STEPS.format(80), EULER, ADAPTIVE, "Geometry/Local refinements=8")
         chosen = [min(steps, key=lambda step, part=part: abs(step["depth"] - 0.005 * part)) for part in (1, 2, 3, 4)]
         rows.append([None, *(f"{step['min_scaled_jacobian']:.2g} ({step['force'] / step['depth'] ** 2:.0f})"
                              for step in chosen)])

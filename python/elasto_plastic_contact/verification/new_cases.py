@@ -74,7 +74,7 @@ def brinell_hardness(tables, diameter):
 def rockwell_hardness(tables):
     """By the depths under the preliminary force, before and after the total one; lengths in mm."""
     depth = {row["time"]: row["depth"] for row in tables["history"]}
-    return 130. - (depth[1.2] - depth[0.2]) / 0.002
+    return 130. - (depth[1.5] - depth[0.2]) / 0.002
 
 
 def hertz_ratios(tables):

@@ -55,7 +55,9 @@ class Tip:
 
 CURVATURE, WORK_SHARE, SLOPE = "loading curvature", "plastic work share", "unloading slope over depth"
 
-CONE = Tip("", "indentation/cone_finite_strain.prm", COMMON | {"Indenter/Semi-apex angle": 70.3},
+CONE = Tip("", "indentation/cone_finite_strain.prm",
+           COMMON | {"Indenter/Semi-apex angle": 70.3, "Loading/History": "1: depth 0.02 | 1.2: force 0",
+                     "Loading/Number of steps": 120, "Loading/Integration": "backward Euler"},
            {"Geometry/Initial refinements": 3, "Geometry/Local refinements": 7, "Geometry/Local radius": 4,
             "Loading/Number of steps": 48}, (CURVATURE, WORK_SHARE))
 CONE_WITH_SLOPE = dataclasses.replace(CONE, name="_with_slope", quantities=(CURVATURE, WORK_SHARE, SLOPE),

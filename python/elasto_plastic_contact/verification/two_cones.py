@@ -73,7 +73,7 @@ def problem_of(row, coarse):
         data = [{"quantity": name, "value": value, "unit": "GPa", "noise": {"relative": NOISE}} if name in UNITS else
                 {"quantity": name, "value": value, "noise": {"absolute": NOISE_OF_SHARE}}
                 for name, value in quantities.items()]
-        settings = COMMON | {"Indenter/Semi-apex angle": ANGLES[cone]}
+        settings = CONE.entries | {"Indenter/Semi-apex angle": ANGLES[cone]}
         experiment = {"case": CONE.case, "units": {"length": "mm", "force": "N"}, "data": data}
         experiments[cone] = experiment | ({"set": settings | CONE.coarse} if coarse else
                                           {"set": settings, "coarse": CONE.coarse})
@@ -90,7 +90,7 @@ def of_materials(folder, program, coarse, at_once):
     places = [(row, cone) for row in ROWS for cone in ANGLES]
     with open_folder(folder, "rows"), Runs(folder, program, at_once) as runs:
         case = Case(case=ready_case(CONE.case, program), ranks=1,
-                    common=COMMON | {"Output/Fields": "never"} | (CONE.coarse if coarse else {}))
+                    common=CONE.entries | {"Output/Fields": "never"} | (CONE.coarse if coarse else {}))
         results = runs.results([(case, ROWS[row].entries() | {"Indenter/Semi-apex angle": ANGLES[cone]})
                                 for row, cone in places])
     return {(row, cone): {name: QUANTITIES[name][0](expect(result, "a run")) / (1e3 if name in UNITS else 1.)
