@@ -48,6 +48,14 @@ def picture(text):
     return text
 
 
+def folder(text):
+    """The type of the name of a folder."""
+    if text.endswith(PICTURES):
+        raise argparse.ArgumentTypeError(f"it is '{text}', but must be a folder; what names a picture is --panels, with "
+                                         "the names of its diagrams")
+    return text
+
+
 def one_of(allowed):
     """The type of one of these words."""
     def read(text):

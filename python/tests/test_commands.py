@@ -58,6 +58,8 @@ class Commands(unittest.TestCase):
         for step in (999, -21):
             self.expect_message(f"there is no step {step} in '.*history.csv': it has 20, counted from 0, or from -1 backwards",
                                 "plot", self.folder / "cone", "--step", step)
+        self.expect_message("argument --output-directory: it is 'a.png', but must be a folder; what names a picture is --panels",
+                            "plot", self.folder / "cone", "--output", "a.png")
         self.expect_message("argument --parts: it is '0', but must be a number > 0", "plot", self.folder / "cone", "--parts", 0)
 
     def test_damaged_results(self):
@@ -229,7 +231,7 @@ class Commands(unittest.TestCase):
         cone = self.folder / "cone"
         for arguments, words in ((("energies", cone, "--hertz", "sphere"), "--hertz needs the diagram pressure"),
                                  ((cone, "--hertz", "sphere"), "--hertz needs the diagram pressure and fields"),
-                                 (("energies", cone, "--parts", 4), "--parts needs --hertz"),
+                                 (("energies", cone, "--parts", 4, "--normalised"), "--parts needs --hertz, or axes with units"),
                                  (("energies", cone, "--step", 2), "--step needs the diagram pressure"),
                                  (("energies", cone, "--centre", 1), "--centre needs the diagram pressure or imprint"),
                                  (("imprint", cone, "--centre", 1, 2), "--centre has 2 coordinates, but must have at most 1"),

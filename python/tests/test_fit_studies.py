@@ -8,12 +8,14 @@ import pathlib
 import tempfile
 import types
 import unittest
+import unittest.mock
 
 import numpy
 
+from elasto_plastic_contact.fitting.models import FunctionModel
 from elasto_plastic_contact.fitting.reading import read_problem
 from elasto_plastic_contact.fitting.solve import Region
-from elasto_plastic_contact.pages.fits import content_of_cones, content_of_metals, content_of_pair
+from elasto_plastic_contact.pages.fits import content_of_changes, content_of_cones, content_of_metals, content_of_pair
 from elasto_plastic_contact.pages.places import fill, names
 from elasto_plastic_contact.schema import check_path
 from elasto_plastic_contact.verification.curve_and_imprint import (DEPTH, LOADING, NOISE, PAIR, PLACES, STEP, UNLOADING,
@@ -21,8 +23,9 @@ from elasto_plastic_contact.verification.curve_and_imprint import (DEPTH, LOADIN
 from elasto_plastic_contact.verification.curve_and_imprint_fit import FITS, problem_of_fit
 from elasto_plastic_contact.verification.published_metals import (CONE, CONE_WITH_SLOPE, METALS, PYRAMID, SLOPE,
                                                                     problem_of, published_functions, tensile_entries)
+from elasto_plastic_contact.verification import two_cones
 from elasto_plastic_contact.verification.two_cones import ROWS, compare_with_material, compare_with_published
-from elasto_plastic_contact.verification.two_cones import problem_of as problem_of_row
+from elasto_plastic_contact.verification.two_cones import problem_of as problem_of_known
 
 PAGES = pathlib.Path(__file__).resolve().parents[2] / "doc"
 PAGE, PAGE_OF_CONES = PAGES / "recipes/fit.md", PAGES / "trust/published_cones.md"
@@ -87,10 +90,10 @@ class Studies(unittest.TestCase):
         compared = compare_with_published({(case, cone): quantities for case, row in ROWS.items()
                                            for cone, quantities in row.published().items()})
         for case, row in ROWS.items():
-            problem = read_problem(problem_of_row(row, coarse=True))
+            problem = read_problem(problem_of_known(row.published(), coarse=True))
             self.assertEqual(problem.names, ["E", "sigma_Y", "n"])
             self.assertEqual(sum(len(block.y) for _, block in problem.blocks()), 4)
-            values = {"E": 1e3 * row.young, "sigma_Y": 1e3 * row.yield_stress, "n": row.exponent}
+            values = row.values()
             known = problem.experiments[0].entries(problem.values([p.coordinate(values[p.name]) for p in problem.parameters]))
             for path, value in row.entries().items():
                 self.assertAlmostEqual(known[path] / value, 1.)
@@ -99,6 +102,30 @@ class Studies(unittest.TestCase):
         filled = fill(text, {"two_cones": content_of_cones(compared)})
         self.assertEqual(len(filled.splitlines()), len(text.splitlines()))
         self.assertEqual(filled.count(", +0.0 %"), 27)
+
+    def test_errors_of_two_cones(self):
+        """Of residuals that are linear in the coordinates, what has to change where a quantity is larger by its noise; a
+        row of the page for each."""
+        jacobian = numpy.array([[30., 70., 80.], [100., -5., -30.], [30., -30., -40.], [20., 80., 110.]])
+
+        class Linear(FunctionModel):
+            def __init__(self, problem, *_):
+                super().__init__(lambda x: jacobian @ x, *problem.bounds())
+
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.object(two_cones, "ProgramModel", Linear):
+            errors = two_cones.errors_of_fit(1005, pathlib.Path(folder), None, True, 1)
+        self.assertEqual(list(errors)[1], ("blunt", SLOPE))
+        coordinates = numpy.column_stack(list(errors.values())) / [[1.], [1.], [0.5]]  # (of E, sigma_Y, n)
+        numpy.testing.assert_allclose(coordinates @ jacobian, numpy.eye(3), atol=1e-9)
+        known = ROWS[1005].published()
+        computed = {(1005, cone): dict(quantities) for cone, quantities in known.items()}
+        computed[1005, "blunt"]["plastic work share"] += 0.006
+        expected = two_cones.expected_change(1005, errors, computed)
+        numpy.testing.assert_allclose(expected, -2. * errors["blunt", "plastic work share"])
+        text = PAGE_OF_CONES.read_text(encoding="utf-8")
+        changes = [[change] * 3 for change in (*errors.values(), expected)]
+        filled = fill(text, {"two_cones_errors": content_of_changes(changes)})
+        self.assertEqual(len(filled.splitlines()), len(text.splitlines()))
 
     def test_materials(self):
         for material in PAIR:

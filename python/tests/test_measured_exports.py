@@ -263,6 +263,17 @@ class Exports(FilesOfInstruments):
             with self.subTest(sheets=sheets.keys()):
                 self.check(read_curve(self.spreadsheet(sheets)), n_indents)
 
+    def test_sheets_of_raw_channels(self):
+        """Of the same indent: they are no further ones, unless their columns are asked for."""
+        t, h, F = (values.tolist() for values in self.columns)
+        shown = [["Time (s)", "Depth (nm)", "Load (mN)"], *zip(t, h, F)]
+        raw = [["Time (s)", "Raw displacement (nm)", "Raw load (mN)"], *([a, b + 5000., -c] for a, b, c in zip(t, h, F))]
+        path = self.spreadsheet({"Test 1": shown, "Channels": raw})
+        curve, = self.check(read_curve(path), 1)
+        self.assertIn("the sheet 'Channels' is left out: others name depth and force better", curve.remarks)
+        self.assertEqual(len(read_curve(path, {"time": 1, "depth": 2, "force": 3})), 2)
+        self.check(read_curve(self.spreadsheet({"Channels": [raw[0], *shown[1:]]})), 1)
+
     def test_archives(self):
         """A file for each indent, with bare numbers as Micro Materials writes them."""
         def archive(files):

@@ -23,6 +23,7 @@ from elasto_plastic_contact.pictures.contact import contact_at
 from elasto_plastic_contact.pictures.joined import Joined
 from elasto_plastic_contact.plots import curves, experiment, figures, friction, study
 from elasto_plastic_contact.plots.cycles import turning_points
+from elasto_plastic_contact.plots.quantities import scales_of
 
 CORNERS = numpy.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
 CUBE = numpy.concatenate([CORNERS, CORNERS + [0, 0, 1]])
@@ -169,6 +170,17 @@ class Files(unittest.TestCase):
                       self.message("render", self.cone, sphere))
         self.assertIn("no contact pressure to be seen from above",
                       self.message("render", self.cone, "--panels", "pressure"))
+
+    def test_forces_of_the_whole(self):
+        """Of a quarter of a sphere, four times those of the run, or what is asked for."""
+        quarter = run("sphere_3d.prm", self.folder / "quarter", {
+            "Refinement/Number of cycles": 1, "Geometry/Initial refinements": 2, "Loading/Number of steps": 2,
+            "Output/Fields": "never"})
+        for parts, factor in ((None, 4.), (1., 1.)):
+            options = types.SimpleNamespace(parts=parts, normalised=False, length_unit=None, force_unit=None)
+            _, axes = figures.new_diagram()
+            curves.force_depth(quarter, options, scales_of(quarter, options), axes)
+            numpy.testing.assert_allclose(axes.get_lines()[0].get_ydata(), factor * quarter.history["force"])
 
     def test_names_of_imprints(self):
         profile = {"step": [1., 2.]}

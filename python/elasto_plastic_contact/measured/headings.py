@@ -68,11 +68,15 @@ def rank(heading, quantity):
     return next((rank for rank, names in enumerate(NAMES[quantity]) if not known.isdisjoint(names)), None)
 
 
+def best_rank(headings, quantity):
+    """How well the best of them names it; None if none does."""
+    return min((found for heading in headings if (found := rank(heading, quantity)) is not None), default=None)
+
+
 def columns_of(headings, quantity):
     """The numbers of the columns that name it best."""
-    ranks = [(rank(heading, quantity), column) for column, heading in enumerate(headings)]
-    found = [value for value, _ in ranks if value is not None]
-    return [column for value, column in ranks if found and value == min(found)]
+    best = best_rank(headings, quantity)
+    return [column for column, heading in enumerate(headings) if best is not None and rank(heading, quantity) == best]
 
 
 def unit_of(heading, unit, quantity):

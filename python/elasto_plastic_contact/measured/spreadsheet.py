@@ -9,7 +9,7 @@ from .blocks import blocks
 from .columns import curves_of_blocks
 from .east_asian import with_usual_signs
 from .formats import find_reading
-from .headings import columns_of
+from .headings import best_rank
 
 FORMAT = ".xls and .xlsx"
 
@@ -53,21 +53,37 @@ def text_of(cell):
     return "" if cell is None else with_usual_signs(str(cell))
 
 
+def naming(blocks):
+    """How well the best headings on a sheet name depth and force, two ranks; None if none name both."""
+    ranks = [[best_rank(block.headings or [], quantity) for quantity in ("depth", "force")] for block in blocks]
+    return min((pair for pair in ranks if None not in pair), default=None)
+
+
+def raw_channels(on_sheets):
+    """The sheets that name both depth and force less well than another one: other channels of the same indents."""
+    known = {name: ranks for name, found in on_sheets.items() if (ranks := naming(found))}
+    return [name for name, ranks in known.items()
+            if any(depth < ranks[0] and force < ranks[1] for depth, force in known.values())]
+
+
 def read(path, data, chosen):
-    """The curves of all sheets that have depth and force. Raises UserError."""
-    found, tried = [], []
+    """The curves of all sheets that have depth and force, without raw channels. Raises UserError."""
+    on_sheets = {}
     for name, rows in sheets(path, data):
         if "Tagged" in name:  # (NanoSuite repeats some rows of a test there)
             continue
         texts = [[text_of(cell) for cell in row] for row in rows]
-        on_sheet = blocks([(number, cells, cells) for number, cells in enumerate(texts, 1)], find_reading(texts)[0],
-                          f"{path}, sheet {name}")
-        tried += on_sheet
-        if chosen or any(columns_of(block.headings or [], "depth") and columns_of(block.headings or [], "force")
-                         for block in on_sheet):
-            for block in on_sheet:
-                block.title = name
-            found += on_sheet
+        on_sheets[name] = blocks([(number, cells, cells) for number, cells in enumerate(texts, 1)], find_reading(texts)[0],
+                                 f"{path}, sheet {name}")
+    tried = [block for found in on_sheets.values() for block in found]
     if not tried:
         raise UserError(f"'{path}' has no rows of numbers on any sheet")
-    return curves_of_blocks(found or tried, path, chosen)
+    left_out = [] if chosen else raw_channels(on_sheets)
+    read_ones = {name: found for name, found in on_sheets.items() if chosen or naming(found) and name not in left_out}
+    for name, found in read_ones.items():
+        for block in found:
+            block.title = name
+    curves = curves_of_blocks([block for found in read_ones.values() for block in found] or tried, path, chosen)
+    for name in left_out:
+        curves = [curve.with_remark(f"the sheet '{name}' is left out: others name depth and force better") for curve in curves]
+    return curves

@@ -126,9 +126,26 @@ def two_cones(runs):
     return content_of_cones(compared)
 
 
+@measured_table(100)
+def two_cones_errors(runs):
+    """What errors in these quantities do to a fit, and what their differences from what is computed here would."""
+    from ..verification.two_cones import ROWS, errors_of_fit, expected_change, of_materials
+    with tempfile.TemporaryDirectory() as folder:
+        place, how = pathlib.Path(folder), (runs.program, True, 2)
+        computed = of_materials(place / "rows", *how)
+        errors = {case: errors_of_fit(case, place / "errors", *how) for case in ROWS}
+    expected = [expected_change(case, of_case, computed) for case, of_case in errors.items()]
+    return content_of_changes([*zip(*(of_case.values() for of_case in errors.values())), expected])
+
+
 def content_of_cones(compared):
     """compared: case, what it is, value and known value. One row for each quantity, one column for each case."""
     columns = {}
     for case, what, value, known in compared:
         columns.setdefault(what, {})[case] = f"{value:.4g} of {known:.4g}, {signed_percent(value / known - 1.)}"
     return Content([[None, *cells.values()] for cells in columns.values()])
+
+
+def content_of_changes(rows):
+    """rows: changes as those of errors_of_fit(), one for each case."""
+    return Content([[None, *(f"{100. * change[1]:+.1f} %, {change[2]:+.3f}" for change in row)] for row in rows])

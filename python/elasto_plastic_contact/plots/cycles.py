@@ -23,7 +23,7 @@ def turning_points(force):
 
 def add_run(run, label, units, loops, drift, colour):
     history = run.history
-    depth, force = history["depth"], history["force"]
+    depth, force = history["depth"], history["force"] / run.modelled_part
     peaks, valleys = turning_points(force)
     if len(peaks) < 2:
         raise UserError(f"there are no cycles in '{label}': the force turns back less than twice; it "

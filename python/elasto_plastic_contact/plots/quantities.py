@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The ElastoPlasticContact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a diagram's numbers are divided by: nothing, and the axis says the unit, or a length, a
-stress and a force of the run itself."""
+"""What a diagram's numbers are divided by: forces and energies by the part of the body that is computed, so that they are
+those of the whole, and the axis says the unit; or a length, a stress and a force of the run itself."""
 
 import math
 from dataclasses import dataclass
@@ -109,8 +109,9 @@ class Scales:
 def scales_of(run, arguments):
     if arguments.normalised:
         return normalised_scales(run, arguments)
-    units = units_of(run, arguments)
-    return Scales(*(Scale(1., name, False) for name in (units.length, units.stress, units.force, units.energy)))
+    units, part = units_of(run, arguments), 1. / n_parts(run, arguments)
+    return Scales(*(Scale(unit, name, False) for unit, name in (
+        (1., units.length), (1., units.stress), (part, units.force), (part, units.energy))))
 
 
 def normalised_scales(run, arguments):

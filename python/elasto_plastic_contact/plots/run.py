@@ -9,7 +9,7 @@ depth (force_depth.png, contact_radius.png) and the energies over time
 the rate of the depth (hardness_rate.png); without an indenter, the forces of the supports over time
 (reactions.png) and the stress-strain curve of a box that is loaded along an axis
 (stress_strain.png); of a limit load in the plane, the fields on its last mesh
-(equilibrium.png).
+(equilibrium.png). Forces and energies are those of the whole body, also where a half or a sector of it is computed.
 
     epc plot output/sphere_axisymmetric
     epc plot force_depth energies output/sphere_axisymmetric --format svg --length-unit mm --force-unit N
@@ -22,7 +22,7 @@ import sys
 from . import curves, equilibrium
 from .figures import add_units, letter, make_parser, new_diagram, plt, save
 from .quantities import check_shown_entry, scales_of
-from ..arguments import number, picture
+from ..arguments import folder, number, picture
 from ..errors import FileError, NothingToShow, UserError
 from ..results import Results
 
@@ -52,7 +52,8 @@ def make_run_parser(others):
                         help="which entry of surface.pvd, counted from 0 (default: of a load history the one with the "
                              "largest force, else the last)")
     parser.add_argument("--format", choices=["png", "svg", "pdf"], help="of the files (default: png)")
-    parser.add_argument("--output-directory", help="where the plots go, a folder that is made if need be (default: DIRECTORY)")
+    parser.add_argument("--output-directory", type=folder,
+                        help="where the plots go, a folder that is made if need be (default: DIRECTORY)")
     parser.add_argument("--panels", type=picture, metavar="FILE",
                         help="one figure with the panels (a), (b) and so on instead, the diagrams that are named")
     return parser
@@ -70,7 +71,7 @@ def check_options(run, arguments):
     is_scaled_by_hertz = arguments.hertz and arguments.normalised
     for option, is_used, needed in (
             ("hertz", has_pressure or is_scaled_by_hertz, "the diagram pressure and fields of the surface, or --normalised"),
-            ("parts", arguments.hertz, "--hertz"),
+            ("parts", arguments.hertz or not arguments.normalised, "--hertz, or axes with units, not --normalised"),
             ("step", has_pressure or is_scaled_by_hertz, "the diagram pressure and fields of the surface"),
             ("centre", has_pressure or "imprint" in names, "the diagram pressure or imprint"),
             ("panels", arguments.names, f"the names of the diagrams, some of {', '.join(DIAGRAMS)}"),

@@ -26,8 +26,8 @@ OF_HISTORY, OF_SINGLE_STEP, OF_TEST = (("force_depth", "contact_radius", "pressu
 # The fields that are drawn on the body, if the run has them.
 FIELDS = {"von_mises_stress": "Von Mises stress", "equivalent_plastic_strain": "Equivalent plastic strain"}
 
-# Those of the diagrams' options that a report does not use.
-OPTIONS = argparse.Namespace(hertz=None, parts=None, centre=None, step=None, normalised=False, length_unit=None,
+# Options of the diagrams. Forces are those of the part of the body that is computed, as all numbers of a report.
+OPTIONS = argparse.Namespace(hertz=None, parts=1., centre=None, step=None, normalised=False, length_unit=None,
                              force_unit=None)
 
 

@@ -103,6 +103,6 @@ def write(facts, document):
     document.heading("Results in short")
     part = facts.run.modelled_part if facts.has_contact else 1.
     if part < 0.99:
-        document.paragraph(f"Forces, areas, stiffness and energies are those of the part of the indenter that stands on the "
-                           f"body, {part:.3g} of the whole.")
+        document.paragraph("Forces, areas, stiffness and energies, also in the curves, are those of the part of the "
+                           f"indenter that stands on the body, {part:.3g} of the whole.")
     document.table([], [[number.name, text_of(facts, number)] for number in key_numbers(facts)])

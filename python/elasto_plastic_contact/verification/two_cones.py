@@ -6,8 +6,9 @@ usage: scripts/command.py two_cones [--coarse] [--at-once 2] [--output-directory
 
 Prints, for each row of the published tables, what this program gives for its material beside what is published, and
 then the fit of Young's modulus, yield stress and exponent to loading curvature, slope of the unloading and plastic work
-share of a cone of 70.3 degrees, and the loading curvature of one of 60 degrees. A command that has been stopped goes on
-where it was.
+share of a cone of 70.3 degrees, and the loading curvature of one of 60 degrees; the same fit to what this program gives,
+known ten times better; and what a fit makes of an error in each quantity. A command that has been stopped goes on where it
+was.
 """
 
 import argparse
@@ -15,12 +16,17 @@ import functools
 import pathlib
 from dataclasses import dataclass
 
+import numpy
+
 from .published_metals import COMMON, CONE, CURVATURE, SLOPE, UNITS, WORK_SHARE, swift_entries
 from .runner import add_program
 from ..arguments import number
 from ..fitting.command import fit
 from ..fitting.flow_stress import flow_stress
+from ..fitting.models import ProgramModel
+from ..fitting.optimisation import Derivatives, start_of
 from ..fitting.predictions import QUANTITIES
+from ..fitting.reading import read_problem
 from ..fitting.runs import Runs, expect
 from ..program import find_program, ready_case
 from ..study.command import open_folder
@@ -35,8 +41,11 @@ STRAINS = (0.033, 0.053)
 # The depth at which slopes are published, in m.
 DEPTH = 2e-7
 
-# Of what is published, relative; of the plastic work share, absolute.
+# Of what is published, relative; of the plastic work share, absolute. Of what this program gives, that part of it.
 NOISE, NOISE_OF_SHARE = 0.01, 0.003
+OWN = 0.1
+
+STEP = 0.04  # of the differences, in the coordinates of a fit
 
 
 @dataclass(frozen=True)
@@ -56,8 +65,12 @@ class Row:
         return {"blunt": {CURVATURE: self.blunt_curvature, SLOPE: 1e-9 * self.slope / DEPTH, WORK_SHARE: self.work_share},
                 "sharp": {CURVATURE: self.sharp_curvature}}
 
+    def values(self):
+        """Of the parameters of a fit."""
+        return {"E": 1e3 * self.young, "sigma_Y": 1e3 * self.yield_stress, "n": self.exponent}
+
     def entries(self):
-        return swift_entries(1e3 * self.young, 1e3 * self.yield_stress, self.exponent)
+        return swift_entries(*self.values().values())
 
 
 # By the numbers of their cases.
@@ -66,13 +79,18 @@ ROWS = {1004: Row(177.128, 0.77102177, 0.104538091, 79.0083632, 242266.561, 0.89
         1006: Row(83.518, 0.698605786, 0.248499571, 66.71392543, 95641.878, 0.781243186, 31.2771226)}
 
 
-def problem_of(row, coarse):
-    """As a file of a fit, in mm, N and MPa."""
+def deviation(name, value):
+    """Of a published quantity."""
+    return NOISE * value if name in UNITS else NOISE_OF_SHARE
+
+
+def problem_of(known, coarse, noise=1.):
+    """As a file of a fit, in mm, N and MPa. known: quantities by cone and name, in GPa; noise: over that of what is
+    published."""
     experiments = {}
-    for cone, quantities in row.published().items():
-        data = [{"quantity": name, "value": value, "unit": "GPa", "noise": {"relative": NOISE}} if name in UNITS else
-                {"quantity": name, "value": value, "noise": {"absolute": NOISE_OF_SHARE}}
-                for name, value in quantities.items()]
+    for cone, quantities in known.items():
+        data = [{"quantity": name, "value": value, "noise": {"absolute": noise * deviation(name, value)}}
+                | ({"unit": UNITS[name]} if name in UNITS else {}) for name, value in quantities.items()]
         settings = CONE.entries | {"Indenter/Semi-apex angle": ANGLES[cone]}
         experiment = {"case": CONE.case, "units": {"length": "mm", "force": "N"}, "data": data}
         experiments[cone] = experiment | ({"set": settings | CONE.coarse} if coarse else
@@ -106,23 +124,55 @@ def compare_with_published(computed):
 
 def fit_case(case, folder, program, coarse, at_once):
     """The values of its parameters."""
-    return fit(problem_of(ROWS[case], coarse), folder / f"case_{case}", program=program, at_once=at_once,
-               report=functools.partial(print, flush=True)).values
+    return values_of(problem_of(ROWS[case].published(), coarse), folder / f"case_{case}", program, at_once)
 
 
-def curve_of(young, yield_stress, exponent):
-    """The stresses at STRAINS, in MPa."""
-    return flow_stress(COMMON | swift_entries(young, yield_stress, exponent), list(STRAINS))
+def fit_own(case, computed, folder, program, coarse, at_once):
+    """As fit_case(), of what of_materials() returns."""
+    known = {cone: computed[case, cone] for cone in ANGLES}
+    return values_of(problem_of(known, coarse, OWN), folder / f"own_{case}", program, at_once)
+
+
+def values_of(problem, folder, program, at_once):
+    return fit(problem, folder, program=program, at_once=at_once, report=functools.partial(print, flush=True)).values
+
+
+def errors_of_fit(case, folder, program, coarse, at_once):
+    """What a fit at the material makes of a quantity that is larger by its noise: for each quantity its cone and name, and
+    the changes of ln E, of the logarithm of the yield stress, and of the exponent."""
+    problem = read_problem(problem_of(ROWS[case].published(), coarse), program)
+    values = ROWS[case].values()
+    x = numpy.array([parameter.coordinate(values[parameter.name]) for parameter in problem.parameters])
+    with open_folder(folder, "errors"), Runs(folder, program, at_once) as runs:
+        model = ProgramModel(problem, runs, "fine")
+        jacobian = Derivatives(model, STEP)(x, start_of(model, x))
+    sizes = [1. if parameter.is_logarithmic else parameter.size for parameter in problem.parameters]
+    places = [(cone, name) for cone, quantities in ROWS[case].published().items() for name in quantities]
+    return dict(zip(places, (numpy.linalg.pinv(jacobian) * numpy.reshape(sizes, (-1, 1))).T))
+
+
+def expected_change(case, errors, computed):
+    """What those make of the differences of what is published from what of_materials() returns."""
+    known = ROWS[case].published()
+    return sum(changes * (known[cone][name] - computed[case, cone][name]) / deviation(name, known[cone][name])
+               for (cone, name), changes in errors.items())
+
+
+def numbers_of(values):
+    """E in GPa, yield stress in MPa, exponent, and the stresses at STRAINS in MPa."""
+    stresses = flow_stress(COMMON | swift_entries(*values.values()), list(STRAINS))
+    return values["E"] / 1e3, values["sigma_Y"], values["n"], *stresses
 
 
 def compare_with_material(case, values):
     """Case, what it is, value of the fit and that of the material."""
-    row = ROWS[case]
     names = ("E in GPa", "yield stress in MPa", "exponent", *(f"stress at {strain:g} in MPa" for strain in STRAINS))
-    found = (values["E"] / 1e3, values["sigma_Y"], values["n"], *curve_of(values["E"], values["sigma_Y"], values["n"]))
-    known = (row.young, 1e3 * row.yield_stress, row.exponent,
-             *curve_of(1e3 * row.young, 1e3 * row.yield_stress, row.exponent))
-    return [(case, *compared) for compared in zip(names, found, known)]
+    return [(case, *compared) for compared in zip(names, numbers_of(values), numbers_of(ROWS[case].values()))]
+
+
+def in_words(changes):
+    """Of yield stress and exponent, of an entry of errors_of_fit()."""
+    return f"yield stress {100. * changes[1]:+.1f} %, exponent {changes[2]:+.3f}"
 
 
 def print_rows(rows):
@@ -140,7 +190,14 @@ def main(arguments):
     chosen = parser.parse_args(arguments)
     program, folder = find_program(chosen.program), chosen.output_directory
     how = (program, chosen.coarse, chosen.at_once)
-    print_rows(compare_with_published(of_materials(folder / "rows", *how)))
+    computed = of_materials(folder / "rows", *how)
+    print_rows(compare_with_published(computed))
     for case in ROWS:
         print_rows(compare_with_material(case, fit_case(case, folder, *how)))
+        print("to what this program gives:")
+        print_rows(compare_with_material(case, fit_own(case, computed, folder, *how)))
+        errors = errors_of_fit(case, folder / "errors", *how)
+        for (cone, name), changes in errors.items():
+            print(f"case {case}, {name} of {ANGLES[cone]:g} degrees larger by its noise: {in_words(changes)}")
+        print(f"case {case}, larger by what is published: {in_words(expected_change(case, errors, computed))}", flush=True)
     return 0
